@@ -1,0 +1,51 @@
+"""Errors that a user can cause, each with one sentence that says what would be valid.
+
+Expected outcomes (no plan, a time-out, a failed step) are values, not errors.
+"""
+
+from collections.abc import Iterable
+from pathlib import Path
+
+
+class NeurosymError(Exception):
+    """Base of every error that bad input can cause; the command line prints it and exits with code 2."""
+
+
+class FolderNotFound(NeurosymError):
+    """A domain folder that does not exist."""
+
+    def __init__(self, folder: Path):
+        super().__init__(f"There is no folder {folder}; `neurosym init {folder}` makes a new domain folder.")
+
+
+class StageMissing(NeurosymError):
+    """A stage was asked for before the one whose file it reads."""
+
+    def __init__(self, missing: Path, command: str):
+        super().__init__(f"{missing} is missing; `{command}` writes it.")
+
+
+class InvalidFile(NeurosymError):
+    """A file that is corrupt, foreign, or of another version."""
+
+    def __init__(self, path: Path, problem: str):
+        super().__init__(f"{path} cannot be used: {problem}.")
+
+
+class UnknownChoice(NeurosymError):
+    """A name that is not among the valid ones."""
+
+    def __init__(self, kind: str, name: str, known: Iterable[str]):
+        choices = ", ".join(sorted(known)) or "none"
+        super().__init__(f"There is no {kind} {name!r}; valid: {choices}.")
+
+
+class InvalidValue(NeurosymError):
+    """A number or shape outside what is possible."""
+
+
+class InvalidPlan(NeurosymError):
+    """A plan file that cannot be read against the domain and problem at hand."""
+
+    def __init__(self, path: Path, line: int, problem: str):
+        super().__init__(f"{path}, line {line}: {problem}.")

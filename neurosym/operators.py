@@ -1,0 +1,117 @@
+"""The table of operators: what each primitive does to each category of objects.
+
+This one table is what every PDDL output is printed from, what plans are replayed with, and what execution
+compares observations against. It is stored in `primitives.json`.
+"""
+
+from typing import Literal
+
+import msgspec
+
+from neurosym.symbols import Symbol
+
+Vector = tuple[float, float, float]
+TOLERANCE = 0.05
+"""How near an object must come to its goal, and an outcome to its promise [m] (section III-E)."""
+
+ModeKind = Literal["resting", "held", "toppled", "lost"]
+
+
+class Mode(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
+    """One way that a primitive turns out on a category.
+
+    Attributes:
+        kind: How the target ended: at rest upright, held in the air, on another face, or off the table.
+        count: How many rehearsals ended so.
+        share: The same as a share of all rehearsals of this primitive on this category.
+        effect: Mean displacement at the end of the rise [m].
+        spread: Standard deviation of that displacement, each axis [m].
+        resting_effect: Mean displacement once everything is put down [m].
+        resting_spread: Standard deviation of that, each axis [m].
+        peak_height: Mean of the greatest height on the way [m].
+        near_mean: How many of the `count` lie within the planning tolerance of the mean effect.
+    """
+
+    kind: ModeKind
+    count: int
+    share: float
+    effect: Vector
+    spread: Vector
+    resting_effect: Vector
+    resting_spread: Vector
+    peak_height: float
+    near_mean: int
+
+
+class Primitive(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
+    """An action symbol with its distilled parameters.
+
+    Attributes:
+        symbol: The action symbol, like "101".
+        action: The distilled action parameters.
+        code_error: Mean squared error of the action's embedding to the symbol's +-1 code.
+    """
+
+    symbol: Symbol
+    action: tuple[float, ...]
+    code_error: float
+
+
+class Category(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
+    """The objects that share one object symbol.
+
+    Attributes:
+        symbol: The object symbol, like "10".
+        name: Readable name, a legal PDDL type.
+        share: Share of the sampled objects that fall into this category.
+        feature_means: Mean of each feature over those objects.
+        feature_spreads: Standard deviation of each feature over those objects.
+    """
+
+    symbol: Symbol
+    name: str
+    share: float
+    feature_means: tuple[float, ...]
+    feature_spreads: tuple[float, ...]
+
+
+class Operator(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
+    """What one primitive does to one category.
+
+    Attributes:
+        name: Readable name, a legal PDDL action name, unique in the table.
+        category: Symbol of the category.
+        primitive: Symbol of the primitive.
+        trials: How many rehearsals there were.
+        modes: The outcomes seen, most frequent first.
+    """
+
+    name: str
+    category: Symbol
+    primitive: Symbol
+    trials: int
+    modes: tuple[Mode, ...]
+
+    @property
+    def promise(self) -> Mode | None:
+        """The mode the operator promises: the most frequent one that ends at rest upright or held."""
+        return next((mode for mode in self.modes if mode.kind in ("resting", "held")), None)
+
+    @property
+    def successes(self) -> int:
+        """Rehearsals that ended in the promised mode, within the planning tolerance of its mean."""
+        return self.promise.near_mean if self.promise else 0
+
+
+class OperatorTable(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
+    """Categories, primitives, and an operator for each pair of them.
+
+    Attributes:
+        categories: In the order of their symbols.
+        primitives: In the order of their symbols.
+        operators: By primitive, then category; pairs that were never rehearsed are missing.
+    """
+
+    categories: tuple[Category, ...]
+    primitives: tuple[Primitive, ...]
+    operators: tuple[Operator, ...]

@@ -1,0 +1,1 @@
+"""Planners, interchangeable: each takes a problem and returns a result."""

@@ -1,0 +1,1 @@
+"""The PyBullet world; nothing outside this folder imports PyBullet."""

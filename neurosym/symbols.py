@@ -1,0 +1,23 @@
+"""Symbols: codes of bits, written as strings like "101"."""
+
+from itertools import product
+
+import numpy as np
+from jaxtyping import Float
+
+Symbol = str
+
+
+def all_symbols(bits: int) -> tuple[Symbol, ...]:
+    """List the 2^K symbols of K bits in counting order."""
+    return tuple("".join(code) for code in product("01", repeat=bits))
+
+
+def binarize(embeddings: Float[np.ndarray, "N K"]) -> tuple[Symbol, ...]:
+    """Turn embeddings into symbols by the binary step function (eq. 2): a bit is 1 where the value is > 0."""
+    return tuple("".join("1" if value > 0 else "0" for value in row) for row in embeddings)
+
+
+def signs(symbol: Symbol) -> Float[np.ndarray, "K"]:
+    """Write a symbol in tanh's range: +1 for each 1, -1 for each 0."""
+    return np.array([1.0 if bit == "1" else -1.0 for bit in symbol])

@@ -1,0 +1,204 @@
+"""The world a robot acts in: scenes, outcomes, and the protocol every world implements.
+
+A world is a function without memory: a scene goes in, an outcome comes out, and the outcome's last scene
+can go in again. So an interaction has the same result in any order and in any process, and a plan is
+executed by feeding each outcome's end into the next interaction.
+"""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Protocol
+
+import numpy as np
+from jaxtyping import Bool, Float, UInt8
+
+from neurosym.errors import InvalidValue
+
+Frame = UInt8[np.ndarray, "height width 3"]
+FrameSink = Callable[[Frame], None]
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Scene:
+    """The objects on the table, at one moment.
+
+    Attributes:
+        features: What each object is: size along x, size along y, height [m], type (0 solid, 1 hollow).
+        positions: Centre of each object in the world frame [m].
+        orientations: Orientation of each object in the world frame, as a quaternion (x, y, z, w).
+    """
+
+    features: Float[np.ndarray, "M F"]
+    positions: Float[np.ndarray, "M 3"]
+    orientations: Float[np.ndarray, "M 4"]
+
+    def __len__(self) -> int:
+        return len(self.features)
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Outcome:
+    """What one interaction did: the scene before it, at the end of the rise, and after the put-down.
+
+    Attributes:
+        start: Everything at rest, before the hand comes near.
+        lifted: At the end of the rise, a held object in mid-air.
+        end: Everything at rest again, hand empty. Equal to `lifted` when the caller asked for no put-down.
+        target: Index of the object that the action was aimed at.
+        held: Whether the target hung from the gripper at the end of the rise.
+        toppled: Whether the target ended lying on another face than it started on.
+        lost: Whether the target ended off the table.
+        peak_height: Greatest height of the target's centre above its start on the way [m].
+    """
+
+    start: Scene
+    lifted: Scene
+    end: Scene
+    target: int
+    held: bool
+    toppled: bool
+    lost: bool
+    peak_height: float
+
+    @property
+    def effect(self) -> Float[np.ndarray, "3"]:
+        """Displacement of the target at the end of the rise [m] (the paper's e)."""
+        return np.asarray(self.lifted.positions[self.target] - self.start.positions[self.target])
+
+    @property
+    def resting_effect(self) -> Float[np.ndarray, "3"]:
+        """Displacement of the target once everything is put down [m]."""
+        return np.asarray(self.end.positions[self.target] - self.start.positions[self.target])
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class ActionBox:
+    """The box that actions are drawn from, and which of their numbers are gripper values.
+
+    Attributes:
+        low: Smallest value of each action parameter ([m] for coordinates).
+        high: Largest value of each action parameter.
+        gripper: True where the parameter is a gripper value, which acts only through being >= 0.5 (open).
+    """
+
+    low: Float[np.ndarray, "A"]
+    high: Float[np.ndarray, "A"]
+    gripper: Bool[np.ndarray, "A"]
+
+    def sample(self, rng: np.random.Generator, count: int) -> Float[np.ndarray, "{count} A"]:
+        """Draw actions uniformly from the box.
+
+        Args:
+            rng: Source of randomness, owned by the caller.
+            count: How many actions.
+        """
+        return rng.uniform(self.low, self.high, size=(count, len(self.low)))
+
+    def contains(self, action: Float[np.ndarray, "A"]) -> bool:
+        """Say whether an action lies in the box."""
+        return bool(np.all(action >= self.low) and np.all(action <= self.high))
+
+
+@dataclass(frozen=True, slots=True)
+class Table:
+    """The part of the table that objects must stay on: `x` and `y` are (least, greatest) coordinates [m]."""
+
+    x: tuple[float, float]
+    y: tuple[float, float]
+
+    def __post_init__(self) -> None:
+        for name, (least, greatest) in (("x", self.x), ("y", self.y)):
+            if not least < greatest:
+                raise InvalidValue(
+                    f"table.{name} = [{least}, {greatest}] is empty; the first number must be smaller."
+                )
+
+    def contains(self, position: Float[np.ndarray, "3"]) -> bool:
+        """Say whether a centre lies over the table."""
+        x, y = float(position[0]), float(position[1])
+        return self.x[0] <= x <= self.x[1] and self.y[0] <= y <= self.y[1]
+
+
+class World(Protocol):
+    """What exploration, rehearsal and execution need of a world."""
+
+    @property
+    def name(self) -> str:
+        """Name of the world, a legal PDDL name."""
+        ...
+
+    @property
+    def feature_names(self) -> tuple[str, ...]:
+        """Names of the F object features, sizes along x, y, z first."""
+        ...
+
+    @property
+    def action_box(self) -> ActionBox:
+        """The box of the A action parameters."""
+        ...
+
+    @property
+    def table(self) -> Table:
+        """Where objects may stand."""
+        ...
+
+    @property
+    def lift_height(self) -> float:
+        """How far the hand rises after the last waypoint [m]."""
+        ...
+
+    def sample_scene(self, rng: np.random.Generator, objects: int) -> Scene:
+        """Draw a scene of objects at rest that do not overlap.
+
+        Args:
+            rng: Source of randomness, owned by the caller.
+            objects: How many objects.
+
+        Raises:
+            InvalidValue: If so many objects do not fit on the table.
+        """
+        ...
+
+    def interact(
+        self,
+        scene: Scene,
+        action: Float[np.ndarray, "A"],
+        target: int,
+        *,
+        put_down: bool = True,
+        on_frame: FrameSink | None = None,
+    ) -> Outcome:
+        """Perform one action on one object, from empty hand to empty hand.
+
+        Args:
+            scene: The objects, at rest.
+            action: Action parameters, relative to the target's centre.
+            target: Index of the object acted upon.
+            put_down: Whether to lower and release an object that is held after the rise; without it the
+                outcome ends in mid-air.
+            on_frame: Called with pictures of the motion as it happens, if given.
+
+        Raises:
+            InvalidValue: If the action has another shape, is not finite, or the target does not exist.
+        """
+        ...
+
+
+def check_action(world: World, scene: Scene, action: np.ndarray, target: int) -> None:
+    """Raise `InvalidValue` unless the action can be performed on that target.
+
+    Args:
+        world: The world that is asked to perform it.
+        scene: The scene it is performed in.
+        action: The action parameters.
+        target: Index of the target.
+    """
+    size = len(world.action_box.low)
+    if np.shape(action) != (size,):
+        raise InvalidValue(
+            f"The action has shape {np.shape(action)}; the {world.name} world takes ({size},)."
+        )
+    if not np.all(np.isfinite(action)):
+        raise InvalidValue(f"The action holds a value that is not finite: {np.asarray(action).tolist()}.")
+    if not 0 <= target < len(scene):
+        raise InvalidValue(f"There is no object {target}; the scene has objects 0 to {len(scene) - 1}.")
