@@ -7,7 +7,7 @@ executed by feeding each outcome's end into the next interaction.
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import Protocol
+from typing import Protocol, runtime_checkable
 
 import numpy as np
 from jaxtyping import Bool, Float, UInt8
@@ -119,6 +119,7 @@ class Table:
         return self.x[0] <= x <= self.x[1] and self.y[0] <= y <= self.y[1]
 
 
+@runtime_checkable
 class World(Protocol):
     """What exploration, rehearsal and execution need of a world."""
 

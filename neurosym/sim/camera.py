@@ -1,0 +1,50 @@
+"""Pictures of the simulation, rendered without a screen."""
+
+import numpy as np
+import pybullet
+
+from neurosym.sim.config import TabletopConfig
+from neurosym.world import Frame, Scene
+
+WIDTH, HEIGHT = 640, 480
+SOLID_COLOUR = (0.35, 0.60, 0.85, 1.0)
+HOLLOW_COLOUR = (0.45, 0.75, 0.45, 1.0)
+TABLE_COLOUR = (0.86, 0.82, 0.76, 1.0)
+
+
+class Camera:
+    """A camera that looks down at the table from the robot's left.
+
+    Args:
+        client: The physics client.
+        config: The world, whose table fills the picture.
+        scene: The objects, coloured by their type; their bodies come after the table's.
+    """
+
+    def __init__(self, client: int, config: TabletopConfig, scene: Scene):
+        self._client = client
+        centre = (sum(config.table_x) / 2, sum(config.table_y) / 2, 0.05)
+        self._view = pybullet.computeViewMatrixFromYawPitchRoll(
+            cameraTargetPosition=centre, distance=1.15, yaw=55, pitch=-38, roll=0, upAxisIndex=2
+        )
+        self._projection = pybullet.computeProjectionMatrixFOV(
+            fov=45, aspect=WIDTH / HEIGHT, nearVal=0.05, farVal=5
+        )
+        pybullet.changeVisualShape(0, -1, rgbaColor=TABLE_COLOUR, physicsClientId=client)
+        for index, features in enumerate(scene.features):
+            colour = HOLLOW_COLOUR if features[3] >= 0.5 else SOLID_COLOUR
+            pybullet.changeVisualShape(index + 1, -1, rgbaColor=colour, physicsClientId=client)
+
+    def picture(self) -> Frame:
+        """Render what the camera sees now."""
+        _, _, pixels, _, _ = pybullet.getCameraImage(
+            WIDTH,
+            HEIGHT,
+            self._view,
+            self._projection,
+            lightDirection=(0.4, 0.6, 1.5),
+            shadow=1,
+            renderer=pybullet.ER_TINY_RENDERER,
+            physicsClientId=self._client,
+        )
+        return np.array(pixels, dtype=np.uint8).reshape(HEIGHT, WIDTH, 4)[:, :, :3]

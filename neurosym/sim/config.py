@@ -1,0 +1,59 @@
+"""What the tabletop world is made of."""
+
+from dataclasses import dataclass
+
+from neurosym.errors import InvalidValue
+from neurosym.world import Table
+
+
+@dataclass(frozen=True, slots=True)
+class TabletopConfig:
+    """The options of the tabletop world, as they stand in `world.toml`; every length in metres.
+
+    Attributes:
+        table_x: Extent of the table away from the robot's base [m].
+        table_y: Extent of the table to the robot's right (-) and left (+) [m].
+        spawn_margin: One or two objects start at least this far inside the table's edge [m].
+        spawn_gap: Objects start at least this far apart [m].
+        size: Least and greatest s_x and s_y [m].
+        height: Least and greatest d [m].
+        hollow_share: Probability that an object is hollow.
+        wall: Thickness of a hollow object's walls and floor [m].
+        mass: Mass of every object [kg].
+        friction: Lateral friction of objects; the table's is 0.6, a finger's 1.2, and the products count.
+        lift_height: How far the hand rises after the last waypoint [m].
+        time_step: Step of the simulation [s].
+        frame_every: Steps between two pictures, when pictures are asked for.
+    """
+
+    table_x: tuple[float, float] = (0.35, 0.95)
+    table_y: tuple[float, float] = (-0.3, 0.3)
+    spawn_margin: float = 0.12
+    spawn_gap: float = 0.04
+    size: tuple[float, float] = (0.03, 0.18)
+    height: tuple[float, float] = (0.02, 0.10)
+    hollow_share: float = 0.5
+    wall: float = 0.006
+    mass: float = 0.1
+    friction: float = 0.8
+    lift_height: float = 0.20
+    time_step: float = 1 / 240
+    frame_every: int = 12
+
+    def __post_init__(self) -> None:
+        for name in ("size", "height", "table_x", "table_y"):
+            least, greatest = getattr(self, name)
+            if not least < greatest:
+                raise InvalidValue(f"{name} = [{least}, {greatest}] is empty; put the smaller number first.")
+        for name in ("spawn_gap", "wall", "mass", "friction", "lift_height", "time_step", "frame_every"):
+            if not getattr(self, name) > 0:
+                raise InvalidValue(f"{name} = {getattr(self, name)} must be greater than 0.")
+        if not (self.size[0] > 2 * self.wall and self.height[0] > self.wall):
+            raise InvalidValue(f"wall = {self.wall} leaves no room inside the smallest object.")
+        if not 0 <= self.hollow_share <= 1:
+            raise InvalidValue(f"hollow_share = {self.hollow_share} must lie between 0 and 1.")
+
+    @property
+    def table(self) -> Table:
+        """The part of the table that objects must stay on."""
+        return Table(self.table_x, self.table_y)

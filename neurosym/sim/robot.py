@@ -1,0 +1,200 @@
+"""The arm and its hand: straight motions that stop at resistance, and fingers that feel their way."""
+
+from collections.abc import Callable
+from importlib.resources import files
+
+import numpy as np
+import pybullet
+from jaxtyping import Float
+
+from neurosym.sim.kinematics import BASE_HEIGHT, joints_for
+
+ARM_JOINTS = (0, 1, 2, 3, 4, 5)
+LEFT_FINGER, RIGHT_FINGER, HAND, TOOL = 7, 8, 6, 9
+HALF_OPENING = 0.07
+"""Travel of each finger [m]; the hand opens to twice this."""
+FINGER_LENGTH = 0.09
+FINGER_HALF_WIDTH, FINGER_THICKNESS = 0.011, 0.012
+PALM_HALF_SIZE = (0.025, 0.075)
+"""Half the palm's size along x and y [m]."""
+
+ARM_FORCES = (25.0, 25.0, 18.0, 6.0, 6.0, 6.0)
+"""Largest torque of each joint [Nm]: a soft arm, so that a blocked hand yields instead of crushing."""
+PEAK_SPEED = 0.45
+"""Greatest speed of the hand [m/s]; faster pushes make objects coast on."""
+CLOSING_FORCE, HOLDING_FORCE = 10.0, 20.0
+OPENING_FORCE = 0.4
+"""Force while opening [N]: too little to carry an object by spreading inside it."""
+FINGER_SPEED = 0.25
+FINGER_FRICTION = 1.2
+STALL_ERROR = 0.005
+"""A motion stops when the hand lags this far behind its path [m]."""
+LOWEST_TOOL_POINT = 0.013
+"""The tool point stays this high above the table [m]."""
+_QUINTIC_PEAK = 1.875  # peak over mean speed of the smooth profile
+_CHECK_EVERY = 4
+
+
+class Robot:
+    """The UR10 and its two-finger hand in one PyBullet client.
+
+    The robot does not advance time itself: it is given a function that steps the simulation.
+    """
+
+    def __init__(self, client: int, time_step: float, step: Callable[[], None]):
+        self._client = client
+        self._time_step = time_step
+        self._step = step
+        self.body = pybullet.loadURDF(
+            str(files("neurosym.sim") / "ur10.urdf"),
+            [0.0, 0.0, BASE_HEIGHT],
+            useFixedBase=True,
+            flags=pybullet.URDF_USE_INERTIA_FROM_FILE,
+            physicsClientId=client,
+        )
+        for finger in (LEFT_FINGER, RIGHT_FINGER):
+            pybullet.changeDynamics(
+                self.body,
+                finger,
+                lateralFriction=FINGER_FRICTION,
+                jointLowerLimit=0.0,
+                physicsClientId=client,
+            )
+        self._couple_fingers()
+        self.is_open = True
+
+    def _couple_fingers(self) -> None:
+        gear = pybullet.createConstraint(
+            self.body,
+            LEFT_FINGER,
+            self.body,
+            RIGHT_FINGER,
+            pybullet.JOINT_GEAR,
+            [0, 1, 0],
+            [0, 0, 0],
+            [0, 0, 0],
+            physicsClientId=self._client,
+        )
+        pybullet.changeConstraint(gear, gearRatio=-1, maxForce=200, erp=0.5, physicsClientId=self._client)
+
+    def place_at(self, point: Float[np.ndarray, "3"], half_opening: float) -> None:
+        """Put the hand somewhere at once, motionless, pointing down.
+
+        Args:
+            point: Tool point in the world [m].
+            half_opening: Position of each finger [m].
+        """
+        for joint, angle in zip(ARM_JOINTS, joints_for(point[None])[0], strict=True):
+            pybullet.resetJointState(self.body, joint, angle, 0.0, physicsClientId=self._client)
+        for finger in (LEFT_FINGER, RIGHT_FINGER):
+            pybullet.resetJointState(self.body, finger, half_opening, 0.0, physicsClientId=self._client)
+        self.is_open = half_opening > 0
+        self._drive_fingers(half_opening, HOLDING_FORCE if self.is_open else CLOSING_FORCE)
+        self._drive_arm(joints_for(point[None])[0], np.zeros(6))
+
+    def tool_point(self) -> Float[np.ndarray, "3"]:
+        """Return where the tool point is in the world [m]."""
+        state = pybullet.getLinkState(self.body, TOOL, physicsClientId=self._client)
+        return np.array(state[4])
+
+    def half_opening(self) -> float:
+        """Return how far each finger stands from the middle [m]."""
+        return float(pybullet.getJointState(self.body, LEFT_FINGER, physicsClientId=self._client)[0])
+
+    def move_to(
+        self,
+        point: Float[np.ndarray, "3"],
+        *,
+        peak_speed: float = PEAK_SPEED,
+        until: Callable[[], bool] | None = None,
+    ) -> bool:
+        """Move in a straight line, with a smooth start and end.
+
+        Args:
+            point: Where to bring the tool point [m]; it is kept above the table.
+            peak_speed: Greatest speed on the way [m/s].
+            until: Ends the motion early when true, if given.
+
+        Returns:
+            Whether the motion came to its end; False if something held the hand back or `until` ended it.
+        """
+        start = self.tool_point()
+        goal = np.array([point[0], point[1], max(point[2], LOWEST_TOOL_POINT)])
+        distance = float(np.linalg.norm(goal - start))
+        count = max(1, int(np.ceil(distance * _QUINTIC_PEAK / peak_speed / self._time_step)))
+        path = start + _smooth(count)[:, None] * (goal - start)  # (T, 3)
+        joints = joints_for(path)  # (T, 6)
+        velocities = np.gradient(joints, self._time_step, axis=0) if count > 1 else np.zeros_like(joints)
+        for tick in range(count):
+            self._drive_arm(joints[tick], velocities[tick])
+            self._step()
+            if until is not None and until():
+                self.hold()
+                return False
+            if tick % _CHECK_EVERY == 0 and np.linalg.norm(self.tool_point() - path[tick]) > STALL_ERROR:
+                self.hold()
+                return False
+        return True
+
+    def hold(self) -> None:
+        """Stay where the hand is now."""
+        self._drive_arm(joints_for(self.tool_point()[None])[0], np.zeros(6))
+
+    def close(self) -> None:
+        """Close the fingers until they stop."""
+        self._drive_fingers(0.0, CLOSING_FORCE)
+        self._wait_for_fingers(0.0)
+        self.is_open = False
+
+    def open(self, half_opening: float = HALF_OPENING) -> None:
+        """Open the fingers gently until they stop, then hold them there.
+
+        Args:
+            half_opening: How far to open each finger [m].
+        """
+        half_opening = min(half_opening, HALF_OPENING)
+        self._drive_fingers(half_opening, OPENING_FORCE)
+        self._wait_for_fingers(half_opening)
+        self._drive_fingers(self.half_opening(), HOLDING_FORCE)
+        self.is_open = True
+
+    def _wait_for_fingers(self, target: float) -> None:
+        """Step until the fingers arrive or stand still; at most the time of a full stroke and a little."""
+        last = self.half_opening()
+        still = 0
+        for _ in range(int((HALF_OPENING / FINGER_SPEED + 0.25) / self._time_step)):
+            self._step()
+            now = self.half_opening()
+            still = still + 1 if abs(now - last) < 0.01 * self._time_step else 0
+            if abs(now - target) < 2e-4 or still * self._time_step > 0.05:
+                return
+            last = now
+
+    def _drive_arm(self, angles: Float[np.ndarray, "6"], velocities: Float[np.ndarray, "6"]) -> None:
+        pybullet.setJointMotorControlArray(
+            self.body,
+            ARM_JOINTS,
+            pybullet.POSITION_CONTROL,
+            targetPositions=angles,
+            targetVelocities=velocities,
+            forces=ARM_FORCES,
+            physicsClientId=self._client,
+        )
+
+    def _drive_fingers(self, half_opening: float, force: float) -> None:
+        for finger in (LEFT_FINGER, RIGHT_FINGER):
+            pybullet.setJointMotorControl2(
+                self.body,
+                finger,
+                pybullet.POSITION_CONTROL,
+                targetPosition=half_opening,
+                force=force,
+                maxVelocity=FINGER_SPEED,
+                physicsClientId=self._client,
+            )
+
+
+def _smooth(count: int) -> Float[np.ndarray, "T"]:
+    """Return `count` path fractions ending at 1 whose speed and acceleration vanish at both ends."""
+    s = np.arange(1, count + 1) / count
+    return s**3 * (10 - 15 * s + 6 * s**2)
