@@ -1,0 +1,263 @@
+"""The paper's effect model: two encoders, a bottleneck that becomes symbols, and a decoder.
+
+Object features and action parameters are encoded separately into embeddings in [-1, 1]; the signs of the
+embeddings are the symbols (eq. 2). A decoder turns the concatenated embeddings into a Gaussian over the
+effect (eq. 3). Lengths go in and come out in metres; inside, effects are standardised, since with effects in
+metres the printed training regime moves nothing.
+"""
+
+import itertools
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
+from dataclasses import asdict
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import torch
+from jaxtyping import Float
+from torch import Tensor, nn
+
+from neurosym.errors import InvalidFile, InvalidValue
+from neurosym.model_config import Dimensions, ModelConfig
+from neurosym.symbols import Symbol, binarize, signs
+from neurosym.tensor_files import read_tensors, write_tensors
+
+FORMAT = "neurosym-effect-model-1"
+LOG_VARIANCE_FLOOR = -5.0
+"""Least log variance, of standardised effects; without it the NLL diverges."""
+
+
+class EffectModel(nn.Module):
+    """Predicts the effect of an action on an object, through symbols.
+
+    Args:
+        dimensions: What the network reads and writes.
+        config: How it is built.
+
+    Attributes:
+        trained_by: What made the weights, as plain JSON values; stored in the file.
+    """
+
+    effect_mean: Tensor
+    effect_std: Tensor
+
+    def __init__(self, dimensions: Dimensions, config: ModelConfig):
+        super().__init__()
+        self.dimensions = dimensions
+        self.config = config
+        self.trained_by: dict[str, Any] = {}
+        bits = config.object_bits + config.action_bits
+        outputs = dimensions.effects * (2 if config.head == "gaussian" else 1)
+        self.object_encoder = _encoder(dimensions.features, config.object_bits, config)
+        self.action_encoder = _encoder(dimensions.actions, config.action_bits, config)
+        self.norm = nn.LayerNorm(bits) if config.layer_norm else nn.Identity()
+        self.decoder = nn.Sequential(*_hidden_layers(bits, config), nn.Linear(config.hidden, outputs))
+        self.register_buffer("effect_mean", torch.zeros(dimensions.effects))
+        self.register_buffer("effect_std", torch.ones(dimensions.effects))
+
+    def set_scale(self, effects: Float[Tensor, "N E"]) -> None:
+        """Standardise effects by the mean and standard deviation of these.
+
+        Args:
+            effects: Effects [m].
+        """
+        self.effect_mean.copy_(effects.mean(0))
+        self.effect_std.copy_(effects.std(0, correction=0).clamp(min=1e-4))
+
+    def embed_objects(self, features: Float[Tensor, "B F"]) -> Float[Tensor, "B Ko"]:
+        """Encode objects into embeddings in [-1, 1]."""
+        embeddings: Tensor = self.object_encoder(features)
+        return embeddings
+
+    def embed_actions(self, actions: Float[Tensor, "B A"]) -> Float[Tensor, "B Ka"]:
+        """Encode actions into embeddings in [-1, 1]; differentiable in the actions."""
+        columns = list(self.dimensions.gripper_columns)
+        if self.config.gripper_sharpness is not None and columns:
+            opening = torch.sigmoid(self.config.gripper_sharpness * (actions[:, columns] - 0.5))
+            actions = actions.index_copy(1, torch.tensor(columns), opening)
+        embeddings: Tensor = self.action_encoder(actions)
+        return embeddings
+
+    def decode(
+        self, object_embeddings: Float[Tensor, "B Ko"], action_embeddings: Float[Tensor, "B Ka"]
+    ) -> tuple[Float[Tensor, "B E"], Float[Tensor, "B E"]]:
+        """Predict mean and log variance of the standardised effect (eq. 3).
+
+        With the "mean" head the log variance is minus infinity.
+        """
+        output = self.decoder(self.norm(torch.cat([object_embeddings, action_embeddings], dim=1)))
+        if self.config.head == "mean":
+            return output, torch.full_like(output, -torch.inf)
+        mean, raw = output.chunk(2, dim=1)
+        return mean, LOG_VARIANCE_FLOOR + nn.functional.softplus(raw - LOG_VARIANCE_FLOOR)
+
+    def forward(
+        self, features: Float[Tensor, "B F"], actions: Float[Tensor, "B A"]
+    ) -> tuple[Float[Tensor, "B E"], Float[Tensor, "B E"]]:
+        """Predict mean and log variance of the standardised effect from what is observed."""
+        return self.decode(self.embed_objects(features), self.embed_actions(actions))
+
+    def object_codes(self, features: Float[np.ndarray, "N F"]) -> Float[np.ndarray, "N Ko"]:
+        """Encode objects into embeddings, whose signs are the bits of their symbols."""
+        with _inference(self):
+            return self.embed_objects(_tensor(features)).numpy()
+
+    def action_codes(self, actions: Float[np.ndarray, "N A"]) -> Float[np.ndarray, "N Ka"]:
+        """Encode actions into embeddings, whose signs are the bits of their symbols."""
+        with _inference(self):
+            return self.embed_actions(_tensor(actions)).numpy()
+
+    def object_symbols(self, features: Float[np.ndarray, "N F"]) -> tuple[Symbol, ...]:
+        """Name the category of each object."""
+        return binarize(self.object_codes(features))
+
+    def action_symbols(self, actions: Float[np.ndarray, "N A"]) -> tuple[Symbol, ...]:
+        """Name the symbol of each action."""
+        return binarize(self.action_codes(actions))
+
+    def predict(
+        self, features: Float[np.ndarray, "N F"], actions: Float[np.ndarray, "N A"]
+    ) -> tuple[Float[np.ndarray, "N E"], Float[np.ndarray, "N E"]]:
+        """Predict mean [m] and variance [m^2] of the effect; the "mean" head has no variance (zero)."""
+        with _inference(self):
+            return self._in_metres(*self(_tensor(features), _tensor(actions)))
+
+    def predict_from_codes(
+        self, features: Float[np.ndarray, "N F"], actions: Float[np.ndarray, "N A"]
+    ) -> tuple[Float[np.ndarray, "N E"], Float[np.ndarray, "N E"]]:
+        """Predict like `predict`, but let only the bits of the symbols through (+-1)."""
+        with _inference(self):
+            objects = as_signs(self.embed_objects(_tensor(features)))
+            chosen = as_signs(self.embed_actions(_tensor(actions)))
+            return self._in_metres(*self.decode(objects, chosen))
+
+    def branching_table(
+        self, features: Float[np.ndarray, "M F"], primitives: Sequence[Symbol]
+    ) -> Float[np.ndarray, "M P E"]:
+        """Predict what each primitive does to each object, through the symbols alone [m].
+
+        Args:
+            features: Features of the objects in a scene.
+            primitives: Symbols of the primitives.
+        """
+        chosen = _tensor(np.array([signs(symbol) for symbol in primitives]))  # (P, Ka)
+        with _inference(self):
+            objects = as_signs(self.embed_objects(_tensor(features)))  # (M, Ko)
+            mean, _ = self.decode(
+                objects.repeat_interleave(len(chosen), 0), chosen.repeat(len(objects), 1)
+            )  # (M * P, E)
+            table: np.ndarray = (mean * self.effect_std + self.effect_mean).numpy()
+        return table.reshape(len(features), len(primitives), -1)
+
+    def mean_entropies(
+        self, features: Float[np.ndarray, "F"], candidates: Float[np.ndarray, "C A"]
+    ) -> Float[np.ndarray, "C"]:
+        """Compute the entropy of the predicted effect, averaged over the axes (Algorithm 1, lines 5-9).
+
+        Args:
+            features: Features of the one object.
+            candidates: Actions that could be performed on it.
+        """
+        with _inference(self):
+            chosen = self.embed_actions(_tensor(candidates))
+            objects = self.embed_objects(_tensor(features[None])).expand(len(chosen), -1)
+            _, log_variance = self.decode(objects, chosen)
+            entropies = 0.5 * (np.log(2 * np.pi * np.e) + log_variance) + self.effect_std.log()
+            mean: np.ndarray = entropies.mean(1).numpy()
+        return mean
+
+    def save(self, path: Path) -> None:
+        """Write weights, configuration and `trained_by` as a safetensors file."""
+        write_tensors(path, FORMAT, self.weights(), self.description())
+
+    def weights(self) -> dict[str, np.ndarray]:
+        """Copy the weights into arrays."""
+        return {name: tensor.numpy().copy() for name, tensor in self.state_dict().items()}
+
+    def description(self) -> dict[str, Any]:
+        """Describe the model in plain JSON values, as its file does."""
+        parts = {"dimensions": asdict(self.dimensions), "config": asdict(self.config)}
+        return {**parts, "trained_by": self.trained_by}
+
+    @classmethod
+    def load(cls, path: Path) -> "EffectModel":
+        """Read a model.
+
+        Raises:
+            InvalidFile: If the file is corrupt or foreign, or its weights do not fit its configuration.
+        """
+        weights, description = read_tensors(path, FORMAT)
+        return cls.rebuild(path, weights, description)
+
+    @classmethod
+    def rebuild(
+        cls, path: Path, weights: dict[str, np.ndarray], description: dict[str, Any]
+    ) -> "EffectModel":
+        """Make a model from its weights and its `description`.
+
+        Args:
+            path: Where they come from, for the error message.
+            weights: The weights by name.
+            description: As `description` returned it.
+
+        Raises:
+            InvalidFile: If the weights do not fit the description.
+        """
+        try:
+            sizes = dict(description["dimensions"])
+            sizes["gripper_columns"] = tuple(sizes["gripper_columns"])
+            model = cls(Dimensions(**sizes), ModelConfig(**description["config"]))
+            model.load_state_dict({name: torch.from_numpy(array) for name, array in weights.items()})
+            model.trained_by = dict(description["trained_by"])
+        except (KeyError, TypeError, ValueError, RuntimeError, InvalidValue) as error:
+            raise InvalidFile(path, "its weights do not fit the configuration stored beside them") from error
+        return model.eval()
+
+    def _in_metres(self, mean: Tensor, log_variance: Tensor) -> tuple[np.ndarray, np.ndarray]:
+        variance = log_variance.exp() * self.effect_std**2
+        return (mean * self.effect_std + self.effect_mean).numpy(), variance.numpy()
+
+
+def as_signs(embeddings: Float[Tensor, "B K"]) -> Float[Tensor, "B K"]:
+    """Write the bits of embeddings in tanh's range: +1 where the value is > 0, else -1 (eq. 2)."""
+    return torch.where(embeddings > 0, 1.0, -1.0)
+
+
+@contextmanager
+def one_thread() -> Iterator[None]:
+    """Compute on one thread, so that sums are taken in the same order on every machine."""
+    threads = torch.get_num_threads()
+    torch.set_num_threads(1)
+    try:
+        yield
+    finally:
+        torch.set_num_threads(threads)
+
+
+@contextmanager
+def _inference(model: nn.Module) -> Iterator[None]:
+    was_training = model.training
+    model.eval()
+    try:
+        with one_thread(), torch.inference_mode():
+            yield
+    finally:
+        model.train(was_training)
+
+
+def _encoder(inputs: int, bits: int, config: ModelConfig) -> nn.Sequential:
+    layers = _hidden_layers(inputs, config)
+    return nn.Sequential(nn.BatchNorm1d(inputs), *layers, nn.Linear(config.hidden, bits), nn.Tanh())
+
+
+def _hidden_layers(inputs: int, config: ModelConfig) -> list[nn.Module]:
+    widths = [inputs, config.hidden, config.hidden, config.hidden]
+    layers: list[nn.Module] = []
+    for before, after in itertools.pairwise(widths):
+        layers += [nn.Linear(before, after), nn.ReLU(), nn.Dropout(config.dropout)]
+    return layers
+
+
+def _tensor(values: np.ndarray) -> Tensor:
+    return torch.from_numpy(np.array(values, dtype=np.float32))

@@ -1,0 +1,67 @@
+"""How the effect model is built, apart from the network itself, so that reading it does not load torch."""
+
+from dataclasses import dataclass
+from typing import Literal
+
+from neurosym.errors import InvalidValue
+
+_MOST_BITS = 8
+_MOST_HIDDEN = 4096
+
+
+@dataclass(frozen=True, slots=True)
+class ModelConfig:
+    """How the network is built.
+
+    Attributes:
+        object_bits: Bits of an object symbol.
+        action_bits: Bits of an action symbol.
+        hidden: Width of the hidden layers.
+        dropout: Share of hidden units dropped in training.
+        layer_norm: Whether the concatenated embeddings are layer-normalised (the paper's text).
+        gripper_sharpness: Gripper parameters g enter as sigmoid(sharpness (g - 0.5)), since they act only
+            through being open or closed; None lets them enter as they are (the paper).
+        head: "gaussian" predicts mean and log variance, "mean" the mean alone (the baselines).
+    """
+
+    object_bits: int = 2
+    action_bits: int = 3
+    hidden: int = 128
+    dropout: float = 0.1
+    layer_norm: bool = True
+    gripper_sharpness: float | None = 15.0
+    head: Literal["gaussian", "mean"] = "gaussian"
+
+    def __post_init__(self) -> None:
+        for name in ("object_bits", "action_bits"):
+            if not 1 <= getattr(self, name) <= _MOST_BITS:
+                raise InvalidValue(f"{name} = {getattr(self, name)} must be between 1 and {_MOST_BITS}.")
+        if not 1 <= self.hidden <= _MOST_HIDDEN:
+            raise InvalidValue(f"hidden = {self.hidden} must be between 1 and {_MOST_HIDDEN}.")
+        if not 0 <= self.dropout < 1:
+            raise InvalidValue(f"dropout = {self.dropout} must be at least 0 and less than 1.")
+        if self.head not in ("gaussian", "mean"):
+            raise InvalidValue(f"head = {self.head!r} must be 'gaussian' or 'mean'.")
+
+
+@dataclass(frozen=True, slots=True)
+class Dimensions:
+    """What the network reads and writes.
+
+    Attributes:
+        features: How many object features.
+        actions: How many action parameters.
+        effects: How many effect axes.
+        gripper_columns: Which action parameters are gripper values.
+    """
+
+    features: int = 4
+    actions: int = 12
+    effects: int = 3
+    gripper_columns: tuple[int, ...] = (3, 7, 11)
+
+    def __post_init__(self) -> None:
+        if min(self.features, self.actions, self.effects) < 1:
+            raise InvalidValue(f"{self} must have at least one feature, action parameter and effect axis.")
+        if not all(0 <= column < self.actions for column in self.gripper_columns):
+            raise InvalidValue(f"gripper_columns = {self.gripper_columns} must be below {self.actions}.")
