@@ -13,7 +13,7 @@ import zipfile
 from collections.abc import Sequence
 from dataclasses import dataclass, field, fields
 from pathlib import Path
-from typing import Any, Self
+from typing import Any
 
 import numpy as np
 from jaxtyping import Bool, Float
@@ -59,14 +59,14 @@ class Interactions:
     def __len__(self) -> int:
         return len(self.features)
 
-    def __getitem__(self, rows: slice | np.ndarray) -> Self:
+    def __getitem__(self, rows: slice | np.ndarray) -> "Interactions":
         """Take some of the rows."""
         return type(self)(**{name: getattr(self, name)[rows] for name in _ARRAYS}, origin=self.origin)
 
     @classmethod
     def from_outcomes(
         cls, outcomes: Sequence[Outcome], actions: Float[np.ndarray, "N A"], origin: dict[str, Any]
-    ) -> Self:
+    ) -> "Interactions":
         """Gather outcomes and the actions that led to them.
 
         Args:

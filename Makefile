@@ -1,0 +1,37 @@
+# Two commands do everything on a fresh machine: `make demo` and `make test`.
+# Another Python than python3.11: make demo PYTHON=/path/to/python
+VENV ?= .venv
+PYTHON ?= $(firstword $(shell command -v python3.11) $(shell command -v python3))
+BIN := $(VENV)/bin
+
+.PHONY: install demo test lint evaluate clean
+
+install: $(VENV)/.installed
+
+$(VENV)/.installed: pyproject.toml constraints.txt
+	@$(PYTHON) -c 'import sys; sys.exit(sys.version_info[:2] != (3, 11))' || \
+	  { echo "neurosym is tested on Python 3.11, and PyBullet has no wheels for newer ones;"; \
+	    echo "install Python 3.11, or name another with: make $(or $(MAKECMDGOALS),install) PYTHON=..."; \
+	    $(if $(filter command line environment,$(origin PYTHON)),true,exit 2); }
+	$(PYTHON) -m venv $(VENV)
+	$(BIN)/pip install --quiet --constraint constraints.txt --editable '.[dev]'
+	@touch $@
+
+# Plans with the shipped domain, executes in the simulator, writes pictures to demo/.
+demo: install
+	$(BIN)/python tools/demo.py
+
+test: install
+	$(BIN)/pytest -m "not evaluation"
+
+lint: install
+	$(BIN)/ruff format --check .
+	$(BIN)/ruff check .
+	$(BIN)/mypy
+
+# The tests that need minutes of physics or training.
+evaluate: install
+	$(BIN)/pytest -m evaluation
+
+clean:
+	rm -rf $(VENV) demo

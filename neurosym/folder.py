@@ -1,0 +1,166 @@
+"""The domain folder: everything about one learned domain, and a record of how each file came about."""
+
+import platform
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from importlib.metadata import version
+from pathlib import Path
+from time import perf_counter
+from typing import Any
+
+import msgspec
+
+from neurosym.errors import FolderNotFound, StageMissing, UnknownChoice
+from neurosym.files import digest, read_json, write_json
+
+WORLD, INTERACTIONS = "world.toml", "interactions.npz"
+MODEL, PRIMITIVES = "effect_model.safetensors", "primitives.json"
+DOMAIN, OPERATORS_DOMAIN, GROUNDING = "domain.pddl", "domain-operators.pddl", "grounding.json"
+MANIFEST = "manifest.json"
+COMMANDS = {
+    WORLD: "init",
+    INTERACTIONS: "explore",
+    MODEL: "train",
+    PRIMITIVES: "distill",
+    DOMAIN: "compile-domain",
+    OPERATORS_DOMAIN: "compile-domain",
+    GROUNDING: "compile-domain",
+}
+"""Which command writes each file."""
+
+
+class StageRecord(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
+    """How the files of one stage came about.
+
+    Attributes:
+        options: What the stage was asked for.
+        inputs: SHA-256 of each file it read, by name.
+        outputs: SHA-256 of each file it wrote, by name.
+        seconds: How long it took, in the last session that worked on it [s].
+        versions: Versions of Python and of the packages that decide the outcome.
+    """
+
+    options: dict[str, Any]
+    inputs: dict[str, str]
+    outputs: dict[str, str]
+    seconds: float
+    versions: dict[str, str]
+
+
+class Manifest(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
+    """The stages that made a domain folder, by name."""
+
+    stages: dict[str, StageRecord] = {}
+
+
+@dataclass(frozen=True, slots=True)
+class Stage:
+    """One step of the way: what it reads, what it writes, and the work itself.
+
+    Attributes:
+        name: The command's name, with the problem's where there is one.
+        inputs: Files it reads, relative to the folder.
+        outputs: Files it writes, relative to the folder.
+        work: Does the work.
+        options: What decides the outcome beside the inputs.
+    """
+
+    name: str
+    inputs: tuple[str, ...]
+    outputs: tuple[str, ...]
+    work: Callable[[], None]
+    options: dict[str, Any] = field(default_factory=dict)
+
+
+class DomainFolder:
+    """A domain folder that exists.
+
+    Args:
+        path: The folder.
+
+    Raises:
+        FolderNotFound: If there is none.
+    """
+
+    def __init__(self, path: Path):
+        if not path.is_dir():
+            raise FolderNotFound(path)
+        self.path = path
+
+    def __truediv__(self, name: str) -> Path:
+        return self.path / name
+
+    def require(self, name: str) -> Path:
+        """Return the path of a file that an earlier stage writes.
+
+        Raises:
+            StageMissing: If it is not there; the message names the command that writes it.
+        """
+        path = self.path / name
+        if not path.is_file():
+            raise StageMissing(path, f"neurosym {COMMANDS[name]} {self.path}")
+        return path
+
+    def problem_names(self) -> tuple[str, ...]:
+        """List the problems of this folder."""
+        return tuple(sorted(path.stem for path in (self.path / "problems").glob("*.pddl")))
+
+    def problem(self, name: str) -> str:
+        """Return a problem's name from what a user typed: the name, or the path of its file.
+
+        Raises:
+            UnknownChoice: If there is no such problem here.
+        """
+        stem = Path(name).name.removesuffix(".pddl").removesuffix(".scene.json")
+        known = self.problem_names()
+        if stem not in known:
+            raise UnknownChoice("problem", name, known)
+        return stem
+
+    def manifest(self) -> Manifest:
+        """Read how the files came about; nothing is known of files that a user put there."""
+        path = self.path / MANIFEST
+        return read_json(path, Manifest) if path.exists() else Manifest()
+
+    def perform(self, stage: Stage, *, again: bool) -> bool:
+        """Do a stage's work and record it, unless it is done already.
+
+        Args:
+            stage: The stage.
+            again: Do it even if its files are up to date.
+
+        Returns:
+            Whether there was anything to do.
+        """
+        if not again and self._is_current(stage):
+            return False
+        inputs = self._digests(stage.inputs)
+        start = perf_counter()
+        stage.work()
+        record = StageRecord(
+            options=stage.options,
+            inputs=inputs,
+            outputs=self._digests(stage.outputs),
+            seconds=round(perf_counter() - start, 1),
+            versions=versions(),
+        )
+        write_json(self.path / MANIFEST, Manifest({**self.manifest().stages, stage.name: record}))
+        return True
+
+    def _is_current(self, stage: Stage) -> bool:
+        record = self.manifest().stages.get(stage.name)
+        return (
+            record is not None
+            and record.options == stage.options
+            and record.inputs == self._digests(stage.inputs)
+            and record.outputs == self._digests(stage.outputs)
+        )
+
+    def _digests(self, names: tuple[str, ...]) -> dict[str, str]:
+        return {name: digest(self.path / name) for name in names if (self.path / name).is_file()}
+
+
+def versions() -> dict[str, str]:
+    """Return the versions of Python and of the packages that decide what is learned."""
+    packages = ("neurosym", "numpy", "pybullet", "torch", "up-fast-downward")
+    return {"python": platform.python_version(), **{name: version(name) for name in packages}}

@@ -1,0 +1,96 @@
+"""The domain folder: what is done is not done again, and what is missing is named."""
+
+import pytest
+
+from neurosym.errors import FolderNotFound, InvalidFile, StageMissing, UnknownChoice
+from neurosym.folder import MANIFEST, DomainFolder, Stage
+
+
+@pytest.fixture
+def folder(tmp_path):
+    (tmp_path / "world.toml").write_text('world = "toy"\n')
+    return DomainFolder(tmp_path)
+
+
+def counting_stage(folder: DomainFolder, **options: int) -> tuple[Stage, list[int]]:
+    calls = []
+
+    def work() -> None:
+        calls.append(1)
+        (folder / "interactions.npz").write_bytes(b"data")
+
+    return Stage("explore", ("world.toml",), ("interactions.npz",), work, dict(options)), calls
+
+
+def test_stage_that_is_done_is_not_done_again(folder):
+    stage, calls = counting_stage(folder, seed=1)
+    assert folder.perform(stage, again=False)
+    assert not folder.perform(stage, again=False)
+    assert len(calls) == 1
+
+
+def test_stage_is_done_again_when_asked_to(folder):
+    stage, calls = counting_stage(folder)
+    folder.perform(stage, again=False)
+    folder.perform(stage, again=True)
+    assert len(calls) == 2
+
+
+@pytest.mark.parametrize("changed", ["world.toml", "interactions.npz"])
+def test_stage_is_done_again_when_a_file_has_changed(folder, changed):
+    stage, calls = counting_stage(folder)
+    folder.perform(stage, again=False)
+    (folder / changed).write_bytes(b"other")
+    folder.perform(stage, again=False)
+    assert len(calls) == 2
+
+
+def test_stage_is_done_again_when_its_output_is_gone(folder):
+    stage, calls = counting_stage(folder)
+    folder.perform(stage, again=False)
+    (folder / "interactions.npz").unlink()
+    folder.perform(stage, again=False)
+    assert len(calls) == 2
+
+
+def test_stage_is_done_again_with_other_options(folder):
+    stage, _ = counting_stage(folder, seed=1)
+    folder.perform(stage, again=False)
+    other, calls = counting_stage(folder, seed=2)
+    folder.perform(other, again=False)
+    assert len(calls) == 1
+
+
+def test_record_tells_options_digests_and_versions(folder):
+    stage, _ = counting_stage(folder, seed=1)
+    folder.perform(stage, again=False)
+    record = folder.manifest().stages["explore"]
+    assert record.options == {"seed": 1}
+    assert set(record.inputs) == {"world.toml"}
+    assert len(record.outputs["interactions.npz"]) == 64
+    assert "torch" in record.versions
+
+
+def test_missing_folder_is_named(tmp_path):
+    with pytest.raises(FolderNotFound, match=r"no folder .*nowhere"):
+        DomainFolder(tmp_path / "nowhere")
+
+
+def test_missing_stage_is_named_with_its_command(folder):
+    with pytest.raises(StageMissing, match=r"primitives\.json is missing; `neurosym distill"):
+        folder.require("primitives.json")
+
+
+def test_problem_is_found_by_name_or_path_and_else_the_valid_ones_are_named(folder):
+    (folder / "problems").mkdir()
+    (folder / "problems" / "task-01.pddl").touch()
+    assert folder.problem("task-01") == "task-01"
+    assert folder.problem(str(folder / "problems" / "task-01.pddl")) == "task-01"
+    with pytest.raises(UnknownChoice, match="no problem 'task-09'; valid: task-01"):
+        folder.problem("task-09")
+
+
+def test_corrupt_manifest_is_refused(folder):
+    (folder / MANIFEST).write_text("{")
+    with pytest.raises(InvalidFile, match=r"manifest\.json"):
+        folder.manifest()
