@@ -1,0 +1,146 @@
+"""Distillation: from the symbol of an action back to parameters that can be performed.
+
+After the section "Distilling Parameters" of the paper: the encoder is frozen, and gradient descent moves the
+parameters of actions until their embedding is the +-1 code of the symbol. It starts from actions of the data
+that already have the symbol.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+import torch
+from jaxtyping import Float
+from torch import Tensor
+
+from neurosym.effect_model import EffectModel, one_thread
+from neurosym.errors import InvalidValue
+from neurosym.operators import Primitive
+from neurosym.symbols import Symbol, all_symbols, signs
+from neurosym.world import ActionBox
+
+
+@dataclass(frozen=True, slots=True)
+class DistillationConfig:
+    """How parameters are distilled.
+
+    Attributes:
+        candidates: How many actions of the data are started from, for each symbol.
+        steps: How many steps of gradient descent.
+        learning_rate: Size of a step, where the action box is scaled to [-1, 1].
+        momentum: Share of the last step that is kept.
+    """
+
+    candidates: int = 32
+    steps: int = 300
+    learning_rate: float = 0.05
+    momentum: float = 0.9
+
+    def __post_init__(self) -> None:
+        if self.candidates < 1 or self.steps < 0:
+            raise InvalidValue(f"candidates = {self.candidates} must be at least 1, steps = {self.steps} 0.")
+        if not self.learning_rate > 0 or not 0 <= self.momentum < 1:
+            raise InvalidValue(
+                f"learning_rate = {self.learning_rate} must be positive, "
+                f"momentum = {self.momentum} in [0, 1)."
+            )
+
+
+@dataclass(frozen=True, slots=True)
+class Distilled:
+    """What distillation found.
+
+    Attributes:
+        primitives: One for each symbol that could be reached, in the order of the symbols.
+        unreached: Symbols that no action of the data has.
+    """
+
+    primitives: tuple[Primitive, ...]
+    unreached: tuple[Symbol, ...]
+
+
+def distill(
+    model: EffectModel,
+    actions: Float[np.ndarray, "N A"],
+    box: ActionBox,
+    *,
+    rng: np.random.Generator,
+    config: DistillationConfig | None = None,
+) -> Distilled:
+    """Find for each action symbol the parameters whose embedding is nearest to its code.
+
+    Args:
+        model: Whose action encoder is inverted.
+        actions: The training actions, to start from.
+        box: What the parameters must stay inside.
+        rng: Source of randomness, owned by the caller.
+        config: How it is done.
+    """
+    config = config or DistillationConfig()
+    symbols = all_symbols(model.config.action_bits)
+    found = np.array(model.action_symbols(actions))
+    starts = {symbol: _some(np.flatnonzero(found == symbol), config.candidates, rng) for symbol in symbols}
+    reached = [symbol for symbol in symbols if len(starts[symbol])]
+    begin = np.concatenate([actions[starts[symbol]] for symbol in reached])
+    owners = np.repeat(reached, [len(starts[symbol]) for symbol in reached])
+    ends = _descend(model, np.clip(begin, box.low, box.high), owners, box, config)
+    errors = code_errors(model, ends, owners)
+    errors[np.array(model.action_symbols(ends)) != owners] = np.inf
+    best = [int(np.argmin(np.where(owners == symbol, errors, np.inf))) for symbol in reached]
+    primitives = tuple(
+        Primitive(symbol=symbol, action=tuple(ends[row].tolist()), code_error=float(errors[row]))
+        for symbol, row in zip(reached, best, strict=True)
+        if np.isfinite(errors[row])
+    )
+    kept = {primitive.symbol for primitive in primitives}
+    return Distilled(primitives, tuple(symbol for symbol in symbols if symbol not in kept))
+
+
+def code_errors(
+    model: EffectModel, actions: Float[np.ndarray, "N A"], symbols: np.ndarray
+) -> Float[np.ndarray, "N"]:
+    """Compute the mean squared error of each action's embedding to the +-1 code of its symbol.
+
+    Args:
+        model: Whose embeddings.
+        actions: The actions.
+        symbols: The symbol that each shall have.
+    """
+    targets = np.array([signs(symbol) for symbol in symbols])
+    return np.asarray(((model.action_codes(actions) - targets) ** 2).mean(1), dtype=np.float64)
+
+
+def _descend(
+    model: EffectModel,
+    begin: Float[np.ndarray, "N A"],
+    owners: np.ndarray,
+    box: ActionBox,
+    config: DistillationConfig,
+) -> Float[np.ndarray, "N A"]:
+    """Descend the error of every candidate at once, projected into the box; the best of each one's way."""
+    middle, half = _tensor((box.low + box.high) / 2), _tensor((box.high - box.low) / 2).clamp(min=1e-9)
+    targets = _tensor(np.array([signs(symbol) for symbol in owners]))
+    scaled = ((_tensor(begin) - middle) / half).clamp(-1, 1).requires_grad_()
+    optimiser = torch.optim.SGD([scaled], lr=config.learning_rate, momentum=config.momentum)
+    best, best_errors = scaled.detach().clone(), torch.full((len(begin),), torch.inf)
+    was_training = model.training
+    model.eval()
+    with one_thread():
+        for step in range(config.steps + 1):
+            errors = ((model.embed_actions(middle + half * scaled) - targets) ** 2).mean(1)  # (N,)
+            better = errors.detach() < best_errors
+            best[better], best_errors[better] = scaled.detach()[better], errors.detach()[better]
+            if step < config.steps:
+                (scaled.grad,) = torch.autograd.grad(errors.sum(), scaled)
+                optimiser.step()
+                with torch.no_grad():
+                    scaled.clamp_(-1, 1)
+    model.train(was_training)
+    return np.clip((middle + half * best).numpy().astype(np.float64), box.low, box.high)
+
+
+def _some(rows: np.ndarray, count: int, rng: np.random.Generator) -> np.ndarray:
+    return np.asarray(rng.permutation(rows)[:count])
+
+
+def _tensor(values: np.ndarray) -> Tensor:
+    return torch.from_numpy(np.array(values, dtype=np.float32))

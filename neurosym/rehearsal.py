@@ -1,0 +1,159 @@
+"""Rehearsal: each primitive is performed on the same sampled objects, to measure what it really does.
+
+What a code does on average in the data is not what its distilled action does: plans are made with the
+rehearsed effects. Outcomes that differ in kind (at rest, held, toppled, lost) are kept apart as modes and
+never averaged together, since the mean of "on the table" and "in the air" is a place where no object ever is.
+"""
+
+from collections.abc import Callable, Sequence
+
+import numpy as np
+from jaxtyping import Float
+
+from neurosym.errors import InvalidValue
+from neurosym.naming import name_categories, name_operator
+from neurosym.operators import TOLERANCE, Category, Mode, ModeKind, Operator, OperatorTable, Primitive, Vector
+from neurosym.symbols import Symbol
+from neurosym.workers import Task, WorldFactory, perform_all
+from neurosym.world import Outcome
+
+Categorise = Callable[[np.ndarray], Sequence[Symbol]]
+"""Gives the object symbols of object features (N, F)."""
+
+Progress = Callable[[int, int], None]
+"""Called with the number of rehearsals made and of those wanted."""
+
+_STREAM = 0x7265  # keeps rehearsal's draws apart from those of exploration
+
+
+def rehearse(
+    world_factory: WorldFactory,
+    primitives: Sequence[Primitive],
+    categorise: Categorise,
+    *,
+    objects: int = 100,
+    seed: int,
+    workers: int = 1,
+    progress: Progress | None = None,
+) -> OperatorTable:
+    """Perform each primitive on the same sampled objects, one at a time, and tell the outcomes.
+
+    Args:
+        world_factory: Builds the world; must survive pickling if there is more than one worker.
+        primitives: What to perform.
+        categorise: Gives the object symbols of features.
+        objects: How many objects are sampled.
+        seed: Where all draws start.
+        workers: How many processes; their number does not change the result.
+        progress: Called after each rehearsal.
+
+    Raises:
+        InvalidValue: If there is no object or no primitive to rehearse with.
+    """
+    if objects < 1 or not primitives:
+        raise InvalidValue(
+            f"Nothing can be rehearsed with {objects} objects and {len(primitives)} primitives."
+        )
+    world = world_factory()
+    scenes = [world.sample_scene(np.random.default_rng([seed, _STREAM, i]), 1) for i in range(objects)]
+    features = np.concatenate([scene.features for scene in scenes])
+    symbols = np.array(categorise(features))
+    categories = describe_categories(features, symbols, world.feature_names)
+    ordered = sorted(primitives, key=lambda primitive: primitive.symbol)
+    tasks = [Task(scene, np.array(primitive.action)) for primitive in ordered for scene in scenes]
+    outcomes: list[Outcome] = []
+    for outcome in perform_all(world_factory, tasks, workers):
+        outcomes.append(outcome)
+        if progress is not None:
+            progress(len(outcomes), len(tasks))
+    operators = tuple(
+        _operator(
+            primitive,
+            category,
+            [outcomes[row * objects + i] for i in np.flatnonzero(symbols == category.symbol)],
+        )
+        for row, primitive in enumerate(ordered)
+        for category in categories
+    )
+    return OperatorTable(categories=categories, primitives=tuple(ordered), operators=operators)
+
+
+def describe_categories(
+    features: Float[np.ndarray, "N F"], symbols: np.ndarray, feature_names: Sequence[str]
+) -> tuple[Category, ...]:
+    """Describe and name the categories that objects fall into, in the order of their symbols.
+
+    Args:
+        features: Features of the objects.
+        symbols: Symbol of each object.
+        feature_names: What the features are.
+    """
+    present = sorted(set(symbols.tolist()))
+    members = [features[symbols == symbol] for symbol in present]
+    names = name_categories(present, np.array([rows.mean(0) for rows in members]), feature_names)
+    return tuple(
+        Category(
+            symbol=symbol,
+            name=name,
+            share=len(rows) / len(features),
+            feature_means=tuple(rows.mean(0).tolist()),
+            feature_spreads=tuple(rows.std(0).tolist()),
+        )
+        for symbol, name, rows in zip(present, names, members, strict=True)
+    )
+
+
+def modes_of(outcomes: Sequence[Outcome]) -> tuple[Mode, ...]:
+    """Sort outcomes into modes, most frequent first.
+
+    Args:
+        outcomes: Outcomes of one primitive on objects of one category.
+    """
+    by_kind: dict[ModeKind, list[Outcome]] = {}
+    for outcome in outcomes:
+        by_kind.setdefault(kind_of(outcome), []).append(outcome)
+    modes = [_mode(kind, members, len(outcomes)) for kind, members in by_kind.items()]
+    return tuple(sorted(modes, key=lambda mode: (-mode.count, mode.kind)))
+
+
+def kind_of(outcome: Outcome) -> ModeKind:
+    """Say how the target ended; what went off the table is lost, whatever else happened to it."""
+    if outcome.lost:
+        return "lost"
+    if outcome.held:
+        return "held"
+    return "toppled" if outcome.toppled else "resting"
+
+
+def _mode(kind: ModeKind, members: Sequence[Outcome], trials: int) -> Mode:
+    effects = np.array([outcome.effect for outcome in members])  # (N, 3)
+    resting = np.array([outcome.resting_effect for outcome in members])
+    judged = effects if kind == "held" else resting
+    distances = np.linalg.norm(judged - judged.mean(0), axis=1)
+    return Mode(
+        kind=kind,
+        count=len(members),
+        share=len(members) / trials,
+        effect=_vector(effects.mean(0)),
+        spread=_vector(effects.std(0)),
+        resting_effect=_vector(resting.mean(0)),
+        resting_spread=_vector(resting.std(0)),
+        peak_height=float(np.mean([outcome.peak_height for outcome in members])),
+        near_mean=int(np.sum(distances <= TOLERANCE)),
+    )
+
+
+def _operator(primitive: Primitive, category: Category, outcomes: Sequence[Outcome]) -> Operator:
+    modes = modes_of(outcomes)
+    return Operator(
+        name=name_operator(primitive.symbol, category.name, modes),
+        category=category.symbol,
+        primitive=primitive.symbol,
+        trials=len(outcomes),
+        modes=modes,
+    )
+
+
+def _vector(values: np.ndarray) -> Vector:
+    x, y, z = (float(value) for value in values)
+    return x, y, z

@@ -1,0 +1,142 @@
+"""Performing interactions in worker processes, in order, whatever their number.
+
+A world is a function without memory, so who performs an interaction does not matter. Workers build their own
+world once from a factory that can be pickled (`functools.partial(make_world, config)`, for instance).
+"""
+
+import multiprocessing
+import multiprocessing.connection
+import os
+import signal
+import threading
+from collections import deque
+from collections.abc import Callable, Iterable, Iterator
+from concurrent.futures import Future, ProcessPoolExecutor
+from concurrent.futures.process import BrokenProcessPool
+from contextlib import contextmanager
+from dataclasses import dataclass
+
+from jaxtyping import Float
+from numpy import ndarray
+
+from neurosym.errors import InvalidValue, NeurosymError
+from neurosym.world import Outcome, Scene, World
+
+WorldFactory = Callable[[], World]
+
+_AHEAD = 4  # tasks handed out for each worker, so that none waits for the next
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Task:
+    """One interaction to perform; see `World.interact`."""
+
+    scene: Scene
+    action: Float[ndarray, "A"]
+    target: int = 0
+    put_down: bool = True
+
+
+Perform = Callable[[Iterable[Task]], Iterator[Outcome]]
+
+
+class WorkerDied(NeurosymError):
+    """A worker process that ended before its work was done."""
+
+    def __init__(self) -> None:
+        super().__init__(
+            "A worker process died (out of memory, or killed); start the command again to go on, "
+            "with fewer workers if memory is short."
+        )
+
+
+@contextmanager
+def crew(world_factory: WorldFactory, workers: int) -> Iterator[Perform]:
+    """Keep workers at hand; yields the function that has tasks performed and gives outcomes in order.
+
+    Args:
+        world_factory: Builds a world; must survive pickling if there is more than one worker.
+        workers: How many processes; 1 performs everything in this one.
+
+    Raises:
+        InvalidValue: If there are fewer than one.
+        WorkerDied: From the outcomes, if a worker process ends.
+    """
+    if workers < 1:
+        raise InvalidValue(f"workers = {workers} must be at least 1.")
+    if workers == 1:
+        world = world_factory()
+        yield lambda tasks: (_perform(world, task) for task in tasks)
+        return
+    pool = _start_pool(world_factory, workers)
+    try:
+        yield lambda tasks: _outcomes(pool, tasks, workers * _AHEAD)
+    finally:
+        pool.shutdown(wait=True, cancel_futures=True)
+
+
+def perform_all(world_factory: WorldFactory, tasks: Iterable[Task], workers: int) -> Iterator[Outcome]:
+    """Have tasks performed by workers of their own, and give the outcomes in order.
+
+    Args:
+        world_factory: Builds a world.
+        tasks: What to perform; drawn only a little ahead of the outcomes.
+        workers: How many processes.
+    """
+    with crew(world_factory, workers) as perform:
+        yield from perform(tasks)
+
+
+def _start_pool(world_factory: WorldFactory, workers: int) -> ProcessPoolExecutor:
+    """Start the processes while Ctrl-C is ignored, which they inherit; the parent ends them."""
+    pool = ProcessPoolExecutor(
+        workers, multiprocessing.get_context("spawn"), initializer=_start_worker, initargs=(world_factory,)
+    )
+    in_main_thread = threading.current_thread() is threading.main_thread()
+    before = signal.signal(signal.SIGINT, signal.SIG_IGN) if in_main_thread else None
+    try:
+        for _ in range(workers):
+            pool.submit(int)  # a process is started for each task that finds none idle
+    finally:
+        if before is not None:
+            signal.signal(signal.SIGINT, before)
+    return pool
+
+
+def _outcomes(pool: ProcessPoolExecutor, tasks: Iterable[Task], ahead: int) -> Iterator[Outcome]:
+    waiting: deque[Future[Outcome]] = deque()
+    try:
+        for task in tasks:
+            waiting.append(pool.submit(_perform_here, task))
+            if len(waiting) >= ahead:
+                yield waiting.popleft().result()
+        while waiting:
+            yield waiting.popleft().result()
+    except BrokenProcessPool as error:
+        raise WorkerDied from error
+
+
+_world_here: World | None = None
+
+
+def _start_worker(world_factory: WorldFactory) -> None:
+    global _world_here
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
+    threading.Thread(target=_end_with_parent, daemon=True).start()
+    _world_here = world_factory()
+
+
+def _end_with_parent() -> None:
+    parent = multiprocessing.parent_process()
+    if parent is not None:
+        multiprocessing.connection.wait([parent.sentinel])
+        os._exit(1)
+
+
+def _perform_here(task: Task) -> Outcome:
+    assert _world_here is not None, "the initializer ran"
+    return _perform(_world_here, task)
+
+
+def _perform(world: World, task: Task) -> Outcome:
+    return world.interact(task.scene, task.action, task.target, put_down=task.put_down)
