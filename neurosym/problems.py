@@ -1,0 +1,153 @@
+"""Problems: a scene of named objects, and where some of them shall go."""
+
+import math
+import re
+from pathlib import Path
+
+import msgspec
+import numpy as np
+from jaxtyping import Float
+
+from neurosym.errors import InvalidFile, InvalidValue
+from neurosym.files import read_json, write_json
+from neurosym.operators import TOLERANCE, Vector
+from neurosym.symbols import Symbol
+from neurosym.world import Scene, Table
+
+LEGAL_NAME = re.compile(r"[a-z][a-z0-9-]*")
+"""What PDDL, and every planner we know, takes as a name."""
+
+
+class SceneObject(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
+    """One object of a scene.
+
+    Attributes:
+        name: What plans call it, a legal PDDL name like `item-01`.
+        category: Its object symbol, like "10".
+        features: What it is; see `Scene`.
+        position: Its centre in the world frame [m].
+        orientation: Its orientation in the world frame, as a quaternion (x, y, z, w).
+    """
+
+    name: str
+    category: Symbol
+    features: tuple[float, ...]
+    position: Vector
+    orientation: tuple[float, float, float, float] = (0.0, 0.0, 0.0, 1.0)
+
+
+class Problem(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
+    """A scene at rest, and goals for some of its objects.
+
+    Attributes:
+        name: What the problem is called, a legal PDDL name.
+        objects: The objects, all at rest on the table.
+        goals: Where the centre of an object shall come to be [m], by the object's name.
+        tolerance: How near it must come [m].
+        provenance: How the problem came about: a seed, or "by hand".
+    """
+
+    name: str
+    objects: tuple[SceneObject, ...]
+    goals: dict[str, Vector]
+    tolerance: float = TOLERANCE
+    provenance: str = "by hand"
+
+    def __post_init__(self) -> None:
+        names = self.object_names
+        _check_names((self.name, *names))
+        for name in names:
+            if names.count(name) > 1:
+                raise InvalidValue(f"Two objects are called {name}; give each a name of its own.")
+        for name in self.goals:
+            if name not in names:
+                raise InvalidValue(
+                    f"There is a goal for {name}, which is not in the scene; objects: {', '.join(names)}."
+                )
+        if len({len(item.features) for item in self.objects}) != 1:
+            raise InvalidValue("A scene needs one object or more, all with the same number of features.")
+        if not 0 < self.tolerance < math.inf:
+            raise InvalidValue(f"The tolerance is {self.tolerance} m; it must be greater than 0.")
+
+    @property
+    def object_names(self) -> tuple[str, ...]:
+        """Names of the M objects, in the scene's order."""
+        return tuple(item.name for item in self.objects)
+
+    def object_named(self, name: str) -> SceneObject:
+        """Return the object of that name, which exists."""
+        return next(item for item in self.objects if item.name == name)
+
+    def scene(self) -> Scene:
+        """Return the scene that the problem starts from."""
+        return Scene(
+            features=np.array([item.features for item in self.objects], dtype=float),
+            positions=np.array([item.position for item in self.objects], dtype=float),
+            orientations=np.array([item.orientation for item in self.objects], dtype=float),
+        )
+
+    def distances(self, positions: Float[np.ndarray, "M 3"]) -> dict[str, float]:
+        """Measure how far each object with a goal is from it [m].
+
+        Args:
+            positions: Centres of the objects [m], in the problem's order.
+        """
+        return {
+            name: math.dist(positions[self.object_names.index(name)], goal)
+            for name, goal in self.goals.items()
+        }
+
+    def is_met(self, positions: Float[np.ndarray, "M 3"]) -> bool:
+        """Say whether every object with a goal is within the tolerance of it.
+
+        Args:
+            positions: Centres of the objects [m], in the problem's order.
+        """
+        return all(distance <= self.tolerance for distance in self.distances(positions).values())
+
+    def save(self, path: Path) -> None:
+        """Write the problem to a file, NAME.scene.json by custom."""
+        write_json(path, self)
+
+    @classmethod
+    def load(cls, path: Path) -> "Problem":
+        """Read a problem.
+
+        Raises:
+            InvalidFile: If the file is no problem, or one that cannot be.
+        """
+        try:
+            return read_json(path, cls)
+        except InvalidValue as error:
+            raise InvalidFile(path, str(error).rstrip(".")) from error
+
+
+def check_goals(problem: Problem, table: Table, z_range: tuple[float, float]) -> None:
+    """Raise `InvalidValue` unless there are goals and each lies where an object can be.
+
+    Args:
+        problem: The problem to check.
+        table: Where objects may stand.
+        z_range: Least and greatest height that a centre can have [m].
+    """
+    if not problem.goals:
+        raise InvalidValue(f"The problem {problem.name} has no goal; give at least one object a goal.")
+    for name, goal in problem.goals.items():
+        for axis, value, (low, high) in zip("xyz", goal, (table.x, table.y, z_range), strict=True):
+            if not low <= value <= high:
+                raise InvalidValue(
+                    f"The goal of {name} has {axis} = {value:g} m, out of reach; valid: "
+                    f"x {_range(table.x)}, y {_range(table.y)}, z {_range(z_range)} [m]."
+                )
+
+
+def _range(bounds: tuple[float, float]) -> str:
+    return f"{bounds[0]:g} to {bounds[1]:g}"
+
+
+def _check_names(names: tuple[str, ...]) -> None:
+    for name in names:
+        if not LEGAL_NAME.fullmatch(name):
+            raise InvalidValue(
+                f"{name!r} is not a legal name; valid: a lower-case letter, then a-z, 0-9 and hyphens."
+            )
