@@ -1,0 +1,57 @@
+"""The compiler: from the table of operators to a grounding, whose names PDDL can take."""
+
+import math
+from collections.abc import Iterable
+
+from neurosym.errors import InvalidValue
+from neurosym.operators import OperatorTable
+from neurosym.pddl.grounding import FORMAT, Grounding
+from neurosym.problems import LEGAL_NAME
+from neurosym.world import Table
+
+CELL = 0.005
+"""Edge of a grid cell unless the user says otherwise [m]."""
+MAX_CELLS = 5000
+RESERVED_PREFIXES = ("finish-", "put-down-", "reach-")
+
+
+def compile_domain(
+    table: OperatorTable, *, name: str, table_bounds: Table, lift_height: float, cell: float = CELL
+) -> Grounding:
+    """Turn a table of operators into everything that planning needs.
+
+    Args:
+        table: What each primitive does to each category.
+        name: Name of the domain, that of the world.
+        table_bounds: Where objects may stand.
+        lift_height: How far the hand rises after the last waypoint [m].
+        cell: Edge of a grid cell [m].
+
+    Raises:
+        InvalidValue: If the cell is no sensible size, or a name is not legal, taken, or reserved.
+    """
+    widest = max(high - low for low, high in (table_bounds.x, table_bounds.y))
+    if not (math.isfinite(cell) and widest / MAX_CELLS <= cell <= widest):
+        raise InvalidValue(f"A cell of {cell} m will not do; valid: {widest / MAX_CELLS:g} to {widest:g} m.")
+    categories = [category.name for category in table.categories]
+    operators = [operator.name for operator in table.operators]
+    _check_names([name, "movable", "object", "x-cell", "y-cell", "z-cell", *categories, *operators])
+    if taken := [operator for operator in operators if operator.startswith(RESERVED_PREFIXES)]:
+        raise InvalidValue(
+            f"No operator can be called {taken[0]}; {', '.join(RESERVED_PREFIXES)} are reserved."
+        )
+    return Grounding(
+        format=FORMAT, name=name, cell=cell, table=table_bounds, lift_height=lift_height, operators=table
+    )
+
+
+def _check_names(names: Iterable[str]) -> None:
+    seen: set[str] = set()
+    for name in names:
+        if not LEGAL_NAME.fullmatch(name):
+            raise InvalidValue(
+                f"{name!r} is not a legal PDDL name; valid: a lower-case letter, then a-z, 0-9 and hyphens."
+            )
+        if name in seen:
+            raise InvalidValue(f"Two parts of the domain are called {name}; each needs a name of its own.")
+        seen.add(name)

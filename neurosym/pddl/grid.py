@@ -1,0 +1,164 @@
+"""The grid that positions are written on in PDDL, and the cells that count as a goal.
+
+Each axis has cells of its own: x and y cover the table, z counts upwards from where an object rests. The grid
+is anchored at each object: the cell an object starts in stands for exactly where it starts, so the start is
+not rounded. Steps are, because their displacement is a whole number of cells. A plan's promise is therefore
+off by at most the sum of its steps' remainders, and the goal's ball is shrunk by that much: a plan into the
+shrunken ball of no more steps than were reckoned with ends within the tolerance.
+"""
+
+import math
+from dataclasses import dataclass
+
+from neurosym.errors import InvalidValue
+from neurosym.operators import Vector
+from neurosym.pddl.grounding import Cells, Grounding, is_lift
+from neurosym.problems import SceneObject
+
+AXES = ("x", "y", "z")
+
+
+@dataclass(frozen=True, slots=True)
+class Grid:
+    """Cells along each axis.
+
+    Attributes:
+        cell: Edge of a cell [m].
+        origin: Centre of cell 0 on x and y [m].
+        last: Index of the last cell on x, y and z.
+    """
+
+    cell: float
+    origin: tuple[float, float]
+    last: Cells
+
+    def anchor(self, position: Vector) -> Cells:
+        """Return the cell that an object at rest starts in.
+
+        Args:
+            position: Its centre [m], over the table.
+        """
+        x, y = (
+            min(math.floor((value - low) / self.cell + 0.5), last)
+            for value, low, last in zip(position[:2], self.origin, self.last[:2], strict=True)
+        )
+        return (x, y, 0)
+
+    def cell_name(self, axis: int, index: int) -> str:
+        """Name a cell of an axis, such that names sort like indices."""
+        return f"{AXES[axis]}{index:0{len(str(max(self.last)))}d}"
+
+    def cell_names(self, axis: int) -> tuple[str, ...]:
+        """Name all cells of an axis."""
+        return tuple(self.cell_name(axis, index) for index in range(self.last[axis] + 1))
+
+    def shifts(self, axis: int, cells: int, margin: int) -> tuple[tuple[int, int], ...]:
+        """List the pairs of cells (from, to) that a displacement leads between.
+
+        Args:
+            axis: 0, 1, 2 for x, y, z.
+            cells: The displacement.
+            margin: How many cells at either edge of the table no step may end in.
+        """
+        edge = margin if axis < 2 else 0
+        ends = range(max(edge, cells), min(self.last[axis] - edge, self.last[axis] + cells) + 1)
+        return tuple((end - cells, end) for end in ends)
+
+
+@dataclass(frozen=True, slots=True)
+class GoalRegion:
+    """The cells that count as an object's goal: any of `xy` together with any of `z`."""
+
+    xy: tuple[tuple[int, int], ...]
+    z: tuple[int, ...]
+
+
+def grid_of(grounding: Grounding) -> Grid:
+    """Lay the grid over the table, up to where the highest lift leads."""
+    table = grounding.table
+    x, y = (math.floor((high - low) / grounding.cell + 1e-9) for low, high in (table.x, table.y))
+    highest = max((grounding.cells(operator)[2] for operator in grounding.live), default=0)
+    return Grid(cell=grounding.cell, origin=(table.x[0], table.y[0]), last=(x, y, max(highest, 0)))
+
+
+def goal_region(
+    item: SceneObject, goal: Vector, tolerance: float, grounding: Grounding, *, steps: int
+) -> GoalRegion:
+    """Find the cells from which the goal is met whatever the grid rounded on the way.
+
+    There is no promise between the table and where lifts end, so z is one interval around the height that an
+    object of this category can have nearest to the goal, and x and y get what is left of the ball: a disc.
+
+    Args:
+        item: The object, at rest.
+        goal: Where its centre shall come to be [m].
+        tolerance: How near it must come [m].
+        grounding: What steps promise.
+        steps: How many steps the rounding of is reckoned with.
+
+    Raises:
+        InvalidValue: If the object does not stand on the table.
+    """
+    check_on_table(item, grounding)
+    grid = grid_of(grounding)
+    anchor = grid.anchor(item.position)
+    error_x, error_y, error_z = grounding.rounding()
+    dx, dy, height = (end - start for end, start in zip(goal, item.position, strict=True))
+    level = min(_levels(item, grounding), key=lambda z: abs(z * grid.cell - height))
+    off = abs(level * grid.cell - height) + (error_z if level else 0.0)
+    radius = math.sqrt(max(tolerance**2 - off**2, 0.0))
+    disc = _disc((dx / grid.cell, dy / grid.cell), radius, (steps * error_x, steps * error_y), grid.cell)
+    xy = tuple((anchor[0] + x, anchor[1] + y) for x, y in disc)
+    inside = tuple((x, y) for x, y in xy if 0 <= x <= grid.last[0] and 0 <= y <= grid.last[1])
+    return GoalRegion(xy=inside, z=_interval(height, off, grid) if off <= tolerance else ())
+
+
+def check_on_table(item: SceneObject, grounding: Grounding) -> None:
+    """Raise `InvalidValue` unless an object stands on the table."""
+    (x_low, x_high), (y_low, y_high) = grounding.table.x, grounding.table.y
+    x, y, _ = item.position
+    if not (x_low <= x <= x_high and y_low <= y <= y_high):
+        raise InvalidValue(
+            f"{item.name} stands at x = {x:.3f}, y = {y:.3f} m, off the table; valid: x {x_low:g} to "
+            f"{x_high:g}, y {y_low:g} to {y_high:g} m."
+        )
+
+
+def _levels(item: SceneObject, grounding: Grounding) -> tuple[int, ...]:
+    """Heights that an object of this category can have, in cells above where it rests."""
+    lifts = (
+        grounding.cells(operator)[2]
+        for operator in grounding.live
+        if operator.category == item.category and is_lift(operator)
+    )
+    return (0, *sorted(set(lifts)))
+
+
+def _interval(height: float, half_width: float, grid: Grid) -> tuple[int, ...]:
+    """Cells of z within a half-width of a height, but at least the one that is nearest."""
+    nearest = math.floor(height / grid.cell + 0.5)
+    indices = {
+        index
+        for index in range(grid.last[2] + 1)
+        if abs(index * grid.cell - height) <= half_width + 1e-9 or index == nearest
+    }
+    return tuple(sorted(indices))
+
+
+def _disc(
+    centre: tuple[float, float], radius: float, errors: tuple[float, float], cell: float
+) -> list[tuple[int, int]]:
+    """Cells within a radius [m] of a centre even if each axis errs [m], but at least the nearest one."""
+    nearest = (math.floor(centre[0] + 0.5), math.floor(centre[1] + 0.5))
+    reach = math.ceil(radius / cell)
+    window = [
+        (nearest[0] + x, nearest[1] + y) for x in range(-reach, reach + 1) for y in range(-reach, reach + 1)
+    ]
+
+    def farthest(x: int, y: int) -> float:
+        return math.hypot(
+            abs(x - centre[0]) * cell + errors[0],
+            abs(y - centre[1]) * cell + errors[1],
+        )
+
+    return [spot for spot in window if farthest(*spot) <= radius or spot == nearest]

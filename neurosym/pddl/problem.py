@@ -1,0 +1,98 @@
+"""Printing a problem as PDDL; the text serves both encodings of the domain."""
+
+import math
+import re
+
+from neurosym.errors import InvalidValue
+from neurosym.pddl.grid import AXES, Grid, check_on_table, goal_region, grid_of
+from neurosym.pddl.grounding import Grounding
+from neurosym.pddl.moves import shift_predicate, shifts_of
+from neurosym.problems import Problem, SceneObject
+
+STEPS = 3
+"""How many steps the rounding of is reckoned with, unless the caller says otherwise."""
+
+
+def problem_text(problem: Problem, grounding: Grounding, *, steps: int = STEPS, margin: int = 0) -> str:
+    """Print a problem.
+
+    Args:
+        problem: The problem.
+        grounding: The learned domain.
+        steps: How many steps the rounding of is taken off the goal regions.
+        margin: How many cells at either edge of the table no step may end in.
+
+    Raises:
+        InvalidValue: If an object stands off the table, or its name means something else in the domain.
+        UnknownChoice: If an object is of a category that the domain does not have.
+    """
+    grid = grid_of(grounding)
+    for item in problem.objects:
+        _check_object(item, grounding)
+    sections = [
+        _header(problem, grounding, steps),
+        f"(define (problem {problem.name})\n  (:domain {grounding.name})",
+        _objects(problem, grounding, grid),
+        "  (:init\n    (hand-empty) (ready) (= (total-cost) 0)",
+        *(_start(item, grid) for item in problem.objects),
+        *(_goal_facts(problem, name, grounding, grid, steps) for name in sorted(problem.goals)),
+        *(_shift_facts(axis, cells, margin, grid) for axis, cells in shifts_of(grounding)),
+    ]
+    goals = " ".join(f"(done {name})" for name in sorted(problem.goals))
+    return "\n".join(sections) + f")\n  (:goal (and {goals}))\n  (:metric minimize (total-cost)))\n"
+
+
+def _check_object(item: SceneObject, grounding: Grounding) -> None:
+    grounding.category(item.category)
+    check_on_table(item, grounding)
+    words = {"movable", "object", *(category.name for category in grounding.operators.categories)}
+    words |= {operator.name for operator in grounding.operators.operators}
+    if item.name in words or re.fullmatch(r"[xyz]\d+", item.name):
+        raise InvalidValue(f"No object can be called {item.name}, the domain uses that; try item-01.")
+
+
+def _header(problem: Problem, grounding: Grounding, steps: int) -> str:
+    return "\n".join(
+        [
+            f"; Problem {problem.name} of the learned domain {grounding.name}, for both of its encodings.",
+            f"; How it came about: {' '.join(problem.provenance.split())}.",
+            f"; A goal is met within {problem.tolerance * 1000:g} mm. goal-xy and goal-z list the cells from",
+            "; which it is met whatever the grid rounds on the way, in plans of at most",
+            f"; {steps} step(s) and cells of {grounding.cell * 1000:g} mm.",
+        ]
+    )
+
+
+def _objects(problem: Problem, grounding: Grounding, grid: Grid) -> str:
+    lines = [f"{item.name} - {grounding.category(item.category).name}" for item in problem.objects]
+    lines += [f"{' '.join(grid.cell_names(axis))} - {letter}-cell" for axis, letter in enumerate(AXES)]
+    return "  (:objects\n" + "\n".join(f"    {line}" for line in lines) + ")"
+
+
+def _start(item: SceneObject, grid: Grid) -> str:
+    position = ", ".join(f"{value:.4f}" for value in item.position)
+    cells = (grid.cell_name(axis, index) for axis, index in enumerate(grid.anchor(item.position)))
+    facts = " ".join(f"(at-{letter} {item.name} {cell})" for letter, cell in zip(AXES, cells, strict=True))
+    return f"    ; {item.name} starts at ({position}) m\n    {facts}"
+
+
+def _goal_facts(problem: Problem, name: str, grounding: Grounding, grid: Grid, steps: int) -> str:
+    item, goal = problem.object_named(name), problem.goals[name]
+    region = goal_region(item, goal, problem.tolerance, grounding, steps=steps)
+    position = ", ".join(f"{value:.4f}" for value in goal)
+    away = math.dist(goal, item.position) * 1000
+    lines = [f"; {name} shall come to ({position}) m, {away:.0f} mm from where it starts"]
+    for x in sorted({x for x, _ in region.xy}):
+        column = (y for across, y in region.xy if across == x)
+        lines.append(
+            " ".join(f"(goal-xy {name} {grid.cell_name(0, x)} {grid.cell_name(1, y)})" for y in column)
+        )
+    lines.append(" ".join(f"(goal-z {name} {grid.cell_name(2, z)})" for z in region.z))
+    return "\n".join(f"    {line}" for line in lines if line)
+
+
+def _shift_facts(axis: int, cells: int, margin: int, grid: Grid) -> str:
+    predicate = shift_predicate(axis, cells)
+    pairs = grid.shifts(axis, cells, margin)
+    facts = (f"({predicate} {grid.cell_name(axis, a)} {grid.cell_name(axis, b)})" for a, b in pairs)
+    return "    " + " ".join(facts)

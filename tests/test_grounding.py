@@ -1,0 +1,112 @@
+"""The grounding: which operators are live, what they promise in metres and in cells, and its file."""
+
+from pathlib import Path
+
+import msgspec
+import pytest
+from tables import BOUNDS, grounding, mode, table
+
+from neurosym.errors import InvalidFile, InvalidValue, UnknownChoice
+from neurosym.operators import Operator
+from neurosym.pddl import Grounding, compile_domain
+
+
+def test_only_operators_worth_planning_with_are_live():
+    assert [operator.name for operator in grounding().live] == [
+        "lift-010-block",
+        "pull-010-tray",
+        "push-away-001-block",
+        "push-left-000-block",
+        "push-left-000-tray",
+    ]
+
+
+@pytest.mark.parametrize(
+    ("operator", "reason"),
+    [
+        (Operator("a", "00", "000", 4, (mode((0.1, 0.0, 0.0), count=4, near=4),)), "fewer than 5 rehearsals"),
+        (Operator("a", "00", "000", 20, (mode((0.1, 0.0, 0.0), kind="lost"),)), "never ends at rest or held"),
+        (
+            Operator("a", "00", "000", 20, (mode((0.1, 0.0, 0.0), kind="toppled"),)),
+            "topples more often than not",
+        ),
+        (Operator("a", "00", "000", 20, (mode((0.1, 0.0, 0.0), near=5),)), "keeps its promise in 5 of 20"),
+        (Operator("a", "00", "000", 20, (mode((0.0024, -0.0024, 0.1)),)), "moves less than half a cell"),
+        (Operator("a", "00", "000", 20, (mode((0.0026, 0.0, 0.0), near=6),)), None),
+    ],
+)
+def test_every_operator_left_out_has_its_reason(operator: Operator, reason: str | None):
+    found = grounding().why_left_out(operator)
+    assert found is None if reason is None else found is not None and found.startswith(reason)
+
+
+def test_resting_object_keeps_its_height():
+    assert grounding().displacement(grounding().operator_named("push-left-000-block")) == (
+        0.0021,
+        0.0832,
+        0.0,
+    )
+
+
+def test_lift_and_put_down_come_to_the_resting_effect_at_table_height():
+    learned = grounding()
+    lift = learned.operator_named("lift-010-block")
+    up, down = learned.displacement(lift), learned.put_down_displacement(lift)
+    assert up == (0.012, -0.021, 0.203)
+    assert [a + b for a, b in zip(up, down, strict=True)] == pytest.approx([0.0141, -0.0228, 0.0])
+
+
+def test_cells_of_lift_and_put_down_are_those_of_the_resting_effect():
+    learned = grounding()
+    lift = learned.operator_named("lift-010-block")
+    both = zip(learned.cells(lift), learned.put_down_cells(lift), strict=True)
+    assert [up + down for up, down in both] == [3, -5, 0]  # 14.1 and -22.8 mm in cells of 5 mm
+
+
+def test_rounding_bounds_every_operator():
+    learned = grounding()
+    bound = learned.rounding()
+    for operator in learned.live:
+        parts = zip(learned.displacement(operator), learned.cells(operator), bound, strict=True)
+        assert all(abs(part - cells * 0.005) <= limit + 1e-12 for part, cells, limit in parts)
+    assert max(bound) <= 0.0025 + 1e-12
+
+
+def test_grounding_survives_its_file(tmp_path: Path):
+    grounding().save(tmp_path / "grounding.json")
+    assert Grounding.load(tmp_path / "grounding.json") == grounding()
+
+
+def test_grounding_of_another_version_is_refused(tmp_path: Path):
+    foreign = msgspec.structs.replace(grounding(), format="neurosym-grounding-2")
+    foreign.save(tmp_path / "grounding.json")
+    with pytest.raises(InvalidFile, match="neurosym-grounding-2"):
+        Grounding.load(tmp_path / "grounding.json")
+
+
+def test_unknown_names_are_refused_with_the_known_ones():
+    with pytest.raises(UnknownChoice, match="valid: lift-010-block"):
+        grounding().operator_named("fly")
+    with pytest.raises(UnknownChoice, match="valid: 00, 11"):
+        grounding().category("01")
+    with pytest.raises(UnknownChoice, match="valid: 000, 001, 010, 111"):
+        grounding().primitive("100")
+    assert grounding().operator_for("11", "010") == grounding().operator_named("pull-010-tray")
+    assert grounding().operator_for("00", "100") is None
+
+
+@pytest.mark.parametrize(
+    "name", ["Push", "finish-it", "put-down-x", "reach-out", "block", "pull-010-tray", "tabletop"]
+)
+def test_operator_name_that_is_illegal_reserved_or_taken_is_refused(name: str):
+    learned = table()
+    renamed = msgspec.structs.replace(learned.operators[0], name=name)
+    broken = msgspec.structs.replace(learned, operators=(renamed, *learned.operators[1:]))
+    with pytest.raises(InvalidValue, match=name):
+        compile_domain(broken, name="tabletop", table_bounds=BOUNDS, lift_height=0.2)
+
+
+@pytest.mark.parametrize("cell", [0.0, -0.01, 1.0, 1e-6, float("nan")])
+def test_cell_of_no_sensible_size_is_refused(cell: float):
+    with pytest.raises(InvalidValue, match="cell"):
+        grounding(cell)
