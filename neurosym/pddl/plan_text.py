@@ -1,0 +1,171 @@
+"""Plans as text: the IPC form that planners write, read into steps, and steps printed again.
+
+A step is one primitive on one object. Planners write ground actions with cells as further arguments, and in
+the `stepwise` encoding several for one step; reading folds them into steps.
+"""
+
+import re
+from collections.abc import Iterable
+from dataclasses import dataclass
+from pathlib import Path
+
+from neurosym.errors import InvalidPlan, InvalidValue, UnknownChoice
+from neurosym.operators import Operator
+from neurosym.pddl.grid import AXES, grid_of
+from neurosym.pddl.grounding import Grounding, is_lift
+from neurosym.pddl.moves import FINISH, PUT_DOWN, REACH_GOAL, Encoding, moves_of, parts_of
+from neurosym.problems import Problem
+
+_TIME = re.compile(r"^\d+(\.\d+)?\s*:\s*")
+_DURATION = re.compile(r"\s*\[\s*\d+(\.\d+)?\s*\]$")
+
+
+@dataclass(frozen=True, slots=True)
+class PlanStep:
+    """One step of a plan.
+
+    Attributes:
+        operator: Name of an operator, or `put-down-` and the name of the operator that lifted the object.
+        object: Name of the object.
+    """
+
+    operator: str
+    object: str
+
+    @property
+    def puts_down(self) -> bool:
+        """Whether the step puts an object down."""
+        return self.operator.startswith(PUT_DOWN)
+
+    @property
+    def base(self) -> str:
+        """Name of the operator in the table of operators."""
+        return self.operator.removeprefix(PUT_DOWN)
+
+
+def print_plan(steps: Iterable[PlanStep], comment: str = "") -> str:
+    """Print a plan in IPC form, one `(operator object)` a line.
+
+    Args:
+        steps: The plan.
+        comment: What the last line says; by default how many steps there are.
+    """
+    lines = [f"({step.operator} {step.object})" for step in steps]
+    counted = comment or f"{len(lines)} step{'' if len(lines) == 1 else 's'}"
+    return "\n".join([*lines, f"; {' '.join(counted.split())}"]) + "\n"
+
+
+def print_ground_plan(
+    steps: Iterable[PlanStep], problem: Problem, grounding: Grounding, encoding: Encoding = "stepwise"
+) -> str:
+    """Print a plan as ground actions of the domain, cells and all, such that plan validators take it.
+
+    Args:
+        steps: The plan; every operator in it must be in the domain.
+        problem: The problem it solves.
+        grounding: The learned domain.
+        encoding: The encoding of the domain.
+
+    Raises:
+        InvalidValue: If an operator is not in the domain.
+    """
+    grid, moves = grid_of(grounding), {move.name: move for move in moves_of(grounding)}
+    cells = {item.name: list(grid.anchor(item.position)) for item in problem.objects}
+    lines = []
+    for step in steps:
+        if step.operator not in moves:
+            raise InvalidValue(
+                f"{step.operator} is not in the domain, so the plan cannot be printed with cells."
+            )
+        move, here = moves[step.operator], cells[step.object]
+        for name, axes in parts_of(move, encoding):
+            words = [name, step.object]
+            for axis in axes:
+                words += [
+                    grid.cell_name(axis, here[axis]),
+                    grid.cell_name(axis, here[axis] + move.cells[axis]),
+                ]
+                here[axis] += move.cells[axis]
+            lines.append(f"({' '.join(words)})")
+    for name in sorted(problem.goals):
+        spot = " ".join(grid.cell_name(axis, index) for axis, index in enumerate(cells[name]))
+        lines.append(f"({REACH_GOAL} {name} {spot})")
+    return "\n".join(lines) + "\n"
+
+
+def read_plan(path: Path, grounding: Grounding, problem: Problem) -> tuple[PlanStep, ...]:
+    """Read a plan file that any planner wrote.
+
+    Args:
+        path: The plan file, in IPC form; time stamps, durations, comments and capitals are taken in stride.
+        grounding: The learned domain; every operator of its table may occur, in the domain or not.
+        problem: The problem that the plan is for.
+
+    Raises:
+        InvalidPlan: If a line cannot be read, or names an operator, object or pair that does not exist.
+    """
+    try:
+        text = path.read_text(encoding="utf-8")
+    except (OSError, UnicodeDecodeError) as error:
+        raise InvalidPlan(path, 1, f"the file cannot be read ({error})") from error
+    return parse_plan(text, path, grounding, problem)
+
+
+def parse_plan(text: str, path: Path, grounding: Grounding, problem: Problem) -> tuple[PlanStep, ...]:
+    """Read the text of a plan; see `read_plan`.
+
+    Args:
+        text: The text.
+        path: What errors name as its origin.
+        grounding: The learned domain.
+        problem: The problem that the plan is for.
+
+    Raises:
+        InvalidPlan: If a line cannot be read, or names an operator, object or pair that does not exist.
+    """
+    steps = []
+    for number, raw in enumerate(text.splitlines(), start=1):
+        line = raw.split(";")[0].strip().lower()
+        if not line:
+            continue
+        try:
+            step = _read_line(line, grounding, problem)
+        except (InvalidValue, UnknownChoice) as error:
+            raise InvalidPlan(path, number, str(error).rstrip(".")) from error
+        steps += [step] if step else []
+    return tuple(steps)
+
+
+def _read_line(line: str, grounding: Grounding, problem: Problem) -> PlanStep | None:
+    """Read one line; None if it is only a later part of a step."""
+    bare = _DURATION.sub("", _TIME.sub("", line))
+    words = bare[1:-1].split()
+    if not re.fullmatch(r"\([^()]*\)", bare) or len(words) < 2:
+        raise InvalidValue(f"{line!r} is not of the form (operator object ...)")
+    name, thing = words[:2]
+    if thing not in problem.object_names:
+        raise UnknownChoice("object", thing, problem.object_names)
+    if name == REACH_GOAL:
+        return None
+    step = PlanStep(_without_part(name), thing)
+    operator = grounding.operator_named(step.base)
+    _check_fit(step, operator, grounding, problem)
+    return None if name.startswith(FINISH) else step
+
+
+def _without_part(name: str) -> str:
+    """Turn `finish-NAME-y` into `NAME`, and leave other names as they are."""
+    if name.startswith(FINISH) and name[-2:] in {f"-{axis}" for axis in AXES}:
+        return name.removeprefix(FINISH)[:-2]
+    return name
+
+
+def _check_fit(step: PlanStep, operator: Operator, grounding: Grounding, problem: Problem) -> None:
+    category = problem.object_named(step.object).category
+    if operator.category != category:
+        raise InvalidValue(
+            f"{operator.name} is for objects of category {grounding.category(operator.category).name}, and "
+            f"{step.object} is of category {grounding.category(category).name}"
+        )
+    if step.puts_down and not is_lift(operator):
+        raise InvalidValue(f"{operator.name} does not end with the object held, so nothing can be put down")
