@@ -1,1 +1,12 @@
 """Planners, interchangeable: each takes a problem and returns a result."""
+
+from neurosym.planners.bfs import plan_bfs as plan_bfs
+from neurosym.planners.branching import Branching as Branching
+from neurosym.planners.branching import branching_of as branching_of
+from neurosym.planners.branching import predicted_branching as predicted_branching
+from neurosym.planners.registry import PLANNERS as PLANNERS
+from neurosym.planners.registry import plan as plan
+from neurosym.planners.result import PlanResult as PlanResult
+from neurosym.planners.result import PlanStatus as PlanStatus
+from neurosym.planners.solve import PDDL_PLANNERS as PDDL_PLANNERS
+from neurosym.planners.solve import plan_pddl as plan_pddl

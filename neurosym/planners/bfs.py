@@ -1,0 +1,208 @@
+"""Breadth-first search over predicted effects: the paper's planner (section III-D).
+
+Effects do not depend on where an object stands, so a branching table says it all: what each primitive does to
+each object. A sequence of d choices out of P primitives x M objects is a number with d digits, and counting
+through the numbers is breadth-first search. The last digit is handled for all its values at once, and the
+others in chunks, so memory stays bounded.
+
+The world's rules hold here as in PDDL: what is lifted must be put down before the next primitive (free of
+charge: a step of the plan, but not of the depth), a plan may end with the object held, and nobody leaves the
+table. A pair without a prediction has the effect NaN and is never chosen.
+"""
+
+import time
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from jaxtyping import Bool, Float, Int
+
+from neurosym.pddl.moves import PUT_DOWN
+from neurosym.pddl.plan_text import PlanStep
+from neurosym.planners.branching import Branching
+from neurosym.planners.result import PlanResult, PlanStatus
+from neurosym.problems import Problem
+from neurosym.world import Table
+
+DEPTH = 3
+"""How many primitives a plan may have (section IV-D)."""
+CHUNK = 4096
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class _Level:
+    """All children of some sequences of choices, and where they lead.
+
+    Attributes:
+        digits: The choices before the last; a choice is object * P + primitive.
+        before: Centres of the objects before the last choice [m].
+        lifted: Centre of the chosen object after it, in the air if lifted [m]; NaN if impossible.
+        settled: The same once it is put down, for lifts only [m]; NaN if impossible.
+    """
+
+    digits: Int[np.ndarray, "n depth"]
+    before: Float[np.ndarray, "n M 3"]
+    lifted: Float[np.ndarray, "n M P 3"]
+    settled: Float[np.ndarray, "n M P 3"]
+
+
+def plan_bfs(
+    problem: Problem,
+    branching: Branching,
+    names: Sequence[Sequence[str]],
+    table: Table,
+    *,
+    depth: int = DEPTH,
+    time_limit: float = 60.0,
+) -> PlanResult:
+    """Find a plan with the fewest primitives, the first in breadth-first order.
+
+    Args:
+        problem: Where the objects are and shall be.
+        branching: What each primitive does to each object.
+        names: Name of the operator for each object and primitive, M rows of P.
+        table: Where objects may stand.
+        depth: How many primitives a plan may have.
+        time_limit: When to give up [s].
+    """
+    begin = time.perf_counter()
+    start, goals = problem.scene().positions, _goals(problem)
+    if problem.is_met(start):
+        return PlanResult(PlanStatus.SOLVED, (), 0.0, "the goal is met at the start")
+    for length in range(1, depth + 1):
+        for level in _levels(start, branching, table, length):
+            if found := _first_goal(level, goals, problem.tolerance):
+                steps = _steps(*found, branching, names, problem.object_names)
+                return PlanResult(PlanStatus.SOLVED, steps, time.perf_counter() - begin)
+            if time.perf_counter() - begin > time_limit:
+                reason = f"no plan in {time_limit:g} s; {length - 1} primitives do not suffice"
+                return PlanResult(PlanStatus.TIMEOUT, (), time.perf_counter() - begin, reason)
+    reason = explain_miss(problem, branching, table, depth=depth)
+    reason = reason or f"each goal can be reached alone, but {depth} primitives do not reach all of them"
+    return PlanResult(PlanStatus.UNSOLVABLE, (), time.perf_counter() - begin, reason)
+
+
+def explain_miss(problem: Problem, branching: Branching, table: Table, *, depth: int = DEPTH) -> str:
+    """Say which goal is out of reach of so many primitives, and how near its object can get.
+
+    Empty if each object alone can reach its goal.
+
+    Args:
+        problem: Where the objects are and shall be.
+        branching: What each primitive does to each object.
+        table: Where objects may stand.
+        depth: How many primitives a plan may have.
+    """
+    misses = nearest_misses(problem, branching, table, depth=depth)
+    far = {name: miss for name, miss in misses.items() if miss > problem.tolerance}
+    if not far:
+        return ""
+    name = max(far, key=lambda key: far[key])
+    return (
+        f"{name} cannot reach its goal: {depth} primitives bring it to {far[name] * 1000:.0f} mm from it, "
+        f"{problem.tolerance * 1000:.0f} mm are allowed"
+    )
+
+
+def nearest_misses(
+    problem: Problem, branching: Branching, table: Table, *, depth: int = DEPTH
+) -> dict[str, float]:
+    """Find how near each object with a goal can get to it [m], if the others stay where they are.
+
+    Args:
+        problem: Where the objects are and shall be.
+        branching: What each primitive does to each object.
+        table: Where objects may stand.
+        depth: How many primitives there may be.
+    """
+    nearest = problem.distances(problem.scene().positions)
+    for index, item in enumerate(problem.objects):
+        if item.name not in nearest:
+            continue
+        start, goal = np.array([item.position]), np.array(problem.goals[item.name])
+        for length in range(1, depth + 1):
+            for level in _levels(start, branching.of_object(index), table, length):
+                ends = np.concatenate([level.lifted.reshape(-1, 3), level.settled.reshape(-1, 3)])
+                misses = np.linalg.norm(ends - goal, axis=-1)
+                nearest[item.name] = min(nearest[item.name], float(np.nanmin(misses, initial=np.inf)))
+    return nearest
+
+
+def _goals(problem: Problem) -> Float[np.ndarray, "M 3"]:
+    """Goals in the order of the objects; NaN where there is none."""
+    none = (np.nan, np.nan, np.nan)
+    return np.array([problem.goals.get(name, none) for name in problem.object_names])
+
+
+def _levels(
+    start: Float[np.ndarray, "M 3"], branching: Branching, table: Table, length: int
+) -> Iterator[_Level]:
+    """List all sequences of a length, in order, a chunk at a time."""
+    choices = branching.held.size
+    total = choices ** (length - 1)
+    for low in range(0, total, CHUNK):
+        numbers = np.arange(low, min(low + CHUNK, total))
+        powers = choices ** np.arange(length - 2, -1, -1)
+        yield _expand(numbers[:, None] // powers % choices, start, branching, table)
+
+
+def _expand(
+    digits: Int[np.ndarray, "n depth"], start: Float[np.ndarray, "M 3"], branching: Branching, table: Table
+) -> _Level:
+    objects, primitives = branching.held.shape
+    before = np.repeat(start[None], len(digits), axis=0)  # (n, M, 3)
+    rows = np.arange(len(digits))
+    for digit in digits.T:
+        moved, primitive = digit // primitives, digit % primitives
+        lifted = before[rows, moved] + branching.effects[moved, primitive]
+        before[rows, moved] += branching.settled[moved, primitive]
+        # A NaN never goes away again, and so it marks the whole sequence as impossible.
+        before[~(_inside(lifted, table) & _inside(before[rows, moved], table))] = np.nan
+    shape = (len(digits), objects, primitives, 3)
+    lifted = np.broadcast_to(before[:, :, None] + branching.effects, shape).copy()
+    lifted[~_inside(lifted, table)] = np.nan
+    settled = before[:, :, None] + branching.resting_effects
+    settled[~_inside(settled, table) | np.isnan(lifted[..., 0]) | ~branching.held] = np.nan
+    return _Level(digits, before, lifted, settled)
+
+
+def _inside(positions: Float[np.ndarray, "*n 3"], table: Table) -> Bool[np.ndarray, "*n"]:
+    low, high = np.array([table.x, table.y]).T
+    return np.asarray(np.all((positions[..., :2] >= low) & (positions[..., :2] <= high), axis=-1))
+
+
+def _first_goal(
+    level: _Level, goals: Float[np.ndarray, "M 3"], tolerance: float
+) -> tuple[tuple[int, ...], bool] | None:
+    """Find the first sequence that meets all goals, and whether it ends with a put-down."""
+    wrong = np.linalg.norm(level.before - goals, axis=-1) > tolerance  # (n, M), False without a goal
+    wrong |= np.isnan(level.before[..., 0])
+    others = wrong.sum(axis=1, keepdims=True) == wrong  # (n, M): all other objects are right
+
+    def meets(ends: Float[np.ndarray, "n M P 3"]) -> Bool[np.ndarray, "n M P"]:
+        near = np.linalg.norm(ends - goals[:, None], axis=-1) <= tolerance
+        without_goal = np.isnan(goals[:, :1]) & ~np.isnan(ends[..., 0])
+        return np.asarray(others[:, :, None] & (near | without_goal))
+
+    at_once, after_put_down = meets(level.lifted), meets(level.settled)
+    hits = np.flatnonzero(at_once | after_put_down)
+    if not len(hits):
+        return None
+    row, last = divmod(int(hits[0]), at_once[0].size)
+    return (*map(int, level.digits[row]), last), not bool(at_once.reshape(-1)[hits[0]])
+
+
+def _steps(
+    choices: tuple[int, ...],
+    ends_down: bool,
+    branching: Branching,
+    names: Sequence[Sequence[str]],
+    objects: Sequence[str],
+) -> tuple[PlanStep, ...]:
+    steps = []
+    for position, choice in enumerate(choices, start=1):
+        thing, primitive = divmod(choice, branching.held.shape[1])
+        steps.append(PlanStep(names[thing][primitive], objects[thing]))
+        if branching.held[thing, primitive] and (position < len(choices) or ends_down):
+            steps.append(PlanStep(PUT_DOWN + names[thing][primitive], objects[thing]))
+    return tuple(steps)

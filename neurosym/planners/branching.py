@@ -1,0 +1,103 @@
+"""The branching table: what each primitive is predicted to do to each object of a scene.
+
+It comes from the neural model, or from what the operators promise; planners do not care.
+"""
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+from jaxtyping import Bool, Float
+
+from neurosym.operators import Operator, Vector
+from neurosym.pddl.grounding import Grounding, is_lift
+from neurosym.problems import Problem
+
+Names = tuple[tuple[str, ...], ...]
+"""Name of the operator for each object and primitive, M rows of P; empty where there is none."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Branching:
+    """What each primitive is predicted to do to each object of a scene.
+
+    Attributes:
+        effects: Displacement at the end of the rise [m]; NaN where nothing is predicted.
+        resting_effects: Displacement once put down [m]; used where the object ends held.
+        held: Whether the object ends held.
+    """
+
+    effects: Float[np.ndarray, "M P 3"]
+    resting_effects: Float[np.ndarray, "M P 3"]
+    held: Bool[np.ndarray, "M P"]
+
+    @property
+    def settled(self) -> Float[np.ndarray, "M P 3"]:
+        """Displacement before the next primitive may begin [m]."""
+        return np.where(self.held[:, :, None], self.resting_effects, self.effects)
+
+    def of_object(self, index: int) -> "Branching":
+        """Keep one object only."""
+        one = slice(index, index + 1)
+        return Branching(self.effects[one], self.resting_effects[one], self.held[one])
+
+
+def branching_of(problem: Problem, grounding: Grounding) -> tuple[Branching, Names]:
+    """Return what the live operators promise as a branching table, and the operators' names.
+
+    Args:
+        problem: The problem whose M objects the table is for.
+        grounding: The learned domain; its P primitives are in the order of the table of operators.
+    """
+    operators = _operators(problem, grounding, only_live=True)
+    effects = _table(operators, grounding.displacement)
+    return _branching(operators, effects)
+
+
+def predicted_branching(
+    problem: Problem, grounding: Grounding, effects: Float[np.ndarray, "M P 3"]
+) -> tuple[Branching, Names]:
+    """Return what the neural model predicts as a branching table, and the operators' names.
+
+    The model predicts the effect at the end of the rise. Whether the object is held then, and where it comes
+    to rest if so, is what the rehearsals saw. Pairs that were never rehearsed are left out.
+
+    Args:
+        problem: The problem whose M objects the table is for.
+        grounding: The learned domain; its P primitives are in the order of the table of operators.
+        effects: Predicted displacements [m].
+    """
+    operators = _operators(problem, grounding, only_live=False)
+    rehearsed = np.array([[operator is not None for operator in row] for row in operators])
+    return _branching(operators, np.where(rehearsed[:, :, None], effects, np.nan))
+
+
+def _operators(
+    problem: Problem, grounding: Grounding, *, only_live: bool
+) -> tuple[tuple[Operator | None, ...], ...]:
+    """Find the operator of each object and primitive, M rows of P."""
+    symbols = [primitive.symbol for primitive in grounding.operators.primitives]
+    usable = grounding.live if only_live else grounding.operators.operators
+    found = {(operator.category, operator.primitive): operator for operator in usable}
+    return tuple(tuple(found.get((item.category, symbol)) for symbol in symbols) for item in problem.objects)
+
+
+def _branching(
+    operators: tuple[tuple[Operator | None, ...], ...], effects: Float[np.ndarray, "M P 3"]
+) -> tuple[Branching, Names]:
+    held = np.array([[operator is not None and is_lift(operator) for operator in row] for row in operators])
+    names = tuple(tuple(operator.name if operator else "" for operator in row) for row in operators)
+    return Branching(effects, _table(operators, _resting), held), names
+
+
+def _resting(operator: Operator) -> Vector:
+    promise = operator.promise
+    return (*promise.resting_effect[:2], 0.0) if promise else (math.nan, math.nan, math.nan)
+
+
+def _table(
+    operators: tuple[tuple[Operator | None, ...], ...], entry: Callable[[Operator], Vector]
+) -> Float[np.ndarray, "M P 3"]:
+    none = (math.nan, math.nan, math.nan)
+    return np.array([[entry(operator) if operator else none for operator in row] for row in operators])

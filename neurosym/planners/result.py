@@ -1,0 +1,49 @@
+"""What every planner returns."""
+
+from dataclasses import dataclass
+from enum import Enum
+
+from neurosym.pddl.plan_text import PlanStep
+
+
+class PlanStatus(Enum):
+    """How a search for a plan ended."""
+
+    SOLVED = "solved"
+    UNSOLVABLE = "unsolvable"
+    TIMEOUT = "timeout"
+    FAILED = "failed"
+
+
+@dataclass(frozen=True, slots=True)
+class PlanResult:
+    """The outcome of planning; finding no plan is an outcome, not an error.
+
+    Attributes:
+        status: How the search ended.
+        steps: The plan; empty unless solved.
+        seconds: How long it took [s].
+        reason: Why there is no plan, or what is to be said about the one found.
+    """
+
+    status: PlanStatus
+    steps: tuple[PlanStep, ...]
+    seconds: float
+    reason: str = ""
+
+
+@dataclass(frozen=True, slots=True)
+class PlannerAnswer:
+    """What a PDDL planner says: the text of a plan if it found one.
+
+    Attributes:
+        status: How the search ended.
+        text: The plan in IPC form; empty unless solved.
+        seconds: How long it took [s].
+        reason: The planner's last words if there is no plan.
+    """
+
+    status: PlanStatus
+    text: str
+    seconds: float
+    reason: str = ""

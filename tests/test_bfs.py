@@ -1,0 +1,155 @@
+"""Breadth-first search: the world's rules, and agreement with a search that anyone can check."""
+
+import itertools
+
+import numpy as np
+import pytest
+from tables import BOUNDS, grounding, problem
+
+from neurosym.pddl.plan_text import PlanStep
+from neurosym.planners import Branching, PlanStatus, branching_of, plan_bfs, predicted_branching
+from neurosym.planners import bfs as bfs_module
+from neurosym.planners.bfs import nearest_misses
+from neurosym.problems import Problem, SceneObject
+
+State = tuple[np.ndarray, list[PlanStep]]
+
+
+def naive(task: Problem, table: Branching, names, depth: int) -> list[PlanStep] | None:
+    """Breadth-first search, one state at a time."""
+    objects, primitives = table.held.shape
+    if task.is_met(task.scene().positions):
+        return []
+    level: list[State] = [(task.scene().positions, [])]
+    for _ in range(depth):
+        following: list[State] = []
+        for positions, steps in level:
+            for thing, primitive in itertools.product(range(objects), range(primitives)):
+                after = positions.copy()
+                after[thing] += table.effects[thing, primitive]
+                step = PlanStep(names[thing][primitive], task.object_names[thing])
+                if not BOUNDS.contains(after[thing]):
+                    continue
+                if task.is_met(after):
+                    return [*steps, step]
+                if table.held[thing, primitive]:
+                    after = positions.copy()
+                    after[thing] += table.resting_effects[thing, primitive]
+                    if not BOUNDS.contains(after[thing]):
+                        continue
+                    steps_down = [*steps, step, PlanStep(f"put-down-{step.operator}", step.object)]
+                    if task.is_met(after):
+                        return steps_down
+                    following.append((after, steps_down))
+                else:
+                    following.append((after, [*steps, step]))
+        level = following
+    return None
+
+
+def random_task(seed: int) -> tuple[Problem, Branching, tuple[tuple[str, ...], ...]]:
+    rng = np.random.default_rng(seed)
+    objects, primitives = int(rng.integers(1, 4)), int(rng.integers(2, 5))
+    effects = rng.uniform(-0.15, 0.15, (objects, primitives, 3)) * [1, 1, 0]
+    held = rng.random((objects, primitives)) < 0.3
+    resting = effects + rng.normal(0, 0.01, effects.shape) * [1, 1, 0]
+    effects[held, 2] = 0.2
+    effects[rng.random((objects, primitives)) < 0.1] = np.nan
+    starts = rng.uniform([0.35, -0.25, 0.02], [0.85, 0.25, 0.03], (objects, 3))
+    ends = starts + rng.uniform(-0.2, 0.2, (objects, 3)) * [1, 1, 0]
+    ends[0, 2] += 0.2 * (rng.random() < 0.3)
+    items = tuple(
+        SceneObject(f"item-{i}", "00", (0.05, 0.05, 0.05, 0.0), tuple(map(float, p)))
+        for i, p in enumerate(starts)
+    )
+    goals = {
+        item.name: tuple(map(float, end)) for item, end in zip(items, ends, strict=True) if rng.random() < 0.7
+    }
+    names = tuple(tuple(f"op-{p}-{i}" for p in range(primitives)) for i in range(objects))
+    goals = goals or {"item-0": tuple(map(float, ends[0]))}
+    return Problem("random", items, goals, tolerance=0.08), Branching(effects, resting, held), names
+
+
+@pytest.mark.parametrize("chunk", [4096, 5])
+def test_search_finds_what_the_naive_one_finds(monkeypatch: pytest.MonkeyPatch, chunk: int):
+    monkeypatch.setattr(bfs_module, "CHUNK", chunk)
+    lengths = []
+    for seed in range(50):
+        task, table, names = random_task(seed)
+        expected, found = naive(task, table, names, 3), plan_bfs(task, table, names, BOUNDS)
+        assert (found.status is PlanStatus.SOLVED) == (expected is not None), seed
+        assert list(found.steps) == (expected or []), seed
+        lengths.append(len(found.steps))
+    assert {0, 1, 2, 3} < set(lengths)  # the tasks are of all kinds, also with put-downs in between
+
+
+def one_object(goal: tuple[float, float, float], effects, held=None, resting=None):
+    item = SceneObject("item-01", "00", (0.05, 0.05, 0.05, 0.0), (0.6, 0.0, 0.02))
+    effects = np.array([effects], dtype=float)
+    table = Branching(
+        effects,
+        np.array([resting], dtype=float) if resting else effects,
+        np.array([held]) if held else np.zeros(effects.shape[:2], dtype=bool),
+    )
+    names = (tuple(f"op-{index}" for index in range(effects.shape[1])),)
+    return plan_bfs(Problem("p", (item,), {"item-01": goal}), table, names, BOUNDS)
+
+
+def test_lift_is_put_down_before_the_next_primitive():
+    lift, push = (0.0, 0.0, 0.2), (0.1, 0.0, 0.0)
+    found = one_object((0.8, 0.0, 0.22), [lift, push], held=[True, False], resting=[(0.0, 0.0, 0.0), push])
+    assert [step.operator for step in found.steps] == ["op-1", "op-1", "op-0"]
+
+
+def test_put_down_ends_a_plan_when_the_goal_is_on_the_table_and_costs_no_depth():
+    found = one_object((0.9, 0.0, 0.02), [(0.1, 0.0, 0.2)], held=[True], resting=[(0.1, 0.0, 0.0)])
+    assert [step.operator for step in found.steps] == ["op-0", "put-down-op-0"] * 3
+
+
+def test_nobody_leaves_the_table_on_the_way():
+    assert one_object((0.6, 0.2, 0.02), [(0.0, 0.4, 0.0), (0.0, -0.2, 0.0)]).steps[0].operator == "op-1"
+
+
+def test_unreachable_goal_says_which_and_how_near():
+    found = one_object((0.6, 0.28, 0.02), [(0.0, 0.06, 0.0)])
+    assert found.status is PlanStatus.UNSOLVABLE
+    assert found.reason == (
+        "item-01 cannot reach its goal: 3 primitives bring it to 100 mm from it, 50 mm are allowed"
+    )
+
+
+def test_goals_that_can_only_be_reached_one_at_a_time_are_said_to_be_so():
+    table, names = branching_of(problem(), grounding())
+    found = plan_bfs(problem(), table, names, BOUNDS)
+    assert found.status is PlanStatus.UNSOLVABLE
+    assert "alone" in found.reason
+    assert plan_bfs(problem(), table, names, BOUNDS, depth=4).status is PlanStatus.SOLVED
+
+
+def test_nearest_miss_is_that_of_the_naive_search():
+    for seed in range(8):
+        task, table, _ = random_task(seed)
+        for index, item in enumerate(task.objects):
+            if item.name not in task.goals:
+                continue
+            alone = Problem("p", (item,), {item.name: task.goals[item.name]}, tolerance=1e-9)
+            radius, names = nearest_misses(task, table, BOUNDS)[item.name], (("op",) * table.held.shape[1],)
+            for factor, reached in ((1 - 1e-6, False), (1 + 1e-6, True)):
+                eased = Problem("p", (item,), alone.goals, tolerance=radius * factor)
+                assert (naive(eased, table.of_object(index), names, 3) is not None) == reached, seed
+
+
+def test_time_out_is_a_result():
+    table, names = branching_of(problem(), grounding())
+    assert plan_bfs(problem(), table, names, BOUNDS, time_limit=0.0).status is PlanStatus.TIMEOUT
+
+
+def test_operators_left_out_are_never_promised_but_may_be_predicted():
+    table, names = branching_of(problem(), grounding())
+    assert names[0] == ("push-left-000-block", "push-away-001-block", "lift-010-block", "")
+    assert np.isnan(table.effects[0, 3]).all()
+    assert table.held.tolist() == [[False, False, True, False], [False] * 4]
+    predicted, names = predicted_branching(problem(), grounding(), np.full((2, 4, 3), 0.07))
+    assert names[0][3] == "stay-111-block"
+    assert np.all(predicted.effects == 0.07)
+    assert predicted.resting_effects[0, 2].tolist() == [0.0141, -0.0228, 0.0]

@@ -1,0 +1,137 @@
+"""From a problem to a believed plan: replayed, mended, explained, and as cheap as the reference's."""
+
+import dataclasses
+import itertools
+
+import msgspec
+import pytest
+from tables import grounding, item, problem
+
+from neurosym.errors import UnknownChoice
+from neurosym.pddl.moves import ENCODINGS, cost
+from neurosym.pddl.plan_text import PlanStep
+from neurosym.pddl.replay import replay
+from neurosym.planners import PLANNERS, PlanStatus, plan, plan_pddl
+from neurosym.planners import solve as solve_module
+from neurosym.planners.result import PlannerAnswer
+from neurosym.problems import Problem
+
+
+def total_cost(steps: tuple[PlanStep, ...]) -> int:
+    return sum(cost(grounding().operator_named(step.operator)) for step in steps if not step.puts_down)
+
+
+@pytest.mark.parametrize(("encoding", "cell"), [("stepwise", 0.005), ("operators", 0.01)])
+def test_errand_is_solved_and_the_plan_is_true(encoding: str, cell: float):
+    found = plan_pddl(problem(), grounding(cell), encoding=encoding)
+    assert found.status is PlanStatus.SOLVED, found.reason
+    assert replay(found.steps, problem(), grounding()).valid
+    assert found.seconds > 0
+
+
+def test_plan_is_the_cheapest_there_is():
+    """Compared with all multisets of up to six pushes of one block."""
+    goal = (0.665, 0.155, 0.025)
+    task = Problem("p", (item("item-01", 0.4512, 0.0133),), {"item-01": goal}, tolerance=0.03)
+    names = ("push-away-001-block", "push-left-000-block")
+    plans = (
+        tuple(PlanStep(name, "item-01") for name in combination)
+        for length in range(7)
+        for combination in itertools.combinations_with_replacement(names, length)
+    )
+    cheapest = min(total_cost(steps) for steps in plans if replay(steps, task, grounding()).valid)
+    assert total_cost(plan_pddl(task, grounding()).steps) == cheapest
+
+
+def test_many_objects_are_planned_one_by_one_and_the_held_one_comes_last():
+    more = (item("item-03", 0.4, -0.2), item("item-04", 0.8, -0.2))
+    task = problem()
+    goals = {**task.goals, "item-03": (0.4, -0.117, 0.025), "item-04": (0.8, -0.117, 0.025)}
+    crowd = msgspec.structs.replace(task, objects=(*task.objects, *more), goals=goals)
+    found = plan_pddl(crowd, grounding())
+    assert found.status is PlanStatus.SOLVED, found.reason
+    assert replay(found.steps, crowd, grounding()).valid
+    assert found.steps[-1] == PlanStep("lift-010-block", "item-01")
+
+
+def test_two_objects_cannot_both_be_held_at_the_end():
+    objects = tuple(item(f"item-0{n}", 0.4 + 0.1 * n, 0.0) for n in range(3))
+    goals = {thing.name: (thing.position[0], 0.0, 0.228) for thing in objects}
+    task = Problem("p", objects, goals)
+    found = plan_pddl(task, grounding())
+    assert found.status is PlanStatus.UNSOLVABLE
+    assert "item-00 and item-01 and item-02 would have to be held" in found.reason
+
+
+def test_goals_that_need_no_hand_are_met_even_if_lifting_were_cheaper_for_each():
+    """Where each plan alone would end held, the problem is solved whole."""
+    learned = grounding()
+    lift = learned.operator_named("lift-010-block")
+    low = msgspec.structs.replace(lift.modes[0], effect=(0.1, 0.0, 0.02), resting_effect=(0.1, 0.0, 0.0))
+    operators = (msgspec.structs.replace(lift, modes=(low,)), *learned.operators.operators)
+    table = msgspec.structs.replace(learned.operators, operators=operators[:1])
+    lifting = msgspec.structs.replace(learned, operators=table, cell=0.01)
+    objects = (item("item-01", 0.5, 0.0), item("item-02", 0.5, 0.15))
+    goals = {thing.name: (0.6, thing.position[1], 0.03) for thing in objects}
+    found = plan_pddl(Problem("p", objects, goals), lifting)
+    assert [step.operator for step in found.steps][:3] == [lift.name, f"put-down-{lift.name}", lift.name]
+
+
+def test_goal_met_at_the_start_needs_no_step():
+    task = Problem("p", (item("item-01", 0.5, 0.0),), {"item-01": (0.51, 0.0, 0.025)})
+    assert (plan_pddl(task, grounding()).status, plan_pddl(task, grounding()).steps) == (
+        PlanStatus.SOLVED,
+        (),
+    )
+
+
+@pytest.mark.parametrize("planner", ["bfs", "fast-downward"])
+def test_unsolvable_says_which_object_and_how_near(planner: str):
+    objects = (item("item-01", 0.5, 0.0), item("item-02", 0.7, 0.2, category="11"))
+    task = Problem("p", objects, {"item-01": (0.571, -0.012, 0.025), "item-02": (0.85, 0.2, 0.02)})
+    found = plan(task, grounding(), planner)
+    assert found.status is PlanStatus.UNSOLVABLE
+    assert "item-02 cannot reach its goal: 3 primitives bring it to 150 mm from it" in found.reason
+
+
+def test_plan_whose_replay_is_wrong_is_planned_again_and_given_up_in_the_end(monkeypatch: pytest.MonkeyPatch):
+    texts = ["(push-left-000-block item-01)", "(push-away-001-block item-01)"]
+    answers = [PlannerAnswer(PlanStatus.SOLVED, text, 0.1) for text in texts]
+    asked: list[str] = []
+
+    def scripted(domain, task, *, time_limit: float) -> PlannerAnswer:
+        asked.append(task.read_text())
+        return answers[min(len(asked), len(answers)) - 1]
+
+    monkeypatch.setitem(solve_module.PDDL_PLANNERS, "scripted", scripted)
+    task = Problem("p", (item("item-01", 0.5, 0.0),), {"item-01": (0.571, -0.012, 0.025)})
+    found = plan_pddl(task, grounding(), "scripted")
+    assert (found.status, len(asked)) == (PlanStatus.SOLVED, 2)
+    assert "attempt 2" in found.reason
+    assert asked[0].count("goal-xy") > asked[1].count("goal-xy")
+    answers.pop()
+    gave_up = plan_pddl(task, grounding(), "scripted")
+    assert gave_up.status is PlanStatus.FAILED
+    assert "no plan was true when replayed, in 3 attempts" in gave_up.reason
+
+
+def test_time_out_is_a_result():
+    assert plan_pddl(problem(), grounding(), time_limit=0.05).status is PlanStatus.TIMEOUT
+
+
+def test_unknown_planner_is_refused_with_the_known_ones():
+    with pytest.raises(UnknownChoice, match="valid: bfs, fast-downward, up-fast-downward"):
+        plan(problem(), grounding(), "crystal-ball")
+    with pytest.raises(UnknownChoice, match="valid: fast-downward, up-fast-downward"):
+        plan_pddl(problem(), grounding(), "bfs")
+    assert set(PLANNERS) == {"bfs", *solve_module.PDDL_PLANNERS}
+
+
+def test_result_cannot_be_changed():
+    with pytest.raises(dataclasses.FrozenInstanceError):
+        plan(problem(), grounding(), "bfs").seconds = 0.0  # type: ignore[misc]
+
+
+def test_encodings_agree_on_the_cost():
+    costs = {total_cost(plan_pddl(problem(), grounding(0.01), encoding=name).steps) for name in ENCODINGS}
+    assert len(costs) == 1
