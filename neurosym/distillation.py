@@ -5,6 +5,7 @@ parameters of actions until their embedding is the +-1 code of the symbol. It st
 that already have the symbol.
 """
 
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -14,9 +15,15 @@ from torch import Tensor
 
 from neurosym.effect_model import EffectModel, one_thread
 from neurosym.errors import InvalidValue
+from neurosym.interactions import Interactions
 from neurosym.operators import Primitive
 from neurosym.symbols import Symbol, all_symbols, signs
 from neurosym.world import ActionBox
+
+Progress = Callable[[int, int], None]
+"""Called with the number of steps done and of those to do."""
+
+_STREAM = 0x6469  # keeps distillation's draws apart from those of other stages
 
 
 @dataclass(frozen=True, slots=True)
@@ -45,54 +52,59 @@ class DistillationConfig:
             )
 
 
-@dataclass(frozen=True, slots=True)
-class Distilled:
-    """What distillation found.
-
-    Attributes:
-        primitives: One for each symbol that could be reached, in the order of the symbols.
-        unreached: Symbols that no action of the data has.
-    """
-
-    primitives: tuple[Primitive, ...]
-    unreached: tuple[Symbol, ...]
-
-
 def distill(
     model: EffectModel,
-    actions: Float[np.ndarray, "N A"],
+    interactions: Interactions,
     box: ActionBox,
     *,
-    rng: np.random.Generator,
+    seed: int,
     config: DistillationConfig | None = None,
-) -> Distilled:
+    progress: Progress | None = None,
+) -> tuple[Primitive, ...]:
     """Find for each action symbol the parameters whose embedding is nearest to its code.
+
+    A symbol that no action of the data has is not used, and is left out; see `unreached`.
 
     Args:
         model: Whose action encoder is inverted.
-        actions: The training actions, to start from.
+        interactions: The training data, from whose actions the search starts.
         box: What the parameters must stay inside.
-        rng: Source of randomness, owned by the caller.
+        seed: Decides which of the actions.
         config: How it is done.
+        progress: Called after each step.
+
+    Returns:
+        The primitives in the order of their symbols. Each encodes to its symbol; its `code_error` says how
+        far its embedding still is from the code.
     """
-    config = config or DistillationConfig()
+    config, actions = config or DistillationConfig(), np.asarray(interactions.actions)
+    rng = np.random.default_rng([seed, _STREAM])
     symbols = all_symbols(model.config.action_bits)
     found = np.array(model.action_symbols(actions))
     starts = {symbol: _some(np.flatnonzero(found == symbol), config.candidates, rng) for symbol in symbols}
     reached = [symbol for symbol in symbols if len(starts[symbol])]
     begin = np.concatenate([actions[starts[symbol]] for symbol in reached])
     owners = np.repeat(reached, [len(starts[symbol]) for symbol in reached])
-    ends = _descend(model, np.clip(begin, box.low, box.high), owners, box, config)
+    ends = _descend(model, begin, owners, box, config, progress)
     errors = code_errors(model, ends, owners)
     errors[np.array(model.action_symbols(ends)) != owners] = np.inf
     best = [int(np.argmin(np.where(owners == symbol, errors, np.inf))) for symbol in reached]
-    primitives = tuple(
+    return tuple(
         Primitive(symbol=symbol, action=tuple(ends[row].tolist()), code_error=float(errors[row]))
         for symbol, row in zip(reached, best, strict=True)
         if np.isfinite(errors[row])
     )
-    kept = {primitive.symbol for primitive in primitives}
-    return Distilled(primitives, tuple(symbol for symbol in symbols if symbol not in kept))
+
+
+def unreached(model: EffectModel, primitives: Sequence[Primitive]) -> tuple[Symbol, ...]:
+    """List the action symbols that have no primitive.
+
+    Args:
+        model: Which symbols there are.
+        primitives: What was distilled from it.
+    """
+    reached = {primitive.symbol for primitive in primitives}
+    return tuple(symbol for symbol in all_symbols(model.config.action_bits) if symbol not in reached)
 
 
 def code_errors(
@@ -115,6 +127,7 @@ def _descend(
     owners: np.ndarray,
     box: ActionBox,
     config: DistillationConfig,
+    progress: Progress | None,
 ) -> Float[np.ndarray, "N A"]:
     """Descend the error of every candidate at once, projected into the box; the best of each one's way."""
     middle, half = _tensor((box.low + box.high) / 2), _tensor((box.high - box.low) / 2).clamp(min=1e-9)
@@ -134,6 +147,8 @@ def _descend(
                 optimiser.step()
                 with torch.no_grad():
                     scaled.clamp_(-1, 1)
+            if progress is not None:
+                progress(step, config.steps)
     model.train(was_training)
     return np.clip((middle + half * best).numpy().astype(np.float64), box.low, box.high)
 

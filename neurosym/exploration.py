@@ -6,6 +6,7 @@ of workers gives the same bytes. After each block the model trains on all intera
 written down; a run that was killed goes on from there and ends with the same bytes, too.
 """
 
+import json
 from collections.abc import Callable, Iterator
 from dataclasses import asdict, dataclass, replace
 from pathlib import Path
@@ -160,7 +161,7 @@ class _Explorer:
             "gripper_columns": columns,
             "action_low": box.low.tolist(),
             "action_high": box.high.tolist(),
-            **origin,
+            **json.loads(json.dumps(origin)),  # as it comes back from a file: lists, not tuples
         }
         dimensions = Dimensions(len(world.feature_names), len(box.low), 3, tuple(columns))
         with reproducible(self._seed_of_block(0)):

@@ -6,8 +6,7 @@
 * **teacher**: a network without a bottleneck learns the effects first. What it predicts for many actions on
   many objects is co-clustered into as many kinds as there are codes. Then the encoders learn to name the
   kinds: what they minimise is the teacher's own estimate of how much a wrong name would cost. Last, the
-      decoder is fitted to
-  the codes.
+  decoder is fitted to the codes.
 """
 
 import math
@@ -33,6 +32,7 @@ _TEACHER_BITS = 8
 _SHOWN_ACTIONS = 4000
 _SHOWN_TO_OBJECTS = 200
 _AT_ONCE = 50_000
+_LIKELIHOOD_WEIGHT = 0.05
 
 
 class Samples:
@@ -197,13 +197,18 @@ def _fit_names(
 ) -> None:
     """Fit an encoder so that the names it gives are expected to cost little.
 
-    An embedding z is read as independent bits that are 1 with probability (1 + z) / 2.
+    An embedding z is read as independent bits that are 1 with probability (1 + z) / 2. Without the likelihood
+    of the cheapest name, an encoder that gives everything one name could never leave it: tanh is flat there.
     """
     names = torch.tensor(list(product((-1.0, 1.0), repeat=int(math.log2(costs.shape[1])))))  # (L, K)
 
+    cheapest = costs.argmin(1)
+
     def loss_of(rows: Tensor) -> Tensor:
         agreement = (1 + encode(inputs[rows])[:, None, :] * names) / 2  # (B, L, K)
-        return (agreement.prod(2) * costs[rows]).sum(1).mean()
+        expected_cost = (agreement.prod(2) * costs[rows]).sum(1).mean()
+        right = agreement[torch.arange(len(rows)), cheapest[rows]].clamp(min=1e-6)  # (B, K)
+        return expected_cost - _LIKELIHOOD_WEIGHT * right.log().mean()
 
     encoder = model.object_encoder if encode == model.embed_objects else model.action_encoder
     encoder.train()

@@ -60,7 +60,9 @@ def rehearse(
     symbols = np.array(categorise(features))
     categories = describe_categories(features, symbols, world.feature_names)
     ordered = sorted(primitives, key=lambda primitive: primitive.symbol)
-    tasks = [Task(scene, np.array(primitive.action)) for primitive in ordered for scene in scenes]
+    tasks = [
+        Task(scene, np.array(primitive.action, dtype=np.float64)) for primitive in ordered for scene in scenes
+    ]
     outcomes: list[Outcome] = []
     for outcome in perform_all(world_factory, tasks, workers):
         outcomes.append(outcome)

@@ -1,0 +1,60 @@
+"""Workers perform tasks in order, and one that fails stops the run with a sentence."""
+
+import os
+from dataclasses import dataclass
+
+import numpy as np
+import pytest
+
+from neurosym.errors import InvalidValue
+from neurosym.toy_world import ToyWorld, make_world
+from neurosym.workers import Task, WorkerDied, crew, perform_all
+
+
+def some_tasks(count):
+    world = make_world()
+    for seed in range(count):
+        rng = np.random.default_rng(seed)
+        yield Task(world.sample_scene(rng, 1), world.action_box.sample(rng, 1)[0])
+
+
+@dataclass
+class Deadly(ToyWorld):
+    """A world whose worker process ends at the first interaction."""
+
+    def __init__(self):
+        super().__init__(make_world().config)
+
+    def interact(self, *arguments, **options):  # noqa: ARG002, D102
+        os._exit(1)
+
+
+def test_two_workers_give_the_outcomes_of_one_in_order():
+    one = [outcome.effect for outcome in perform_all(make_world, some_tasks(30), 1)]
+    two = [outcome.effect for outcome in perform_all(make_world, some_tasks(30), 2)]
+    np.testing.assert_array_equal(one, two)
+    assert np.any(np.array(one) != 0)
+
+
+def test_a_worker_that_dies_ends_the_run_with_a_sentence():
+    with pytest.raises(WorkerDied, match="start the command again"):
+        list(perform_all(Deadly, some_tasks(5), 2))
+
+
+def test_an_error_in_a_worker_reaches_the_caller():
+    task = next(some_tasks(1))
+    with pytest.raises(InvalidValue, match="no object 9"):
+        list(perform_all(make_world, [Task(task.scene, task.action, target=9)], 2))
+
+
+def test_tasks_are_drawn_only_a_little_ahead():
+    drawn = []
+
+    def tasks():
+        for task in some_tasks(60):
+            drawn.append(task)
+            yield task
+
+    with crew(make_world, 2) as perform:
+        next(perform(tasks()))
+        assert len(drawn) < 20
