@@ -90,6 +90,16 @@ def test_steps_are_put_in_an_order_that_is_possible():
     assert checked.valid
 
 
+def test_long_row_is_moved_from_its_front():
+    """Eight blocks in a row, named from behind: only one of the 40320 orders is possible."""
+    row = tuple(item(f"item-{n}", 0.35 + 0.06 * n, 0.0) for n in range(8))
+    goals = {thing.name: (thing.position[0] + 0.0713, -0.0124, 0.025) for thing in row}
+    steps = [PlanStep("push-away-001-block", thing.name) for thing in row]
+    ordered, checked = mend(steps, Problem("row", row, goals), grounding())
+    assert checked.valid, checked.reason
+    assert list(ordered) == steps[::-1]
+
+
 def test_put_down_stays_with_its_lift_and_a_held_object_comes_last():
     assert ends_held([PUSH, LIFT], grounding())
     assert not ends_held([LIFT, DOWN], grounding())

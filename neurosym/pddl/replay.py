@@ -19,11 +19,13 @@ class Replay:
     Attributes:
         positions: Centres of the objects before the first step and after each [m]; a plan that fails ends
             with the step that is impossible.
+        possible: Whether every step is possible.
         valid: Whether every step is possible and the goal is met.
         reason: Why not; empty if valid.
     """
 
     positions: Float[np.ndarray, "steps M 3"]
+    possible: bool
     valid: bool
     reason: str
 
@@ -51,7 +53,7 @@ def replay(steps: Sequence[PlanStep], problem: Problem, grounding: Grounding) ->
         if reason := _place_problem(positions, moved, rests, problem, grounding):
             return _failed(positions, number, step, reason)
     reason = _missed_goal(positions[-1], problem)
-    return Replay(np.array(positions), not reason, reason)
+    return Replay(np.array(positions), True, not reason, reason)
 
 
 def _hand_problem(step: PlanStep, operator: Operator, held_by: PlanStep | None) -> str:
@@ -107,4 +109,6 @@ def _missed_goal(positions: Float[np.ndarray, "M 3"], problem: Problem) -> str:
 
 
 def _failed(positions: list[Float[np.ndarray, "M 3"]], number: int, step: PlanStep, reason: str) -> Replay:
-    return Replay(np.array(positions), False, f"step {number}, {step.operator} {step.object}: {reason}")
+    return Replay(
+        np.array(positions), False, False, f"step {number}, {step.operator} {step.object}: {reason}"
+    )

@@ -4,7 +4,6 @@ What changes is where the objects are on the way: one order leads an object off 
 the next does not.
 """
 
-import itertools
 from collections.abc import Sequence
 
 from neurosym.pddl.grounding import Grounding, is_lift
@@ -12,7 +11,8 @@ from neurosym.pddl.plan_text import PlanStep
 from neurosym.pddl.replay import Replay, replay
 from neurosym.problems import Problem
 
-MAX_ORDERS = 720
+MAX_REPLAYS = 2000
+"""How many beginnings of plans are tried."""
 
 
 def mend(
@@ -29,15 +29,23 @@ def mend(
         The first order that is right, or the one given if none is; and its replay.
     """
     given = replay(steps, problem, grounding)
-    if len(given.positions) > len(steps) and not problem.is_met(given.positions[-1]):
-        return tuple(steps), given  # all steps are counted, and no order ends anywhere else
+    if given.possible:
+        return tuple(steps), given  # valid, or missing its goal in every order
     blocks = _blocks(steps)
-    last = [blocks.pop()] if ends_held(steps, grounding) else []
-    for order in itertools.islice(itertools.permutations(blocks), MAX_ORDERS):
-        ordered = tuple(step for block in [*order, *last] for step in block)
+    last = blocks.pop() if ends_held(steps, grounding) else ()
+    # Depth first: what has been ordered so far, and the blocks that are left.
+    waiting: list[tuple[tuple[PlanStep, ...], list[tuple[PlanStep, ...]]]] = [((), blocks)]
+    for _ in range(MAX_REPLAYS):
+        if not waiting:
+            break
+        done, left = waiting.pop()
+        ordered = done if left else done + last
         checked = replay(ordered, problem, grounding)
-        if checked.valid:
+        if checked.valid and not left:
             return ordered, checked
+        if checked.possible:
+            for index in reversed(range(len(left))):
+                waiting.append((done + left[index], left[:index] + left[index + 1 :]))
     return tuple(steps), given
 
 
@@ -46,12 +54,12 @@ def ends_held(steps: Sequence[PlanStep], grounding: Grounding) -> bool:
     return bool(steps) and not steps[-1].puts_down and is_lift(grounding.operator_named(steps[-1].base))
 
 
-def _blocks(steps: Sequence[PlanStep]) -> list[list[PlanStep]]:
+def _blocks(steps: Sequence[PlanStep]) -> list[tuple[PlanStep, ...]]:
     """Cut a plan before every step that an empty hand begins: a put-down stays with its lift."""
-    blocks: list[list[PlanStep]] = []
+    blocks: list[tuple[PlanStep, ...]] = []
     for step in steps:
         if step.puts_down and blocks:
-            blocks[-1].append(step)
+            blocks[-1] += (step,)
         else:
-            blocks.append([step])
+            blocks.append((step,))
     return blocks
