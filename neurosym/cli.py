@@ -1,0 +1,57 @@
+"""The command line: `neurosym COMMAND DIR ...`.
+
+Exit codes: 0 done; 2 bad input, with one sentence that says what would be valid; 3 the work was done and the
+answer is no (no plan, goal missed); 130 interrupted.
+"""
+
+import sys
+from collections.abc import Callable, Sequence
+
+from neurosym import commands
+from neurosym.console import error_console
+from neurosym.errors import NeurosymError
+
+BAD_INPUT, INTERRUPTED = 2, 130
+COMMANDS: dict[str, Callable[..., int]] = {
+    "run": commands.run,
+    "init": commands.init,
+    "explore": commands.explore,
+    "train": commands.train,
+    "distill": commands.distill,
+    "compile-domain": commands.compile_domain,
+    "new-problem": commands.new_problem,
+    "plan": commands.plan,
+    "execute": commands.execute,
+}
+"""The commands, in the order in which a domain folder meets them after `run`, which does it all."""
+
+ABOUT = """A robot plays with objects out of curiosity; neurosym turns what it learned into a PDDL domain that
+any planner takes, and turns any planner's plan back into motions.
+
+Everything about one learned domain lies in one folder, DIR. Each command reads what stands there and adds its
+own file; `neurosym run DIR` goes the whole way. To begin: neurosym run my-domain --steps 1024"""
+
+
+def main(arguments: Sequence[str] | None = None) -> None:
+    """Run the command line and exit.
+
+    Args:
+        arguments: What was typed after `neurosym`; the process's own arguments if not given.
+    """
+    import tyro
+
+    try:
+        code: int = tyro.extras.subcommand_cli_from_dict(
+            COMMANDS,
+            prog="neurosym",
+            description=ABOUT,
+            args=arguments,
+            config=(tyro.conf.FlagConversionOff,),
+        )
+    except NeurosymError as error:
+        error_console.print(str(error), markup=False, style="red")
+        code = BAD_INPUT
+    except KeyboardInterrupt:
+        error_console.print("interrupted; the same command goes on from what is written", markup=False)
+        code = INTERRUPTED
+    sys.exit(code)

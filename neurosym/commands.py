@@ -1,0 +1,241 @@
+"""The commands of the command line: each names its options, performs a stage, and says what came of it."""
+
+import os
+from pathlib import Path
+from typing import Annotated
+
+from tyro.conf import Positional, arg
+
+from neurosym.console import say, say_next
+from neurosym.errors import InvalidValue, NeurosymError
+from neurosym.folder import DomainFolder
+from neurosym.operators import OperatorTable
+
+Folder = Annotated[Positional[Path], arg(metavar="DIR", help="The domain folder.")]
+ProblemName = Annotated[
+    Positional[str],
+    arg(metavar="PROBLEM", help="A problem in DIR/problems: its name or its file."),
+]
+Seed = Annotated[int, arg(help="Where all random draws start: same seed, same bytes.")]
+Workers = Annotated[int, arg(help="Processes that simulate; their number does not change the result.")]
+Strategy = Annotated[str, arg(help="How actions are chosen: curiosity, random or active.")]
+WorldName = Annotated[str, arg(help="Which world, for a new folder: tabletop or toy.")]
+RegimeName = Annotated[str, arg(help="Network and training: default, or paper for the printed figures.")]
+
+NO_RESULT = 3
+"""Exit code when the work was done and the answer is no: no plan, or the goal was not reached."""
+_CPUS = os.cpu_count() or 1
+
+
+def init(folder: Folder, world: WorldName = "tabletop") -> int:
+    """Make a new domain folder with a `world.toml` that holds every option of its world."""
+    from neurosym.world_file import write_world
+
+    path = folder / "world.toml"
+    if path.exists():
+        raise InvalidValue(f"{path} exists already; change it by hand, or name another folder.")
+    if folder.exists() and not folder.is_dir():
+        raise InvalidValue(f"{folder} is not a folder; name another.")
+    made = not folder.exists()
+    folder.mkdir(parents=True, exist_ok=True)
+    try:
+        write_world(path, world)
+    except NeurosymError:
+        if made:
+            folder.rmdir()
+        raise
+    say(f"wrote {path}")
+    say_next(f"neurosym explore {folder}")
+    return 0
+
+
+def explore(
+    folder: Folder,
+    strategy: Strategy = "curiosity",
+    steps: Annotated[int, arg(help="Interactions to make; more can be made later.")] = 10_000,
+    seed: Seed = 0,
+    regime: RegimeName = "default",
+    workers: Workers = _CPUS,
+) -> int:
+    """Let the robot explore (Algorithm 1): `world.toml` -> `interactions.npz`.
+
+    Interrupt it when you like: the same command goes on from the last block of 512 interactions.
+    """
+    from neurosym.stages import explore_stage
+
+    domain = DomainFolder(folder)
+    stage = explore_stage(domain, strategy=strategy, steps=steps, seed=seed, regime=regime, workers=workers)
+    domain.perform(stage, again=True)
+    say(f"{steps} interactions in {folder / 'interactions.npz'}")
+    say_next(f"neurosym train {folder}")
+    return 0
+
+
+def train(folder: Folder, seed: Seed = 0, regime: RegimeName = "default") -> int:
+    """Fit the effect model whose bits are the symbols: `interactions.npz` -> `effect_model.safetensors`."""
+    from neurosym.reporting import show_training
+    from neurosym.stages import TRAINING, train_stage
+
+    domain = DomainFolder(folder)
+    domain.perform(train_stage(domain, seed=seed, regime=regime), again=True)
+    show_training(domain / TRAINING)
+    say_next(f"neurosym distill {folder}")
+    return 0
+
+
+def distill(
+    folder: Folder,
+    objects: Annotated[int, arg(help="Objects that each primitive is rehearsed on.")] = 100,
+    seed: Seed = 0,
+    workers: Workers = _CPUS,
+) -> int:
+    """Turn action symbols into parameters and rehearse each in the world: -> `primitives.json`."""
+    from neurosym.files import read_json
+    from neurosym.reporting import show_operators
+    from neurosym.stages import distill_stage
+
+    domain = DomainFolder(folder)
+    domain.perform(distill_stage(domain, objects=objects, seed=seed, workers=workers), again=True)
+    show_operators(read_json(domain / "primitives.json", OperatorTable))
+    say_next(f"neurosym compile-domain {folder}")
+    return 0
+
+
+def compile_domain(
+    folder: Folder, cell: Annotated[float, arg(help="Edge of a grid cell [m].")] = 0.005
+) -> int:
+    """Compile the PDDL domain: `primitives.json` -> `domain.pddl`, `domain-operators.pddl`, `grounding.json`.
+
+    Both domains say the same and take the same problems: `domain.pddl` moves one axis at a time and stays
+    small on fine grids; `domain-operators.pddl` has one action for each operator and reads best.
+    """
+    from neurosym.pddl.grounding import Grounding
+    from neurosym.stages import compile_stage
+
+    domain = DomainFolder(folder)
+    domain.perform(compile_stage(domain, cell=cell), again=True)
+    grounding = Grounding.load(domain / "grounding.json")
+    say(f"{len(grounding.live)} operators in {folder / 'domain.pddl'}; left out: {len(grounding.left_out)}")
+    for name, reason in grounding.left_out.items():
+        say(f"  {name}: {reason}")
+    say_next(f"neurosym new-problem {folder} --name task-01")
+    return 0
+
+
+def new_problem(
+    folder: Folder,
+    name: Annotated[str, arg(help="Name of the problem: a letter, then a-z, digits, hyphens.")] = "task-01",
+    objects: Annotated[int, arg(help="Objects on the table: item-01, item-02, ...")] = 1,
+    seed: Seed = 0,
+    goal: Annotated[
+        tuple[str, ...],
+        arg(metavar="ITEM=X,Y[,Z]", help="Goals by hand [m]; without any, a random action draws them."),
+    ] = (),
+) -> int:
+    """Make a problem: a random scene, and a goal that a random action leads to (as in the paper) or yours."""
+    from neurosym.stages import problem_stage
+
+    domain = DomainFolder(folder)
+    goals = dict(map(_parse_goal, goal)) or None
+    domain.perform(problem_stage(domain, name=name, objects=objects, seed=seed, goals=goals), again=True)
+    say(f"wrote {folder / 'problems' / name}.pddl and its scene")
+    say_next(f"neurosym plan {folder} {name}")
+    return 0
+
+
+def plan(
+    folder: Folder,
+    problem: ProblemName,
+    planner: Annotated[str, arg(help="bfs, fast-downward or up-fast-downward.")] = "fast-downward",
+    time_limit: Annotated[float, arg(help="When to give up [s].")] = 60.0,
+    encoding: Annotated[str, arg(help="For PDDL planners: stepwise or operators.")] = "stepwise",
+) -> int:
+    """Plan for a problem; exit code 3 if there is no plan, with the reason.
+
+    `bfs` is the paper's breadth-first search over the effects that the network predicts, three deep. Any
+    other planner can be given DIR/domain.pddl and DIR/problems/PROBLEM.pddl, and its plan file executed.
+    """
+    from neurosym.files import read_json
+    from neurosym.plan_stages import PlanRecord, plan_files, plan_stage
+
+    domain = DomainFolder(folder)
+    name = domain.problem(problem)
+    stage = plan_stage(domain, name, planner=planner, time_limit=time_limit, encoding=encoding)
+    domain.perform(stage, again=True)
+    plan_file, record_file = plan_files(name, planner)
+    record = read_json(domain / record_file, PlanRecord)
+    if not record.solved:
+        say(f"no plan for {name} ({record.status}, {record.seconds:.2f} s): {record.reason}")
+        return NO_RESULT
+    remark = f" ({record.reason})" if record.reason else ""
+    say(f"{len(record.steps)} steps in {record.seconds:.2f} s{remark}:")
+    for operator, item in record.steps:
+        say(f"  ({operator} {item})")
+    say(f"wrote {folder / plan_file}")
+    say_next(f"neurosym execute {folder} {name} {folder / plan_file}")
+    return 0
+
+
+def execute(
+    folder: Folder,
+    problem: ProblemName,
+    plan_file: Annotated[Positional[Path], arg(metavar="PLAN", help="Any planner's plan, in IPC form.")],
+    gif: Annotated[Path | None, arg(help="Write an animated GIF of the run here.")] = None,
+    strip: Annotated[Path | None, arg(help="Write a PNG with a picture for each step here.")] = None,
+) -> int:
+    """Run a plan in the simulator, each step beside its promise; exit code 3 if it misses."""
+    from neurosym.plan_stages import execute_stage, load_run, run_file
+    from neurosym.reporting import show_run
+
+    domain = DomainFolder(folder)
+    name = domain.problem(problem)
+    for picture in (gif, strip):
+        if picture and not picture.absolute().parent.is_dir():
+            raise InvalidValue(f"There is no folder {picture.parent} to write {picture.name} to.")
+    domain.perform(execute_stage(domain, name, plan_file, gif=gif, strip=strip), again=True)
+    run = load_run(domain, plan_file)
+    show_run(run)
+    for path in (folder / run_file(plan_file), gif, strip):
+        if path and path.exists():
+            say(f"wrote {path}")
+    return 0 if run.reached else NO_RESULT
+
+
+def run(
+    folder: Folder,
+    world: WorldName = "tabletop",
+    strategy: Strategy = "curiosity",
+    steps: Annotated[int, arg(help="Interactions to explore for.")] = 10_000,
+    seed: Seed = 0,
+    regime: RegimeName = "default",
+    workers: Workers = _CPUS,
+    rehearsals: Annotated[int, arg(help="Objects that each primitive is rehearsed on.")] = 100,
+    problems: Annotated[int, arg(help="Problems to draw, every second one with two objects.")] = 6,
+) -> int:
+    """Go the whole way: explore, train, distil, compile, draw problems, plan and execute.
+
+    Interrupt it when you like: the same command goes on where it stopped, and does nothing twice.
+    """
+    from neurosym.pipeline import go_the_whole_way
+
+    if not (folder / "world.toml").exists():
+        init(folder, world)
+    go_the_whole_way(
+        DomainFolder(folder),
+        strategy=strategy,
+        steps=steps,
+        seed=seed,
+        regime=regime,
+        workers=workers,
+        rehearsals=rehearsals,
+        problems=problems,
+    )
+    return 0
+
+
+def _parse_goal(text: str) -> tuple[str, tuple[float, ...]]:
+    name, _, numbers = text.partition("=")
+    try:
+        return name, tuple(float(number) for number in numbers.split(","))
+    except ValueError as error:
+        raise InvalidValue(f"The goal {text!r} cannot be read; write it as item-01=0.60,0.10.") from error

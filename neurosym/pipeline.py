@@ -1,0 +1,69 @@
+"""The whole way in one call, doing nothing twice."""
+
+from neurosym.console import say, say_next, show_table
+from neurosym.files import read_json
+from neurosym.folder import DomainFolder, Stage
+from neurosym.plan_stages import PlanRecord, execute_stage, load_run, plan_files, plan_stage
+from neurosym.stages import compile_stage, distill_stage, explore_stage, problem_stage, train_stage
+
+PLANNER = "fast-downward"
+TIME_LIMIT = 60.0
+CELL = 0.005
+
+
+def go_the_whole_way(
+    folder: DomainFolder,
+    *,
+    strategy: str,
+    steps: int,
+    seed: int,
+    regime: str,
+    workers: int,
+    rehearsals: int,
+    problems: int,
+) -> None:
+    """Explore, train, distil, compile, draw problems, plan with Fast Downward, and execute what was found.
+
+    Args:
+        folder: The domain folder, with a `world.toml`.
+        strategy: How exploration chooses actions.
+        steps: Interactions to make.
+        seed: Where all random draws start; problem number i is drawn with seed + i.
+        regime: Network and training.
+        workers: Processes that simulate.
+        rehearsals: Objects that each primitive is rehearsed on.
+        problems: How many problems to draw.
+    """
+    learning = (
+        explore_stage(folder, strategy=strategy, steps=steps, seed=seed, regime=regime, workers=workers),
+        train_stage(folder, seed=seed, regime=regime),
+        distill_stage(folder, objects=rehearsals, seed=seed, workers=workers),
+        compile_stage(folder, cell=CELL),
+    )
+    for stage in learning:
+        _perform(folder, stage)
+    rows = [_try_problem(folder, number, seed) for number in range(1, problems + 1)]
+    columns = ["problem", "objects", "plan", "steps", "seconds", "goal", "why not"]
+    show_table(f"{problems} problems drawn from the world", columns, rows)
+    say(f"everything lies in {folder.path}; {folder / 'domain.pddl'} is the domain")
+    say_next(f"neurosym plan {folder.path} task-01 --planner bfs")
+
+
+def _try_problem(folder: DomainFolder, number: int, seed: int) -> list[str]:
+    """Draw a problem, plan it, execute the plan if there is one; returns a row of the table."""
+    name, objects = f"task-{number:02d}", 2 - number % 2
+    _perform(folder, problem_stage(folder, name=name, objects=objects, seed=seed + number))
+    _perform(folder, plan_stage(folder, name, planner=PLANNER, time_limit=TIME_LIMIT))
+    plan_file, record_file = plan_files(name, PLANNER)
+    record = read_json(folder / record_file, PlanRecord)
+    row = [name, str(objects), record.status, str(len(record.steps)), f"{record.seconds:.2f}"]
+    if not record.solved:
+        return [*row, "-", record.reason]
+    _perform(folder, execute_stage(folder, name, folder / plan_file))
+    run = load_run(folder, folder / plan_file)
+    return [*row, "reached" if run.reached else "missed", run.reason]
+
+
+def _perform(folder: DomainFolder, stage: Stage) -> None:
+    done = folder.perform(stage, again=False)
+    say(f"{stage.name}: {'done' if done else 'up to date'}")

@@ -1,0 +1,185 @@
+"""The stages that use a learned domain: from a problem to a plan, and from a plan to what became of it."""
+
+from collections.abc import Sequence
+from pathlib import Path
+
+import msgspec
+
+from neurosym.console import say
+from neurosym.errors import UnknownChoice
+from neurosym.execution import Run, StepRecord, execute
+from neurosym.files import digest, read_json, write_atomically, write_json
+from neurosym.folder import GROUNDING, MODEL, WORLD, DomainFolder, Stage
+from neurosym.pddl.grounding import Grounding
+from neurosym.pddl.moves import Encoding
+from neurosym.pddl.plan_text import PlanStep, print_ground_plan, print_plan, read_plan
+from neurosym.planners import PLANNERS, Branching, PlanStatus, plan, predicted_branching
+from neurosym.problems import Problem
+from neurosym.world import Frame
+from neurosym.world_file import read_world
+
+
+class PlanRecord(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
+    """How planning went.
+
+    Attributes:
+        problem: Name of the problem.
+        planner: Name of the planner.
+        status: One of `PlanStatus`.
+        steps: Operator and object of each step; empty unless solved.
+        seconds: How long it took [s].
+        reason: Why there is no plan, or what is to be said about the one found.
+    """
+
+    problem: str
+    planner: str
+    status: str
+    steps: tuple[tuple[str, str], ...]
+    seconds: float
+    reason: str
+
+    @property
+    def solved(self) -> bool:
+        """Whether there is a plan."""
+        return self.status == PlanStatus.SOLVED.value
+
+
+def load_problem(folder: DomainFolder, name: str) -> Problem:
+    """Read a problem of a folder.
+
+    Args:
+        folder: The domain folder.
+        name: Name of the problem, or the path of its file.
+
+    Raises:
+        UnknownChoice: If there is no such problem.
+        InvalidFile: If its file is damaged.
+    """
+    return Problem.load(folder / f"problems/{folder.problem(name)}.scene.json")
+
+
+def plan_files(problem: str, planner: str) -> tuple[str, str]:
+    """Name the files of a plan and of the record of how planning went, relative to the folder."""
+    return f"plans/{problem}.{planner}.plan", f"plans/{problem}.{planner}.json"
+
+
+def plan_stage(
+    folder: DomainFolder, name: str, *, planner: str, time_limit: float, encoding: Encoding = "stepwise"
+) -> Stage:
+    """Plan: problem and grounding (and model, for BFS) -> `plans/NAME.PLANNER.plan` and `.json`."""
+    if planner not in PLANNERS:
+        raise UnknownChoice("planner", planner, PLANNERS)
+    plan_file, record_file = plan_files(name, planner)
+    inputs = (f"problems/{name}.scene.json", GROUNDING, *((MODEL,) if planner == "bfs" else ()))
+
+    def work() -> None:
+        grounding = Grounding.load(folder.require(GROUNDING))
+        problem = load_problem(folder, name)
+        branching = _branching(folder, problem, grounding) if planner == "bfs" else None
+        result = plan(
+            problem, grounding, planner, branching=branching, time_limit=time_limit, encoding=encoding
+        )
+        record = PlanRecord(
+            problem=name,
+            planner=planner,
+            status=result.status.value,
+            steps=tuple((step.operator, step.object) for step in result.steps),
+            seconds=round(result.seconds, 3),
+            reason=result.reason,
+        )
+        (folder / "plans").mkdir(exist_ok=True)
+        if record.solved:
+            write_atomically(folder / plan_file, _plan_text(result.steps, problem, grounding, encoding))
+        else:
+            (folder / plan_file).unlink(missing_ok=True)
+        write_json(folder / record_file, record)
+
+    options = {"time_limit": time_limit, "encoding": encoding}
+    return Stage(f"plan {name} {planner}", inputs, (plan_file, record_file), work, options)
+
+
+def _plan_text(steps: Sequence[PlanStep], problem: Problem, grounding: Grounding, encoding: Encoding) -> str:
+    """Print a plan such that validators take it, or in short if a step is not in the PDDL domain."""
+    if any(step.base in grounding.left_out for step in steps):
+        return print_plan(steps)
+    return print_ground_plan(steps, problem, grounding, encoding)
+
+
+def _branching(
+    folder: DomainFolder, problem: Problem, grounding: Grounding
+) -> tuple[Branching, tuple[tuple[str, ...], ...]]:
+    from neurosym.effect_model import EffectModel
+
+    symbols = [primitive.symbol for primitive in grounding.operators.primitives]
+    effects = EffectModel.load(folder.require(MODEL)).branching_table(problem.scene().features, symbols)
+    return predicted_branching(problem, grounding, effects)
+
+
+def execute_stage(
+    folder: DomainFolder, name: str, plan_file: Path, *, gif: Path | None = None, strip: Path | None = None
+) -> Stage:
+    """Execute a plan: problem, grounding, world and a plan -> `runs/PLAN.run.json`, and pictures."""
+    record_file = run_file(plan_file)
+
+    def work() -> None:
+        grounding = Grounding.load(folder.require(GROUNDING))
+        problem = load_problem(folder, name)
+        steps = read_plan(plan_file, grounding, problem)
+        world = read_world(folder.require(WORLD))()
+        film = Film(problem) if gif or strip else None
+        run = execute(
+            world,
+            problem,
+            grounding,
+            steps,
+            on_frame=film.add_frame if film else None,
+            on_step=film.end_step if film else None,
+        )
+        (folder / "runs").mkdir(exist_ok=True)
+        write_json(folder / record_file, run)
+        if film:
+            film.save(run, gif, strip)
+
+    inputs = (f"problems/{name}.scene.json", GROUNDING, WORLD)
+    return Stage(f"execute {plan_file.stem}", inputs, (record_file,), work, {"plan": digest(plan_file)})
+
+
+def run_file(plan_file: Path) -> str:
+    """Name the file that says what became of a plan, relative to the folder."""
+    return f"runs/{plan_file.stem}.run.json"
+
+
+def load_run(folder: DomainFolder, plan_file: Path) -> Run:
+    """Read what became of a plan."""
+    return read_json(folder / run_file(plan_file), Run)
+
+
+class Film:
+    """The pictures of a run, and where its steps end."""
+
+    def __init__(self, problem: Problem):
+        self._problem = problem
+        self._frames: list[Frame] = []
+        self._ends: list[tuple[int, str]] = []
+
+    def add_frame(self, frame: Frame) -> None:
+        """Keep a picture."""
+        self._frames.append(frame)
+
+    def end_step(self, record: StepRecord) -> None:
+        """Note that the last picture shows the end of a step."""
+        self._ends.append((len(self._frames) - 1, f"{record.operator} {record.object}: {record.happened}"))
+
+    def save(self, run: Run, gif: Path | None, strip: Path | None) -> None:
+        """Write the pictures that were asked for; an empty plan has none."""
+        from neurosym.pictures import save_gif, save_strip
+
+        if not self._frames:
+            say("no pictures: the plan has no step")
+            return
+        if gif:
+            save_gif(gif, self._frames)
+        if strip:
+            captions = [f"{self._problem.name}: start", *(caption for _, caption in self._ends)]
+            captions[-1] += ", goal reached" if run.reached else ", goal missed"
+            save_strip(strip, [self._frames[0], *(self._frames[end] for end, _ in self._ends)], captions)

@@ -1,0 +1,188 @@
+"""The stages of the way, each from files of a domain folder to files of a domain folder: load, call, save.
+
+The command line performs one stage at a time; `neurosym run` performs all of them, each only where its
+inputs, options or outputs have changed. What is slow to import is imported where it is used.
+"""
+
+from collections.abc import Mapping
+from dataclasses import asdict
+from typing import Any
+
+import numpy as np
+
+from neurosym.console import progress_bar
+from neurosym.errors import UnknownChoice
+from neurosym.files import read_json, write_atomically, write_json
+from neurosym.folder import (
+    DOMAIN,
+    GROUNDING,
+    INTERACTIONS,
+    MODEL,
+    OPERATORS_DOMAIN,
+    PRIMITIVES,
+    WORLD,
+    DomainFolder,
+    Stage,
+)
+from neurosym.interactions import Interactions
+from neurosym.operators import OperatorTable
+from neurosym.training_config import REGIMES, Regime
+from neurosym.world_file import read_world
+
+TRAINING = "training.json"
+"""How well the model fits, on interactions held out from training."""
+
+
+def explore_stage(
+    folder: DomainFolder, *, strategy: str, steps: int, seed: int, regime: str, workers: int
+) -> Stage:
+    """Explore the world: `world.toml` -> `interactions.npz`, with a checkpoint after every block."""
+    chosen = _regime(regime)
+
+    def work() -> None:
+        from neurosym.exploration import ExplorationConfig, explore
+
+        factory = read_world(folder.require(WORLD))
+        config = ExplorationConfig(
+            learning_rate=chosen.exploration_rate, loss_coefficient=chosen.training.loss_coefficient
+        )
+        with progress_bar(f"exploring ({strategy})") as advance:
+            interactions, _ = explore(
+                factory,
+                steps=steps,
+                strategy=strategy,
+                seed=seed,
+                workers=workers,
+                checkpoint=folder.path,
+                config=config,
+                model_config=chosen.model,
+                origin={"world_options": _options_of(factory())},
+                progress=advance,
+            )
+        interactions.save(folder / INTERACTIONS)
+
+    options = {"strategy": strategy, "steps": steps, "seed": seed, "regime": regime}
+    return Stage("explore", (WORLD,), (INTERACTIONS,), work, options)
+
+
+def train_stage(folder: DomainFolder, *, seed: int, regime: str) -> Stage:
+    """Make the final fit: `interactions.npz` -> `effect_model.safetensors` and `training.json`."""
+    chosen = _regime(regime)
+
+    def work() -> None:
+        from neurosym.training import train
+
+        interactions = Interactions.load(folder.require(INTERACTIONS))
+        with progress_bar("training") as advance:
+            model, report = train(
+                interactions,
+                config=chosen.training,
+                model_config=chosen.model,
+                seed=seed,
+                progress=lambda _, share: advance(round(1000 * share), 1000),
+            )
+        write_json(folder / TRAINING, report)
+        model.save(folder / MODEL)
+
+    options = {"seed": seed, "regime": regime}
+    return Stage("train", (INTERACTIONS,), (MODEL, TRAINING), work, options)
+
+
+def distill_stage(folder: DomainFolder, *, objects: int, seed: int, workers: int) -> Stage:
+    """Distil primitives and rehearse them: model, data and world -> `primitives.json`."""
+
+    def work() -> None:
+        from neurosym.distillation import distill
+        from neurosym.effect_model import EffectModel
+        from neurosym.rehearsal import rehearse
+
+        factory = read_world(folder.require(WORLD))
+        model = EffectModel.load(folder.require(MODEL))
+        interactions = Interactions.load(folder.require(INTERACTIONS))
+        with progress_bar("distilling") as advance:
+            primitives = distill(model, interactions, factory().action_box, seed=seed, progress=advance)
+        with progress_bar("rehearsing") as advance:
+            table = rehearse(
+                factory,
+                primitives,
+                model.object_symbols,
+                objects=objects,
+                seed=seed,
+                workers=workers,
+                progress=advance,
+            )
+        write_json(folder / PRIMITIVES, table)
+
+    options = {"objects": objects, "seed": seed}
+    return Stage("distill", (WORLD, MODEL, INTERACTIONS), (PRIMITIVES,), work, options)
+
+
+def compile_stage(folder: DomainFolder, *, cell: float) -> Stage:
+    """Compile the domain: `primitives.json` -> `domain.pddl`, `domain-operators.pddl`, `grounding.json`."""
+
+    def work() -> None:
+        from neurosym.pddl import compile_domain, domain_text
+
+        world = read_world(folder.require(WORLD))()
+        table = read_json(folder.require(PRIMITIVES), OperatorTable)
+        grounding = compile_domain(
+            table, name=world.name, cell=cell, table_bounds=world.table, lift_height=world.lift_height
+        )
+        write_atomically(folder / DOMAIN, domain_text(grounding, "stepwise"))
+        write_atomically(folder / OPERATORS_DOMAIN, domain_text(grounding, "operators"))
+        grounding.save(folder / GROUNDING)
+
+    outputs = (DOMAIN, OPERATORS_DOMAIN, GROUNDING)
+    return Stage("compile-domain", (WORLD, PRIMITIVES), outputs, work, {"cell": cell})
+
+
+def problem_stage(
+    folder: DomainFolder,
+    *,
+    name: str,
+    objects: int,
+    seed: int,
+    goals: Mapping[str, tuple[float, ...]] | None = None,
+) -> Stage:
+    """Make a problem: world, model and grounding -> `problems/NAME.pddl` and `problems/NAME.scene.json`."""
+    text, scene = f"problems/{name}.pddl", f"problems/{name}.scene.json"
+
+    def work() -> None:
+        from neurosym.effect_model import EffectModel
+        from neurosym.pddl import Grounding, problem_text
+        from neurosym.tasks import draw_problem, set_problem
+
+        world = read_world(folder.require(WORLD))()
+        grounding = Grounding.load(folder.require(GROUNDING))
+        categorise = EffectModel.load(folder.require(MODEL)).object_symbols
+        if goals is None:
+            problem = draw_problem(world, categorise, name=name, objects=objects, seed=seed)
+        else:
+            problem = set_problem(world, categorise, goals, name=name, objects=objects, seed=seed)
+        printed = problem_text(problem, grounding)
+        (folder / "problems").mkdir(exist_ok=True)
+        write_atomically(folder / text, printed)
+        problem.save(folder / scene)
+
+    options = {"objects": objects, "seed": seed, "goals": _plain(goals)}
+    return Stage(f"new-problem {name}", (WORLD, MODEL, GROUNDING), (text, scene), work, options)
+
+
+def _regime(name: str) -> Regime:
+    if name not in REGIMES:
+        raise UnknownChoice("regime", name, REGIMES)
+    return REGIMES[name]
+
+
+def _options_of(world: Any) -> dict[str, Any]:
+    """Return a world's options as plain JSON values; other people's worlds need not have any."""
+    config = getattr(world, "config", None)
+    return {} if config is None else _plain(asdict(config))
+
+
+def _plain(value: Any) -> Any:
+    if isinstance(value, Mapping):
+        return {key: _plain(entry) for key, entry in value.items()}
+    if isinstance(value, tuple | list):
+        return [_plain(entry) for entry in value]
+    return value.item() if isinstance(value, np.generic) else value
