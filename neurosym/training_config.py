@@ -41,7 +41,7 @@ class TrainingConfig:
     clip_norm: float = 1.0
     decay: bool = True
     validation_share: float = 0.1
-    restarts: int = 1
+    restarts: int = 3
     teacher_objects: int = 48
     teacher_actions: int = 20_000
     encoder_epochs: int = 60
@@ -79,7 +79,13 @@ REGIMES = {
     "default": Regime(ModelConfig(), TrainingConfig(), exploration_rate=1e-3),
     "paper": Regime(
         ModelConfig(gripper_sharpness=None),
-        TrainingConfig(recipe="joint", learning_rate=1e-5, loss_coefficient=0.01, decay=False, epochs=100),
+        TrainingConfig(
+            recipe="joint",
+            learning_rate=1e-5,
+            loss_coefficient=0.01,
+            decay=False,
+            restarts=1,
+        ),
         exploration_rate=1e-5,
     ),
 }
