@@ -255,7 +255,7 @@ def _hidden_layers(inputs: int, config: ModelConfig) -> list[nn.Module]:
     widths = [inputs, config.hidden, config.hidden, config.hidden]
     layers: list[nn.Module] = []
     for before, after in itertools.pairwise(widths):
-        layers += [nn.Linear(before, after), nn.ReLU(), nn.Dropout(config.dropout)]
+        layers += [nn.Linear(before, after), nn.ReLU(inplace=True), nn.Dropout(config.dropout)]
     return layers
 
 
