@@ -20,7 +20,9 @@ Seed = Annotated[int, arg(help="Where all random draws start: same seed, same by
 Workers = Annotated[int, arg(help="Processes that simulate; their number does not change the result.")]
 Strategy = Annotated[str, arg(help="How actions are chosen: curiosity, random or active.")]
 WorldName = Annotated[str, arg(help="Which world, for a new folder: tabletop or toy.")]
-RegimeName = Annotated[str, arg(help="Network and training: default, or paper for the printed figures.")]
+RegimeName = Annotated[
+    str, arg(help="Network and training: default, quick (a first look), paper (as printed).")
+]
 
 NO_RESULT = 3
 """Exit code when the work was done and the answer is no: no plan, or the goal was not reached."""
@@ -160,6 +162,8 @@ def plan(
 
     domain = DomainFolder(folder)
     name = domain.problem(problem)
+    if not time_limit > 0:
+        raise InvalidValue(f"time-limit = {time_limit} must be greater than 0 s.")
     stage = plan_stage(domain, name, planner=planner, time_limit=time_limit, encoding=encoding)
     domain.perform(stage, again=True)
     plan_file, record_file = plan_files(name, planner)
@@ -189,6 +193,8 @@ def execute(
 
     domain = DomainFolder(folder)
     name = domain.problem(problem)
+    if not plan_file.is_file():
+        raise InvalidValue(f"There is no plan file {plan_file}; `neurosym plan {folder} {name}` writes one.")
     for picture in (gif, strip):
         if picture and not picture.absolute().parent.is_dir():
             raise InvalidValue(f"There is no folder {picture.parent} to write {picture.name} to.")

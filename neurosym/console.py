@@ -28,8 +28,8 @@ error_console = Console(stderr=True, highlight=False, soft_wrap=True)
 class Advance(Protocol):
     """Reports how far some long work has come."""
 
-    def __call__(self, done: int, total: int) -> None:
-        """Say that `done` of `total` parts are finished."""
+    def __call__(self, done: int, total: int, label: str | None = None) -> None:
+        """Say that `done` of `total` parts are finished; a new label begins a new bar."""
         ...
 
 
@@ -40,7 +40,7 @@ class _Rate(ProgressColumn):
 
 @contextmanager
 def progress_bar(label: str) -> Iterator[Advance]:
-    """Show a bar with rate and remaining time while some long work goes on.
+    """Show a bar with rate and remaining time while some long work goes on, once it has begun.
 
     Args:
         label: What is being done.
@@ -55,13 +55,20 @@ def progress_bar(label: str) -> Iterator[Advance]:
         TextColumn("elapsed"),
         TimeElapsedColumn(),
     )
-    with Progress(*columns, console=error_console) as progress:
-        task = progress.add_task(label, total=None)
+    progress = Progress(*columns, console=error_console)
+    task = progress.add_task(label, total=None)
 
-        def advance(done: int, total: int) -> None:
-            progress.update(task, completed=done, total=total)
+    def advance(done: int, total: int, label: str | None = None) -> None:
+        progress.start()
+        if label is not None and label != progress.tasks[0].description:
+            progress.reset(task, description=label, total=total)
+        progress.update(task, completed=done, total=total)
 
+    try:
         yield advance
+    finally:
+        if progress.live.is_started:
+            progress.stop()
 
 
 def say(text: str) -> None:

@@ -1,5 +1,7 @@
 """The whole way in one call, doing nothing twice."""
 
+from dataclasses import dataclass
+
 from neurosym.console import say, say_next, show_table
 from neurosym.files import read_json
 from neurosym.folder import DomainFolder, Stage
@@ -9,6 +11,8 @@ from neurosym.stages import compile_stage, distill_stage, explore_stage, problem
 PLANNER = "fast-downward"
 TIME_LIMIT = 60.0
 CELL = 0.005
+MOST_PROBLEMS = 30
+"""How many problems are drawn at most, if none of those asked for has a plan."""
 
 
 def go_the_whole_way(
@@ -32,7 +36,7 @@ def go_the_whole_way(
         regime: Network and training.
         workers: Processes that simulate.
         rehearsals: Objects that each primitive is rehearsed on.
-        problems: How many problems to draw.
+        problems: How many problems to draw; more, if none of them has a plan.
     """
     learning = (
         explore_stage(folder, strategy=strategy, steps=steps, seed=seed, regime=regime, workers=workers),
@@ -43,25 +47,33 @@ def go_the_whole_way(
     for stage in learning:
         _perform(folder, stage)
     rows = [_try_problem(folder, number, seed) for number in range(1, problems + 1)]
+    while problems and len(rows) < MOST_PROBLEMS and not any(row.executed for row in rows):
+        rows.append(_try_problem(folder, len(rows) + 1, seed))
     columns = ["problem", "objects", "plan", "steps", "seconds", "goal", "why not"]
-    show_table(f"{problems} problems drawn from the world", columns, rows)
+    show_table(f"{len(rows)} problems drawn from the world", columns, [row.cells for row in rows])
     say(f"everything lies in {folder.path}; {folder / 'domain.pddl'} is the domain")
     say_next(f"neurosym plan {folder.path} task-01 --planner bfs")
 
 
-def _try_problem(folder: DomainFolder, number: int, seed: int) -> list[str]:
-    """Draw a problem, plan it, execute the plan if there is one; returns a row of the table."""
+@dataclass(frozen=True, slots=True)
+class _Row:
+    cells: tuple[str, ...]
+    executed: bool
+
+
+def _try_problem(folder: DomainFolder, number: int, seed: int) -> _Row:
+    """Draw a problem, plan it, and execute the plan if there is one."""
     name, objects = f"task-{number:02d}", 2 - number % 2
     _perform(folder, problem_stage(folder, name=name, objects=objects, seed=seed + number))
     _perform(folder, plan_stage(folder, name, planner=PLANNER, time_limit=TIME_LIMIT))
     plan_file, record_file = plan_files(name, PLANNER)
     record = read_json(folder / record_file, PlanRecord)
-    row = [name, str(objects), record.status, str(len(record.steps)), f"{record.seconds:.2f}"]
+    cells = (name, str(objects), record.status, str(len(record.steps)), f"{record.seconds:.2f}")
     if not record.solved:
-        return [*row, "-", record.reason]
+        return _Row((*cells, "-", record.reason), executed=False)
     _perform(folder, execute_stage(folder, name, folder / plan_file))
     run = load_run(folder, folder / plan_file)
-    return [*row, "reached" if run.reached else "missed", run.reason]
+    return _Row((*cells, "reached" if run.reached else "missed", run.reason), executed=True)
 
 
 def _perform(folder: DomainFolder, stage: Stage) -> None:

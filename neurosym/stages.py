@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 
 from neurosym.console import progress_bar
-from neurosym.errors import UnknownChoice
+from neurosym.errors import InvalidValue, UnknownChoice
 from neurosym.files import read_json, write_atomically, write_json
 from neurosym.folder import (
     DOMAIN,
@@ -79,7 +79,7 @@ def train_stage(folder: DomainFolder, *, seed: int, regime: str) -> Stage:
                 config=chosen.training,
                 model_config=chosen.model,
                 seed=seed,
-                progress=lambda _, share: advance(round(1000 * share), 1000),
+                progress=lambda stage, share: advance(round(100 * share), 100, stage),
             )
         write_json(folder / TRAINING, report)
         model.save(folder / MODEL)
@@ -90,6 +90,8 @@ def train_stage(folder: DomainFolder, *, seed: int, regime: str) -> Stage:
 
 def distill_stage(folder: DomainFolder, *, objects: int, seed: int, workers: int) -> Stage:
     """Distil primitives and rehearse them: model, data and world -> `primitives.json`."""
+    if objects < 1:
+        raise InvalidValue(f"objects = {objects} must be at least 1.")
 
     def work() -> None:
         from neurosym.distillation import distill

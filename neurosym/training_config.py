@@ -77,6 +77,11 @@ class Regime:
 
 REGIMES = {
     "default": Regime(ModelConfig(), TrainingConfig(), exploration_rate=1e-3),
+    "quick": Regime(
+        ModelConfig(),
+        TrainingConfig(restarts=1, epochs=60, teacher_actions=4000, encoder_epochs=30),
+        exploration_rate=1e-3,
+    ),
     "paper": Regime(
         ModelConfig(gripper_sharpness=None),
         TrainingConfig(

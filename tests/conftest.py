@@ -1,0 +1,24 @@
+"""What several tests share: a toy domain folder, learned once."""
+
+from pathlib import Path
+
+import pytest
+
+from neurosym.cli import main
+
+LEARN_TOY = ["--strategy", "random", "--regime", "quick", "--workers", "1"]
+RUN_TOY = [
+    *LEARN_TOY,
+    *["--world", "toy", "--steps", "1024", "--seed", "3", "--rehearsals", "40", "--problems", "2"],
+]
+"""How the toy domain folder is learned."""
+
+
+@pytest.fixture(scope="session")
+def toy_folder(tmp_path_factory) -> Path:
+    """A domain folder learned from nothing on the toy world, with two problems; tests must not change it."""
+    folder = tmp_path_factory.mktemp("domains") / "toy"
+    with pytest.raises(SystemExit) as ended:
+        main(["run", str(folder), *RUN_TOY])
+    assert ended.value.code == 0
+    return folder

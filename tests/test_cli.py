@@ -1,0 +1,237 @@
+"""The command line: what it writes, what it says, and how it refuses bad input."""
+
+import json
+import shutil
+from pathlib import Path
+
+import pytest
+from conftest import LEARN_TOY, RUN_TOY
+
+from neurosym.cli import main
+from neurosym.folder import DomainFolder
+
+
+def neurosym(*arguments: object) -> int:
+    with pytest.raises(SystemExit) as ended:
+        main([str(argument) for argument in arguments])
+    return int(ended.value.code or 0)
+
+
+@pytest.fixture
+def folder(toy_folder, tmp_path) -> Path:
+    """A copy of the toy domain folder that a test may change."""
+    return Path(shutil.copytree(toy_folder, tmp_path / "toy"))
+
+
+def refusal(capsys, *arguments: object) -> str:
+    """The one sentence that a command refuses bad input with."""
+    assert neurosym(*arguments) == 2
+    captured = capsys.readouterr()
+    assert "Traceback" not in captured.err
+    assert len(captured.err.strip().splitlines()) == 1
+    return str(captured.err)
+
+
+def test_run_leaves_every_file_of_the_design(toy_folder):
+    for name in (
+        "world.toml",
+        "interactions.npz",
+        "effect_model.safetensors",
+        "training.json",
+        "primitives.json",
+        "domain.pddl",
+        "domain-operators.pddl",
+        "grounding.json",
+        "manifest.json",
+        "problems/task-01.pddl",
+        "problems/task-02.scene.json",
+        "plans/task-01.fast-downward.json",
+    ):
+        assert (toy_folder / name).is_file(), name
+
+
+def test_second_run_does_nothing_again(folder, capsys):
+    before = {path: path.stat().st_mtime_ns for path in folder.rglob("*") if path.is_file()}
+    assert neurosym("run", folder, *RUN_TOY) == 0
+    assert ": done" not in capsys.readouterr().out
+    assert {path: path.stat().st_mtime_ns for path in folder.rglob("*") if path.is_file()} == before
+
+
+def test_run_does_again_only_what_a_change_touches(folder, capsys):
+    (folder / "grounding.json").unlink()
+    assert neurosym("run", folder, *RUN_TOY) == 0
+    said = capsys.readouterr().out
+    assert "distill: up to date" in said
+    assert "compile-domain: done" in said
+
+
+def test_each_stage_says_what_to_type_next(folder, capsys):
+    assert neurosym("compile-domain", folder) == 0
+    assert f"next: neurosym new-problem {folder}" in capsys.readouterr().out
+
+
+def test_bfs_over_the_network_finds_plans_for_drawn_tasks(folder):
+    codes = set()
+    for seed in range(8):
+        assert neurosym("new-problem", folder, "--name", "drawn", "--seed", seed) == 0
+        codes.add(neurosym("plan", folder, "drawn", "--planner", "bfs"))
+    assert 0 in codes
+    assert codes <= {0, 3}
+
+
+def test_goal_set_by_hand_is_planned_and_reached(folder, capsys):
+    scene, plan = folder / "problems/mine.scene.json", folder / "plans/mine.fast-downward.plan"
+    strip, gif = folder / "mine.png", folder / "mine.gif"
+    pictures = ("--strip", strip, "--gif", gif)
+    for seed in range(12):  # some objects do not budge; the first that does will do
+        mine = ("new-problem", folder, "--name", "mine", "--seed", seed, "--goal")
+        assert neurosym(*mine, "item-01=0.7,0") == 0
+        x, y, _ = json.loads(scene.read_text())["objects"][0]["position"]
+        neurosym(*mine, f"item-01={x},{y + (0.08 if y < 0 else -0.08)}")
+        if neurosym("plan", folder, "mine") == 0:
+            capsys.readouterr()
+            if neurosym("execute", folder, "mine", plan, *pictures) == 0:
+                break
+    assert "goal reached" in capsys.readouterr().out
+    assert strip.read_bytes().startswith(b"\x89PNG")
+    assert gif.read_bytes().startswith(b"GIF")
+    assert json.loads((folder / "runs/mine.fast-downward.run.json").read_text())["reached"]
+
+
+def test_goal_out_of_reach_is_a_result_with_its_reason(folder, capsys):
+    assert neurosym("new-problem", folder, "--name", "high", "--goal", "item-01=0.7,0.0,0.39") == 0
+    for planner in ("bfs", "fast-downward"):
+        assert neurosym("plan", folder, "high", "--planner", planner) == 3
+        said = capsys.readouterr().out
+        assert "no plan for high" in said
+        assert "item-01 cannot reach its goal" in said
+        assert not (folder / f"plans/high.{planner}.plan").exists()
+
+
+def test_plan_that_misses_the_goal_is_a_result(folder, capsys):
+    (folder / "empty.plan").write_text("; nothing\n")
+    assert neurosym("execute", folder, "task-01", folder / "empty.plan") == 3
+    assert "goal missed" in capsys.readouterr().out
+
+
+def test_missing_folder_is_refused(tmp_path, capsys):
+    assert f"no folder {tmp_path / 'nowhere'}" in refusal(capsys, "explore", tmp_path / "nowhere")
+
+
+@pytest.mark.parametrize(
+    ("command", "missing", "writer"),
+    [
+        ("explore", "world.toml", "init"),
+        ("train", "interactions.npz", "explore"),
+        ("distill", "effect_model.safetensors", "train"),
+        ("compile-domain", "primitives.json", "distill"),
+        ("new-problem", "grounding.json", "compile-domain"),
+    ],
+)
+def test_stage_before_the_one_it_needs_is_refused(folder, command, missing, writer, capsys):
+    (folder / missing).unlink()
+    said = refusal(capsys, command, folder)
+    assert missing in said
+    assert f"`neurosym {writer} {folder}` writes it" in said
+
+
+@pytest.mark.parametrize(
+    ("command", "file"),
+    [
+        ("explore", "world.toml"),
+        ("explore", "exploration.safetensors"),
+        ("train", "interactions.npz"),
+        ("distill", "effect_model.safetensors"),
+        ("compile-domain", "primitives.json"),
+        ("compile-domain", "manifest.json"),
+        ("new-problem", "grounding.json"),
+    ],
+)
+def test_corrupt_file_is_refused_by_name_and_nothing_is_written(folder, command, file, capsys):
+    (folder / file).write_bytes(b"\x00garbage")
+    before = {path: path.read_bytes() for path in folder.rglob("*") if path.is_file()}
+    options = [*LEARN_TOY, "--steps", 2048, "--seed", 3] if command == "explore" else []
+    assert file in refusal(capsys, command, folder, *options)
+    assert {path: path.read_bytes() for path in folder.rglob("*") if path.is_file()} == before
+
+
+@pytest.mark.parametrize("file", ["problems/task-01.scene.json", "grounding.json"])
+def test_foreign_json_is_refused(folder, file, capsys):
+    (folder / file).write_text('{"format": "something-else"}')
+    assert file in refusal(capsys, "plan", folder, "task-01")
+
+
+@pytest.mark.parametrize(
+    ("line", "message"),
+    [
+        ("(fly item-01)", "no operator 'fly'"),
+        ("(OPERATOR item-09)", "no object 'item-09'; valid: item-01"),
+        ("push it", "not of the form"),
+    ],
+)
+def test_plan_that_cannot_be_read_is_refused_with_its_line(folder, line, message, capsys):
+    operator = json.loads((folder / "primitives.json").read_text())["operators"][0]["name"]
+    plan = folder / "mine.plan"
+    plan.write_text(f"; a comment\n{line.replace('OPERATOR', operator)}\n")
+    said = refusal(capsys, "execute", folder, "task-01", plan)
+    assert message in said
+    assert f"{plan}, line 2" in said
+
+
+def test_missing_plan_file_is_refused(folder, capsys):
+    assert "none.plan" in refusal(capsys, "execute", folder, "task-01", folder / "none.plan")
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        (["new-problem", "--goal", "item-01=5,0"], "out of reach; valid: x 0.4 to 1"),
+        (["new-problem", "--goal", "item-01=left"], "cannot be read; write it as item-01=0.60,0.10"),
+        (["new-problem", "--goal", "item-07=0.6,0"], "item-07, which is not in the scene"),
+        (["new-problem", "--name", "Bad Name"], "'Bad Name' is not a legal name"),
+        (["new-problem", "--objects", "0"], "at least one object"),
+        (["new-problem", "--objects", "500"], "500 objects do not fit"),
+        (["plan", "task-01", "--planner", "magic"], "no planner 'magic'; valid: bfs, fast-downward"),
+        (["plan", "task-01", "--encoding", "runes"], "no encoding 'runes'; valid: operators, stepwise"),
+        (["plan", "task-99"], "no problem 'task-99'; valid: task-01, task-02"),
+        (["plan", "task-01", "--time-limit", "-1"], "time-limit"),
+        (["explore", "--strategy", "luck"], "no strategy 'luck'; valid: active, curiosity, random"),
+        (["explore", "--regime", "big"], "no regime 'big'; valid: default, paper, quick"),
+        (["explore", "--steps", "0"], "steps = 0 must be at least 1"),
+        (
+            ["explore", *LEARN_TOY, "--seed", "3", "--steps", "2048", "--workers", "0"],
+            "workers = 0 must be at least 1",
+        ),
+        (["explore", *LEARN_TOY, "--steps", "2048", "--seed", "4"], "seed = 3, not 4"),
+        (["distill", "--objects", "0"], "objects = 0 must be at least 1"),
+        (["compile-domain", "--cell", "0"], "cell"),
+    ],
+)
+def test_impossible_request_is_refused_in_one_sentence(folder, arguments, message, capsys):
+    command, *rest = arguments
+    assert message in refusal(capsys, command, folder, *rest)
+
+
+def test_init_refuses_an_unknown_world_and_leaves_no_folder(tmp_path, capsys):
+    said = refusal(capsys, "init", tmp_path / "new", "--world", "moon")
+    assert "no world 'moon'; valid: tabletop, toy" in said
+    assert not (tmp_path / "new").exists()
+
+
+def test_init_does_not_overwrite(tmp_path, capsys):
+    assert neurosym("init", tmp_path) == 0
+    assert "exists already" in refusal(capsys, "init", tmp_path)
+
+
+def test_help_names_every_command(capsys):
+    assert neurosym("--help") == 0
+    said = capsys.readouterr().out
+    for command in ("explore", "train", "distill", "compile-domain", "new-problem", "plan", "execute", "run"):
+        assert command in said
+
+
+def test_manifest_tells_how_each_file_came_about(toy_folder):
+    stages = DomainFolder(toy_folder).manifest().stages
+    assert stages["explore"].options["seed"] == 3
+    assert stages["explore"].options["steps"] == 1024
+    assert "domain.pddl" in stages["compile-domain"].outputs
