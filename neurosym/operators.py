@@ -42,6 +42,16 @@ class Mode(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     peak_height: float
     near_mean: int
 
+    @property
+    def outcome(self) -> Vector:
+        """Mean displacement of the object as it ended: held in the air, or else at rest [m]."""
+        return self.effect if self.kind == "held" else self.resting_effect
+
+    @property
+    def scatter(self) -> Vector:
+        """Standard deviation of `outcome`, each axis [m]."""
+        return self.spread if self.kind == "held" else self.resting_spread
+
 
 class Primitive(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     """An action symbol with its distilled parameters.

@@ -50,11 +50,9 @@ def _operator_row(operator: Operator) -> list[str]:
     row = [operator.name, str(operator.trials)]
     if promise is None:
         return [*row, "0", "never at rest or held", "", ""]
-    held = promise.kind == "held"
-    effect = promise.effect if held else promise.resting_effect
-    spread = promise.spread if held else promise.resting_spread
     ends = f"{promise.kind} {promise.share:.0%}"
-    return [*row, str(operator.successes), ends, _millimetres(effect), _millimetres(spread)]
+    measured = [_millimetres(promise.outcome), _millimetres(promise.scatter)]
+    return [*row, str(operator.successes), ends, *measured]
 
 
 def show_run(run: Run) -> None:

@@ -160,16 +160,13 @@ def _about(move: Move, grounding: Grounding) -> list[str]:
     operator, promise = move.operator, move.operator.promise
     assert promise is not None
     held = move.kind == "lift"
-    effect, spread = promise.effect, promise.spread
-    if not held:
-        effect, spread = promise.resting_effect, promise.resting_spread
     action = " ".join(f"{value:.4f}" for value in grounding.primitive(operator.primitive).action)
     return [
         f"Primitive {operator.primitive} on category {operator.category} ({move.category}); ends "
         f"{'held' if held else 'at rest'} in {promise.count} of {operator.trials} rehearsals "
         f"({promise.share:.0%}).",
-        f"Effect {_vector(effect)} mm, spread {_vector(spread)} mm; {operator.successes} of "
-        f"{operator.trials} rehearsals as promised: cost {move.cost}.",
+        f"Effect {_vector(promise.outcome)} mm, spread {_vector(promise.scatter)} mm; "
+        f"{operator.successes} of {operator.trials} rehearsals as promised: cost {move.cost}.",
         f"Action parameters: {action}",
     ]
 

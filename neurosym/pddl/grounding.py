@@ -132,7 +132,7 @@ class Grounding(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
             return f"keeps its promise in {operator.successes} of {operator.trials} rehearsals only"
         if self.cells(operator) == (0, 0, 0):
             return "moves less than half a cell"
-        if math.hypot(*self.displacement(operator)) < math.hypot(*_spread(operator)):
+        if math.hypot(*self.displacement(operator)) < math.hypot(*_promise(operator).scatter):
             return "scatters more than it moves"
         return None
 
@@ -194,11 +194,6 @@ def is_lift(operator: Operator) -> bool:
 def _promise(operator: Operator) -> Mode:
     assert operator.promise is not None, f"{operator.name} promises nothing"
     return operator.promise
-
-
-def _spread(operator: Operator) -> Vector:
-    promise = _promise(operator)
-    return promise.spread if promise.kind == "held" else promise.resting_spread
 
 
 def _in_cells(displacement: Vector, cell: float) -> Cells:
