@@ -74,7 +74,7 @@ class Category(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
         symbol: The object symbol, like "10".
         name: Readable name, a legal PDDL type.
         share: Share of the sampled objects that fall into this category.
-        feature_means: Mean of each feature over those objects.
+        feature_means: Mean of each feature over those objects; empty if there were none.
         feature_spreads: Standard deviation of each feature over those objects.
     """
 

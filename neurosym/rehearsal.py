@@ -13,7 +13,7 @@ from jaxtyping import Float
 from neurosym.errors import InvalidValue
 from neurosym.naming import name_categories, name_operator
 from neurosym.operators import TOLERANCE, Category, Mode, ModeKind, Operator, OperatorTable, Primitive, Vector
-from neurosym.symbols import Symbol
+from neurosym.symbols import Symbol, all_symbols
 from neurosym.workers import Task, WorldFactory, perform_all
 from neurosym.world import Outcome
 
@@ -76,6 +76,7 @@ def rehearse(
         )
         for row, primitive in enumerate(ordered)
         for category in categories
+        if category.share
     )
     return OperatorTable(categories=categories, primitives=tuple(ordered), operators=operators)
 
@@ -83,7 +84,9 @@ def rehearse(
 def describe_categories(
     features: Float[np.ndarray, "N F"], symbols: np.ndarray, feature_names: Sequence[str]
 ) -> tuple[Category, ...]:
-    """Describe and name the categories that objects fall into, in the order of their symbols.
+    """Describe and name the categories, in the order of their symbols.
+
+    A symbol that no object has is called `unseen`: problems may meet one later, and nothing is known of it.
 
     Args:
         features: Features of the objects.
@@ -93,8 +96,8 @@ def describe_categories(
     present = sorted(set(symbols.tolist()))
     members = [features[symbols == symbol] for symbol in present]
     names = name_categories(present, np.array([rows.mean(0) for rows in members]), feature_names)
-    return tuple(
-        Category(
+    seen = {
+        symbol: Category(
             symbol=symbol,
             name=name,
             share=len(rows) / len(features),
@@ -102,6 +105,10 @@ def describe_categories(
             feature_spreads=tuple(rows.std(0).tolist()),
         )
         for symbol, name, rows in zip(present, names, members, strict=True)
+    }
+    return tuple(
+        seen.get(symbol) or Category(symbol, f"unseen-{symbol}", 0.0, (), ())
+        for symbol in all_symbols(len(present[0]))
     )
 
 

@@ -109,3 +109,11 @@ def test_kinds_follow_the_flags(flags, kind):
 def test_nothing_to_rehearse_is_refused():
     with pytest.raises(InvalidValue):
         rehearse(make_world, [], categorise, seed=0)
+
+
+def test_symbol_that_no_object_has_is_a_category_of_which_nothing_is_known():
+    table = rehearse(make_world, [GRASP], lambda features: ["10"] * len(features), objects=6, seed=0)
+    assert [category.symbol for category in table.categories] == ["00", "01", "10", "11"]
+    assert [category.share for category in table.categories] == [0.0, 0.0, 1.0, 0.0]
+    assert table.categories[0].name == "unseen-00"
+    assert {operator.category for operator in table.operators} == {"10"}

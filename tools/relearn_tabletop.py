@@ -97,6 +97,7 @@ def _categories(categories: tuple[Category, ...]) -> str:
         ]
         + [f"{category.feature_means[3]:.0%}"]
         for category in categories
+        if category.share
     ]
     return _markdown(["bits", "name", "share", "s_x [mm]", "s_y [mm]", "d [mm]", "hollow"], rows)
 
