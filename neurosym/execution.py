@@ -19,7 +19,7 @@ from neurosym.pddl.plan_text import PlanStep
 from neurosym.problems import Problem
 from neurosym.world import FrameSink, Outcome, Scene, World
 
-OutcomeKind = Literal["resting", "held", "toppled", "lost", "not performed"]
+StepOutcome = Literal["resting", "held", "toppled", "lost", "not performed"]
 
 
 class StepRecord(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
@@ -39,9 +39,9 @@ class StepRecord(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
 
     operator: str
     object: str
-    promised: OutcomeKind | None
+    promised: StepOutcome | None
     promised_effect: Vector | None
-    happened: OutcomeKind
+    happened: StepOutcome
     effect: Vector
     deviation: float | None
     as_promised: bool
@@ -141,13 +141,13 @@ def _record(step: PlanStep, problem: Problem, grounding: Grounding, outcome: Out
     effect = _vector(outcome.effect if outcome.held else outcome.resting_effect)
     promised_effect = grounding.displacement(operator) if operator.promise else None
     deviation = math.dist(effect, promised_effect) if promised_effect else None
-    kept = operator.promise is not None and operator.promise.kind == _kind(outcome)
+    kept = operator.promise is not None and operator.promise.kind == outcome.kind
     return StepRecord(
         operator=step.operator,
         object=step.object,
         promised=operator.promise.kind if operator.promise else None,
         promised_effect=promised_effect,
-        happened=_kind(outcome),
+        happened=outcome.kind,
         effect=effect,
         deviation=deviation,
         as_promised=kept and deviation is not None and deviation <= TOLERANCE,
@@ -167,14 +167,6 @@ def _not_performed(step: PlanStep, problem: Problem, scene: Scene) -> StepRecord
         as_promised=False,
         positions=_named(problem, scene),
     )
-
-
-def _kind(outcome: Outcome) -> OutcomeKind:
-    if outcome.lost:
-        return "lost"
-    if outcome.toppled:
-        return "toppled"
-    return "held" if outcome.held else "resting"
 
 
 def _reason(records: Sequence[StepRecord], distances: dict[str, float], tolerance: float) -> str:

@@ -4,17 +4,14 @@ This one table is what every PDDL output is printed from, what plans are replaye
 compares observations against. It is stored in `primitives.json`.
 """
 
-from typing import Literal
-
 import msgspec
 
 from neurosym.symbols import Symbol
+from neurosym.world import OutcomeKind
 
 Vector = tuple[float, float, float]
 TOLERANCE = 0.05
 """How near an object must come to its goal, and an outcome to its promise [m] (section III-E)."""
-
-ModeKind = Literal["resting", "held", "toppled", "lost"]
 
 
 class Mode(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
@@ -32,7 +29,7 @@ class Mode(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
         near_mean: How many of the `count` lie within the planning tolerance of the mean effect.
     """
 
-    kind: ModeKind
+    kind: OutcomeKind
     count: int
     share: float
     effect: Vector

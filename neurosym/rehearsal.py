@@ -12,10 +12,10 @@ from jaxtyping import Float
 
 from neurosym.errors import InvalidValue
 from neurosym.naming import name_categories, name_operator
-from neurosym.operators import TOLERANCE, Category, Mode, ModeKind, Operator, OperatorTable, Primitive, Vector
+from neurosym.operators import TOLERANCE, Category, Mode, Operator, OperatorTable, Primitive, Vector
 from neurosym.symbols import Symbol, all_symbols
 from neurosym.workers import Task, WorldFactory, perform_all
-from neurosym.world import Outcome
+from neurosym.world import Outcome, OutcomeKind
 
 Categorise = Callable[[np.ndarray], Sequence[Symbol]]
 """Gives the object symbols of object features (N, F)."""
@@ -118,23 +118,14 @@ def modes_of(outcomes: Sequence[Outcome]) -> tuple[Mode, ...]:
     Args:
         outcomes: Outcomes of one primitive on objects of one category.
     """
-    by_kind: dict[ModeKind, list[Outcome]] = {}
+    by_kind: dict[OutcomeKind, list[Outcome]] = {}
     for outcome in outcomes:
-        by_kind.setdefault(kind_of(outcome), []).append(outcome)
+        by_kind.setdefault(outcome.kind, []).append(outcome)
     modes = [_mode(kind, members, len(outcomes)) for kind, members in by_kind.items()]
     return tuple(sorted(modes, key=lambda mode: (-mode.count, mode.kind)))
 
 
-def kind_of(outcome: Outcome) -> ModeKind:
-    """Say how the target ended; what went off the table is lost, whatever else happened to it."""
-    if outcome.lost:
-        return "lost"
-    if outcome.held:
-        return "held"
-    return "toppled" if outcome.toppled else "resting"
-
-
-def _mode(kind: ModeKind, members: Sequence[Outcome], trials: int) -> Mode:
+def _mode(kind: OutcomeKind, members: Sequence[Outcome], trials: int) -> Mode:
     effects = np.array([outcome.effect for outcome in members])  # (N, 3)
     resting = np.array([outcome.resting_effect for outcome in members])
     judged = effects if kind == "held" else resting

@@ -7,13 +7,14 @@ executed by feeding each outcome's end into the next interaction.
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import Protocol, runtime_checkable
+from typing import Literal, Protocol, runtime_checkable
 
 import numpy as np
 from jaxtyping import Bool, Float, UInt8
 
 from neurosym.errors import InvalidValue
 
+OutcomeKind = Literal["resting", "held", "toppled", "lost"]
 Frame = UInt8[np.ndarray, "height width 3"]
 FrameSink = Callable[[Frame], None]
 
@@ -59,6 +60,15 @@ class Outcome:
     toppled: bool
     lost: bool
     peak_height: float
+
+    @property
+    def kind(self) -> OutcomeKind:
+        """How the target ended: off the table, held in the air, on another face, or at rest upright."""
+        if self.lost:
+            return "lost"
+        if self.held:
+            return "held"
+        return "toppled" if self.toppled else "resting"
 
     @property
     def effect(self) -> Float[np.ndarray, "3"]:

@@ -1,10 +1,10 @@
 """A table of operators written by hand: two categories, four primitives, one lift, one null."""
 
-from neurosym.operators import Category, Mode, ModeKind, Operator, OperatorTable, Primitive, Vector
+from neurosym.operators import Category, Mode, Operator, OperatorTable, Primitive, Vector
 from neurosym.pddl import compile_domain
 from neurosym.pddl.grounding import Grounding
 from neurosym.problems import Problem, SceneObject
-from neurosym.world import Table
+from neurosym.world import OutcomeKind, Table
 
 BOUNDS = Table(x=(0.3, 0.9), y=(-0.3, 0.3))
 
@@ -12,7 +12,7 @@ BOUNDS = Table(x=(0.3, 0.9), y=(-0.3, 0.3))
 def mode(
     effect: Vector,
     *,
-    kind: ModeKind = "resting",
+    kind: OutcomeKind = "resting",
     count: int = 20,
     near: int = 18,
     resting: Vector | None = None,

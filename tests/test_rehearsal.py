@@ -7,7 +7,7 @@ import pytest
 
 from neurosym.errors import InvalidValue
 from neurosym.operators import Primitive
-from neurosym.rehearsal import kind_of, modes_of, rehearse
+from neurosym.rehearsal import modes_of, rehearse
 from neurosym.toy_world import LONGEST_PUSH, WIDEST_GRASP, make_world
 from neurosym.world import Outcome, Scene
 
@@ -103,7 +103,7 @@ def test_held_outcomes_are_judged_in_mid_air_and_resting_ones_at_rest():
     ],
 )
 def test_kinds_follow_the_flags(flags, kind):
-    assert kind_of(an_outcome(**flags)) == kind
+    assert an_outcome(**flags).kind == kind
 
 
 def test_nothing_to_rehearse_is_refused():
