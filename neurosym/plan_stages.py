@@ -10,6 +10,7 @@ from neurosym.errors import UnknownChoice
 from neurosym.execution import Run, StepRecord, execute
 from neurosym.files import digest, read_json, write_atomically, write_json
 from neurosym.folder import GROUNDING, MODEL, WORLD, DomainFolder, Stage
+from neurosym.operators import TOLERANCE
 from neurosym.pddl.grounding import Grounding
 from neurosym.pddl.moves import Encoding
 from neurosym.pddl.plan_text import PlanStep, print_ground_plan, print_plan, read_plan
@@ -168,7 +169,11 @@ class Film:
 
     def end_step(self, record: StepRecord) -> None:
         """Note that the last picture shows the end of a step."""
-        self._ends.append((len(self._frames) - 1, f"{record.operator} {record.object}: {record.happened}"))
+        caption = f"{record.operator} {record.object}: {record.happened}"
+        resting_height = self._problem.object_named(record.object).position[2]
+        if record.happened == "held" and record.positions[record.object][2] < resting_height + TOLERANCE:
+            caption += ", put down"
+        self._ends.append((len(self._frames) - 1, caption))
 
     def save(self, run: Run, gif: Path | None, strip: Path | None) -> None:
         """Write the pictures that were asked for; an empty plan has none."""

@@ -7,8 +7,13 @@ from neurosym.sim.config import TabletopConfig
 from neurosym.world import Frame, Scene
 
 WIDTH, HEIGHT = 640, 480
-SOLID_COLOUR = (0.35, 0.60, 0.85, 1.0)
-HOLLOW_COLOUR = (0.45, 0.75, 0.45, 1.0)
+OBJECT_COLOURS = (
+    (0.26, 0.53, 0.82, 1.0),
+    (0.36, 0.70, 0.36, 1.0),
+    (0.80, 0.33, 0.36, 1.0),
+    (0.58, 0.42, 0.75, 1.0),
+)
+"""Blue, green, red, purple: item-01, item-02, ..., over and over."""
 TABLE_COLOUR = (0.86, 0.82, 0.76, 1.0)
 
 
@@ -18,21 +23,21 @@ class Camera:
     Args:
         client: The physics client.
         config: The world, whose table fills the picture.
-        scene: The objects, coloured by their type; their bodies come after the table's.
+        scene: The objects, coloured by their number; their bodies come after the table's.
     """
 
     def __init__(self, client: int, config: TabletopConfig, scene: Scene):
         self._client = client
         centre = (sum(config.table_x) / 2, sum(config.table_y) / 2, 0.05)
         self._view = pybullet.computeViewMatrixFromYawPitchRoll(
-            cameraTargetPosition=centre, distance=1.15, yaw=55, pitch=-38, roll=0, upAxisIndex=2
+            cameraTargetPosition=centre, distance=0.95, yaw=50, pitch=-35, roll=0, upAxisIndex=2
         )
         self._projection = pybullet.computeProjectionMatrixFOV(
             fov=45, aspect=WIDTH / HEIGHT, nearVal=0.05, farVal=5
         )
         pybullet.changeVisualShape(0, -1, rgbaColor=TABLE_COLOUR, physicsClientId=client)
-        for index, features in enumerate(scene.features):
-            colour = HOLLOW_COLOUR if features[3] >= 0.5 else SOLID_COLOUR
+        for index in range(len(scene)):
+            colour = OBJECT_COLOURS[index % len(OBJECT_COLOURS)]
             pybullet.changeVisualShape(index + 1, -1, rgbaColor=colour, physicsClientId=client)
 
     def picture(self) -> Frame:
