@@ -29,9 +29,9 @@ lint: install
 	$(BIN)/ruff check .
 	$(BIN)/mypy
 
-# The tests that need minutes of physics or training.
+# The tests that need minutes of physics or training; each prints its figures.
 evaluate: install
-	$(BIN)/pytest -m evaluation
+	$(BIN)/pytest -m evaluation -s
 
 clean:
 	rm -rf $(VENV) demo

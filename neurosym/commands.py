@@ -7,7 +7,7 @@ from typing import Annotated
 from tyro.conf import Positional, arg
 
 from neurosym.console import say, say_next
-from neurosym.errors import InvalidValue, NeurosymError
+from neurosym.errors import InvalidValue, UnknownChoice
 from neurosym.folder import DomainFolder
 from neurosym.operators import OperatorTable
 
@@ -31,22 +31,11 @@ _CPUS = os.cpu_count() or 1
 
 def init(folder: Folder, world: WorldName = "tabletop") -> int:
     """Make a new domain folder with a `world.toml` that holds every option of its world."""
-    from neurosym.world_file import write_world
-
-    path = folder / "world.toml"
-    if path.exists():
-        raise InvalidValue(f"{path} exists already; change it by hand, or name another folder.")
-    if folder.exists() and not folder.is_dir():
-        raise InvalidValue(f"{folder} is not a folder; name another.")
-    made = not folder.exists()
-    folder.mkdir(parents=True, exist_ok=True)
-    try:
-        write_world(path, world)
-    except NeurosymError:
-        if made:
-            folder.rmdir()
-        raise
-    say(f"wrote {path}")
+    if (folder / "world.toml").exists():
+        raise InvalidValue(
+            f"{folder / 'world.toml'} exists already; change it by hand, or name another folder."
+        )
+    _make_folder(folder, world)
     say_next(f"neurosym explore {folder}")
     return 0
 
@@ -225,7 +214,7 @@ def run(
     from neurosym.pipeline import go_the_whole_way
 
     if not (folder / "world.toml").exists():
-        init(folder, world)
+        _make_folder(folder, world)
     go_the_whole_way(
         DomainFolder(folder),
         strategy=strategy,
@@ -237,6 +226,18 @@ def run(
         problems=problems,
     )
     return 0
+
+
+def _make_folder(folder: Path, world: str) -> None:
+    from neurosym.world_file import WORLDS, write_world
+
+    if world not in WORLDS:
+        raise UnknownChoice("world", world, WORLDS)
+    if folder.exists() and not folder.is_dir():
+        raise InvalidValue(f"{folder} is not a folder; name another.")
+    folder.mkdir(parents=True, exist_ok=True)
+    write_world(folder / "world.toml", world)
+    say(f"wrote {folder / 'world.toml'}")
 
 
 def _parse_goal(text: str) -> tuple[str, tuple[float, ...]]:
