@@ -9,8 +9,11 @@ from neurosym.pddl.grounding import Grounding
 from neurosym.pddl.moves import shift_predicate, shifts_of
 from neurosym.problems import Problem, SceneObject
 
-STEPS = 3
-"""How many steps the rounding of is reckoned with, unless the caller says otherwise."""
+STEPS = 1
+"""How many steps the rounding of is reckoned with, unless the caller says otherwise.
+
+More would be safer but makes goals smaller, and so plans longer or impossible; a replay tells when it matters.
+"""
 
 
 def problem_text(problem: Problem, grounding: Grounding, *, steps: int = STEPS, margin: int = 0) -> str:
