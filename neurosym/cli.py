@@ -51,6 +51,9 @@ def main(arguments: Sequence[str] | None = None) -> None:
     except NeurosymError as error:
         error_console.print(str(error), markup=False, style="red")
         code = BAD_INPUT
+    except OSError as error:
+        error_console.print(f"{error.filename}: {error.strerror}", markup=False, style="red")
+        code = BAD_INPUT
     except KeyboardInterrupt:
         error_console.print("interrupted; the same command goes on from what is written", markup=False)
         code = INTERRUPTED

@@ -185,8 +185,8 @@ def execute(
     if not plan_file.is_file():
         raise InvalidValue(f"There is no plan file {plan_file}; `neurosym plan {folder} {name}` writes one.")
     for picture in (gif, strip):
-        if picture and not picture.absolute().parent.is_dir():
-            raise InvalidValue(f"There is no folder {picture.parent} to write {picture.name} to.")
+        if picture and (picture.is_dir() or not picture.absolute().parent.is_dir()):
+            raise InvalidValue(f"No picture can be written to {picture}; name a file in an existing folder.")
     domain.perform(execute_stage(domain, name, plan_file, gif=gif, strip=strip), again=True)
     run = load_run(domain, plan_file)
     show_run(run)

@@ -10,7 +10,7 @@ from typing import Any
 
 import msgspec
 
-from neurosym.errors import FolderNotFound, StageMissing, UnknownChoice
+from neurosym.errors import FolderNotFound, InvalidValue, StageMissing, UnknownChoice
 from neurosym.files import digest, read_json, write_json
 
 WORLD, INTERACTIONS = "world.toml", "interactions.npz"
@@ -70,6 +70,10 @@ class Stage:
     outputs: tuple[str, ...]
     work: Callable[[], None]
     options: dict[str, Any] = field(default_factory=dict)
+
+    def __post_init__(self) -> None:
+        if self.options.get("seed", 0) < 0:
+            raise InvalidValue(f"seed = {self.options['seed']} must be at least 0.")
 
 
 class DomainFolder:

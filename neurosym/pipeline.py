@@ -3,6 +3,7 @@
 from dataclasses import dataclass
 
 from neurosym.console import say, say_next, show_table
+from neurosym.errors import InvalidValue
 from neurosym.files import read_json
 from neurosym.folder import DomainFolder, Stage
 from neurosym.plan_stages import PlanRecord, execute_stage, load_run, plan_files, plan_stage
@@ -37,7 +38,12 @@ def go_the_whole_way(
         workers: Processes that simulate.
         rehearsals: Objects that each primitive is rehearsed on.
         problems: How many problems to draw; more, if none of them has a plan.
+
+    Raises:
+        InvalidValue: If a number is impossible.
     """
+    if problems < 0:
+        raise InvalidValue(f"problems = {problems} must be at least 0.")
     learning = (
         explore_stage(folder, strategy=strategy, steps=steps, seed=seed, regime=regime, workers=workers),
         train_stage(folder, seed=seed, regime=regime),

@@ -197,6 +197,9 @@ def test_missing_plan_file_is_refused(folder, capsys):
         (["plan", "task-01", "--time-limit", "-1"], "time-limit"),
         (["explore", "--strategy", "luck"], "no strategy 'luck'; valid: active, curiosity, random"),
         (["explore", "--regime", "big"], "no regime 'big'; valid: default, paper, quick"),
+        (["explore", "--seed", "-1"], "seed = -1 must be at least 0"),
+        (["train", "--seed", "-1"], "seed = -1 must be at least 0"),
+        (["run", "--world", "toy", "--problems", "-1"], "problems = -1 must be at least 0"),
         (["explore", "--steps", "0"], "steps = 0 must be at least 1"),
         (
             ["explore", *LEARN_TOY, "--seed", "3", "--steps", "2048", "--workers", "0"],
@@ -210,6 +213,17 @@ def test_missing_plan_file_is_refused(folder, capsys):
 def test_impossible_request_is_refused_in_one_sentence(folder, arguments, message, capsys):
     command, *rest = arguments
     assert message in refusal(capsys, command, folder, *rest)
+
+
+def test_picture_that_cannot_be_written_is_refused(folder, capsys):
+    (folder / "empty.plan").write_text("")
+    for target in (folder, folder / "nowhere" / "x.gif"):
+        said = refusal(capsys, "execute", folder, "task-01", folder / "empty.plan", "--gif", target)
+        assert f"No picture can be written to {target}" in said
+
+
+def test_folder_that_cannot_be_made_is_refused(folder, capsys):
+    assert "Not a directory" in refusal(capsys, "init", folder / "world.toml" / "below")
 
 
 def test_init_refuses_an_unknown_world_and_leaves_no_folder(tmp_path, capsys):

@@ -12,7 +12,7 @@ from neurosym.problems import Problem, SceneObject
 STEPS = 1
 """How many steps the rounding of is reckoned with, unless the caller says otherwise.
 
-More would be safer but makes goals smaller, and so plans longer or impossible; a replay tells when it matters.
+More would be safer, but smaller goals make plans longer or impossible; a replay tells when it matters.
 """
 
 
