@@ -4,7 +4,7 @@ import os
 from pathlib import Path
 from typing import Annotated
 
-from tyro.conf import Positional, arg
+from tyro.conf import Positional, UseAppendAction, arg
 
 from neurosym.console import say, say_next
 from neurosym.errors import InvalidValue, UnknownChoice
@@ -120,16 +120,18 @@ def new_problem(
     seed: Seed = 0,
     goal: Annotated[
         tuple[str, ...],
-        arg(metavar="ITEM=X,Y[,Z]", help="Goals by hand [m]; without any, a random action draws them."),
+        UseAppendAction,
+        arg(metavar="ITEM=X,Y[,Z]", help="A goal by hand, in the world frame [m], once for each object."),
     ] = (),
 ) -> int:
     """Make a problem: a random scene, and a goal that a random action leads to (as in the paper) or yours."""
     from neurosym.stages import problem_stage
 
     domain = DomainFolder(folder)
-    goals = dict(map(_parse_goal, goal)) or None
+    goals = _parse_goals(goal) if goal else None
+    verb = "replaced" if (folder / f"problems/{name}.pddl").exists() else "wrote"
     domain.perform(problem_stage(domain, name=name, objects=objects, seed=seed, goals=goals), again=True)
-    say(f"wrote {folder / 'problems' / name}.pddl and its scene")
+    say(f"{verb} {folder / 'problems' / name}.pddl and its scene")
     say_next(f"neurosym plan {folder} {name}")
     return 0
 
@@ -161,7 +163,7 @@ def plan(
         say(f"no plan for {name} ({record.status}, {record.seconds:.2f} s): {record.reason}")
         return NO_RESULT
     remark = f" ({record.reason})" if record.reason else ""
-    say(f"{len(record.steps)} steps in {record.seconds:.2f} s{remark}:")
+    say(f"{len(record.steps)} step{'' if len(record.steps) == 1 else 's'} in {record.seconds:.2f} s{remark}:")
     for operator, item in record.steps:
         say(f"  ({operator} {item})")
     say(f"wrote {folder / plan_file}")
@@ -198,7 +200,9 @@ def execute(
 
 def run(
     folder: Folder,
-    world: WorldName = "tabletop",
+    world: Annotated[
+        str | None, arg(help="Which world, for a new folder: tabletop (default) or toy.")
+    ] = None,
     strategy: Strategy = "curiosity",
     steps: Annotated[int, arg(help="Interactions to explore for.")] = 10_000,
     seed: Seed = 0,
@@ -212,9 +216,16 @@ def run(
     Interrupt it when you like: the same command goes on where it stopped, and does nothing twice.
     """
     from neurosym.pipeline import go_the_whole_way
+    from neurosym.stages import check_choices
+    from neurosym.world_file import read_world
 
+    check_choices(strategy, regime)
+    if rehearsals < 1:
+        raise InvalidValue(f"rehearsals = {rehearsals} must be at least 1.")
     if not (folder / "world.toml").exists():
-        _make_folder(folder, world)
+        _make_folder(folder, world or "tabletop")
+    elif world and (found := read_world(folder / "world.toml")().name) != world:
+        raise InvalidValue(f"{folder} is of the world {found!r}, not {world!r}; name another folder.")
     go_the_whole_way(
         DomainFolder(folder),
         strategy=strategy,
@@ -238,6 +249,13 @@ def _make_folder(folder: Path, world: str) -> None:
     folder.mkdir(parents=True, exist_ok=True)
     write_world(folder / "world.toml", world)
     say(f"wrote {folder / 'world.toml'}")
+
+
+def _parse_goals(texts: tuple[str, ...]) -> dict[str, tuple[float, ...]]:
+    goals = dict(map(_parse_goal, texts))
+    if len(goals) < len(texts):
+        raise InvalidValue(f"An object has two goals in {' '.join(texts)}; give each object one.")
+    return goals
 
 
 def _parse_goal(text: str) -> tuple[str, tuple[float, ...]]:

@@ -176,7 +176,11 @@ def _reason(records: Sequence[StepRecord], distances: dict[str, float], toleranc
         if record.happened == "not performed":
             return f"{missed}; {record.object} was out of the arm's reach in step {number}"
         if not record.as_promised:
-            return f"{missed}; step {number}, {record.operator}, did not do as promised ({record.happened})"
+            apart = "" if record.deviation is None else f", {1000 * record.deviation:.0f} mm from the promise"
+            told = f"promised {record.promised}, ended {record.happened}{apart}"
+            return f"{missed}; step {number}, {record.operator}: {told}"
+    if not records:
+        return f"{missed}; the plan has no step"
     return f"{missed}, though every step did as promised within {1000 * TOLERANCE:.0f} mm"
 
 

@@ -278,7 +278,8 @@ class _Explorer:
 
 
 def _check_options(path: Path, stored: dict[str, Any], wanted: dict[str, Any]) -> None:
-    for name in sorted(stored.keys() | wanted.keys()):
+    telling = ("strategy", "seed")
+    for name in (*telling, *sorted(stored.keys() | wanted.keys())):
         if stored.get(name) != wanted.get(name):
             raise InvalidValue(
                 f"{path} was made with {name} = {stored.get(name)!r}, not {wanted.get(name)!r}; "

@@ -136,6 +136,7 @@ class DomainFolder:
         Returns:
             Whether there was anything to do.
         """
+        self.manifest()  # refuses a damaged one before anything is written
         if not again and self._is_current(stage):
             return False
         inputs = self._digests(stage.inputs)

@@ -6,7 +6,7 @@ from pathlib import Path
 import msgspec
 
 from neurosym.console import say
-from neurosym.errors import UnknownChoice
+from neurosym.errors import InvalidFile, StageMissing, UnknownChoice
 from neurosym.execution import Run, StepRecord, execute
 from neurosym.files import digest, read_json, write_atomically, write_json
 from neurosym.folder import GROUNDING, MODEL, WORLD, DomainFolder, Stage
@@ -14,6 +14,7 @@ from neurosym.operators import TOLERANCE
 from neurosym.pddl.grounding import Grounding
 from neurosym.pddl.moves import Encoding
 from neurosym.pddl.plan_text import PlanStep, print_ground_plan, print_plan, read_plan
+from neurosym.pddl.replay import hand_problem
 from neurosym.planners import PLANNERS, Branching, PlanStatus, plan, predicted_branching
 from neurosym.problems import Problem
 from neurosym.world import Frame
@@ -54,9 +55,13 @@ def load_problem(folder: DomainFolder, name: str) -> Problem:
 
     Raises:
         UnknownChoice: If there is no such problem.
-        InvalidFile: If its file is damaged.
+        StageMissing: If its scene is missing.
+        InvalidFile: If its scene is damaged.
     """
-    return Problem.load(folder / f"problems/{folder.problem(name)}.scene.json")
+    scene = folder / f"problems/{folder.problem(name)}.scene.json"
+    if not scene.is_file():
+        raise StageMissing(scene, f"neurosym new-problem {folder.path} --name {folder.problem(name)}")
+    return Problem.load(scene)
 
 
 def plan_files(problem: str, planner: str) -> tuple[str, str]:
@@ -126,6 +131,8 @@ def execute_stage(
         grounding = Grounding.load(folder.require(GROUNDING))
         problem = load_problem(folder, name)
         steps = read_plan(plan_file, grounding, problem)
+        if impossible := hand_problem(steps, grounding):
+            raise InvalidFile(plan_file, impossible)
         world = read_world(folder.require(WORLD))()
         film = Film(problem) if gif or strip else None
         run = execute(

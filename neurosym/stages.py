@@ -6,6 +6,7 @@ inputs, options or outputs have changed. What is slow to import is imported wher
 
 from collections.abc import Mapping
 from dataclasses import asdict
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -26,6 +27,8 @@ from neurosym.folder import (
 )
 from neurosym.interactions import Interactions
 from neurosym.operators import OperatorTable
+from neurosym.problems import Problem
+from neurosym.strategies import STRATEGIES
 from neurosym.training_config import REGIMES, Regime
 from neurosym.world_file import read_world
 
@@ -37,11 +40,12 @@ def explore_stage(
     folder: DomainFolder, *, strategy: str, steps: int, seed: int, regime: str, workers: int
 ) -> Stage:
     """Explore the world: `world.toml` -> `interactions.npz`, with a checkpoint after every block."""
-    chosen = _regime(regime)
+    chosen = check_choices(strategy, regime)
 
     def work() -> None:
         from neurosym.exploration import ExplorationConfig, explore
 
+        _check_steps(folder / INTERACTIONS, steps)
         factory = read_world(folder.require(WORLD))
         config = ExplorationConfig(
             learning_rate=chosen.exploration_rate, loss_coefficient=chosen.training.loss_coefficient
@@ -67,7 +71,7 @@ def explore_stage(
 
 def train_stage(folder: DomainFolder, *, seed: int, regime: str) -> Stage:
     """Make the final fit: `interactions.npz` -> `effect_model.safetensors` and `training.json`."""
-    chosen = _regime(regime)
+    chosen = regime_named(regime)
 
     def work() -> None:
         from neurosym.training import train
@@ -120,10 +124,13 @@ def distill_stage(folder: DomainFolder, *, objects: int, seed: int, workers: int
 
 
 def compile_stage(folder: DomainFolder, *, cell: float) -> Stage:
-    """Compile the domain: `primitives.json` -> `domain.pddl`, `domain-operators.pddl`, `grounding.json`."""
+    """Compile the domain: `primitives.json` -> `domain.pddl`, `domain-operators.pddl`, `grounding.json`.
+
+    Problems that are there already are printed again, so that they fit the new domain.
+    """
 
     def work() -> None:
-        from neurosym.pddl import compile_domain, domain_text
+        from neurosym.pddl import compile_domain, domain_text, problem_text
 
         world = read_world(folder.require(WORLD))()
         table = read_json(folder.require(PRIMITIVES), OperatorTable)
@@ -133,6 +140,9 @@ def compile_stage(folder: DomainFolder, *, cell: float) -> Stage:
         write_atomically(folder / DOMAIN, domain_text(grounding, "stepwise"))
         write_atomically(folder / OPERATORS_DOMAIN, domain_text(grounding, "operators"))
         grounding.save(folder / GROUNDING)
+        for scene in sorted((folder / "problems").glob("*.scene.json")):
+            problem = Problem.load(scene)
+            write_atomically(folder / f"problems/{problem.name}.pddl", problem_text(problem, grounding))
 
     outputs = (DOMAIN, OPERATORS_DOMAIN, GROUNDING)
     return Stage("compile-domain", (WORLD, PRIMITIVES), outputs, work, {"cell": cell})
@@ -170,10 +180,26 @@ def problem_stage(
     return Stage(f"new-problem {name}", (WORLD, MODEL, GROUNDING), (text, scene), work, options)
 
 
-def _regime(name: str) -> Regime:
+def check_choices(strategy: str, regime: str) -> Regime:
+    """Return a regime, or raise `UnknownChoice` unless there are such a strategy and regime."""
+    if strategy not in STRATEGIES:
+        raise UnknownChoice("strategy", strategy, STRATEGIES)
+    return regime_named(regime)
+
+
+def regime_named(name: str) -> Regime:
+    """Return a regime, or raise `UnknownChoice`."""
     if name not in REGIMES:
         raise UnknownChoice("regime", name, REGIMES)
     return REGIMES[name]
+
+
+def _check_steps(path: Path, steps: int) -> None:
+    """Refuse to replace interactions by fewer."""
+    if steps > 0 and path.exists() and (found := len(Interactions.load(path))) > steps:
+        raise InvalidValue(
+            f"{path} holds {found} interactions already, more than {steps}; remove it, or ask for more."
+        )
 
 
 def _options_of(world: Any) -> dict[str, Any]:

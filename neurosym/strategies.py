@@ -6,17 +6,27 @@ not a distribution over it.
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import Literal
+from typing import Literal, Protocol, runtime_checkable
 
 import numpy as np
 from jaxtyping import Bool, Float
 
-from neurosym.effect_model import EffectModel
-
 MIN_EFFECT = 0.08
 """Least sum of absolute displacements of a high effect [m]."""
 
-Choose = Callable[[EffectModel, np.ndarray, np.ndarray], int]
+
+@runtime_checkable
+class Uncertain(Protocol):
+    """A model that knows how uncertain it is."""
+
+    def mean_entropies(
+        self, features: Float[np.ndarray, "F"], actions: Float[np.ndarray, "C A"]
+    ) -> Float[np.ndarray, "C"]:
+        """Compute the entropy of the predicted effect of each action, mean over the axes."""
+        ...
+
+
+Choose = Callable[[Uncertain, np.ndarray, np.ndarray], int]
 """Chooses among candidates: (model, features (F,), candidates (C, A)) -> index."""
 
 
@@ -36,14 +46,14 @@ class Strategy:
 
 
 def most_uncertain(
-    model: EffectModel, features: Float[np.ndarray, "F"], candidates: Float[np.ndarray, "C A"]
+    model: Uncertain, features: Float[np.ndarray, "F"], candidates: Float[np.ndarray, "C A"]
 ) -> int:
     """Choose the candidate of the highest mean entropy (Algorithm 1, line 11)."""
     return int(np.argmax(model.mean_entropies(features, candidates)))
 
 
 def first(
-    model: EffectModel,  # noqa: ARG001 (one signature for all)
+    model: Uncertain,  # noqa: ARG001 (one signature for all)
     features: Float[np.ndarray, "F"],  # noqa: ARG001
     candidates: Float[np.ndarray, "C A"],  # noqa: ARG001
 ) -> int:

@@ -1,5 +1,6 @@
 """`world.toml`: which world a domain folder belongs to, and its options."""
 
+import math
 import tomllib
 from collections.abc import Callable
 from dataclasses import asdict, fields
@@ -50,12 +51,23 @@ def configured(kind: type[Config], options: dict[str, Any]) -> Config:
     for name in options:
         if name not in known:
             raise UnknownChoice("option", name, known)
+    _check_finite(options)
     try:
         return msgspec.convert(options, kind)
     except msgspec.ValidationError as error:
         if isinstance(error.__cause__, InvalidValue):
             raise error.__cause__ from None
         raise InvalidValue(f"a value has the wrong type: {error}") from error
+
+
+def _check_finite(value: Any, name: str = "options") -> None:
+    if isinstance(value, float) and not math.isfinite(value):
+        raise InvalidValue(f"{name} = {value} must be a finite number.")
+    entries = (
+        value.items() if isinstance(value, dict) else enumerate(value) if isinstance(value, list) else ()
+    )
+    for key, entry in entries:
+        _check_finite(entry, str(key) if isinstance(value, dict) else name)
 
 
 def make_world(name: str, options: dict[str, Any]) -> World:

@@ -9,6 +9,9 @@ from conftest import LEARN_TOY, RUN_TOY
 
 from neurosym.cli import main
 from neurosym.folder import DomainFolder
+from neurosym.pddl.grounding import Grounding, is_lift
+from neurosym.planners import PlanStatus
+from neurosym.planners.fast_downward import plan_fast_downward
 
 
 def neurosym(*arguments: object) -> int:
@@ -213,6 +216,66 @@ def test_missing_plan_file_is_refused(folder, capsys):
 def test_impossible_request_is_refused_in_one_sentence(folder, arguments, message, capsys):
     command, *rest = arguments
     assert message in refusal(capsys, command, folder, *rest)
+
+
+def test_fewer_steps_do_not_throw_interactions_away(folder, capsys):
+    before = (folder / "interactions.npz").read_bytes()
+    said = refusal(capsys, "explore", folder, *LEARN_TOY, "--seed", "3", "--steps", "600")
+    assert "holds 1024 interactions already, more than 600" in said
+    assert (folder / "interactions.npz").read_bytes() == before
+
+
+@pytest.mark.parametrize("wrong", [["--strategy", "luck"], ["--regime", "big"], ["--rehearsals", "0"]])
+def test_run_checks_what_was_typed_before_it_makes_a_folder(tmp_path, wrong, capsys):
+    assert wrong[1] in refusal(capsys, "run", tmp_path / "new", *wrong)
+    assert not (tmp_path / "new").exists()
+
+
+def test_run_refuses_another_world_than_the_folders(folder, capsys):
+    assert "of the world 'toy', not 'tabletop'" in refusal(capsys, "run", folder, "--world", "tabletop")
+
+
+def test_compiling_on_another_grid_prints_the_problems_again(folder):
+    assert neurosym("compile-domain", folder, "--cell", "0.02") == 0
+    domain, problem = folder / "domain.pddl", folder / "problems/task-01.pddl"
+    answer = plan_fast_downward(domain, problem, time_limit=30.0)
+    assert answer.status in (PlanStatus.SOLVED, PlanStatus.UNSOLVABLE)
+
+
+def test_two_goals_for_one_object_are_refused(folder, capsys):
+    goals = ("--goal", "item-01=0.6,0.1", "--goal", "item-01=0.7,0.1")
+    assert "item-01=0.7,0.1; give each object one" in refusal(capsys, "new-problem", folder, *goals)
+
+
+def test_each_object_can_have_its_goal(folder):
+    goals = ("--goal", "item-01=0.6,0.1", "--goal", "item-02=0.7,-0.1")
+    assert neurosym("new-problem", folder, "--name", "both", "--objects", 2, *goals) == 0
+    scene = json.loads((folder / "problems/both.scene.json").read_text())
+    assert set(scene["goals"]) == {"item-01", "item-02"}
+
+
+def test_damaged_manifest_is_refused_before_anything_is_written(folder, capsys):
+    (folder / "manifest.json").write_text("{")
+    before = {path: path.read_bytes() for path in folder.rglob("*") if path.is_file()}
+    assert "manifest.json" in refusal(capsys, "plan", folder, "task-01")
+    assert {path: path.read_bytes() for path in folder.rglob("*") if path.is_file()} == before
+
+
+def test_plan_that_the_hand_cannot_follow_is_refused(folder, capsys):
+    learned = Grounding.load(folder / "grounding.json")
+    category = json.loads((folder / "problems/task-01.scene.json").read_text())["objects"][0]["category"]
+    lift = next(op.name for op in learned.operators.operators if op.category == category and is_lift(op))
+    plan = folder / "mine.plan"
+    plan.write_text(f"({lift} item-01)\n({lift} item-01)\n")
+    assert "step 2" in refusal(capsys, "execute", folder, "task-01", plan)
+    plan.write_text(f"(put-down-{lift} item-01)\n")
+    assert "step 1" in refusal(capsys, "execute", folder, "task-01", plan)
+
+
+def test_problem_without_its_scene_is_refused(folder, capsys):
+    (folder / "problems/task-01.scene.json").unlink()
+    said = refusal(capsys, "plan", folder, "task-01")
+    assert f"`neurosym new-problem {folder} --name task-01` writes it" in said
 
 
 def test_picture_that_cannot_be_written_is_refused(folder, capsys):

@@ -61,7 +61,7 @@ def test_broken_promise_is_told_with_what_happened_instead():
     assert run.steps[0].promised == "held"
     assert run.steps[0].happened == "resting"
     assert run.steps[0].effect == pytest.approx((0.0, 0.08, 0.0))
-    assert "step 1, lift-000-cube, did not do as promised (resting)" in run.reason
+    assert "step 1, lift-000-cube: promised held, ended resting" in run.reason
 
 
 def test_execution_stops_when_an_object_is_lost():

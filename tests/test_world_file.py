@@ -36,6 +36,7 @@ def test_factory_can_be_sent_to_a_worker(tmp_path):
         ('world = "tabletop"\n[options]\nsize = [0.2, 0.1]', "size = .* is empty"),
         ('world = "tabletop"\n[options]\nmass = "heavy"', "wrong type: .*float"),
         ('world = "tabletop"\nlift_height = 0.2', "no place for 'lift_height'"),
+        ('world = "toy"\n[options]\nlift_height = nan', "lift_height = nan must be a finite number"),
         ("[options]", 'must hold world = "NAME"'),
     ],
 )

@@ -56,6 +56,22 @@ def replay(steps: Sequence[PlanStep], problem: Problem, grounding: Grounding) ->
     return Replay(np.array(positions), True, not reason, reason)
 
 
+def hand_problem(steps: Sequence[PlanStep], grounding: Grounding) -> str:
+    """Say which step of a plan asks the hand for what it cannot do, or nothing if none does.
+
+    Args:
+        steps: The plan.
+        grounding: The learned domain.
+    """
+    held_by: PlanStep | None = None
+    for number, step in enumerate(steps, start=1):
+        operator = grounding.operator_named(step.base)
+        if operator.promise and (problem := _hand_problem(step, operator, held_by)):
+            return f"step {number}, {step.operator} {step.object}: {problem}"
+        held_by = step if is_lift(operator) and not step.puts_down else None
+    return ""
+
+
 def _hand_problem(step: PlanStep, operator: Operator, held_by: PlanStep | None) -> str:
     if operator.promise is None:
         return "the operator promises nothing"
