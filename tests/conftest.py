@@ -1,5 +1,6 @@
 """What several tests share: a toy domain folder, learned once."""
 
+import shutil
 from pathlib import Path
 
 import pytest
@@ -22,3 +23,9 @@ def toy_folder(tmp_path_factory) -> Path:
         main(["run", str(folder), *RUN_TOY])
     assert ended.value.code == 0
     return folder
+
+
+@pytest.fixture
+def folder(toy_folder, tmp_path) -> Path:
+    """A copy of the toy domain folder that a test may change."""
+    return Path(shutil.copytree(toy_folder, tmp_path / "toy"))

@@ -1,0 +1,21 @@
+"""Calling the command line from tests."""
+
+import pytest
+
+from neurosym.cli import main
+
+
+def neurosym(*arguments: object) -> int:
+    """Run a command and return its exit code."""
+    with pytest.raises(SystemExit) as ended:
+        main([str(argument) for argument in arguments])
+    return int(ended.value.code or 0)
+
+
+def refusal(capsys, *arguments: object) -> str:
+    """The one sentence that a command refuses bad input with."""
+    assert neurosym(*arguments) == 2
+    captured = capsys.readouterr()
+    assert "Traceback" not in captured.err
+    assert len(captured.err.strip().splitlines()) == 1
+    return str(captured.err)

@@ -1,0 +1,194 @@
+"""The command line refuses bad input in one sentence, with exit code 2, and writes nothing."""
+
+import json
+
+import pytest
+from command_line import neurosym, refusal
+from conftest import LEARN_TOY
+
+from neurosym.pddl.grounding import Grounding, is_lift
+from neurosym.planners import PlanStatus
+from neurosym.planners.fast_downward import plan_fast_downward
+
+
+def test_missing_folder_is_refused(tmp_path, capsys):
+    assert f"no folder {tmp_path / 'nowhere'}" in refusal(capsys, "explore", tmp_path / "nowhere")
+
+
+@pytest.mark.parametrize(
+    ("command", "missing", "writer"),
+    [
+        ("explore", "world.toml", "init"),
+        ("train", "interactions.npz", "explore"),
+        ("distill", "effect_model.safetensors", "train"),
+        ("compile-domain", "primitives.json", "distill"),
+        ("new-problem", "grounding.json", "compile-domain"),
+    ],
+)
+def test_stage_before_the_one_it_needs_is_refused(folder, command, missing, writer, capsys):
+    (folder / missing).unlink()
+    said = refusal(capsys, command, folder)
+    assert missing in said
+    assert f"`neurosym {writer} {folder}` writes it" in said
+
+
+@pytest.mark.parametrize(
+    ("command", "file"),
+    [
+        ("explore", "world.toml"),
+        ("explore", "exploration.safetensors"),
+        ("train", "interactions.npz"),
+        ("distill", "effect_model.safetensors"),
+        ("compile-domain", "primitives.json"),
+        ("compile-domain", "manifest.json"),
+        ("new-problem", "grounding.json"),
+    ],
+)
+def test_corrupt_file_is_refused_by_name_and_nothing_is_written(folder, command, file, capsys):
+    (folder / file).write_bytes(b"\x00garbage")
+    before = {path: path.read_bytes() for path in folder.rglob("*") if path.is_file()}
+    options = [*LEARN_TOY, "--steps", 2048, "--seed", 3] if command == "explore" else []
+    assert file in refusal(capsys, command, folder, *options)
+    assert {path: path.read_bytes() for path in folder.rglob("*") if path.is_file()} == before
+
+
+@pytest.mark.parametrize("file", ["problems/task-01.scene.json", "grounding.json"])
+def test_foreign_json_is_refused(folder, file, capsys):
+    (folder / file).write_text('{"format": "something-else"}')
+    assert file in refusal(capsys, "plan", folder, "task-01")
+
+
+@pytest.mark.parametrize(
+    ("line", "message"),
+    [
+        ("(fly item-01)", "no operator 'fly'"),
+        ("(OPERATOR item-09)", "no object 'item-09'; valid: item-01"),
+        ("push it", "not of the form"),
+    ],
+)
+def test_plan_that_cannot_be_read_is_refused_with_its_line(folder, line, message, capsys):
+    operator = json.loads((folder / "primitives.json").read_text())["operators"][0]["name"]
+    plan = folder / "mine.plan"
+    plan.write_text(f"; a comment\n{line.replace('OPERATOR', operator)}\n")
+    said = refusal(capsys, "execute", folder, "task-01", plan)
+    assert message in said
+    assert f"{plan}, line 2" in said
+
+
+def test_missing_plan_file_is_refused(folder, capsys):
+    assert "none.plan" in refusal(capsys, "execute", folder, "task-01", folder / "none.plan")
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        (["new-problem", "--goal", "item-01=5,0"], "out of reach; valid: x 0.4 to 1"),
+        (["new-problem", "--goal", "item-01=left"], "cannot be read; write it as item-01=0.60,0.10"),
+        (["new-problem", "--goal", "item-07=0.6,0"], "item-07, which is not in the scene"),
+        (["new-problem", "--name", "Bad Name"], "'Bad Name' is not a legal name"),
+        (["new-problem", "--objects", "0"], "at least one object"),
+        (["new-problem", "--objects", "500"], "500 objects do not fit"),
+        (["plan", "task-01", "--planner", "magic"], "no planner 'magic'; valid: bfs, fast-downward"),
+        (["plan", "task-01", "--encoding", "runes"], "no encoding 'runes'; valid: operators, stepwise"),
+        (["plan", "task-99"], "no problem 'task-99'; valid: task-01, task-02"),
+        (["plan", "task-01", "--time-limit", "-1"], "time-limit"),
+        (["explore", "--strategy", "luck"], "no strategy 'luck'; valid: active, curiosity, random"),
+        (["explore", "--regime", "big"], "no regime 'big'; valid: default, paper, quick"),
+        (["explore", "--seed", "-1"], "seed = -1 must be at least 0"),
+        (["train", "--seed", "-1"], "seed = -1 must be at least 0"),
+        (["run", "--world", "toy", "--problems", "-1"], "problems = -1 must be at least 0"),
+        (["explore", "--steps", "0"], "steps = 0 must be at least 1"),
+        (
+            ["explore", *LEARN_TOY, "--seed", "3", "--steps", "2048", "--workers", "0"],
+            "workers = 0 must be at least 1",
+        ),
+        (["explore", *LEARN_TOY, "--steps", "2048", "--seed", "4"], "seed = 3, not 4"),
+        (["distill", "--objects", "0"], "objects = 0 must be at least 1"),
+        (["compile-domain", "--cell", "0"], "cell"),
+    ],
+)
+def test_impossible_request_is_refused_in_one_sentence(folder, arguments, message, capsys):
+    command, *rest = arguments
+    assert message in refusal(capsys, command, folder, *rest)
+
+
+def test_fewer_steps_do_not_throw_interactions_away(folder, capsys):
+    before = (folder / "interactions.npz").read_bytes()
+    said = refusal(capsys, "explore", folder, *LEARN_TOY, "--seed", "3", "--steps", "600")
+    assert "holds 1024 interactions already, more than 600" in said
+    assert (folder / "interactions.npz").read_bytes() == before
+
+
+@pytest.mark.parametrize("wrong", [["--strategy", "luck"], ["--regime", "big"], ["--rehearsals", "0"]])
+def test_run_checks_what_was_typed_before_it_makes_a_folder(tmp_path, wrong, capsys):
+    assert wrong[1] in refusal(capsys, "run", tmp_path / "new", *wrong)
+    assert not (tmp_path / "new").exists()
+
+
+def test_run_refuses_another_world_than_the_folders(folder, capsys):
+    assert "of the world 'toy', not 'tabletop'" in refusal(capsys, "run", folder, "--world", "tabletop")
+
+
+def test_compiling_on_another_grid_prints_the_problems_again(folder):
+    assert neurosym("compile-domain", folder, "--cell", "0.02") == 0
+    domain, problem = folder / "domain.pddl", folder / "problems/task-01.pddl"
+    answer = plan_fast_downward(domain, problem, time_limit=30.0)
+    assert answer.status in (PlanStatus.SOLVED, PlanStatus.UNSOLVABLE)
+
+
+def test_two_goals_for_one_object_are_refused(folder, capsys):
+    goals = ("--goal", "item-01=0.6,0.1", "--goal", "item-01=0.7,0.1")
+    assert "item-01=0.7,0.1; give each object one" in refusal(capsys, "new-problem", folder, *goals)
+
+
+def test_each_object_can_have_its_goal(folder):
+    goals = ("--goal", "item-01=0.6,0.1", "--goal", "item-02=0.7,-0.1")
+    assert neurosym("new-problem", folder, "--name", "both", "--objects", 2, *goals) == 0
+    scene = json.loads((folder / "problems/both.scene.json").read_text())
+    assert set(scene["goals"]) == {"item-01", "item-02"}
+
+
+def test_damaged_manifest_is_refused_before_anything_is_written(folder, capsys):
+    (folder / "manifest.json").write_text("{")
+    before = {path: path.read_bytes() for path in folder.rglob("*") if path.is_file()}
+    assert "manifest.json" in refusal(capsys, "plan", folder, "task-01")
+    assert {path: path.read_bytes() for path in folder.rglob("*") if path.is_file()} == before
+
+
+def test_plan_that_the_hand_cannot_follow_is_refused(folder, capsys):
+    learned = Grounding.load(folder / "grounding.json")
+    category = json.loads((folder / "problems/task-01.scene.json").read_text())["objects"][0]["category"]
+    lift = next(op.name for op in learned.operators.operators if op.category == category and is_lift(op))
+    plan = folder / "mine.plan"
+    plan.write_text(f"({lift} item-01)\n({lift} item-01)\n")
+    assert "step 2" in refusal(capsys, "execute", folder, "task-01", plan)
+    plan.write_text(f"(put-down-{lift} item-01)\n")
+    assert "step 1" in refusal(capsys, "execute", folder, "task-01", plan)
+
+
+def test_problem_without_its_scene_is_refused(folder, capsys):
+    (folder / "problems/task-01.scene.json").unlink()
+    said = refusal(capsys, "plan", folder, "task-01")
+    assert f"`neurosym new-problem {folder} --name task-01` writes it" in said
+
+
+def test_picture_that_cannot_be_written_is_refused(folder, capsys):
+    (folder / "empty.plan").write_text("")
+    for target in (folder, folder / "nowhere" / "x.gif"):
+        said = refusal(capsys, "execute", folder, "task-01", folder / "empty.plan", "--gif", target)
+        assert f"No picture can be written to {target}" in said
+
+
+def test_folder_that_cannot_be_made_is_refused(folder, capsys):
+    assert "Not a directory" in refusal(capsys, "init", folder / "world.toml" / "below")
+
+
+def test_init_refuses_an_unknown_world_and_leaves_no_folder(tmp_path, capsys):
+    said = refusal(capsys, "init", tmp_path / "new", "--world", "moon")
+    assert "no world 'moon'; valid: tabletop, toy" in said
+    assert not (tmp_path / "new").exists()
+
+
+def test_init_does_not_overwrite(tmp_path, capsys):
+    assert neurosym("init", tmp_path) == 0
+    assert "exists already" in refusal(capsys, "init", tmp_path)
