@@ -23,7 +23,7 @@ from jaxtyping import Float
 from PIL import Image, ImageDraw
 
 from neurosym.errors import InvalidValue
-from neurosym.world import ActionBox, Frame, FrameSink, Outcome, Scene, Table, check_action
+from neurosym.world import Frame, FrameSink, Outcome, Scene, Table, check_action, three_waypoints
 
 OPEN = 0.5
 WIDEST_GRASP = 0.08
@@ -33,7 +33,6 @@ PUSH_LENGTH = 0.08
 TABLE = Table(x=(0.4, 1.0), y=(-0.3, 0.3))
 PICTURE = (640, 480)
 FRAMES = 8
-_WAYPOINT_REACH = ((0.05, 0.05, 0.025), (0.05, 0.05, 0.025), (0.05, 0.05, 0.05))
 _ATTEMPTS = 1000
 
 
@@ -82,12 +81,7 @@ class ToyWorld:
 
     def __init__(self, config: ToyConfig):
         self.config = config
-        reach = np.array(_WAYPOINT_REACH)  # (3, 3)
-        self.action_box = ActionBox(
-            low=np.column_stack([-reach, np.zeros(3)]).ravel(),
-            high=np.column_stack([reach, np.ones(3)]).ravel(),
-            gripper=np.tile([False, False, False, True], 3),
-        )
+        self.action_box = three_waypoints()
 
     @property
     def table(self) -> Table:

@@ -109,6 +109,16 @@ class ActionBox:
         return bool(np.all(action >= self.low) and np.all(action <= self.high))
 
 
+def three_waypoints() -> ActionBox:
+    """Return the paper's action box (eq. 1): three waypoints (x, y, z, g) around the target's centre.
+
+    x and y lie within 5 cm of it, z within 2.5, 2.5 and 5 cm, and g between 0 and 1.
+    """
+    reach = np.array([0.05, 0.05, 0.025, 0.0] * 2 + [0.05, 0.05, 0.05, 0.0])
+    gripper = np.array([False, False, False, True] * 3)
+    return ActionBox(low=np.where(gripper, 0.0, -reach), high=np.where(gripper, 1.0, reach), gripper=gripper)
+
+
 @dataclass(frozen=True, slots=True)
 class Table:
     """The part of the table that objects must stay on: `x` and `y` are (least, greatest) coordinates [m]."""

@@ -10,7 +10,7 @@ from neurosym.errors import InvalidValue
 from neurosym.sim.config import TabletopConfig
 from neurosym.sim.interaction import Interaction
 from neurosym.sim.shapes import FEATURE_NAMES
-from neurosym.world import ActionBox, FrameSink, Outcome, Scene, Table, check_action
+from neurosym.world import ActionBox, FrameSink, Outcome, Scene, Table, check_action, three_waypoints
 
 
 @dataclass(slots=True, eq=False)
@@ -27,12 +27,8 @@ class Tabletop:
 
     @property
     def action_box(self) -> ActionBox:
-        """Three waypoints (x, y, z, g): x, y within 5 cm of the target's centre, z within 2.5, 2.5, 5 cm."""
-        reach = np.array([0.05, 0.05, 0.025, 0.0] * 2 + [0.05, 0.05, 0.05, 0.0])
-        gripper = np.array([False, False, False, True] * 3)
-        return ActionBox(
-            low=np.where(gripper, 0.0, -reach), high=np.where(gripper, 1.0, reach), gripper=gripper
-        )
+        """Three waypoints, relative to the target's centre."""
+        return three_waypoints()
 
     @property
     def table(self) -> Table:
