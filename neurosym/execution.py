@@ -35,6 +35,7 @@ class StepRecord(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
         deviation: Distance between the two displacements [m].
         as_promised: Whether it ended so, within the tolerance.
         positions: Centre of every object after the step [m], by name.
+        touched: Names of the other objects that the robot itself touched.
     """
 
     operator: str
@@ -46,6 +47,7 @@ class StepRecord(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     deviation: float | None
     as_promised: bool
     positions: dict[str, Vector]
+    touched: tuple[str, ...] = ()
 
 
 class Run(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
@@ -131,7 +133,14 @@ def _perform(
     ends_held = is_last and is_lift(operator)
     target = problem.object_names.index(step.object)
     try:
-        return world.interact(scene, action, target, put_down=not ends_held, on_frame=on_frame)
+        return world.interact(
+            scene,
+            action,
+            target,
+            put_down=not ends_held,
+            on_frame=on_frame,
+            ghosts=problem.goal_positions(),
+        )
     except InvalidValue:  # the object has been moved out of the arm's reach
         return None
 
@@ -152,6 +161,7 @@ def _record(step: PlanStep, problem: Problem, grounding: Grounding, outcome: Out
         deviation=deviation,
         as_promised=kept and deviation is not None and deviation <= TOLERANCE,
         positions=_named(problem, outcome.end),
+        touched=tuple(problem.object_names[index] for index in outcome.touched),
     )
 
 

@@ -170,7 +170,7 @@ class Film:
         self._frames: list[Frame] = []
         self._ends: list[tuple[int, str]] = []
 
-    def add_frame(self, frame: Frame) -> None:
+    def add_frame(self, frame: Frame, phase: str) -> None:  # noqa: ARG002 (a `FrameSink`)
         """Keep a picture."""
         self._frames.append(frame)
 

@@ -86,6 +86,11 @@ class Problem(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
             orientations=np.array([item.orientation for item in self.objects], dtype=float),
         )
 
+    def goal_positions(self) -> Float[np.ndarray, "M 3"]:
+        """Return where each object shall come to be [m], NaN for an object without a goal."""
+        nowhere = (math.nan, math.nan, math.nan)
+        return np.array([self.goals.get(name, nowhere) for name in self.object_names], dtype=float)
+
     def distances(self, positions: Float[np.ndarray, "M 3"]) -> dict[str, float]:
         """Measure how far each object with a goal is from it [m].
 

@@ -32,6 +32,7 @@ LEAST_TRAVEL = 0.02
 PUSH_LENGTH = 0.08
 TABLE = Table(x=(0.4, 1.0), y=(-0.3, 0.3))
 PICTURE = (640, 480)
+COLOURS = ((214, 96, 58), (88, 122, 158), (92, 150, 92), (148, 108, 180))
 FRAMES = 8
 _ATTEMPTS = 1000
 
@@ -139,6 +140,7 @@ class ToyWorld:
         *,
         put_down: bool = True,
         on_frame: FrameSink | None = None,
+        ghosts: Float[np.ndarray, "M 3"] | None = None,
     ) -> Outcome:
         """Perform one action on one object by the rules at the head of this file.
 
@@ -148,6 +150,7 @@ class ToyWorld:
             target: Index of the object acted upon.
             put_down: Whether to put down an object that is held.
             on_frame: Called with pictures from above, if given.
+            ghosts: Centres at which pictures show the objects once more, in outline [m].
 
         Raises:
             InvalidValue: If the action has another shape, is not finite, or the target does not exist.
@@ -160,8 +163,8 @@ class ToyWorld:
         end = scene if held and put_down else lifted
         if on_frame is not None:
             for share in np.linspace(0, 1, FRAMES):
-                on_frame(self.draw(_moved(scene, target, share * shift), target))
-            on_frame(self.draw(end, target))
+                on_frame(self.picture(_moved(scene, target, share * shift), ghosts), "motion")
+            on_frame(self.picture(end, ghosts), "end")
         lost = not self.table.contains(end.positions[target])
         return Outcome(
             start=scene,
@@ -174,12 +177,12 @@ class ToyWorld:
             peak_height=float(shift[2]),
         )
 
-    def draw(self, scene: Scene, target: int) -> Frame:
+    def picture(self, scene: Scene, ghosts: Float[np.ndarray, "M 3"] | None = None) -> Frame:
         """Draw a scene from above: forward (+x) is up, left (+y) left; what is in the air casts a shadow.
 
         Args:
             scene: The objects.
-            target: The object that is drawn in another colour.
+            ghosts: Centres at which the objects are shown once more, in outline [m]; NaN for none.
         """
         picture = Image.new("RGB", PICTURE, (205, 205, 200))
         canvas = ImageDraw.Draw(picture)
@@ -187,13 +190,18 @@ class ToyWorld:
             self._box((self.table.x, self.table.y)), fill=(245, 240, 228), outline=(120, 110, 90)
         )
         for index, (size, centre) in enumerate(zip(scene.features, scene.positions, strict=True)):
-            colour = (214, 96, 58) if index == target else (88, 122, 158)
             height = max(0.0, float(centre[2] - size[2] / 2))
             canvas.rectangle(self._box(_spans(centre, size, 0.0)), fill=(200, 192, 175))
+            colour = COLOURS[index % len(COLOURS)]
             canvas.rectangle(self._box(_spans(centre, size, height)), fill=colour, outline=(40, 40, 40))
             if size[3] >= 0.5:
                 hollow = _spans(centre, 0.7 * size, height)
                 canvas.rectangle(self._box(hollow), fill=(250, 250, 250), outline=(40, 40, 40))
+        for index, centre in enumerate([] if ghosts is None else ghosts):
+            if np.all(np.isfinite(centre)):
+                size = scene.features[index]
+                outline = self._box(_spans(centre, size, max(0.0, float(centre[2] - size[2] / 2))))
+                canvas.rectangle(outline, outline=COLOURS[index % len(COLOURS)], width=3)
         return np.array(picture)
 
     def _box(self, spans: tuple[tuple[float, float], tuple[float, float]]) -> tuple[float, ...]:

@@ -16,7 +16,8 @@ from neurosym.errors import InvalidValue
 
 OutcomeKind = Literal["resting", "held", "toppled", "lost"]
 Frame = UInt8[np.ndarray, "height width 3"]
-FrameSink = Callable[[Frame], None]
+FrameSink = Callable[[Frame, str], None]
+"""Takes a picture of the motion and the name of the phase it belongs to (`waypoint 1`, `rise`, ...)."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -50,6 +51,7 @@ class Outcome:
         toppled: Whether the target ended lying on another face than it started on.
         lost: Whether the target ended off the table.
         peak_height: Greatest height of the target's centre above its start on the way [m].
+        touched: Indices of the bystanders that the robot itself touched.
     """
 
     start: Scene
@@ -60,6 +62,7 @@ class Outcome:
     toppled: bool
     lost: bool
     peak_height: float
+    touched: tuple[int, ...] = ()
 
     @property
     def kind(self) -> OutcomeKind:
@@ -79,6 +82,11 @@ class Outcome:
     def resting_effect(self) -> Float[np.ndarray, "3"]:
         """Displacement of the target once everything is put down [m]."""
         return np.asarray(self.end.positions[self.target] - self.start.positions[self.target])
+
+    @property
+    def displacements(self) -> Float[np.ndarray, "M 3"]:
+        """Displacement of every object from the start to the end [m], bystanders included."""
+        return np.asarray(self.end.positions - self.start.positions)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -188,6 +196,7 @@ class World(Protocol):
         *,
         put_down: bool = True,
         on_frame: FrameSink | None = None,
+        ghosts: Float[np.ndarray, "M 3"] | None = None,
     ) -> Outcome:
         """Perform one action on one object, from empty hand to empty hand.
 
@@ -198,9 +207,25 @@ class World(Protocol):
             put_down: Whether to lower and release an object that is held after the rise; without it the
                 outcome ends in mid-air.
             on_frame: Called with pictures of the motion as it happens, if given.
+            ghosts: Centres at which pictures show the objects once more, transparently, as at their
+                goals [m]; NaN for an object without one.
 
         Raises:
             InvalidValue: If the action has another shape, is not finite, or the target does not exist.
+        """
+        ...
+
+
+@runtime_checkable
+class Pictured(Protocol):
+    """A world that can also show a scene without acting in it."""
+
+    def picture(self, scene: Scene, ghosts: Float[np.ndarray, "M 3"] | None = None) -> Frame:
+        """Draw a scene.
+
+        Args:
+            scene: The objects.
+            ghosts: Centres at which the objects are shown once more, transparently [m]; see `interact`.
         """
         ...
 

@@ -150,7 +150,7 @@ def test_impossible_requests_are_refused_in_one_sentence(action, target, message
 
 
 @pytest.mark.parametrize(
-    "options", [{"size": (0.2, 0.1)}, {"mass": -1.0}, {"wall": 0.05}, {"hollow_share": 2.0}]
+    "options", [{"size": (0.2, 0.1)}, {"mass": -1.0}, {"wall": 0.05}, {"shapes": {"box": -1.0}}]
 )
 def test_impossible_configuration_is_refused(options):
     with pytest.raises(InvalidValue):
@@ -160,7 +160,7 @@ def test_impossible_configuration_is_refused(options):
 def test_pictures_show_the_motion():
     frames = []
     Tabletop(TabletopConfig(frame_every=60)).interact(
-        one_box(0.05, 0.05, 0.05, 0), np.array(LIFT), 0, on_frame=frames.append
+        one_box(0.05, 0.05, 0.05, 0), np.array(LIFT), 0, on_frame=lambda frame, phase: frames.append(frame)
     )
     assert len(frames) > 3
     assert frames[0].shape == (480, 640, 3)

@@ -2,9 +2,10 @@
 
 import numpy as np
 import pybullet
+from jaxtyping import Float
 
-from neurosym.sim.config import TabletopConfig
-from neurosym.world import Frame, Scene
+from neurosym.sim.simulation import Simulation
+from neurosym.world import Frame
 
 WIDTH, HEIGHT = 640, 480
 OBJECT_COLOURS = (
@@ -21,13 +22,13 @@ class Camera:
     """A camera that looks down at the table from the robot's left.
 
     Args:
-        client: The physics client.
-        config: The world, whose table fills the picture.
-        scene: The objects, coloured by their number; their bodies come after the table's.
+        simulation: The scene, whose objects are coloured by their number.
+        ghosts: Centres at which the objects are shown once more, transparently [m].
     """
 
-    def __init__(self, client: int, config: TabletopConfig, scene: Scene):
-        self._client = client
+    def __init__(self, simulation: Simulation, ghosts: Float[np.ndarray, "M 3"] | None = None):
+        self._client = client = simulation.client
+        config = simulation.config
         centre = (sum(config.table_x) / 2, sum(config.table_y) / 2, 0.05)
         self._view = pybullet.computeViewMatrixFromYawPitchRoll(
             cameraTargetPosition=centre, distance=0.95, yaw=50, pitch=-35, roll=0, upAxisIndex=2
@@ -35,10 +36,17 @@ class Camera:
         self._projection = pybullet.computeProjectionMatrixFOV(
             fov=45, aspect=WIDTH / HEIGHT, nearVal=0.05, farVal=5
         )
-        pybullet.changeVisualShape(0, -1, rgbaColor=TABLE_COLOUR, physicsClientId=client)
-        for index in range(len(scene)):
+        pybullet.changeVisualShape(simulation.table, -1, rgbaColor=TABLE_COLOUR, physicsClientId=client)
+        for index, body in enumerate(simulation.bodies):
             colour = OBJECT_COLOURS[index % len(OBJECT_COLOURS)]
-            pybullet.changeVisualShape(index + 1, -1, rgbaColor=colour, physicsClientId=client)
+            pybullet.changeVisualShape(body, -1, rgbaColor=colour, physicsClientId=client)
+
+    def mark(self, waypoints: Float[np.ndarray, "3 3"]) -> None:
+        """Show the waypoints of an action as dots in the pictures to come.
+
+        Args:
+            waypoints: In the world [m].
+        """
 
     def picture(self) -> Frame:
         """Render what the camera sees now."""

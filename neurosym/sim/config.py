@@ -1,9 +1,13 @@
 """What the tabletop world is made of."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
-from neurosym.errors import InvalidValue
+from neurosym.errors import InvalidValue, UnknownChoice
+from neurosym.sim.shapes import SHAPES
 from neurosym.world import Table
+
+MOST_OBJECTS = 8
+"""Objects that one scene can be simulated with; larger problems are symbolic only."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -17,8 +21,8 @@ class TabletopConfig:
         spawn_gap: Objects start at least this far apart [m].
         size: Least and greatest s_x and s_y [m].
         height: Least and greatest d [m].
-        hollow_share: Probability that an object is hollow.
-        wall: Thickness of a hollow object's walls and floor [m].
+        shapes: How often an object is of each shape, relative to the others; see `shapes.SHAPES`.
+        wall: Thickness of the walls and floors of open objects [m].
         mass: Mass of every object [kg].
         friction: Lateral friction of objects; the table's is 0.6, a finger's 1.2, and the products count.
         lift_height: How far the hand rises after the last waypoint [m].
@@ -32,7 +36,7 @@ class TabletopConfig:
     spawn_gap: float = 0.04
     size: tuple[float, float] = (0.03, 0.18)
     height: tuple[float, float] = (0.02, 0.10)
-    hollow_share: float = 0.5
+    shapes: dict[str, float] = field(default_factory=lambda: dict.fromkeys(SHAPES, 1.0))
     wall: float = 0.006
     mass: float = 0.1
     friction: float = 0.8
@@ -41,17 +45,44 @@ class TabletopConfig:
     frame_every: int = 12
 
     def __post_init__(self) -> None:
+        self._check_ranges()
+        self._check_shapes()
+        for name in ("wall", "mass", "friction", "lift_height", "time_step", "frame_every"):
+            if not getattr(self, name) > 0:
+                raise InvalidValue(f"{name} = {getattr(self, name)} must be greater than 0.")
+        if not self.time_step <= 1 / 120:
+            raise InvalidValue(f"time_step = {self.time_step} s must be at most 1/120 s = {1 / 120:.6f}.")
+        if not (self.size[0] > 2 * self.wall and self.height[0] > self.wall):
+            raise InvalidValue(f"wall = {self.wall} leaves no room inside the smallest object.")
+
+    def _check_ranges(self) -> None:
         for name in ("size", "height", "table_x", "table_y"):
             least, greatest = getattr(self, name)
             if not least < greatest:
                 raise InvalidValue(f"{name} = [{least}, {greatest}] is empty; put the smaller number first.")
-        for name in ("spawn_gap", "wall", "mass", "friction", "lift_height", "time_step", "frame_every"):
-            if not getattr(self, name) > 0:
-                raise InvalidValue(f"{name} = {getattr(self, name)} must be greater than 0.")
-        if not (self.size[0] > 2 * self.wall and self.height[0] > self.wall):
-            raise InvalidValue(f"wall = {self.wall} leaves no room inside the smallest object.")
-        if not 0 <= self.hollow_share <= 1:
-            raise InvalidValue(f"hollow_share = {self.hollow_share} must lie between 0 and 1.")
+        for name in ("size", "height"):
+            if not getattr(self, name)[0] > 0:
+                raise InvalidValue(f"{name} = {list(getattr(self, name))} must be greater than 0 throughout.")
+        for name in ("spawn_margin", "spawn_gap"):
+            if not getattr(self, name) >= 0:
+                raise InvalidValue(f"{name} = {getattr(self, name)} must not be negative.")
+        for name in ("table_x", "table_y"):
+            least, greatest = getattr(self, name)
+            needed = max(self.size[1], 2 * self.spawn_margin)
+            if greatest - least < needed:
+                raise InvalidValue(
+                    f"{name} = [{least}, {greatest}] is shorter than the {needed} m that objects of size "
+                    f"{self.size[1]} m and spawn_margin {self.spawn_margin} m need; lengths are in metres."
+                )
+
+    def _check_shapes(self) -> None:
+        for name, share in self.shapes.items():
+            if name not in SHAPES:
+                raise UnknownChoice("shape", name, SHAPES)
+            if not share >= 0:
+                raise InvalidValue(f"shapes.{name} = {share} must not be negative.")
+        if not sum(self.shapes.values()) > 0:
+            raise InvalidValue(f"shapes must give one of {', '.join(SHAPES)} a share greater than 0.")
 
     @property
     def table(self) -> Table:

@@ -11,18 +11,10 @@ import numpy as np
 import pybullet
 from jaxtyping import Float
 
+from neurosym.sim.arm import Arm
 from neurosym.sim.camera import Camera
-from neurosym.sim.config import TabletopConfig
-from neurosym.sim.robot import (
-    FINGER_HALF_WIDTH,
-    FINGER_LENGTH,
-    FINGER_THICKNESS,
-    HALF_OPENING,
-    LOWEST_TOOL_POINT,
-    PALM_HALF_SIZE,
-    Robot,
-)
-from neurosym.sim.shapes import boxes_of
+from neurosym.sim.robot import LOWEST_TOOL_POINT, Robot
+from neurosym.sim.simulation import Simulation
 from neurosym.world import FrameSink, Outcome, Scene
 
 CLEARANCE = 0.005
@@ -33,39 +25,39 @@ LOWERING_SPEED = 0.25
 """Greatest speed of a held object on its way down [m/s]."""
 TOPPLED_COSINE = math.cos(math.radians(30))
 """An object has toppled when its up axis has turned by more than 30 degrees."""
-REST_SPEED = 2e-3
-"""Objects count as at rest below this speed [m/s]."""
-REST_TIME, SETTLE_LIMIT = 0.05, 2.0
-TABLE_FRICTION = 0.6
-_WATCH_EVERY = 8
+PARKING_HEIGHT = 0.35
+_WATCH_EVERY, _TOUCH_EVERY = 8, 4
 
 
 class Interaction:
-    """A fresh simulation of one scene, and the steps of the protocol on it.
+    """The steps of the protocol, in a simulation of their own.
 
     Args:
-        client: The physics client; everything in it is replaced.
-        config: What the world is made of.
-        scene: The objects, at rest.
+        simulation: The scene, at rest.
+        arm: The arm that acts in it.
         target: Index of the object acted upon.
         on_frame: Called with pictures of the motion, if given.
+        ghosts: Centres at which pictures show the objects once more [m].
     """
 
     def __init__(
-        self, client: int, config: TabletopConfig, scene: Scene, target: int, on_frame: FrameSink | None
+        self,
+        simulation: Simulation,
+        arm: Arm,
+        target: int,
+        on_frame: FrameSink | None = None,
+        ghosts: Float[np.ndarray, "M 3"] | None = None,
     ):
-        self._client = client
-        self._config = config
-        self._features = scene.features
+        self._simulation = simulation
+        self._arm = arm
         self._target = target
-        self._on_frame = on_frame
-        self._ticks = 0
+        self._phase = "start"
         self._peak = -math.inf
-        self._reset_simulation()
-        self._table = self._make_table()
-        self._bodies = [self._make_object(scene, index) for index in range(len(scene))]
-        self._robot = Robot(client, config.time_step, self._step)
-        self._camera = Camera(client, config, scene) if on_frame else None
+        self._touched: set[int] = set()
+        self._robot = Robot(simulation, arm, visible=on_frame is not None)
+        self._on_frame = on_frame
+        self._camera = Camera(simulation, ghosts) if on_frame else None
+        simulation.after_step = self._watch
 
     def perform(self, action: Float[np.ndarray, "A"], put_down: bool) -> Outcome:
         """Run the protocol with these action parameters.
@@ -76,147 +68,81 @@ class Interaction:
         """
         waypoints = action.reshape(3, 4)
         self._park_robot()
-        self._settle()
-        start = self._observe()
-        self._peak = start.positions[self._target][2]
+        self._simulation.settle()
+        start = self._simulation.observe()
         centre = start.positions[self._target]
+        self._peak = float(centre[2])
+        if self._camera:
+            self._camera.mark(centre + waypoints[:, :3])
         self._approach(centre + waypoints[0, :3], bool(waypoints[0, 3] >= 0.5))
-        for waypoint in waypoints:
+        for number, waypoint in enumerate(waypoints, 1):
+            self._phase = f"waypoint {number}"
             self._set_gripper(bool(waypoint[3] >= 0.5))
             self._robot.move_to(centre + waypoint[:3])
+        self._phase = "rise"
         self._rise()
-        self._settle()
-        lifted = self._observe()
+        self._simulation.settle()
+        lifted = self._simulation.observe()
         held = self._is_held()
         if held and put_down:
+            self._phase = "put down"
             self._put_down()
-        end = self._observe() if held and put_down else lifted
+        end = self._simulation.observe() if held and put_down else lifted
         return Outcome(
             start=start,
             lifted=lifted,
             end=end,
             target=self._target,
             held=held,
-            toppled=self._has_toppled(start, end),
-            lost=not self._config.table.contains(end.positions[self._target]),
-            peak_height=float(self._peak - centre[2]),
+            toppled=_has_toppled(start, end, self._target),
+            lost=not self._simulation.config.table.contains(end.positions[self._target]),
+            peak_height=self._peak - float(centre[2]),
+            touched=tuple(sorted(self._touched)),
         )
 
-    def _reset_simulation(self) -> None:
-        pybullet.resetSimulation(physicsClientId=self._client)
-        pybullet.setPhysicsEngineParameter(
-            fixedTimeStep=self._config.time_step,
-            numSolverIterations=50,
-            deterministicOverlappingPairs=1,
-            physicsClientId=self._client,
-        )
-        pybullet.setGravity(0, 0, -9.81, physicsClientId=self._client)
-
-    def _make_table(self) -> int:
-        c = self._config
-        half = (np.ptp(c.table_x) / 2 + 0.25, np.ptp(c.table_y) / 2 + 0.25, 0.02)
-        shape = pybullet.createCollisionShape(
-            pybullet.GEOM_BOX, halfExtents=half, physicsClientId=self._client
-        )
-        centre = (sum(c.table_x) / 2, sum(c.table_y) / 2, -0.02)
-        table = pybullet.createMultiBody(0, shape, -1, centre, physicsClientId=self._client)
-        pybullet.changeDynamics(table, -1, lateralFriction=TABLE_FRICTION, physicsClientId=self._client)
-        return int(table)
-
-    def _make_object(self, scene: Scene, index: int) -> int:
-        boxes = boxes_of(scene.features[index], self._config.wall)
-        shape = pybullet.createCollisionShapeArray(
-            shapeTypes=[pybullet.GEOM_BOX] * len(boxes),
-            halfExtents=[list(half) for half, _ in boxes],
-            collisionFramePositions=[list(centre) for _, centre in boxes],
-            physicsClientId=self._client,
-        )
-        body = pybullet.createMultiBody(
-            self._config.mass,
-            shape,
-            -1,
-            scene.positions[index].tolist(),
-            scene.orientations[index].tolist(),
-            physicsClientId=self._client,
-        )
-        pybullet.changeDynamics(
-            body,
-            -1,
-            lateralFriction=self._config.friction,
-            spinningFriction=0.002,
-            rollingFriction=0.0,
-            physicsClientId=self._client,
-        )
-        return int(body)
-
-    def _step(self) -> None:
-        pybullet.stepSimulation(physicsClientId=self._client)
-        self._ticks += 1
-        if self._ticks % _WATCH_EVERY == 0:
-            self._peak = max(self._peak, self._position(self._target)[2])
-        if self._camera and self._on_frame and self._ticks % self._config.frame_every == 0:
-            self._on_frame(self._camera.picture())
-
-    def _position(self, index: int) -> tuple[float, float, float]:
-        position, _ = pybullet.getBasePositionAndOrientation(
-            self._bodies[index], physicsClientId=self._client
-        )
-        return position  # type: ignore[no-any-return]
-
-    def _observe(self) -> Scene:
-        poses = [
-            pybullet.getBasePositionAndOrientation(body, physicsClientId=self._client)
-            for body in self._bodies
-        ]
-        return Scene(
-            features=self._features,
-            positions=np.array([position for position, _ in poses]),
-            orientations=np.array([orientation for _, orientation in poses]),
-        )
-
-    def _settle(self) -> None:
-        """Step until every object has been at rest for a while."""
-        quiet = 0.0
-        for _ in range(int(SETTLE_LIMIT / self._config.time_step)):
-            self._step()
-            quiet = quiet + self._config.time_step if self._is_quiet() else 0.0
-            if quiet >= REST_TIME:
-                return
-
-    def _is_quiet(self) -> bool:
-        for body in self._bodies:
-            linear, angular = pybullet.getBaseVelocity(body, physicsClientId=self._client)
-            if max(map(abs, linear)) > REST_SPEED or max(map(abs, angular)) > 10 * REST_SPEED:
-                return False
-        return True
+    def _watch(self) -> None:
+        """Look at the peak, at bystanders and through the camera, each now and then."""
+        ticks, simulation = self._simulation.ticks, self._simulation
+        if ticks % _WATCH_EVERY == 0:
+            self._peak = max(self._peak, simulation.height_of(self._target))
+        if len(simulation.bodies) > 1 and ticks % _TOUCH_EVERY == 0:
+            bodies = simulation.touched_by(self._robot.body)
+            self._touched |= {
+                index
+                for index, body in enumerate(simulation.bodies)
+                if body in bodies and index != self._target
+            }
+        if self._camera and self._on_frame and ticks % simulation.config.frame_every == 0:
+            self._on_frame(self._camera.picture(), self._phase)
 
     def _park_robot(self) -> None:
         """Put the hand high above the table's middle, out of every object's way."""
-        c = self._config
-        point = np.array([sum(c.table_x) / 2, sum(c.table_y) / 2, 0.35])
-        self._robot.place_at(point, HALF_OPENING)
+        c = self._simulation.config
+        point = np.array([sum(c.table_x) / 2, sum(c.table_y) / 2, PARKING_HEIGHT])
+        self._robot.place_at(point, self._arm.half_opening)
 
     def _approach(self, point: Float[np.ndarray, "3"], is_open: bool) -> None:
         """Put the hand above the first waypoint, just clear of every object.
 
         From there the first motion leads straight down, as a hand coming from above would.
         """
-        half_opening = HALF_OPENING if is_open else 0.0
+        half_opening = self._arm.half_opening if is_open else 0.0
         height = max(float(point[2]), LOWEST_TOOL_POINT, self._clear_height(point, half_opening))
         self._robot.place_at(np.array([point[0], point[1], height]), half_opening)
 
     def _clear_height(self, point: Float[np.ndarray, "3"], half_opening: float) -> float:
         """Return the least height of the tool point at which no part of the hand touches an object [m]."""
-        offset = half_opening + FINGER_THICKNESS / 2
-        finger = (FINGER_HALF_WIDTH, FINGER_THICKNESS / 2)
+        arm = self._arm
+        offset = half_opening + arm.finger_thickness / 2
+        finger = (arm.finger_half_width, arm.finger_thickness / 2)
         parts = (
             (point[1] + offset, finger, 0.0),
             (point[1] - offset, finger, 0.0),
-            (point[1], PALM_HALF_SIZE, FINGER_LENGTH),
+            (point[1], arm.palm_half_size, arm.finger_length),
         )
         heights = [0.0]
-        for body in self._bodies:
-            low, high = pybullet.getAABB(body, physicsClientId=self._client)
+        for body in self._simulation.bodies:
+            low, high = pybullet.getAABB(body, physicsClientId=self._simulation.client)
             for y, (half_x, half_y), above_tool_point in parts:
                 if (
                     low[0] - half_x < point[0] + CLEARANCE
@@ -232,32 +158,30 @@ class Interaction:
             self._robot.open() if is_open else self._robot.close()
 
     def _rise(self) -> None:
-        self._robot.move_to(self._robot.tool_point() + np.array([0.0, 0.0, self._config.lift_height]))
+        lift = np.array([0.0, 0.0, self._simulation.config.lift_height])
+        self._robot.move_to(self._robot.tool_point() + lift)
 
     def _is_held(self) -> bool:
-        body = self._bodies[self._target]
-        others = [self._table, *(other for other in self._bodies if other != body)]
-        return self._touches(self._robot.body) and not any(self._touches(other) for other in others)
-
-    def _touches(self, other: int) -> bool:
-        contacts = pybullet.getContactPoints(self._bodies[self._target], other, physicsClientId=self._client)
-        return bool(contacts)
+        body = self._simulation.bodies[self._target]
+        return self._simulation.touched_by(body) == {self._robot.body}
 
     def _put_down(self) -> None:
         """Lower the object until it stands on something, let go, and draw the hand back."""
         above = self._robot.tool_point()
+        body = self._simulation.bodies[self._target]
         self._robot.move_to(
             np.array([above[0], above[1], 0.0]),
             peak_speed=LOWERING_SPEED,
-            until=lambda: self._touches(self._table),
+            until=lambda: self._simulation.touch(body, self._simulation.table),
         )
         self._robot.open(self._robot.half_opening() + RELEASE_OPENING)
         self._rise()
-        self._settle()
+        self._simulation.settle()
 
-    def _has_toppled(self, start: Scene, end: Scene) -> bool:
-        before, after = _up(start.orientations[self._target]), _up(end.orientations[self._target])
-        return bool(before @ after < TOPPLED_COSINE)
+
+def _has_toppled(start: Scene, end: Scene, target: int) -> bool:
+    before, after = _up(start.orientations[target]), _up(end.orientations[target])
+    return bool(before @ after < TOPPLED_COSINE)
 
 
 def _up(quaternion: Float[np.ndarray, "4"]) -> Float[np.ndarray, "3"]:

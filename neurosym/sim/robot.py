@@ -1,25 +1,14 @@
 """The arm and its hand: straight motions that stop at resistance, and fingers that feel their way."""
 
 from collections.abc import Callable
-from importlib.resources import files
 
 import numpy as np
 import pybullet
 from jaxtyping import Float
 
-from neurosym.sim.kinematics import BASE_HEIGHT, joints_for
+from neurosym.sim.arm import Arm
+from neurosym.sim.simulation import Simulation
 
-ARM_JOINTS = (0, 1, 2, 3, 4, 5)
-LEFT_FINGER, RIGHT_FINGER, HAND, TOOL = 7, 8, 6, 9
-HALF_OPENING = 0.07
-"""Travel of each finger [m]; the hand opens to twice this."""
-FINGER_LENGTH = 0.09
-FINGER_HALF_WIDTH, FINGER_THICKNESS = 0.011, 0.012
-PALM_HALF_SIZE = (0.025, 0.075)
-"""Half the palm's size along x and y [m]."""
-
-ARM_FORCES = (25.0, 25.0, 18.0, 6.0, 6.0, 6.0)
-"""Largest torque of each joint [Nm]: a soft arm, so that a blocked hand yields instead of crushing."""
 PEAK_SPEED = 0.45
 """Greatest speed of the hand [m/s]; faster pushes make objects coast on."""
 CLOSING_FORCE, HOLDING_FORCE = 10.0, 20.0
@@ -36,39 +25,56 @@ _CHECK_EVERY = 4
 
 
 class Robot:
-    """The UR10 and its two-finger hand in one PyBullet client.
+    """An arm and its two-finger hand in a simulation.
 
-    The robot does not advance time itself: it is given a function that steps the simulation.
+    Args:
+        simulation: Where it stands.
+        arm: Which arm.
+        visible: Whether pictures will be taken; without its looks the arm loads faster.
     """
 
-    def __init__(self, client: int, time_step: float, step: Callable[[], None]):
-        self._client = client
-        self._time_step = time_step
-        self._step = step
+    def __init__(self, simulation: Simulation, arm: Arm, *, visible: bool = False):
+        self._client = simulation.client
+        self._time_step = simulation.config.time_step
+        self._step = simulation.step
+        self._arm = arm
         self.body = pybullet.loadURDF(
-            str(files("neurosym.sim") / "ur10.urdf"),
-            [0.0, 0.0, BASE_HEIGHT],
+            arm.urdf,
+            arm.base,
             useFixedBase=True,
-            flags=pybullet.URDF_USE_INERTIA_FROM_FILE,
-            physicsClientId=client,
+            flags=pybullet.URDF_USE_INERTIA_FROM_FILE
+            | (0 if visible else pybullet.URDF_IGNORE_VISUAL_SHAPES),
+            physicsClientId=self._client,
         )
-        for finger in (LEFT_FINGER, RIGHT_FINGER):
+        self._scale_masses()
+        for finger in arm.fingers:
             pybullet.changeDynamics(
                 self.body,
                 finger,
                 lateralFriction=FINGER_FRICTION,
                 jointLowerLimit=0.0,
-                physicsClientId=client,
+                physicsClientId=self._client,
             )
         self._couple_fingers()
         self.is_open = True
 
+    def _scale_masses(self) -> None:
+        if self._arm.mass_scale == 1.0:
+            return
+        for link in range(pybullet.getNumJoints(self.body, physicsClientId=self._client)):
+            info = pybullet.getDynamicsInfo(self.body, link, physicsClientId=self._client)
+            mass, inertia = info[0] * self._arm.mass_scale, [self._arm.mass_scale * axis for axis in info[2]]
+            pybullet.changeDynamics(
+                self.body, link, mass=mass, localInertiaDiagonal=inertia, physicsClientId=self._client
+            )
+
     def _couple_fingers(self) -> None:
+        left, right = self._arm.fingers
         gear = pybullet.createConstraint(
             self.body,
-            LEFT_FINGER,
+            left,
             self.body,
-            RIGHT_FINGER,
+            right,
             pybullet.JOINT_GEAR,
             [0, 1, 0],
             [0, 0, 0],
@@ -84,22 +90,23 @@ class Robot:
             point: Tool point in the world [m].
             half_opening: Position of each finger [m].
         """
-        for joint, angle in zip(ARM_JOINTS, joints_for(point[None])[0], strict=True):
+        angles = self._angles_at(point)
+        for joint, angle in zip(self._arm.joints, angles, strict=True):
             pybullet.resetJointState(self.body, joint, angle, 0.0, physicsClientId=self._client)
-        for finger in (LEFT_FINGER, RIGHT_FINGER):
+        for finger in self._arm.fingers:
             pybullet.resetJointState(self.body, finger, half_opening, 0.0, physicsClientId=self._client)
         self.is_open = half_opening > 0
         self._drive_fingers(half_opening, HOLDING_FORCE if self.is_open else CLOSING_FORCE)
-        self._drive_arm(joints_for(point[None])[0], np.zeros(6))
+        self._drive_arm(angles, np.zeros_like(angles))
 
     def tool_point(self) -> Float[np.ndarray, "3"]:
         """Return where the tool point is in the world [m]."""
-        state = pybullet.getLinkState(self.body, TOOL, physicsClientId=self._client)
+        state = pybullet.getLinkState(self.body, self._arm.tool, physicsClientId=self._client)
         return np.array(state[4])
 
     def half_opening(self) -> float:
         """Return how far each finger stands from the middle [m]."""
-        return float(pybullet.getJointState(self.body, LEFT_FINGER, physicsClientId=self._client)[0])
+        return float(pybullet.getJointState(self.body, self._arm.fingers[0], physicsClientId=self._client)[0])
 
     def move_to(
         self,
@@ -123,7 +130,7 @@ class Robot:
         distance = float(np.linalg.norm(goal - start))
         count = max(1, int(np.ceil(distance * _QUINTIC_PEAK / peak_speed / self._time_step)))
         path = start + _smooth(count)[:, None] * (goal - start)  # (T, 3)
-        joints = joints_for(path)  # (T, 6)
+        joints = self._arm.inverse_kinematics(path)  # (T, J)
         velocities = np.gradient(joints, self._time_step, axis=0) if count > 1 else np.zeros_like(joints)
         for tick in range(count):
             self._drive_arm(joints[tick], velocities[tick])
@@ -138,7 +145,11 @@ class Robot:
 
     def hold(self) -> None:
         """Stay where the hand is now."""
-        self._drive_arm(joints_for(self.tool_point()[None])[0], np.zeros(6))
+        angles = self._angles_at(self.tool_point())
+        self._drive_arm(angles, np.zeros_like(angles))
+
+    def _angles_at(self, point: Float[np.ndarray, "3"]) -> Float[np.ndarray, "J"]:
+        return np.asarray(self._arm.inverse_kinematics(point[None])[0])
 
     def close(self) -> None:
         """Close the fingers until they stop."""
@@ -146,13 +157,14 @@ class Robot:
         self._wait_for_fingers(0.0)
         self.is_open = False
 
-    def open(self, half_opening: float = HALF_OPENING) -> None:
+    def open(self, half_opening: float | None = None) -> None:
         """Open the fingers gently until they stop, then hold them there.
 
         Args:
-            half_opening: How far to open each finger [m].
+            half_opening: How far to open each finger [m]; as far as they go, if not given.
         """
-        half_opening = min(half_opening, HALF_OPENING)
+        widest = self._arm.half_opening
+        half_opening = widest if half_opening is None else min(half_opening, widest)
         self._drive_fingers(half_opening, OPENING_FORCE)
         self._wait_for_fingers(half_opening)
         self._drive_fingers(self.half_opening(), HOLDING_FORCE)
@@ -162,7 +174,7 @@ class Robot:
         """Step until the fingers arrive or stand still; at most the time of a full stroke and a little."""
         last = self.half_opening()
         still = 0
-        for _ in range(int((HALF_OPENING / FINGER_SPEED + 0.25) / self._time_step)):
+        for _ in range(int((self._arm.half_opening / FINGER_SPEED + 0.25) / self._time_step)):
             self._step()
             now = self.half_opening()
             still = still + 1 if abs(now - last) < 0.01 * self._time_step else 0
@@ -170,19 +182,19 @@ class Robot:
                 return
             last = now
 
-    def _drive_arm(self, angles: Float[np.ndarray, "6"], velocities: Float[np.ndarray, "6"]) -> None:
+    def _drive_arm(self, angles: Float[np.ndarray, "J"], velocities: Float[np.ndarray, "J"]) -> None:
         pybullet.setJointMotorControlArray(
             self.body,
-            ARM_JOINTS,
+            self._arm.joints,
             pybullet.POSITION_CONTROL,
             targetPositions=angles,
             targetVelocities=velocities,
-            forces=ARM_FORCES,
+            forces=self._arm.forces,
             physicsClientId=self._client,
         )
 
     def _drive_fingers(self, half_opening: float, force: float) -> None:
-        for finger in (LEFT_FINGER, RIGHT_FINGER):
+        for finger in self._arm.fingers:
             pybullet.setJointMotorControl2(
                 self.body,
                 finger,

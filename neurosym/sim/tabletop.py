@@ -1,4 +1,4 @@
-"""The tabletop world: a UR10 plays with boxes in PyBullet."""
+"""The tabletop world: an arm plays with objects in PyBullet."""
 
 from dataclasses import dataclass, field
 
@@ -7,15 +7,19 @@ import pybullet
 from jaxtyping import Float
 
 from neurosym.errors import InvalidValue
-from neurosym.sim.config import TabletopConfig
+from neurosym.sim.arm import UR10, Arm
+from neurosym.sim.camera import Camera
+from neurosym.sim.config import MOST_OBJECTS, TabletopConfig
 from neurosym.sim.interaction import Interaction
+from neurosym.sim.scenes import sample_scene
 from neurosym.sim.shapes import FEATURE_NAMES
-from neurosym.world import ActionBox, FrameSink, Outcome, Scene, Table, check_action, three_waypoints
+from neurosym.sim.simulation import Simulation
+from neurosym.world import ActionBox, Frame, FrameSink, Outcome, Scene, Table, check_action, three_waypoints
 
 
 @dataclass(slots=True, eq=False)
 class Tabletop:
-    """The PyBullet world of the paper: one arm, one table, boxes.
+    """The PyBullet world of the paper: one arm, one table, objects of several shapes.
 
     The simulation is built anew for each interaction, so that nothing an earlier one did can show.
     """
@@ -23,6 +27,7 @@ class Tabletop:
     config: TabletopConfig = field(default_factory=TabletopConfig)
     name: str = "tabletop"
     feature_names: tuple[str, ...] = FEATURE_NAMES
+    arm: Arm = UR10
     _client: int | None = field(default=None, init=False)
 
     @property
@@ -41,7 +46,7 @@ class Tabletop:
         return self.config.lift_height
 
     def sample_scene(self, rng: np.random.Generator, objects: int) -> Scene:
-        """Draw boxes of random size and type at rest on the table, not overlapping.
+        """Draw objects of random shape and size at rest on the table, not overlapping.
 
         Args:
             rng: Source of randomness, owned by the caller.
@@ -50,36 +55,7 @@ class Tabletop:
         Raises:
             InvalidValue: If so many objects do not fit.
         """
-        c = self.config
-        features = np.column_stack(
-            [
-                rng.uniform(*c.size, size=objects),
-                rng.uniform(*c.size, size=objects),
-                rng.uniform(*c.height, size=objects),
-                (rng.random(objects) < c.hollow_share).astype(float),
-            ]
-        )  # (M, 4)
-        places = self._sample_places(rng, features[:, :2] / 2)
-        return Scene(
-            features=features,
-            positions=np.column_stack([places, features[:, 2] / 2]),
-            orientations=np.tile([0.0, 0.0, 0.0, 1.0], (objects, 1)),
-        )
-
-    def _sample_places(
-        self, rng: np.random.Generator, half_sizes: Float[np.ndarray, "M 2"]
-    ) -> Float[np.ndarray, "M 2"]:
-        c = self.config
-        low = np.array([c.table_x[0], c.table_y[0]])
-        high = np.array([c.table_x[1], c.table_y[1]])
-        margins = np.full_like(half_sizes, c.spawn_margin) if len(half_sizes) <= 2 else half_sizes
-        for _ in range(10_000):
-            places = rng.uniform(low + margins, high - margins)
-            apart = np.abs(places[:, None] - places) - (half_sizes[:, None] + half_sizes)  # (M, M, 2)
-            clear = apart.max(axis=-1) >= c.spawn_gap
-            if clear[np.triu_indices(len(places), 1)].all():
-                return np.asarray(places)
-        raise InvalidValue(f"{len(half_sizes)} objects do not fit on the table; ask for fewer.")
+        return sample_scene(self.config, rng, objects)
 
     def interact(
         self,
@@ -89,11 +65,22 @@ class Tabletop:
         *,
         put_down: bool = True,
         on_frame: FrameSink | None = None,
+        ghosts: Float[np.ndarray, "M 3"] | None = None,
     ) -> Outcome:
         """Perform one action on one object, from empty hand to empty hand (see `World.interact`)."""
         check_action(self, scene, action, target)
-        interaction = Interaction(self.client(), self.config, scene, target, on_frame)
+        if len(scene) > MOST_OBJECTS:
+            raise InvalidValue(
+                f"The scene has {len(scene)} objects; the simulator takes at most {MOST_OBJECTS}, "
+                "larger problems are symbolic only."
+            )
+        simulation = Simulation(self.client(), self.config, scene)
+        interaction = Interaction(simulation, self.arm, target, on_frame, ghosts)
         return interaction.perform(np.asarray(action, dtype=float), put_down)
+
+    def picture(self, scene: Scene, ghosts: Float[np.ndarray, "M 3"] | None = None) -> Frame:
+        """Draw a scene without the arm (see `Pictured.picture`)."""
+        return Camera(Simulation(self.client(), self.config, scene), ghosts).picture()
 
     def client(self) -> int:
         """Return this process's physics client, connecting on first use."""
@@ -101,10 +88,10 @@ class Tabletop:
             self._client = pybullet.connect(pybullet.DIRECT)
         return self._client
 
-    def __getstate__(self) -> tuple[TabletopConfig, str, tuple[str, ...]]:
+    def __getstate__(self) -> tuple[TabletopConfig, str, Arm]:
         """Leave the physics client behind: another process connects to its own."""
-        return self.config, self.name, self.feature_names
+        return self.config, self.name, self.arm
 
-    def __setstate__(self, state: tuple[TabletopConfig, str, tuple[str, ...]]) -> None:
-        self.config, self.name, self.feature_names = state
-        self._client = None
+    def __setstate__(self, state: tuple[TabletopConfig, str, Arm]) -> None:
+        self.config, self.name, self.arm = state
+        self.feature_names, self._client = FEATURE_NAMES, None

@@ -1,0 +1,73 @@
+"""What the simulator needs to know of an arm and its hand. The UR10 is one; yours can be another.
+
+Every arm is driven alike (`robot.py`): the hand points down, its two fingers open along the world's y axis,
+and its tool point, between the fingertips, follows straight lines.
+"""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from importlib.resources import files
+
+import numpy as np
+from jaxtyping import Float
+
+from neurosym.sim import kinematics
+
+InverseKinematics = Callable[[Float[np.ndarray, "N 3"]], Float[np.ndarray, "N J"]]
+"""Joint angles [rad] that bring the tool point to each point of a path in the world [m], the hand down.
+
+Neighbouring points must get neighbouring angles; the same path must always get the same ones. Raises
+`InvalidValue` if a point is out of reach.
+"""
+
+
+@dataclass(frozen=True, slots=True)
+class Arm:
+    """An arm with a two-finger hand; lengths in metres.
+
+    Attributes:
+        urdf: File that describes it.
+        base: Where its base stands in the world [m].
+        joints: Indices of the J joints of the arm, in PyBullet's count.
+        fingers: Indices of the two sliding finger joints; both open in the positive sense, from 0.
+        tool: Index of the link whose frame is the tool point.
+        inverse_kinematics: From tool points to joint angles; must survive pickling for worker processes.
+        forces: Largest torque of each joint [Nm]; a soft arm yields where a stiff one would crush.
+        half_opening: Travel of each finger [m]; the hand opens to twice this.
+        finger_length: From the palm to the tool point [m].
+        finger_half_width: Half the extent of a finger along x [m].
+        finger_thickness: Extent of a finger along y [m].
+        palm_half_size: Half the palm's size along x and y [m].
+        mass_scale: Factor on all masses, in place of gravity compensation where the file gives true masses.
+    """
+
+    urdf: str
+    base: tuple[float, float, float]
+    joints: tuple[int, ...]
+    fingers: tuple[int, int]
+    tool: int
+    inverse_kinematics: InverseKinematics
+    forces: tuple[float, ...]
+    half_opening: float
+    finger_length: float
+    finger_half_width: float
+    finger_thickness: float
+    palm_half_size: tuple[float, float]
+    mass_scale: float = 1.0
+
+
+UR10 = Arm(
+    urdf=str(files("neurosym.sim") / "ur10.urdf"),
+    base=(0.0, 0.0, kinematics.BASE_HEIGHT),
+    joints=(0, 1, 2, 3, 4, 5),
+    fingers=(7, 8),
+    tool=9,
+    inverse_kinematics=kinematics.joints_for,
+    forces=(25.0, 25.0, 18.0, 6.0, 6.0, 6.0),
+    half_opening=0.07,
+    finger_length=0.09,
+    finger_half_width=0.011,
+    finger_thickness=0.012,
+    palm_half_size=(0.025, 0.075),
+)
+"""The paper's arm with a hand of 140 mm opening; its file scales the masses by 0.03 already."""
