@@ -19,6 +19,7 @@ _VERBS = {
     "draw_problem": "neurosym.tasks",
     "plan": "neurosym.planners",
     "execute": "neurosym.execution",
+    "check_world": "neurosym.world_check",
 }
 
 __all__ = ["__version__", *_VERBS]

@@ -7,7 +7,7 @@ from typing import Annotated
 from tyro.conf import Positional, UseAppendAction, arg
 
 from neurosym.console import say, say_next
-from neurosym.errors import InvalidValue, UnknownChoice
+from neurosym.errors import InvalidValue
 from neurosym.folder import DomainFolder
 from neurosym.operators import OperatorTable
 
@@ -19,7 +19,9 @@ ProblemName = Annotated[
 Seed = Annotated[int, arg(help="Where all random draws start: same seed, same bytes.")]
 Workers = Annotated[int, arg(help="Processes that simulate; their number does not change the result.")]
 Strategy = Annotated[str, arg(help="How actions are chosen: curiosity, random or active.")]
-WorldName = Annotated[str, arg(help="Which world, for a new folder: tabletop or toy.")]
+WorldName = Annotated[
+    str, arg(help="Which world, for a new folder: tabletop, toy, or your own as module:factory.")
+]
 RegimeName = Annotated[
     str, arg(help="Network and training: default, quick (a first look), paper (as printed).")
 ]
@@ -201,7 +203,8 @@ def execute(
 def run(
     folder: Folder,
     world: Annotated[
-        str | None, arg(help="Which world, for a new folder: tabletop (default) or toy.")
+        str | None,
+        arg(help="Which world, for a new folder: tabletop (default), toy, or your own as module:factory."),
     ] = None,
     strategy: Strategy = "curiosity",
     steps: Annotated[int, arg(help="Interactions to explore for.")] = 10_000,
@@ -224,7 +227,7 @@ def run(
         raise InvalidValue(f"rehearsals = {rehearsals} must be at least 1.")
     if not (folder / "world.toml").exists():
         _make_folder(folder, world or "tabletop")
-    elif world and (found := read_world(folder / "world.toml")().name) != world:
+    elif world and (found := read_world(folder / "world.toml").args[0]) != world:
         raise InvalidValue(f"{folder} is of the world {found!r}, not {world!r}; name another folder.")
     go_the_whole_way(
         DomainFolder(folder),
@@ -240,14 +243,14 @@ def run(
 
 
 def _make_folder(folder: Path, world: str) -> None:
-    from neurosym.world_file import WORLDS, write_world
+    from neurosym.files import write_atomically
+    from neurosym.world_file import default_text
 
-    if world not in WORLDS:
-        raise UnknownChoice("world", world, WORLDS)
     if folder.exists() and not folder.is_dir():
         raise InvalidValue(f"{folder} is not a folder; name another.")
+    text = default_text(world, folder)
     folder.mkdir(parents=True, exist_ok=True)
-    write_world(folder / "world.toml", world)
+    write_atomically(folder / "world.toml", text)
     say(f"wrote {folder / 'world.toml'}")
 
 

@@ -44,6 +44,13 @@ class InvalidValue(NeurosymError):
     """A number or shape outside what is possible."""
 
 
+class InvalidWorld(InvalidValue):
+    """A world of one's own that cannot be used; `name` is `module:factory`, or the name it has itself."""
+
+    def __init__(self, name: str, problem: str):
+        super().__init__(f"The world {name!r} {problem}.")
+
+
 class InvalidPlan(NeurosymError):
     """A plan file that cannot be read against the domain and problem at hand."""
 

@@ -5,7 +5,6 @@ inputs, options or outputs have changed. What is slow to import is imported wher
 """
 
 from collections.abc import Mapping
-from dataclasses import asdict
 from pathlib import Path
 from typing import Any
 
@@ -30,7 +29,7 @@ from neurosym.operators import OperatorTable
 from neurosym.problems import Problem
 from neurosym.strategies import STRATEGIES
 from neurosym.training_config import REGIMES, Regime
-from neurosym.world_file import read_world
+from neurosym.world_file import origin_of, read_world
 
 TRAINING = "training.json"
 """How well the model fits, on interactions held out from training."""
@@ -60,7 +59,7 @@ def explore_stage(
                 checkpoint=folder.path,
                 config=config,
                 model_config=chosen.model,
-                origin={"world_options": _options_of(factory())},
+                origin=origin_of(factory),
                 progress=advance,
             )
         interactions.save(folder / INTERACTIONS)
@@ -200,12 +199,6 @@ def _check_steps(path: Path, steps: int) -> None:
         raise InvalidValue(
             f"{path} holds {found} interactions already, more than {steps}; remove it, or ask for more."
         )
-
-
-def _options_of(world: Any) -> dict[str, Any]:
-    """Return a world's options as plain JSON values; other people's worlds need not have any."""
-    config = getattr(world, "config", None)
-    return {} if config is None else _plain(asdict(config))
 
 
 def _plain(value: Any) -> Any:

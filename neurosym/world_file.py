@@ -1,9 +1,13 @@
-"""`world.toml`: which world a domain folder belongs to, and its options."""
+"""`world.toml`: which world a domain folder belongs to, and its options.
 
+A world is one of ours by its name, or anybody's own as `module:factory` (`neurosym.own_world`).
+"""
+
+import json
 import math
 import tomllib
 from collections.abc import Callable
-from dataclasses import asdict, fields
+from dataclasses import asdict, fields, is_dataclass
 from functools import partial
 from pathlib import Path
 from typing import Any, TypeVar
@@ -13,7 +17,9 @@ import tomli_w
 
 from neurosym.errors import InvalidFile, InvalidValue, UnknownChoice
 from neurosym.files import write_atomically
+from neurosym.own_world import admit, default_options, is_own, load_factory, make_own_world, missing_options
 from neurosym.world import World
+from neurosym.world_check import check_world
 
 Config = TypeVar("Config")
 WorldFactory = Callable[[], World]
@@ -53,11 +59,26 @@ def configured(kind: type[Config], options: dict[str, Any]) -> Config:
             raise UnknownChoice("option", name, known)
     _check_finite(options)
     try:
-        return msgspec.convert(options, kind)
+        made = msgspec.convert(options, kind)
     except msgspec.ValidationError as error:
         if isinstance(error.__cause__, InvalidValue):
             raise error.__cause__ from None
         raise InvalidValue(f"a value has the wrong type: {error}") from error
+    _check_nested(options, made)
+    return made
+
+
+def _check_nested(given: Any, made: Any, place: str = "") -> None:
+    """Refuse keys that went nowhere: msgspec passes over what a dataclass has no field for."""
+    if isinstance(given, list) and isinstance(made, list | tuple):
+        for entry, result in zip(given, made, strict=True):
+            _check_nested(entry, result, place)
+    if isinstance(given, dict) and is_dataclass(made):
+        known = [f"{place}{f.name}" for f in fields(made)]
+        for key, value in given.items():
+            if f"{place}{key}" not in known:
+                raise UnknownChoice("option", f"{place}{key}", known)
+            _check_nested(value, getattr(made, key), f"{place}{key}.")
 
 
 def _check_finite(value: Any, name: str = "options") -> None:
@@ -74,19 +95,23 @@ def make_world(name: str, options: dict[str, Any]) -> World:
     """Make a world by its name.
 
     Args:
-        name: One of `WORLDS`.
+        name: One of `WORLDS`, or `module:factory`.
         options: The world's options, as they stand in `world.toml`.
 
     Raises:
         UnknownChoice: If there is no such world, or no such option.
         InvalidValue: If an option's value is impossible.
+        InvalidWorld: If somebody's own world cannot be made.
     """
+    if is_own(name):
+        _check_finite(options)
+        return make_own_world(name, options)
     if name not in WORLDS:
-        raise UnknownChoice("world", name, WORLDS)
+        raise UnknownChoice("world", name, [*WORLDS, "your own as module:factory"])
     return WORLDS[name](options)
 
 
-def read_world(path: Path) -> WorldFactory:
+def read_world(path: Path) -> "partial[World]":
     """Read a `world.toml` and return a function that makes its world, in this process or another.
 
     Args:
@@ -104,10 +129,54 @@ def read_world(path: Path) -> WorldFactory:
         extra = f"; there is no place for {next(iter(document))!r}" if document else ""
         raise InvalidFile(path, f'it must hold world = "NAME" and a table [options]{extra}')
     try:
+        if is_own(name):
+            admit(name, path.parent)
         make_world(name, options)
     except (UnknownChoice, InvalidValue) as error:
         raise InvalidFile(path, str(error).rstrip(".")) from error
     return partial(make_world, name, options)
+
+
+def origin_of(factory: "partial[World]") -> dict[str, Any]:
+    """Return what identifies a world that was read, for the data made in it.
+
+    Args:
+        factory: What `read_world` returned.
+    """
+    name, options = factory.args
+    if is_own(name):
+        plain = json.loads(json.dumps(options, default=str))  # TOML has dates, JSON has not
+        return {"world": name, "world_options": plain}
+    return {"world_options": asdict(getattr(factory(), "config"))}  # noqa: B009  (ours have one)
+
+
+def default_text(name: str, folder: Path) -> str:
+    """Return the text of a `world.toml` with every option of a world at its default.
+
+    Args:
+        name: One of `WORLDS`, or `module:factory`.
+        folder: The domain folder that it is for.
+
+    Raises:
+        UnknownChoice: If there is no such world.
+        InvalidWorld: If somebody's own world is no world.
+    """
+    if is_own(name):
+        remark, options = "It is made by code of yours: factory(**options).", _own_defaults(name, folder)
+    else:
+        remark = "Lengths in metres, times in seconds."
+        options = asdict(getattr(make_world(name, {}), "config"))  # noqa: B009  (ours have one)
+    text = tomli_w.dumps({"world": name, "options": options})
+    return f"# The world of this domain folder. {remark}\n{text}"
+
+
+def _own_defaults(name: str, folder: Path) -> dict[str, Any]:
+    admit(name, folder)
+    factory = load_factory(name)
+    options = default_options(factory)
+    if not missing_options(factory, options):  # else they must be written into the file first
+        check_world(make_world(name, options))
+    return options
 
 
 def write_world(path: Path, name: str) -> None:
@@ -115,11 +184,10 @@ def write_world(path: Path, name: str) -> None:
 
     Args:
         path: The file.
-        name: One of `WORLDS`.
+        name: One of `WORLDS`, or `module:factory`.
 
     Raises:
         UnknownChoice: If there is no such world.
+        InvalidWorld: If somebody's own world is no world.
     """
-    config = getattr(make_world(name, {}), "config")  # noqa: B009  (worlds of ours have one; others need not)
-    text = tomli_w.dumps({"world": name, "options": asdict(config)})
-    write_atomically(path, f"# The world of this domain folder. Lengths in metres, times in seconds.\n{text}")
+    write_atomically(path, default_text(name, path.parent))

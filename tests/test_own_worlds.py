@@ -1,0 +1,308 @@
+"""Worlds of one's own: they go the whole way, and what is wrong with one is said in a sentence."""
+
+import pickle
+import subprocess
+import sys
+from dataclasses import replace
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+from command_line import neurosym, refusal
+
+from neurosym import check_world
+from neurosym.errors import InvalidFile, InvalidWorld, UnknownChoice
+from neurosym.interactions import Interactions
+from neurosym.toy_world import make_world as make_toy
+from neurosym.world_file import make_world, read_world, write_world
+
+SLIDER = '''
+"""A puck on a table slides where it is pushed; the world has no physics."""
+
+import numpy as np
+
+from neurosym.world import ActionBox, Outcome, Scene, Table
+
+class Slider:
+    name = "slider"
+    feature_names = ("s_x", "s_y", "d")
+    action_box = ActionBox(np.array([-1.0, -1.0]), np.array([1.0, 1.0]), np.array([False, False]))
+    table = Table((0.0, 1.0), (0.0, 1.0))
+    lift_height = 0.1
+
+    def __init__(self, reach):
+        self.reach = reach
+
+    def sample_scene(self, rng, objects):
+        size = rng.uniform(0.02, 0.1, size=(objects, 3))
+        places = np.column_stack([rng.uniform(0.3, 0.7, size=(objects, 2)), size[:, 2] / 2])
+        return Scene(size, places, np.tile([0.0, 0.0, 0.0, 1.0], (objects, 1)))
+
+    def interact(self, scene, action, target, *, put_down=True, on_frame=None, ghosts=None):
+        positions = scene.positions.copy()
+        positions[target, :2] += self.reach * np.sign(np.round(action))
+        end = Scene(scene.features, positions, scene.orientations)
+        lost = not self.table.contains(positions[target])
+        return Outcome(scene, end, end, target, held=False, toppled=False, lost=lost, peak_height=0.0)
+
+def make(reach=0.2, marks=("a", "b"), colour=None):
+    return Slider(reach)
+
+def needy(reach):
+    return Slider(reach)
+
+def broken(reach=0.2) -> Slider:
+    raise RuntimeError("no such\\nrobot")
+
+def incomplete() -> Slider:
+    return Table((0.0, 1.0), (0.0, 1.0))
+
+def nameless() -> Slider:
+    world = Slider(0.1)
+    world.name = "My World"
+    return world
+
+number = 3
+'''
+
+
+@pytest.fixture
+def here(tmp_path, monkeypatch):
+    """The current folder, with a module that holds a world; nothing imported from it stays."""
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setattr(sys, "path", list(sys.path))
+    (tmp_path / "slider.py").write_text(SLIDER)
+    yield tmp_path
+    for name, module in list(sys.modules.items()):
+        if str(tmp_path) in str(getattr(module, "__file__", None) or getattr(module, "__path__", "")):
+            del sys.modules[name]
+
+
+def test_world_of_ones_own_is_written_with_the_options_of_its_factory(here):
+    assert neurosym("init", "mine", "--world", "slider:make") == 0
+    factory = read_world(here / "mine/world.toml")
+    assert factory.args == ("slider:make", {"reach": 0.2, "marks": ["a", "b"]})
+    assert pickle.loads(pickle.dumps(factory))().reach == 0.2
+
+
+def test_option_without_a_default_can_be_written_by_hand(here, capsys):
+    assert neurosym("init", "mine", "--world", "slider:needy") == 0
+    assert "mine/world.toml cannot be used" in refusal(capsys, "explore", "mine")
+    assert "needs the option 'reach'" in refusal(capsys, "explore", "mine")
+    (here / "mine/world.toml").write_text('world = "slider:needy"\n[options]\nreach = 0.3\n')
+    assert read_world(here / "mine/world.toml")().reach == 0.3
+
+
+def test_data_say_which_world_and_options_they_come_from_whatever_the_workers(here):
+    explore = ["--steps", "40", "--strategy", "random", "--regime", "quick"]
+    for folder, workers in (("one", 1), ("two", 2)):
+        assert neurosym("init", folder, "--world", "slider:make") == 0
+        assert neurosym("explore", folder, *explore, "--workers", workers) == 0
+    assert (here / "one/interactions.npz").read_bytes() == (here / "two/interactions.npz").read_bytes()
+    origin = Interactions.load(here / "two/interactions.npz").origin
+    assert origin["world"] == "slider:make"
+    assert origin["world_options"] == {"reach": 0.2, "marks": ["a", "b"]}
+
+
+def test_world_of_ones_own_goes_the_whole_way_as_an_installed_command(here):
+    command = "from neurosym.cli import main; main()"  # as the console script: the folder is not on the path
+    learn = ["--steps", "512", "--strategy", "random", "--regime", "quick", "--workers", "2"]
+    rest = ["--rehearsals", "24", "--problems", "2", "--world", "slider:make"]
+    ended = subprocess.run(
+        [sys.executable, "-P", "-c", command, "run", "mine", *learn, *rest], capture_output=True, text=True
+    )
+    assert ended.returncode == 0, ended.stderr
+    assert "(define (domain slider)" in (here / "mine/domain.pddl").read_text()
+    assert "reached" in ended.stdout
+
+
+@pytest.mark.parametrize(
+    ("name", "options", "message"),
+    [
+        ("nowhere:make", "", "no module 'nowhere' is installed or stands in the current folder"),
+        ("slider.deeper:make", "", "no module 'slider.deeper'"),
+        ("slider:", "", "not of the form module:factory"),
+        ("slider:missing", "", "the module 'slider' has no 'missing'"),
+        ("slider:number", "", "is not callable but of type int"),
+        ("slider:make", "speed = 1", "has no option 'speed'; valid: reach, marks, colour"),
+        ("slider:make", "reach = nan", "reach = nan must be a finite number"),
+        ("slider:broken", "", "cannot be made with its options: RuntimeError: no such robot"),
+        ("slider:incomplete", "", "Table lacks name, feature_names, action_box, table, lift_height"),
+        ("slider:nameless", "", "has the name 'My World'; valid: a lower-case letter"),
+        ("raising:make", "", "cannot be imported: ZeroDivisionError: division by zero"),
+        ("leaving:make", "", "cannot be imported: SystemExit: 7"),
+        ("needing:make", "", "cannot be imported: ModuleNotFoundError: No module named 'moon_physics'"),
+        ("os:system", 'command = "touch proof"', "is not known to make worlds"),
+        ("subprocess:Popen", 'args = ["touch", "proof"]', "is not known to make worlds"),
+        ("builtins:exec", "", "is not known to make worlds"),
+    ],
+)
+def test_world_that_cannot_be_made_is_refused_in_one_sentence(here, name, options, message, capsys):
+    (here / "raising.py").write_text("1 / 0\n")
+    (here / "leaving.py").write_text("raise SystemExit(7)\n")
+    (here / "needing.py").write_text("import moon_physics\n")
+    (here / "mine").mkdir()
+    (here / "mine/world.toml").write_text(f'world = "{name}"\n[options]\n{options}\n')
+    said = refusal(capsys, "explore", "mine")
+    assert message in said
+    assert "mine/world.toml cannot be used" in said
+    assert not (here / "proof").exists()
+    if not options and "RuntimeError" not in message:
+        assert message in refusal(capsys, "init", "new", "--world", name)
+        assert not (here / "new").exists()
+
+
+@pytest.mark.parametrize("place", [".", "downloaded"])
+@pytest.mark.parametrize("name", ["evil:make", "downloaded.evil:make", "downloaded:make"])
+def test_domain_folder_cannot_bring_its_own_code(here, place, name, monkeypatch, capsys):
+    folder = here / "downloaded"
+    folder.mkdir()
+    for module in ("evil.py", "__init__.py"):
+        (folder / module).write_text(f"import os\nos.mkdir({str(here / 'proof')!r})\n{SLIDER}")
+    (folder / "world.toml").write_text(f'world = "{name}"\n')
+    monkeypatch.chdir(here / place)
+    said = refusal(capsys, "explore", folder, "--steps", 8)
+    assert "in the domain folder" in said or "no module" in said
+    monkeypatch.setattr(sys, "path", [str(folder), *sys.path])  # as `python -m` puts it there
+    refusal(capsys, "explore", folder, "--steps", 8)
+    assert not (here / "proof").exists()
+
+
+def test_domain_folder_without_an_init_file_cannot_bring_its_own_code_either(here, capsys):
+    (here / "downloaded").mkdir()
+    (here / "downloaded/evil.py").write_text(SLIDER)
+    (here / "downloaded/world.toml").write_text('world = "downloaded.evil:make"\n')
+    assert "has its code in the domain folder" in refusal(capsys, "explore", "downloaded")
+
+
+def test_run_refuses_another_world_of_ones_own_than_the_folders(here, capsys):
+    write_world(here / "world.toml", "toy")
+    said = refusal(capsys, "run", here, "--world", "slider:make")
+    assert "of the world 'toy', not 'slider:make'" in said
+
+
+def test_init_checks_how_a_world_behaves(here, capsys):
+    (here / "forgetful.py").write_text(
+        SLIDER.replace("self.reach = reach", "self.reach = reach; self.count = 0").replace(
+            "positions = scene.positions.copy()",
+            "positions = scene.positions.copy(); self.count += 1; positions[0, 0] += 0.01 * self.count",
+        )
+    )
+    assert "has a memory" in refusal(capsys, "init", "mine", "--world", "forgetful:make")
+    assert not (here / "mine").exists()
+
+
+@pytest.mark.parametrize("name", ["toy", "tabletop"])
+def test_worlds_of_ours_are_worlds(name):
+    check_world(make_world(name, {}))
+
+
+class Wrong:
+    """A toy world, one thing about it changed."""
+
+    def __init__(self, **changes):
+        self._world, self._changes = make_toy(), changes
+
+    def __getattr__(self, name):
+        return self._changes[name] if name in self._changes else getattr(self._world, name)
+
+
+def box(**changes):
+    """An action box with columns changed, behind the back of what checks its shape."""
+    made = replace(make_toy().action_box)
+    for name, value in changes.items():
+        object.__setattr__(made, name, value)
+    return made
+
+
+def scene_with(**changes):
+    def sample_scene(rng, objects):
+        made = make_toy().sample_scene(rng, objects)
+        for name, value in changes.items():
+            object.__setattr__(made, name, value)
+        return made
+
+    return sample_scene
+
+
+def outcome_with(**changes):
+    def interact(*arguments, **options):
+        made = make_toy().interact(*arguments, **options)
+        for name, value in changes.items():
+            object.__setattr__(made, name, value)
+        return made
+
+    return interact
+
+
+def spoil(scene, action, target, **options):
+    scene.positions[0, 0] += 0.01
+    return make_toy().interact(scene, action, target, **options)
+
+
+def surprise(rng, objects):
+    return make_toy().sample_scene(np.random.default_rng(), objects)
+
+
+def poor(scene, action, target):
+    return make_toy().interact(scene, action, target)
+
+
+def nothing(*arguments, **options):
+    return None
+
+
+def fail(*arguments, **options):
+    raise KeyError("joint")
+
+
+@pytest.mark.parametrize(
+    ("changes", "message"),
+    [
+        ({"name": "9lives"}, "has the name '9lives'"),
+        ({"feature_names": ()}, "feature_names = .*one name or more"),
+        ({"lift_height": 0.0}, "lift_height = 0.0; valid: a length above 0 m"),
+        ({"table": ((0, 1), (0, 1))}, "table of type tuple; valid: Table"),
+        ({"action_box": SimpleNamespace(low=0)}, "action_box of type SimpleNamespace"),
+        ({"action_box": box(high=np.ones(3))}, r"low \(12,\), high \(3,\) and gripper \(12,\)"),
+        ({"action_box": box(gripper=np.zeros(12))}, "gripper of float64; valid: bool"),
+        ({"action_box": box(low=np.full(12, 2.0))}, "empty or not finite"),
+        ({"sample_scene": fail}, "raises an error in sample_scene: KeyError"),
+        ({"sample_scene": nothing}, "gives a NoneType as sample_scene"),
+        ({"sample_scene": scene_with(positions=np.zeros((1, 2)))}, r"positions of shape \(1, 2\)"),
+        ({"sample_scene": scene_with(features=np.full((1, 4), np.nan))}, "features in .* not finite"),
+        ({"sample_scene": scene_with(positions=np.zeros((1, 3)))}, "off its table"),
+        ({"sample_scene": surprise}, "another scene from a generator in the same state"),
+        ({"interact": poor}, "raises an error in interact: TypeError: .*put_down"),
+        ({"interact": nothing}, "gives a NoneType from interact"),
+        ({"interact": spoil}, "changes the scene that interact is given"),
+        ({"interact": outcome_with(held=1)}, "outcome.held = 1; valid: a bool"),
+        ({"interact": outcome_with(target=3)}, "the target 3"),
+        ({"interact": outcome_with(peak_height=np.inf)}, "peak_height = inf"),
+        ({"interact": outcome_with(end=make_toy().sample_scene(np.random.default_rng(9), 1))}, "features"),
+    ],
+)
+def test_check_says_which_requirement_is_broken(changes, message):
+    with pytest.raises(InvalidWorld, match=message) as caught:
+        check_world(Wrong(**changes))
+    assert "\n" not in str(caught.value)
+
+
+@pytest.mark.parametrize(
+    ("text", "message"),
+    [
+        (
+            'world = "toy"\n[options.table]\nx = [0, 1]\ny = [0, 1]\nz = [0, 1]',
+            "'table.z'; valid: table.x, table.y",
+        ),
+    ],
+)
+def test_unknown_key_of_a_nested_option_is_refused(text, message, tmp_path):
+    (tmp_path / "world.toml").write_text(text)
+    with pytest.raises(InvalidFile, match=message):
+        read_world(tmp_path / "world.toml")
+
+
+def test_unknown_world_hints_at_ones_own():
+    with pytest.raises(UnknownChoice, match="valid: tabletop, toy, your own as module:factory"):
+        make_world("moon", {})
