@@ -5,10 +5,20 @@ Expected outcomes (no plan, a time-out, a failed step) are values, not errors.
 
 from collections.abc import Iterable
 from pathlib import Path
+from typing import Any
 
 
 class NeurosymError(Exception):
     """Base of every error that bad input can cause; the command line prints it and exits with code 2."""
+
+    def __reduce__(self) -> tuple[Any, ...]:  # so that it also survives the way from one process to another
+        return _rebuild, (type(self), str(self))
+
+
+def _rebuild(kind: type[NeurosymError], message: str) -> NeurosymError:
+    error = kind.__new__(kind)
+    error.args = (message,)
+    return error
 
 
 class FolderNotFound(NeurosymError):
