@@ -48,7 +48,16 @@ def explore(
     steps: Annotated[int, arg(help="Interactions to make; more can be made later.")] = 10_000,
     seed: Seed = 0,
     regime: RegimeName = "default",
-    workers: Workers = _CPUS,
+    workers: Annotated[
+        int | None, arg(help="Processes that simulate (one per CPU); does not change the result.")
+    ] = None,
+    ray: Annotated[
+        str | None,
+        arg(
+            metavar="auto|HOST:PORT",
+            help="Simulate on all CPUs of a Ray cluster, this machine's or by address, instead of --workers.",
+        ),
+    ] = None,
 ) -> int:
     """Let the robot explore (Algorithm 1): `world.toml` -> `interactions.npz`.
 
@@ -56,8 +65,18 @@ def explore(
     """
     from neurosym.stages import explore_stage
 
+    if workers is not None and ray is not None:
+        raise InvalidValue("Give --workers or --ray, not both: with --ray, all CPUs of the cluster simulate.")
     domain = DomainFolder(folder)
-    stage = explore_stage(domain, strategy=strategy, steps=steps, seed=seed, regime=regime, workers=workers)
+    stage = explore_stage(
+        domain,
+        strategy=strategy,
+        steps=steps,
+        seed=seed,
+        regime=regime,
+        workers=_CPUS if workers is None else workers,
+        ray=ray,
+    )
     domain.perform(stage, again=True)
     say(f"{steps} interactions in {folder / 'interactions.npz'}")
     say_next(f"neurosym train {folder}")

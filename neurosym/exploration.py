@@ -20,6 +20,7 @@ from neurosym.errors import InvalidFile, InvalidValue, UnknownChoice
 from neurosym.fitting import reproducible, run_epochs, total_loss
 from neurosym.interactions import Interactions
 from neurosym.model_config import Dimensions, ModelConfig
+from neurosym.ray_workers import ray_crew
 from neurosym.strategies import STRATEGIES, Strategy
 from neurosym.tensor_files import read_tensors, write_tensors
 from neurosym.workers import Perform, Task, WorldFactory, crew
@@ -75,6 +76,7 @@ def explore(
     strategy: str = "curiosity",
     seed: int,
     workers: int = 1,
+    ray: str | None = None,
     checkpoint: Path | None = None,
     config: ExplorationConfig | None = None,
     model_config: ModelConfig | None = None,
@@ -89,6 +91,7 @@ def explore(
         strategy: One of `STRATEGIES`.
         seed: Where all draws start.
         workers: How many processes perform the interactions; their number does not change the result.
+        ray: A Ray cluster that performs them instead: `auto`, or HOST:PORT; changes no byte, either.
         checkpoint: Folder to write the state to after each block, and to go on from if it is there.
         config: How exploration goes on.
         model_config: How the model is built; the strategy decides its head.
@@ -99,6 +102,7 @@ def explore(
         UnknownChoice: If there is no such strategy.
         InvalidValue: If the checkpoint was made with other options, or already holds more steps.
         InvalidFile: If the checkpoint is damaged.
+        RayMissing, NoCluster: If a Ray cluster is asked for and cannot be had.
     """
     if strategy not in STRATEGIES:
         raise UnknownChoice("strategy", strategy, STRATEGIES)
@@ -109,7 +113,8 @@ def explore(
     explorer = _Explorer(world, strategy, seed, config or ExplorationConfig(), built_as, origin or {})
     if checkpoint is not None:
         explorer.resume(checkpoint, steps)
-    with crew(world_factory, workers) as perform:
+    hired = crew(world_factory, workers) if ray is None else ray_crew(world_factory, ray)
+    with hired as perform:
         while len(explorer) < steps:
             explorer.advance(perform, steps, progress)
             if checkpoint is not None:

@@ -36,7 +36,14 @@ TRAINING = "training.json"
 
 
 def explore_stage(
-    folder: DomainFolder, *, strategy: str, steps: int, seed: int, regime: str, workers: int
+    folder: DomainFolder,
+    *,
+    strategy: str,
+    steps: int,
+    seed: int,
+    regime: str,
+    workers: int,
+    ray: str | None = None,
 ) -> Stage:
     """Explore the world: `world.toml` -> `interactions.npz`, with a checkpoint after every block."""
     chosen = check_choices(strategy, regime)
@@ -56,6 +63,7 @@ def explore_stage(
                 strategy=strategy,
                 seed=seed,
                 workers=workers,
+                ray=ray,
                 checkpoint=folder.path,
                 config=config,
                 model_config=chosen.model,

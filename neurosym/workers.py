@@ -15,6 +15,7 @@ from concurrent.futures import Future, ProcessPoolExecutor
 from concurrent.futures.process import BrokenProcessPool
 from contextlib import contextmanager
 from dataclasses import dataclass
+from typing import TypeVar
 
 from jaxtyping import Float
 from numpy import ndarray
@@ -24,7 +25,12 @@ from neurosym.world import Outcome, Scene, World
 
 WorldFactory = Callable[[], World]
 
-_AHEAD = 4  # tasks handed out for each worker, so that none waits for the next
+AHEAD = 4
+"""Tasks handed out for each worker, so that none waits for the next."""
+
+Item = TypeVar("Item")
+Pending = TypeVar("Pending")
+Result = TypeVar("Result")
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -66,11 +72,11 @@ def crew(world_factory: WorldFactory, workers: int) -> Iterator[Perform]:
         raise InvalidValue(f"workers = {workers} must be at least 1.")
     if workers == 1:
         world = world_factory()
-        yield lambda tasks: (_perform(world, task) for task in tasks)
+        yield lambda tasks: (perform_task(world, task) for task in tasks)
         return
     pool = _start_pool(world_factory, workers)
     try:
-        yield lambda tasks: _outcomes(pool, tasks, workers * _AHEAD)
+        yield lambda tasks: _outcomes(pool, tasks, workers * AHEAD)
     finally:
         pool.shutdown(wait=True, cancel_futures=True)
 
@@ -85,6 +91,30 @@ def perform_all(world_factory: WorldFactory, tasks: Iterable[Task], workers: int
     """
     with crew(world_factory, workers) as perform:
         yield from perform(tasks)
+
+
+def in_order(
+    tasks: Iterable[Item],
+    *,
+    submit: Callable[[Item], Pending],
+    result: Callable[[Pending], Result],
+    ahead: int,
+) -> Iterator[Result]:
+    """Hand out tasks, and give their outcomes in the order of the tasks.
+
+    Args:
+        tasks: What to perform; drawn only a little ahead of the outcomes.
+        submit: Hands a task out.
+        result: Waits for the outcome of one that was handed out.
+        ahead: How many may be handed out at a time.
+    """
+    waiting: deque[Pending] = deque()
+    for task in tasks:
+        waiting.append(submit(task))
+        if len(waiting) >= ahead:
+            yield result(waiting.popleft())
+    while waiting:
+        yield result(waiting.popleft())
 
 
 def _start_pool(world_factory: WorldFactory, workers: int) -> ProcessPoolExecutor:
@@ -104,14 +134,11 @@ def _start_pool(world_factory: WorldFactory, workers: int) -> ProcessPoolExecuto
 
 
 def _outcomes(pool: ProcessPoolExecutor, tasks: Iterable[Task], ahead: int) -> Iterator[Outcome]:
-    waiting: deque[Future[Outcome]] = deque()
+    def submit(task: Task) -> Future[Outcome]:
+        return pool.submit(_perform_here, task)
+
     try:
-        for task in tasks:
-            waiting.append(pool.submit(_perform_here, task))
-            if len(waiting) >= ahead:
-                yield waiting.popleft().result()
-        while waiting:
-            yield waiting.popleft().result()
+        yield from in_order(tasks, submit=submit, result=lambda future: future.result(), ahead=ahead)
     except BrokenProcessPool as error:
         raise WorkerDied from error
 
@@ -135,8 +162,9 @@ def _end_with_parent() -> None:
 
 def _perform_here(task: Task) -> Outcome:
     assert _world_here is not None, "the initializer ran"
-    return _perform(_world_here, task)
+    return perform_task(_world_here, task)
 
 
-def _perform(world: World, task: Task) -> Outcome:
+def perform_task(world: World, task: Task) -> Outcome:
+    """Perform a task in this process."""
     return world.interact(task.scene, task.action, task.target, put_down=task.put_down)
