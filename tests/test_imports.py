@@ -19,6 +19,7 @@ FENCES = {
         "distillation.py",
     },
     "unified_planning": {"planners/unified_planning.py"},
+    "gymnasium": {"gymnasium_env.py"},
 }
 EARLIER_AND_LATER = [
     (("world", "symbols", "files", "errors", "operators", "interactions"), ("sim", "effect_model", "pddl")),
