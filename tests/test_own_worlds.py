@@ -1,9 +1,11 @@
 """Worlds of one's own: they go the whole way, and what is wrong with one is said in a sentence."""
 
 import pickle
+import re
 import subprocess
 import sys
 from dataclasses import replace
+from pathlib import Path
 from types import SimpleNamespace
 
 import numpy as np
@@ -16,6 +18,7 @@ from neurosym.interactions import Interactions
 from neurosym.toy_world import make_world as make_toy
 from neurosym.world_file import make_world, read_world, write_world
 
+DOCUMENT = Path(__file__).parent.parent / "docs/own-world.md"
 SLIDER = '''
 """A puck on a table slides where it is pushed; the world has no physics."""
 
@@ -104,16 +107,33 @@ def test_data_say_which_world_and_options_they_come_from_whatever_the_workers(he
     assert origin["world_options"] == {"reach": 0.2, "marks": ["a", "b"]}
 
 
-def test_world_of_ones_own_goes_the_whole_way_as_an_installed_command(here):
+def documented() -> list[str]:
+    """The Python blocks of the document: a world, and its use with Gymnasium."""
+    return re.findall(r"```python\n(.*?)```", DOCUMENT.read_text(), flags=re.DOTALL)
+
+
+def test_documented_world_goes_the_whole_way_as_an_installed_command(here):
+    (here / "my_world.py").write_text(documented()[0])
     command = "from neurosym.cli import main; main()"  # as the console script: the folder is not on the path
-    learn = ["--steps", "512", "--strategy", "random", "--regime", "quick", "--workers", "2"]
-    rest = ["--rehearsals", "24", "--problems", "2", "--world", "slider:make"]
+    learn = ["--steps", "1024", "--strategy", "random", "--regime", "quick", "--workers", "2"]
+    rest = ["--rehearsals", "24", "--problems", "2"]
+    typed = re.search(r"`neurosym (run \S+ --world \S+)`", DOCUMENT.read_text())[1].split()
     ended = subprocess.run(
-        [sys.executable, "-P", "-c", command, "run", "mine", *learn, *rest], capture_output=True, text=True
+        [sys.executable, "-P", "-c", command, *typed, *learn, *rest], capture_output=True, text=True
     )
     assert ended.returncode == 0, ended.stderr
-    assert "(define (domain slider)" in (here / "mine/domain.pddl").read_text()
+    assert "heavy = 0.5" in (here / "ice/world.toml").read_text()
+    assert "(define (domain ice)" in (here / "ice/domain.pddl").read_text()
     assert "reached" in ended.stdout
+
+
+def test_documented_use_with_gymnasium_works(capsys):
+    exec(compile(documented()[1], str(DOCUMENT), "exec"), {})
+    assert re.match(r"[-\de.]+ (resting|held|toppled|lost) \[", capsys.readouterr().out)
+
+
+def test_documented_world_is_short(here):
+    assert len(documented()[0].splitlines()) < 40
 
 
 @pytest.mark.parametrize(
