@@ -16,7 +16,7 @@ from neurosym import ray_workers
 from neurosym.cli import main
 from neurosym.errors import InvalidValue, UnknownChoice
 from neurosym.exploration import explore
-from neurosym.ray_workers import NoCluster, RayMissing, ray_crew
+from neurosym.ray_workers import NoCluster, OtherVersion, RayMissing, ray_crew
 from neurosym.toy_world import ToyWorld, make_world
 from neurosym.workers import Task, WorkerDied, in_order
 from neurosym.world_file import make_world as make_any_world
@@ -68,6 +68,12 @@ def test_without_ray_a_sentence_says_how_to_install_it(monkeypatch):
     monkeypatch.setitem(sys.modules, "ray", None)
     with pytest.raises(RayMissing, match=r"pip install 'neurosym\[ray\]'"):
         enter("auto")
+
+
+def test_a_node_with_another_version_is_refused_and_named():
+    origin = pickle.dumps(([], {"numpy": "0.1"}, pickle.dumps(make_world)))
+    with pytest.raises(OtherVersion, match=r"install numpy 0\.1 there"):
+        ray_workers._world_from(origin)
 
 
 @pytest.mark.parametrize("address", ["cluster", "ray://host:10001", "host:", ":6379", ""])
