@@ -20,6 +20,7 @@ FENCES = {
     },
     "unified_planning": {"planners/unified_planning.py"},
     "gymnasium": {"gymnasium_env.py"},
+    "ray": {"ray_workers.py"},
 }
 EARLIER_AND_LATER = [
     (("world", "symbols", "files", "errors", "operators", "interactions"), ("sim", "effect_model", "pddl")),
