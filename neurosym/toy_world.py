@@ -22,6 +22,7 @@ import numpy as np
 from jaxtyping import Float
 from PIL import Image, ImageDraw
 
+from neurosym.dots import draw_dots
 from neurosym.errors import InvalidValue
 from neurosym.world import Frame, FrameSink, Outcome, Scene, Table, check_action, three_waypoints
 
@@ -34,6 +35,7 @@ TABLE = Table(x=(0.4, 1.0), y=(-0.3, 0.3))
 PICTURE = (640, 480)
 COLOURS = ((214, 96, 58), (88, 122, 158), (92, 150, 92), (148, 108, 180))
 FRAMES = 8
+DOT_RADIUS = 6.0
 _ATTEMPTS = 1000
 
 
@@ -162,9 +164,11 @@ class ToyWorld:
         lifted = _moved(scene, target, shift)
         end = scene if held and put_down else lifted
         if on_frame is not None:
+            dots = self._pixels(scene.positions[target] + waypoints[:, :3])
             for share in np.linspace(0, 1, FRAMES):
-                on_frame(self.picture(_moved(scene, target, share * shift), ghosts), "motion")
-            on_frame(self.picture(end, ghosts), "end")
+                moved = self.picture(_moved(scene, target, share * shift), ghosts)
+                on_frame(draw_dots(moved, dots, DOT_RADIUS), "motion")
+            on_frame(draw_dots(self.picture(end, ghosts), dots, DOT_RADIUS), "end")
         lost = not self.table.contains(end.positions[target])
         return Outcome(
             start=scene,
@@ -203,6 +207,10 @@ class ToyWorld:
                 outline = self._box(_spans(centre, size, max(0.0, float(centre[2] - size[2] / 2))))
                 canvas.rectangle(outline, outline=COLOURS[index % len(COLOURS)], width=3)
         return np.array(picture)
+
+    def _pixels(self, points: Float[np.ndarray, "N 3"]) -> Float[np.ndarray, "N 2"]:
+        """Return where points lie in a picture from above."""
+        return np.array([self._box(((x, x), (y, y)))[:2] for x, y, _ in points])
 
     def _box(self, spans: tuple[tuple[float, float], tuple[float, float]]) -> tuple[float, ...]:
         (x_low, x_high), (y_low, y_high) = spans

@@ -159,11 +159,11 @@ def test_impossible_configuration_is_refused(options):
 
 def test_pictures_show_the_motion():
     frames = []
-    Tabletop(TabletopConfig(frame_every=60)).interact(
-        one_box(0.05, 0.05, 0.05, 0), np.array(LIFT), 0, on_frame=lambda frame, phase: frames.append(frame)
+    Tabletop(TabletopConfig(frame_every=150)).interact(
+        one_box(0.05, 0.05, 0.05, 0), np.array(LIFT), 0, on_frame=lambda frame, _phase: frames.append(frame)
     )
     assert len(frames) > 3
-    assert frames[0].shape == (480, 640, 3)
+    assert frames[0].shape == (720, 960, 3)
     assert (frames[0] != frames[-1]).any()
 
 

@@ -110,7 +110,12 @@ def test_actions_of_another_shape_are_refused():
 
 def test_frames_show_the_object_moving():
     frames = []
-    make_world().interact(scene_of(SMALL), action_of(last=(0.05, 0, 0, 1.0)), 0, on_frame=frames.append)
+    make_world().interact(
+        scene_of(SMALL),
+        action_of(last=(0.05, 0, 0, 1.0)),
+        0,
+        on_frame=lambda frame, _phase: frames.append(frame),
+    )
     assert frames[0].shape == (480, 640, 3)
     assert not np.array_equal(frames[0], frames[-1])
 

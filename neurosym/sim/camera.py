@@ -1,25 +1,51 @@
-"""Pictures of the simulation, rendered without a screen."""
+"""Pictures of the simulation, rendered without a screen, or a window that shows it live."""
+
+from collections.abc import Container
 
 import numpy as np
 import pybullet
 from jaxtyping import Float
 
+from neurosym.dots import draw_dots
+from neurosym.sim.config import TabletopConfig
+from neurosym.sim.ghosts import Colour, draw_ghosts
+from neurosym.sim.lens import HEIGHT, WIDTH, lens_over
 from neurosym.sim.simulation import Simulation
-from neurosym.world import Frame
+from neurosym.sim.window import Window, is_window
+from neurosym.world import Frame, Scene
 
-WIDTH, HEIGHT = 640, 480
-OBJECT_COLOURS = (
+OBJECT_COLOURS: tuple[Colour, ...] = (
     (0.26, 0.53, 0.82, 1.0),
     (0.36, 0.70, 0.36, 1.0),
     (0.80, 0.33, 0.36, 1.0),
     (0.58, 0.42, 0.75, 1.0),
 )
 """Blue, green, red, purple: item-01, item-02, ..., over and over."""
-TABLE_COLOUR = (0.86, 0.82, 0.76, 1.0)
+TABLE_COLOUR: Colour = (0.86, 0.82, 0.76, 1.0)
+DOT_RADIUS = 8.0
+BLANK: Frame = np.full((HEIGHT, WIDTH, 3), 255, dtype=np.uint8)
+"""Stands for a picture that nobody wants to see."""
+
+
+class FilmedSimulation(Simulation):
+    """A simulation that pictures are taken of, or of which some are left out.
+
+    Args:
+        client: The physics client; everything in it is replaced.
+        config: What the world is made of.
+        scene: The objects, at rest.
+        wanted: Numbers of the pictures to draw, counted from 0; every other is blank. All, if not given.
+    """
+
+    def __init__(
+        self, client: int, config: TabletopConfig, scene: Scene, wanted: Container[int] | None = None
+    ):
+        super().__init__(client, config, scene)
+        self.wanted = wanted
 
 
 class Camera:
-    """A camera that looks down at the table from the robot's left.
+    """A camera that looks over the table at the robot.
 
     Args:
         simulation: The scene, whose objects are coloured by their number.
@@ -28,18 +54,18 @@ class Camera:
 
     def __init__(self, simulation: Simulation, ghosts: Float[np.ndarray, "M 3"] | None = None):
         self._client = client = simulation.client
-        config = simulation.config
-        centre = (sum(config.table_x) / 2, sum(config.table_y) / 2, 0.05)
-        self._view = pybullet.computeViewMatrixFromYawPitchRoll(
-            cameraTargetPosition=centre, distance=0.95, yaw=50, pitch=-35, roll=0, upAxisIndex=2
-        )
-        self._projection = pybullet.computeProjectionMatrixFOV(
-            fov=45, aspect=WIDTH / HEIGHT, nearVal=0.05, farVal=5
-        )
-        pybullet.changeVisualShape(simulation.table, -1, rgbaColor=TABLE_COLOUR, physicsClientId=client)
-        for index, body in enumerate(simulation.bodies):
-            colour = OBJECT_COLOURS[index % len(OBJECT_COLOURS)]
+        self._lens = lens_over(simulation.config)
+        self._wanted = simulation.wanted if isinstance(simulation, FilmedSimulation) else None
+        self._taken = 0
+        self._waypoints: Float[np.ndarray, "3 3"] | None = None
+        colours = [OBJECT_COLOURS[index % len(OBJECT_COLOURS)] for index in range(len(simulation.bodies))]
+        for body, colour in zip(
+            (simulation.table, *simulation.bodies), (TABLE_COLOUR, *colours), strict=True
+        ):
             pybullet.changeVisualShape(body, -1, rgbaColor=colour, physicsClientId=client)
+        shown = None if ghosts is None else (simulation.observe(), ghosts, colours, simulation.config.wall)
+        self._window = Window(simulation, self._lens, shown) if is_window(client) else None
+        self._ghosts = draw_ghosts(*shown, self._lens) if shown and not self._window else None
 
     def mark(self, waypoints: Float[np.ndarray, "3 3"]) -> None:
         """Show the waypoints of an action as dots in the pictures to come.
@@ -47,17 +73,22 @@ class Camera:
         Args:
             waypoints: In the world [m].
         """
+        self._waypoints = waypoints
+        if self._window:
+            self._window.mark(waypoints)
 
     def picture(self) -> Frame:
-        """Render what the camera sees now."""
-        _, _, pixels, _, _ = pybullet.getCameraImage(
-            WIDTH,
-            HEIGHT,
-            self._view,
-            self._projection,
-            lightDirection=(0.4, 0.6, 1.5),
-            shadow=1,
-            renderer=pybullet.ER_TINY_RENDERER,
-            physicsClientId=self._client,
-        )
-        return np.array(pixels, dtype=np.uint8).reshape(HEIGHT, WIDTH, 4)[:, :, :3]
+        """Render what the camera sees now; blank if it is not wanted, or is seen live in a window."""
+        number = self._taken
+        self._taken += 1
+        if self._window:
+            self._window.keep_time()
+            return BLANK
+        if self._wanted is not None and number not in self._wanted:
+            return BLANK
+        frame, depths = self._lens.draw(self._client)
+        if self._ghosts:
+            frame = self._ghosts.over(frame, depths)
+        if self._waypoints is not None:
+            frame = draw_dots(frame, self._lens.pixels(self._waypoints), DOT_RADIUS)
+        return frame

@@ -1,6 +1,7 @@
 """The tabletop world: an arm plays with objects in PyBullet."""
 
-from dataclasses import dataclass, field
+from collections.abc import Container
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 import pybullet
@@ -8,13 +9,16 @@ from jaxtyping import Float
 
 from neurosym.errors import InvalidValue
 from neurosym.sim.arm import UR10, Arm
-from neurosym.sim.camera import Camera
+from neurosym.sim.camera import Camera, FilmedSimulation
 from neurosym.sim.config import MOST_OBJECTS, TabletopConfig
 from neurosym.sim.interaction import Interaction
 from neurosym.sim.scenes import sample_scene
 from neurosym.sim.shapes import FEATURE_NAMES
-from neurosym.sim.simulation import Simulation
+from neurosym.sim.window import open_window
 from neurosym.world import ActionBox, Frame, FrameSink, Outcome, Scene, Table, check_action, three_waypoints
+
+WINDOW_EVERY = 4
+"""Steps of the simulation between two looks at the clock, when it is shown live."""
 
 
 @dataclass(slots=True, eq=False)
@@ -22,12 +26,21 @@ class Tabletop:
     """The PyBullet world of the paper: one arm, one table, objects of several shapes.
 
     The simulation is built anew for each interaction, so that nothing an earlier one did can show.
+
+    Attributes:
+        config: Its options.
+        name: Its name.
+        feature_names: What its objects' features are.
+        arm: The arm that acts in it.
+        wanted_pictures: Numbers of an interaction's pictures to draw, of one for each step of the
+            simulation; if None, all are drawn that `config.frame_every` asks for (see `Sparing`).
     """
 
     config: TabletopConfig = field(default_factory=TabletopConfig)
     name: str = "tabletop"
     feature_names: tuple[str, ...] = FEATURE_NAMES
     arm: Arm = UR10
+    wanted_pictures: Container[int] | None = field(default=None, init=False)
     _client: int | None = field(default=None, init=False)
 
     @property
@@ -74,13 +87,24 @@ class Tabletop:
                 f"The scene has {len(scene)} objects; the simulator takes at most {MOST_OBJECTS}, "
                 "larger problems are symbolic only."
             )
-        simulation = Simulation(self.client(), self.config, scene)
-        interaction = Interaction(simulation, self.arm, target, on_frame, ghosts)
-        return interaction.perform(np.asarray(action, dtype=float), put_down)
+        config = self.config if self.wanted_pictures is None else replace(self.config, frame_every=1)
+        simulation = FilmedSimulation(self.client(), config, scene, self.wanted_pictures)
+        try:
+            interaction = Interaction(simulation, self.arm, target, on_frame, ghosts)
+            return interaction.perform(np.asarray(action, dtype=float), put_down)
+        except pybullet.error as error:
+            if pybullet.isConnected(self.client()):
+                raise
+            raise InvalidValue("The window was closed before the motion ended.") from error
 
     def picture(self, scene: Scene, ghosts: Float[np.ndarray, "M 3"] | None = None) -> Frame:
         """Draw a scene without the arm (see `Pictured.picture`)."""
-        return Camera(Simulation(self.client(), self.config, scene), ghosts).picture()
+        return Camera(FilmedSimulation(self.client(), self.config, scene), ghosts).picture()
+
+    def open_window(self) -> None:
+        """Show everything that happens from now on live in a window (see `Windowed.open_window`)."""
+        self._client = open_window()
+        self.config = replace(self.config, frame_every=WINDOW_EVERY)
 
     def client(self) -> int:
         """Return this process's physics client, connecting on first use."""
@@ -94,4 +118,4 @@ class Tabletop:
 
     def __setstate__(self, state: tuple[TabletopConfig, str, Arm]) -> None:
         self.config, self.name, self.arm = state
-        self.feature_names, self._client = FEATURE_NAMES, None
+        self.feature_names, self.wanted_pictures, self._client = FEATURE_NAMES, None, None
