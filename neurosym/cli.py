@@ -10,6 +10,7 @@ from collections.abc import Callable, Sequence
 from neurosym import commands
 from neurosym.console import error_console
 from neurosym.errors import NeurosymError
+from neurosym.show_command import show
 
 BAD_INPUT, INTERRUPTED = 2, 130
 COMMANDS: dict[str, Callable[..., int]] = {
@@ -22,6 +23,7 @@ COMMANDS: dict[str, Callable[..., int]] = {
     "new-problem": commands.new_problem,
     "plan": commands.plan,
     "execute": commands.execute,
+    "show": show,
 }
 """The commands, in the order in which a domain folder meets them after `run`, which does it all."""
 
@@ -46,7 +48,7 @@ def main(arguments: Sequence[str] | None = None) -> None:
             prog="neurosym",
             description=ABOUT,
             args=arguments,
-            config=(tyro.conf.FlagConversionOff,),
+            config=(tyro.conf.FlagCreatePairsOff,),
         )
     except NeurosymError as error:
         error_console.print(str(error), markup=False, style="red")

@@ -198,8 +198,10 @@ def execute(
     plan_file: Annotated[Positional[Path], arg(metavar="PLAN", help="Any planner's plan, in IPC form.")],
     gif: Annotated[Path | None, arg(help="Write an animated GIF of the run here.")] = None,
     strip: Annotated[Path | None, arg(help="Write a PNG with a picture for each step here.")] = None,
+    gui: Annotated[bool, arg(help="Show the run live in a window instead.")] = False,
 ) -> int:
     """Run a plan in the simulator, each step beside its promise; exit code 3 if it misses."""
+    from neurosym.pictures import check_picture_path
     from neurosym.plan_stages import execute_stage, load_run, run_file
     from neurosym.reporting import show_run
 
@@ -207,10 +209,12 @@ def execute(
     name = domain.problem(problem)
     if not plan_file.is_file():
         raise InvalidValue(f"There is no plan file {plan_file}; `neurosym plan {folder} {name}` writes one.")
-    for picture in (gif, strip):
-        if picture and (picture.is_dir() or not picture.absolute().parent.is_dir()):
-            raise InvalidValue(f"No picture can be written to {picture}; name a file in an existing folder.")
-    domain.perform(execute_stage(domain, name, plan_file, gif=gif, strip=strip), again=True)
+    if gui and (gif or strip):
+        raise InvalidValue("Give --gui or files for pictures, not both.")
+    for picture, ending in ((gif, ".gif"), (strip, ".png")):
+        if picture:
+            check_picture_path(picture, [ending])
+    domain.perform(execute_stage(domain, name, plan_file, gif=gif, strip=strip, gui=gui), again=True)
     run = load_run(domain, plan_file)
     show_run(run)
     for path in (folder / run_file(plan_file), gif, strip):

@@ -5,19 +5,16 @@ from pathlib import Path
 
 import msgspec
 
-from neurosym.console import say
 from neurosym.errors import InvalidFile, StageMissing, UnknownChoice
-from neurosym.execution import Run, StepRecord, execute
+from neurosym.execution import Run, execute
 from neurosym.files import digest, read_json, write_atomically, write_json
 from neurosym.folder import GROUNDING, MODEL, WORLD, DomainFolder, Stage
-from neurosym.operators import TOLERANCE
 from neurosym.pddl.grounding import Grounding
 from neurosym.pddl.moves import Encoding
 from neurosym.pddl.plan_text import PlanStep, print_ground_plan, print_plan, read_plan
 from neurosym.pddl.replay import hand_problem
 from neurosym.planners import PLANNERS, Branching, PlanStatus, plan, predicted_branching
 from neurosym.problems import Problem
-from neurosym.world import Frame
 from neurosym.world_file import read_world
 
 
@@ -122,31 +119,43 @@ def _branching(
 
 
 def execute_stage(
-    folder: DomainFolder, name: str, plan_file: Path, *, gif: Path | None = None, strip: Path | None = None
+    folder: DomainFolder,
+    name: str,
+    plan_file: Path,
+    *,
+    gif: Path | None = None,
+    strip: Path | None = None,
+    gui: bool = False,
 ) -> Stage:
     """Execute a plan: problem, grounding, world and a plan -> `runs/PLAN.run.json`, and pictures."""
     record_file = run_file(plan_file)
 
     def work() -> None:
+        from neurosym.film import Film, hold_window, ignore, open_window
+
         grounding = Grounding.load(folder.require(GROUNDING))
         problem = load_problem(folder, name)
         steps = read_plan(plan_file, grounding, problem)
         if impossible := hand_problem(steps, grounding):
             raise InvalidFile(plan_file, impossible)
         world = read_world(folder.require(WORLD))()
+        if gui:
+            open_window(world)
         film = Film(problem) if gif or strip else None
         run = execute(
             world,
             problem,
             grounding,
             steps,
-            on_frame=film.add_frame if film else None,
+            on_frame=film.add_frame if film else ignore if gui else None,
             on_step=film.end_step if film else None,
         )
         (folder / "runs").mkdir(exist_ok=True)
         write_json(folder / record_file, run)
         if film:
             film.save(run, gif, strip)
+        if gui:
+            hold_window()
 
     inputs = (f"problems/{name}.scene.json", GROUNDING, WORLD)
     return Stage(f"execute {plan_file.stem}", inputs, (record_file,), work, {"plan": digest(plan_file)})
@@ -160,38 +169,3 @@ def run_file(plan_file: Path) -> str:
 def load_run(folder: DomainFolder, plan_file: Path) -> Run:
     """Read what became of a plan."""
     return read_json(folder / run_file(plan_file), Run)
-
-
-class Film:
-    """The pictures of a run, and where its steps end."""
-
-    def __init__(self, problem: Problem):
-        self._problem = problem
-        self._frames: list[Frame] = []
-        self._ends: list[tuple[int, str]] = []
-
-    def add_frame(self, frame: Frame, phase: str) -> None:  # noqa: ARG002 (a `FrameSink`)
-        """Keep a picture."""
-        self._frames.append(frame)
-
-    def end_step(self, record: StepRecord) -> None:
-        """Note that the last picture shows the end of a step."""
-        caption = f"{record.operator} {record.object}: {record.happened}"
-        resting_height = self._problem.object_named(record.object).position[2]
-        if record.happened == "held" and record.positions[record.object][2] < resting_height + TOLERANCE:
-            caption += ", put down"
-        self._ends.append((len(self._frames) - 1, caption))
-
-    def save(self, run: Run, gif: Path | None, strip: Path | None) -> None:
-        """Write the pictures that were asked for; an empty plan has none."""
-        from neurosym.pictures import save_gif, save_strip
-
-        if not self._frames:
-            say("no pictures: the plan has no step")
-            return
-        if gif:
-            save_gif(gif, self._frames)
-        if strip:
-            captions = [f"{self._problem.name}: start", *(caption for _, caption in self._ends)]
-            captions[-1] += ", goal reached" if run.reached else ", goal missed"
-            save_strip(strip, [self._frames[0], *(self._frames[end] for end, _ in self._ends)], captions)

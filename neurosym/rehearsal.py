@@ -15,7 +15,7 @@ from neurosym.naming import name_categories, name_operator
 from neurosym.operators import TOLERANCE, Category, Mode, Operator, OperatorTable, Primitive, Vector
 from neurosym.symbols import Symbol, all_symbols
 from neurosym.workers import Task, WorldFactory, perform_all
-from neurosym.world import Outcome, OutcomeKind
+from neurosym.world import Outcome, OutcomeKind, Scene, World
 
 Categorise = Callable[[np.ndarray], Sequence[Symbol]]
 """Gives the object symbols of object features (N, F)."""
@@ -55,7 +55,7 @@ def rehearse(
             f"Nothing can be rehearsed with {objects} objects and {len(primitives)} primitives."
         )
     world = world_factory()
-    scenes = [world.sample_scene(np.random.default_rng([seed, _STREAM, i]), 1) for i in range(objects)]
+    scenes = [rehearsal_scene(world, seed, number) for number in range(objects)]
     features = np.concatenate([scene.features for scene in scenes])
     symbols = np.array(categorise(features))
     categories = describe_categories(features, symbols, world.feature_names)
@@ -79,6 +79,17 @@ def rehearse(
         if category.share
     )
     return OperatorTable(categories=categories, primitives=tuple(ordered), operators=operators)
+
+
+def rehearsal_scene(world: World, seed: int, number: int) -> Scene:
+    """Draw one of the objects that primitives are rehearsed on.
+
+    Args:
+        world: Where it comes from.
+        seed: Where all draws start.
+        number: Of the object, counted from 0.
+    """
+    return world.sample_scene(np.random.default_rng([seed, _STREAM, number]), 1)
 
 
 def describe_categories(
