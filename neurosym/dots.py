@@ -1,7 +1,9 @@
 """Dots that mark the waypoints of an action in a picture, as in the paper: blue, green, red."""
 
+import math
+
 import numpy as np
-from jaxtyping import Float
+from jaxtyping import Float, UInt8
 
 from neurosym.world import Frame
 
@@ -19,14 +21,21 @@ def draw_dots(frame: Frame, places: Float[np.ndarray, "N 2"], radius: float) -> 
         places: Centres of the dots, rightwards and downwards from the upper left corner [pixels].
         radius: Of a dot without its rim [pixels].
     """
-    picture = frame.astype(float)
-    rows, columns = np.indices(frame.shape[:2]) + 0.5
-    for number, (x, y) in enumerate(places):
-        distance = np.hypot(columns - x, rows - y)
+    picture = frame.copy()
+    for number, (x, y) in enumerate(places.tolist()):
         for reach, colour in (
             ((1 + _RIM) * radius, _RIM_COLOUR),
             (radius, DOT_COLOURS[number % len(DOT_COLOURS)]),
         ):
-            cover = np.clip(reach - distance + 0.5, 0, 1)[:, :, None]  # (height, width, 1)
-            picture += cover * (np.array(colour) - picture)
-    return np.asarray(np.rint(picture), dtype=np.uint8)
+            _draw_disc(picture, x, y, reach, np.array(colour, dtype=np.uint8))
+    return picture
+
+
+def _draw_disc(picture: Frame, x: float, y: float, radius: float, colour: UInt8[np.ndarray, "3"]) -> None:
+    """Draw a disc into a picture, each pixel covered by as much of it as lies inside."""
+    top, left = (max(0, math.floor(middle - radius - 1)) for middle in (y, x))
+    part = picture[top : max(0, math.ceil(y + radius + 1)), left : max(0, math.ceil(x + radius + 1))]
+    rows, columns = np.indices(part.shape[:2]) + 0.5
+    distance = np.hypot(columns + left - x, rows + top - y)
+    cover = np.clip(radius - distance + 0.5, 0, 1)[:, :, None]  # (rows, columns, 1)
+    part[:] = np.rint((1 - cover) * part + cover * colour)

@@ -15,7 +15,7 @@ from neurosym.execution import Run, StepRecord
 from neurosym.operators import TOLERANCE
 from neurosym.pictures import save_gif, save_strip, shrink
 from neurosym.problems import Problem
-from neurosym.world import Frame, Outcome, Scene, World
+from neurosym.world import Frame, Outcome, Pictured, Scene, World
 
 BEFORE = "start"
 """The phase in which everything comes to rest and the hand is not yet where the motion starts."""
@@ -151,10 +151,18 @@ def ignore(frame: Frame, phase: str) -> None:
 
 
 class Film:
-    """The pictures of a run, and where its steps end."""
+    """The pictures of a run, and where its steps end.
 
-    def __init__(self, problem: Problem):
+    Args:
+        world: Where it happens.
+        problem: What the run is to solve.
+    """
+
+    def __init__(self, world: World, problem: Problem):
         self._problem = problem
+        self._start = (
+            world.picture(problem.scene(), problem.goal_positions()) if isinstance(world, Pictured) else None
+        )
         self._frames: list[Frame] = []
         self._ends: list[tuple[int, str]] = []
 
@@ -180,4 +188,5 @@ class Film:
         if strip:
             captions = [f"{self._problem.name}: start", *(caption for _, caption in self._ends)]
             captions[-1] += ", goal reached" if run.reached else ", goal missed"
-            save_strip(strip, [self._frames[0], *(self._frames[end] for end, _ in self._ends)], captions)
+            start = self._frames[0] if self._start is None else self._start
+            save_strip(strip, [start, *(self._frames[end] for end, _ in self._ends)], captions)

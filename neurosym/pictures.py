@@ -20,6 +20,7 @@ STRIP_SIZE = (640, 480)
 _CAPTION, _GAP = 34, 8
 _TEXT = 18
 _GIF_TEXT = 14
+_PALETTE_SAMPLES = 6
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -71,11 +72,19 @@ def save_gif(path: Path, frames: Sequence[Frame], captions: Sequence[str] = ()) 
         captions: A line for each, drawn at its foot, if given.
     """
     lines = captions or [""] * len(frames)
-    images = [_gif_image(frame, line) for frame, line in zip(frames, lines, strict=True)]
+    images = _with_one_palette([_gif_image(*pair) for pair in zip(frames, lines, strict=True)])
     durations = [FRAME_MILLISECONDS] * (len(images) - 1) + [PAUSE_MILLISECONDS]
     buffer = io.BytesIO()
     images[0].save(buffer, "GIF", save_all=True, append_images=images[1:], duration=durations, loop=0)
     write_atomically(path, buffer.getvalue())
+
+
+def _with_one_palette(images: Sequence[Image.Image]) -> list[Image.Image]:
+    """Reduce images to 256 colours that they share, among them those of small things like dots."""
+    samples = images[:: max(1, len(images) // _PALETTE_SAMPLES)]
+    together = Image.fromarray(np.vstack([np.asarray(image) for image in samples]))
+    palette = together.quantize(256, method=Image.Quantize.FASTOCTREE)
+    return [image.quantize(palette=palette, dither=Image.Dither.NONE) for image in images]
 
 
 def save_strip(path: Path, frames: Sequence[Frame], captions: Sequence[str]) -> None:

@@ -141,7 +141,7 @@ def execute_stage(
         world = read_world(folder.require(WORLD))()
         if gui:
             open_window(world)
-        film = Film(problem) if gif or strip else None
+        film = Film(world, problem) if gif or strip else None
         run = execute(
             world,
             problem,
