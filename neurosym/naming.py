@@ -30,7 +30,7 @@ def name_categories(
 
     Args:
         symbols: The object symbols.
-        means: Mean features of each category.
+        means: Mean features of each category; of t, the share that is hollow.
         feature_names: What the features are; of s_x, s_y, d and t those are used that are there.
     """
     columns = {name: means[:, number] for number, name in enumerate(feature_names)}

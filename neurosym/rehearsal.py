@@ -106,7 +106,8 @@ def describe_categories(
     """
     present = sorted(set(symbols.tolist()))
     members = [features[symbols == symbol] for symbol in present]
-    names = name_categories(present, np.array([rows.mean(0) for rows in members]), feature_names)
+    means = np.array([_means_for_naming(rows, feature_names) for rows in members])
+    names = name_categories(present, means, feature_names)
     seen = {
         symbol: Category(
             symbol=symbol,
@@ -121,6 +122,12 @@ def describe_categories(
         seen.get(symbol) or Category(symbol, f"unseen-{symbol}", 0.0, (), ())
         for symbol in all_symbols(len(present[0]))
     )
+
+
+def _means_for_naming(rows: Float[np.ndarray, "N F"], feature_names: Sequence[str]) -> np.ndarray:
+    """Average features, where a type counts as hollow or not, however it is open."""
+    is_type = np.array(feature_names) == "t"
+    return np.asarray(np.where(is_type, rows >= 0.5, rows).mean(0))
 
 
 def modes_of(outcomes: Sequence[Outcome]) -> tuple[Mode, ...]:

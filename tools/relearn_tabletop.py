@@ -47,8 +47,9 @@ def sections(folder: DomainFolder) -> list[str]:
     return [
         "# The tabletop domain",
         "Learned by neurosym's own pipeline with the paper's budget: 10,000 curious interactions of a UR10 "
-        "with boxes of random size, solid or open-topped. `tools/relearn_tabletop.py` writes this file from "
-        "what it measured; nothing in this folder is edited by hand, and no problem was removed.",
+        "with boxes, open-topped boxes, planks and rings of random size. `tools/relearn_tabletop.py` writes "
+        "this file from what it measured; nothing in this folder is edited by hand, and no problem was "
+        "removed.",
         "## How it was made",
         f"`python tools/relearn_tabletop.py`, that is `neurosym run {FOLDER} --steps {STEPS} --seed {SEED} "
         f"--problems {PROBLEMS}`; problem number i is drawn with seed {SEED} + i. Minutes on 2 cores:",
@@ -56,6 +57,7 @@ def sections(folder: DomainFolder) -> list[str]:
         "## How well it predicts",
         _training(folder),
         "## Object symbols",
+        "Types: 0 solid (boxes, planks), 1 open at the top, 2 open at both ends (rings).",
         _categories(table.categories),
         "## Action symbols",
         "What each primitive did to the objects of each category when it was rehearsed. Forward is away from "
@@ -95,11 +97,11 @@ def _categories(categories: tuple[Category, ...]) -> str:
             f"{1000 * mean:.0f} ± {1000 * spread:.0f}"
             for mean, spread in zip(category.feature_means[:3], category.feature_spreads[:3], strict=True)
         ]
-        + [f"{category.feature_means[3]:.0%}"]
+        + [f"{category.feature_means[3]:.1f}"]
         for category in categories
         if category.share
     ]
-    return _markdown(["bits", "name", "share", "s_x [mm]", "s_y [mm]", "d [mm]", "hollow"], rows)
+    return _markdown(["bits", "name", "share", "s_x [mm]", "s_y [mm]", "d [mm]", "mean type"], rows)
 
 
 def _operators(operators: tuple[Operator, ...], grounding: Grounding) -> str:

@@ -24,7 +24,7 @@ class TabletopConfig:
         shapes: How often an object is of each shape, relative to the others; see `shapes.SHAPES`.
         wall: Thickness of the walls and floors of open objects [m].
         mass: Mass of every object [kg].
-        friction: Lateral friction of objects; the table's is 0.6, a finger's 1.2, and the products count.
+        friction: Lateral friction of objects; the table's is 0.6, a finger's 0.9, and the products count.
         lift_height: How far the hand rises after the last waypoint [m].
         time_step: Step of the simulation [s].
         frame_every: Steps between two pictures, when pictures are asked for.

@@ -2,7 +2,7 @@
 
 The protocol: spawn, settle, record; hand clear of every object; for each of three waypoints set the gripper,
 then move there in a straight line; rise; record the effect and whether something is held; if so, lower it
-straight down until it stands, let go, rise, settle; record the resting effect.
+until it stands, let go, rise, settle; record the resting effect.
 """
 
 import math
@@ -13,14 +13,15 @@ from jaxtyping import Float
 
 from neurosym.sim.arm import Arm
 from neurosym.sim.camera import Camera
+from neurosym.sim.landing import landing_shift
 from neurosym.sim.robot import LOWEST_TOOL_POINT, Robot
 from neurosym.sim.simulation import Simulation
 from neurosym.world import FrameSink, Outcome, Scene
 
 CLEARANCE = 0.005
 """The hand starts at least this far above whatever it would otherwise touch [m]."""
-RELEASE_OPENING = 0.015
-"""How far each finger opens to let go of an object that stands on the table [m]."""
+RELEASE_OPENINGS = (0.005, 0.015)
+"""How far each finger opens, first to let a standing object fall flat, then to leave it behind [m]."""
 LOWERING_SPEED = 0.25
 """Greatest speed of a held object on its way down [m/s]."""
 TOPPLED_COSINE = math.cos(math.radians(30))
@@ -166,24 +167,29 @@ class Interaction:
         return self._simulation.touched_by(body) == {self._robot.body}
 
     def _put_down(self) -> None:
-        """Lower the object until it stands on something, let go, and draw the hand back."""
-        above = self._robot.tool_point()
+        """Lower the object until it stands, such that it comes to lie under where it hangs; let go, withdraw.
+
+        A tilted object shifts when it falls flat; on its way down the hand moves by as much the other way.
+        """
         body = self._simulation.bodies[self._target]
+        tilt = _rotation(self._simulation.observe().orientations[self._target])
+        shift_x, shift_y = landing_shift(self._simulation.features[self._target], tilt)
+        x, y, _ = self._robot.tool_point()
         self._robot.move_to(
-            np.array([above[0], above[1], 0.0]),
+            np.array([x - shift_x, y - shift_y, 0.0]),
             peak_speed=LOWERING_SPEED,
             until=lambda: self._simulation.touch(body, self._simulation.table),
         )
-        self._robot.open(self._robot.half_opening() + RELEASE_OPENING)
+        for opening in RELEASE_OPENINGS:
+            self._robot.open(self._robot.half_opening() + opening)
         self._rise()
         self._simulation.settle()
 
 
 def _has_toppled(start: Scene, end: Scene, target: int) -> bool:
-    before, after = _up(start.orientations[target]), _up(end.orientations[target])
+    before, after = (_rotation(scene.orientations[target])[:, 2] for scene in (start, end))
     return bool(before @ after < TOPPLED_COSINE)
 
 
-def _up(quaternion: Float[np.ndarray, "4"]) -> Float[np.ndarray, "3"]:
-    """Return the object's own z axis in the world."""
-    return np.array(pybullet.getMatrixFromQuaternion(quaternion)).reshape(3, 3)[:, 2]
+def _rotation(quaternion: Float[np.ndarray, "4"]) -> Float[np.ndarray, "3 3"]:
+    return np.array(pybullet.getMatrixFromQuaternion(quaternion)).reshape(3, 3)

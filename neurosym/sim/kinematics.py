@@ -88,14 +88,23 @@ def _solve(flange_in_base: Float[np.ndarray, "N 4 4"]) -> Float[np.ndarray, "N 6
     )
     p = flange_in_base[:, :3, 3]
     q5 = np.arccos((p[:, 0] * np.sin(q1) - p[:, 1] * np.cos(q1) - D[3]) / D[5])
-    flange_in_1 = np.linalg.inv(joint_transform(0, q1)) @ flange_in_base
-    one_in_flange = np.linalg.inv(flange_in_1)
+    flange_in_1 = _inverse(joint_transform(0, q1)) @ flange_in_base
+    one_in_flange = _inverse(flange_in_1)
     q6 = np.arctan2(-one_in_flange[:, 1, 2] / np.sin(q5), one_in_flange[:, 0, 2] / np.sin(q5))
-    four_in_1 = flange_in_1 @ np.linalg.inv(joint_transform(4, q5) @ joint_transform(5, q6))
+    four_in_1 = flange_in_1 @ _inverse(joint_transform(4, q5) @ joint_transform(5, q6))
     elbow = (four_in_1 @ np.array([0.0, -D[3], 0.0, 1.0]))[:, :3]
     reach = np.linalg.norm(elbow, axis=1)
     q3 = np.arccos((reach**2 - A[1] ** 2 - A[2] ** 2) / (2 * A[1] * A[2]))
     q2 = -np.arctan2(elbow[:, 1], -elbow[:, 0]) + np.arcsin(A[2] * np.sin(q3) / reach)
-    four_in_3 = np.linalg.inv(joint_transform(1, q2) @ joint_transform(2, q3)) @ four_in_1
-    q4 = np.arctan2(four_in_3[:, 1, 0], four_in_3[:, 0, 0])
+    q4 = np.arctan2(four_in_1[:, 1, 0], four_in_1[:, 0, 0]) - q2 - q3  # joints 2, 3, 4 are parallel
     return np.stack([q1, q2, q3, q4, q5, q6], axis=1)
+
+
+def _inverse(pose: Float[np.ndarray, "N 4 4"]) -> Float[np.ndarray, "N 4 4"]:
+    """Invert rigid transforms."""
+    rotation = pose[:, :3, :3].transpose(0, 2, 1)
+    inverse = np.zeros_like(pose)
+    inverse[:, :3, :3] = rotation
+    inverse[:, :3, 3] = -(rotation @ pose[:, :3, 3, None])[..., 0]
+    inverse[:, 3, 3] = 1.0
+    return inverse

@@ -1,6 +1,7 @@
 """The arm and its hand: straight motions that stop at resistance, and fingers that feel their way."""
 
-from collections.abc import Callable
+import math
+from collections.abc import Callable, Sequence
 
 import numpy as np
 import pybullet
@@ -15,7 +16,9 @@ CLOSING_FORCE, HOLDING_FORCE = 10.0, 20.0
 OPENING_FORCE = 0.4
 """Force while opening [N]: too little to carry an object by spreading inside it."""
 FINGER_SPEED = 0.25
-FINGER_FRICTION = 1.2
+FINGER_FRICTION = 0.9
+FINGER_TWISTING_FRICTION = 0.03
+"""Resistance of a soft fingertip to twisting [m]; without it, objects held by an edge swing and tilt."""
 STALL_ERROR = 0.005
 """A motion stops when the hand lags this far behind its path [m]."""
 LOWEST_TOOL_POINT = 0.013
@@ -52,6 +55,7 @@ class Robot:
                 self.body,
                 finger,
                 lateralFriction=FINGER_FRICTION,
+                spinningFriction=FINGER_TWISTING_FRICTION,
                 jointLowerLimit=0.0,
                 physicsClientId=self._client,
             )
@@ -97,7 +101,7 @@ class Robot:
             pybullet.resetJointState(self.body, finger, half_opening, 0.0, physicsClientId=self._client)
         self.is_open = half_opening > 0
         self._drive_fingers(half_opening, HOLDING_FORCE if self.is_open else CLOSING_FORCE)
-        self._drive_arm(angles, np.zeros_like(angles))
+        self._drive_arm(angles, [0.0] * len(angles))
 
     def tool_point(self) -> Float[np.ndarray, "3"]:
         """Return where the tool point is in the world [m]."""
@@ -132,13 +136,14 @@ class Robot:
         path = start + _smooth(count)[:, None] * (goal - start)  # (T, 3)
         joints = self._arm.inverse_kinematics(path)  # (T, J)
         velocities = np.gradient(joints, self._time_step, axis=0) if count > 1 else np.zeros_like(joints)
-        for tick in range(count):
-            self._drive_arm(joints[tick], velocities[tick])
+        ticks = zip(path.tolist(), joints.tolist(), velocities.tolist(), strict=True)
+        for tick, (wanted, angles, speeds) in enumerate(ticks):
+            self._drive_arm(angles, speeds)
             self._step()
             if until is not None and until():
                 self.hold()
                 return False
-            if tick % _CHECK_EVERY == 0 and np.linalg.norm(self.tool_point() - path[tick]) > STALL_ERROR:
+            if tick % _CHECK_EVERY == 0 and math.dist(self.tool_point(), wanted) > STALL_ERROR:
                 self.hold()
                 return False
         return True
@@ -146,10 +151,11 @@ class Robot:
     def hold(self) -> None:
         """Stay where the hand is now."""
         angles = self._angles_at(self.tool_point())
-        self._drive_arm(angles, np.zeros_like(angles))
+        self._drive_arm(angles, [0.0] * len(angles))
 
-    def _angles_at(self, point: Float[np.ndarray, "3"]) -> Float[np.ndarray, "J"]:
-        return np.asarray(self._arm.inverse_kinematics(point[None])[0])
+    def _angles_at(self, point: Float[np.ndarray, "3"]) -> list[float]:
+        angles: list[float] = self._arm.inverse_kinematics(point[None])[0].tolist()
+        return angles
 
     def close(self) -> None:
         """Close the fingers until they stop."""
@@ -182,7 +188,7 @@ class Robot:
                 return
             last = now
 
-    def _drive_arm(self, angles: Float[np.ndarray, "J"], velocities: Float[np.ndarray, "J"]) -> None:
+    def _drive_arm(self, angles: Sequence[float], velocities: Sequence[float]) -> None:
         pybullet.setJointMotorControlArray(
             self.body,
             self._arm.joints,
