@@ -4,7 +4,7 @@ VENV ?= .venv
 PYTHON ?= $(firstword $(shell command -v python3.11) $(shell command -v python3))
 BIN := $(VENV)/bin
 
-.PHONY: install demo test lint evaluate clean
+.PHONY: install demo test lint evaluate evaluate-world clean
 
 install: $(VENV)/.installed
 
@@ -32,6 +32,11 @@ lint: install
 # The tests that need minutes of physics or training; each prints its figures.
 evaluate: install
 	$(BIN)/pytest -m evaluation -s
+
+# Every figure of docs/world.md, into docs/results/; goes on where it was interrupted. SCALE=0.1 for a glance.
+SCALE ?= 1.0
+evaluate-world: install
+	$(BIN)/python tools/evaluate_world.py --scale $(SCALE)
 
 clean:
 	rm -rf $(VENV) demo

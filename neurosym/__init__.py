@@ -4,6 +4,7 @@ The verbs of the command line are functions here; each is imported when it is fi
 `import neurosym` is quick and loads neither torch nor PyBullet.
 """
 
+import sys
 from importlib import import_module
 from importlib.metadata import version
 from typing import Any
@@ -33,3 +34,7 @@ def __getattr__(name: str) -> Any:
 
 def __dir__() -> list[str]:
     return sorted(__all__)
+
+
+if "gymnasium" in sys.modules:  # whoever imports Gymnasium first expects our environments in its registry
+    import_module("neurosym.gymnasium_env")

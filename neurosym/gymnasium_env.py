@@ -1,7 +1,8 @@
 """Any world as a Gymnasium environment, whose steps are whole interactions, from empty hand to empty hand.
 
-Importing this module registers `neurosym/Tabletop-v0` and `neurosym/Toy-v0`; Gymnasium does so by itself when
-asked for `neurosym.gymnasium_env:neurosym/Toy-v0`. Since version 1.0 it loads no plug-ins unasked.
+Importing this module registers `neurosym/Tabletop-v0` and `neurosym/Toy-v0`. So does `import neurosym` after
+`import gymnasium`, and Gymnasium itself when asked for `neurosym.gymnasium_env:neurosym/Toy-v0`; since 1.0 it
+loads no plug-ins unasked.
 """
 
 from collections.abc import Callable

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
+from jaxtyping import UInt8
 from PIL import Image, ImageDraw, ImageFont
 
 from neurosym.errors import InvalidValue
@@ -58,7 +59,7 @@ def check_picture_path(path: Path, endings: Sequence[str] = ENDINGS) -> None:
         raise InvalidValue(f"No picture can be written to {path}; name a file in an existing folder.")
 
 
-def shrink(frame: Frame) -> Frame:
+def shrink(frame: Frame) -> UInt8[np.ndarray, "strip_height strip_width 3"]:
     """Bring a picture to the size that it has in a strip, smoothly."""
     return np.asarray(Image.fromarray(frame).resize(STRIP_SIZE, Image.Resampling.LANCZOS))
 

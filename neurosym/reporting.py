@@ -72,6 +72,9 @@ def show_run(run: Run) -> None:
     show_table(f"run of {run.problem}", columns, rows)
     far = ", ".join(f"{name} {1000 * distance:.0f} mm" for name, distance in run.distances.items())
     say(f"goal {'reached' if run.reached else 'missed'}: {far} from it")
+    for number, step in enumerate(run.steps, 1):
+        if step.touched:
+            say(f"in step {number} the robot touched {', '.join(step.touched)}")
     if run.reason:
         say(run.reason)
 

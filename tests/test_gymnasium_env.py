@@ -36,10 +36,14 @@ def test_environment_keeps_the_rules_of_gymnasium(name, objects):
     check_env(gymnasium.make(f"neurosym/{name}-v0", objects=objects).unwrapped)
 
 
-def test_environment_is_found_without_an_import_of_ours():
-    code = (
-        "import gymnasium; print(gymnasium.make('neurosym.gymnasium_env:neurosym/Toy-v0').reset(seed=0)[1])"
-    )
+@pytest.mark.parametrize(
+    "code",
+    [
+        "import gymnasium; print(gymnasium.make('neurosym.gymnasium_env:neurosym/Toy-v0').reset(seed=0)[1])",
+        "import gymnasium, neurosym; print(gymnasium.make('neurosym/Toy-v0').reset(seed=0)[1])",
+    ],
+)
+def test_environment_is_found_by_name(code):
     output = subprocess.run([sys.executable, "-W", "error", "-c", code], capture_output=True, text=True)
     assert output.stdout.strip() == "{'target': 0}", output.stderr
 

@@ -1,16 +1,16 @@
 """How fast the tabletop world is; prints JSON.
 
-Whole actions are compared with a bare loop of `stepSimulation` over the same bodies in the same contacts: the
-same interactions are performed once more, and now and then interrupted for a few bare steps that are timed.
-Both are in CPU seconds, so that other processes on the machine disturb the ratio little.
+Whole actions are compared with bare calls of `stepSimulation` on the same bodies in the same contacts:
+the same interactions are performed once more, and now and then a bare step is made and timed. Longer
+runs of bare steps would stall the motions and so change the contacts. Both are in CPU seconds and in
+turns, so that other processes on the machine disturb the ratio little.
 """
 
+import cProfile
 import json
 import multiprocessing
+import pstats
 import time
-from collections.abc import Iterator
-from contextlib import contextmanager
-from functools import partial
 from pathlib import Path
 from typing import Annotated, Any
 
@@ -21,8 +21,7 @@ from world_measures import factory, random_tasks
 from neurosym.sim.simulation import Simulation
 from neurosym.workers import Task, crew
 
-BURST_EVERY, BURST = 20, 10
-"""A burst of so many bare steps after every so many steps."""
+BARE_STEP_EVERY = 20
 _PAGE_MB = 4096 / 2**20
 
 
@@ -39,26 +38,52 @@ def bench(interactions: int, growth: int, time_step: float) -> dict[str, Any]:
     """Measure stepping, whole actions, workers and memory."""
     world = factory(time_step=time_step)()
     tasks = random_tasks(interactions, 11, world=world)
-    perform = partial(_perform_all, world)
-    perform(tasks[:5])
-    with _counted_steps() as steps:
-        seconds = perform(tasks)
-    raw = _bare_rate(world, tasks[: max(20, interactions // 4)])
-    rate = steps[0] / seconds
+    _perform_all(world, tasks[:5])
+    raw, rate, seconds = stepping(world, tasks)
     one, two = (_rate_with(workers, time_step, tasks) for workers in (1, 2))
     return {
         "raw_steps_per_second": round(raw),
         "steps_per_second_in_actions": round(rate),
         "share_of_raw_stepping": round(rate / raw, 3),
-        "cpu_ms_per_interaction": round(1000 * seconds / interactions, 1),
-        "steps_per_interaction": round(steps[0] / interactions),
+        "cpu_ms_per_interaction": round(1000 * seconds, 1),
+        "steps_per_interaction": round(rate * seconds),
         "interactions_per_second_1_worker": round(one, 2),
         "interactions_per_second_2_workers": round(two, 2),
         "speedup_2_workers": round(two / one, 3),
         "minutes_for_10000_with_2_workers": round(10_000 / two / 60, 2),
         "time_step": time_step,
+        "profile": profile(world, tasks[:60]),
         **memory(growth, time_step),
     }
+
+
+def _is_one_of(function: str, names: tuple[str, ...]) -> bool:
+    """Say whether a profiler's name for a function, like `<built-in method f>`, is one of these."""
+    return function.rstrip(">").split()[-1].split(".")[-1] in names
+
+
+PARTS = {
+    "stepping": ("stepSimulation",),
+    "building the scene": ("_reset", "_make_table", "_make_object", "loadURDF", "_couple_fingers"),
+    "inverse kinematics": ("joints_for",),
+    "motor commands": ("_drive_arm", "_drive_fingers"),
+    "looking": ("tool_point", "_is_quiet", "_watch", "half_opening", "touched_by", "touch", "observe"),
+}
+"""Where the time of an interaction goes: functions by what they are for."""
+
+
+def profile(world: Any, tasks: list[Task]) -> dict[str, float]:
+    """Share out the time of whole interactions over what it is spent on, as the profiler sees it."""
+    profiler = cProfile.Profile()
+    profiler.runcall(_perform_all, world, tasks)
+    stats = pstats.Stats(profiler)
+    spent = {
+        name: sum(row[3] for (_, _, function), row in stats.stats.items() if _is_one_of(function, parts))
+        for name, parts in PARTS.items()
+    }
+    total: float = stats.total_tt  # type: ignore[attr-defined]
+    shares = {name: round(seconds / total, 3) for name, seconds in spent.items()}
+    return shares | {"rest": round(1 - sum(shares.values()), 3)}
 
 
 def _perform_all(world: Any, tasks: list[Task]) -> float:
@@ -69,45 +94,39 @@ def _perform_all(world: Any, tasks: list[Task]) -> float:
     return time.process_time() - begin
 
 
-@contextmanager
-def _counted_steps() -> Iterator[list[int]]:
-    """Count the steps of simulations made meanwhile."""
-    count = [0]
+def stepping(world: Any, tasks: list[Task]) -> tuple[float, float, float]:
+    """Measure bare stepping and whole actions, in turns.
+
+    Returns:
+        Bare steps in a CPU second, steps of whole actions in a CPU second, CPU seconds of an interaction.
+    """
+    whole = bare = 0.0
+    steps = bare_steps = 0
     inner = Simulation.step
 
-    def step(self: Simulation) -> None:
-        inner(self)
-        count[0] += 1
+    def counted(simulation: Simulation) -> None:
+        nonlocal steps
+        inner(simulation)
+        steps += 1
 
-    Simulation.step = step  # type: ignore[method-assign]
-    try:
-        yield count
-    finally:
-        Simulation.step = inner  # type: ignore[method-assign]
-
-
-def _bare_rate(world: Any, tasks: list[Task]) -> float:
-    """Return how many bare steps fit in a CPU second, amid the contacts of real interactions [1/s]."""
-    spent, steps = 0.0, 0
-    inner = Simulation.step
-
-    def step(self: Simulation) -> None:
-        nonlocal spent, steps
-        inner(self)
-        if self.ticks % BURST_EVERY == 0:
-            client = self.client
+    def strewn_with_bare_steps(simulation: Simulation) -> None:
+        nonlocal bare, bare_steps
+        inner(simulation)
+        if simulation.ticks % BARE_STEP_EVERY == 0:
             begin = time.process_time()
-            for _ in range(BURST):
-                pybullet.stepSimulation(physicsClientId=client)
-            spent += time.process_time() - begin
-            steps += BURST
+            pybullet.stepSimulation(physicsClientId=simulation.client)
+            bare += time.process_time() - begin
+            bare_steps += 1
 
-    Simulation.step = step  # type: ignore[method-assign]
     try:
-        _perform_all(world, tasks)
+        for task in tasks:
+            Simulation.step = counted  # type: ignore[method-assign]
+            whole += _perform_all(world, [task])
+            Simulation.step = strewn_with_bare_steps  # type: ignore[method-assign]
+            _perform_all(world, [task])
     finally:
         Simulation.step = inner  # type: ignore[method-assign]
-    return steps / spent
+    return bare_steps / bare, steps / whole, whole / len(tasks)
 
 
 def _rate_with(workers: int, time_step: float, tasks: list[Task]) -> float:

@@ -43,11 +43,11 @@ def parts(scale: float) -> dict[str, Part]:
         "predictability_at_1_120": partial(
             measures.predictability, some(1000), 101, WORKERS, time_step=1 / 120
         ),
-        "random": partial(ten_thousand, some(10_000)),
         "object_matters": partial(measures.object_matters, some(200), 25, 103, WORKERS),
         "hand_written": partial(measures.hand_written, some(50), 104, WORKERS),
         "two_objects": partial(measures.several_objects, some(300), 2, 105, WORKERS),
         "eight_objects": partial(measures.several_objects, some(300), 8, 106, WORKERS),
+        "random": partial(ten_thousand, some(10_000)),
         "speed": lambda _: bench(some(400), 4, 1 / 240),
         "speed_at_1_120": lambda _: bench(some(400), 4, 1 / 120),
         "memory": lambda _: memory(some(10_000), 1 / 240),

@@ -106,13 +106,15 @@ def _outcomes(kinds: dict[str, dict[str, float]]) -> str:
 
 def _speeds(details: dict[str, Any]) -> str:
     fine, coarse = details["speed"], details["speed_at_1_120"]
-    names = [name for name in fine if not name.startswith("memory") and name != "time_step"]
+    names = [name for name in fine if not name.startswith("memory") and name not in ("time_step", "profile")]
     rows = [[name.replace("_", " "), str(fine[name]), str(coarse[name])] for name in names]
     memory = details["memory"]
+    spent = ", ".join(f"{part} {share:.0%}" for part, share in fine["profile"].items())
     grown = f"{memory['memory_growth_mb']} MB over {memory['memory_growth_over_interactions']} interactions"
     return "\n\n".join(
         [
             _table(["figure", "1/240 s", "1/120 s"], rows),
+            f"Where the time goes at 1/240 s, as the profiler sees it: {spent}.",
             f"One worker takes {memory['memory_mb_a_worker']} MB and grows by {grown}.",
         ]
     )

@@ -66,7 +66,7 @@ def push(features: Features, axis: int, sign: int) -> Action | None:
         return _straight(axis, sign * (min(INNER - half, half - WALL - OUTER) - GAP), sign * REACH, _OPEN)
     if axis == 0 and _is_spannable(features):
         grip = (sign * REACH, 0.0, LOW, _CLOSED)
-        return _action((0, 0, LOW, _OPEN), grip, (sign * REACH, 0.0, REACH, _OPEN))
+        return _action((0.0, 0.0, LOW, _OPEN), grip, (sign * REACH, 0.0, REACH, _OPEN))
     if axis == 0 and _is_open(features) and REACH - (half - WALL - HAND_HALF[0]) > 2 * LEAST_PUSH:
         return _straight(axis, 0.0, sign * REACH, _CLOSED)
     return None
@@ -89,7 +89,9 @@ def _grip(features: Features) -> float | None:
 def grasp(features: Features) -> Action | None:
     """Grasp an object, around it or by a wall; None if it does not afford that."""
     y = _grip(features)
-    return None if y is None else _action((0, y, 0, _OPEN), (0, y, 0, _CLOSED), (0, y, REACH, _CLOSED))
+    return (
+        None if y is None else _action((0.0, y, 0.0, _OPEN), (0.0, y, 0.0, _CLOSED), (0.0, y, REACH, _CLOSED))
+    )
 
 
 def pick_and_place(features: Features) -> Action | None:
@@ -98,7 +100,7 @@ def pick_and_place(features: Features) -> Action | None:
     if y is None:
         return None
     there = (REACH, y - REACH)
-    return _action((0, y, 0, _OPEN), (*there, CARRY, _CLOSED), (*there, REACH, _OPEN))
+    return _action((0.0, y, 0.0, _OPEN), (*there, CARRY, _CLOSED), (*there, REACH, _OPEN))
 
 
 @dataclass(frozen=True, slots=True)
