@@ -21,8 +21,10 @@ from rich.text import Text
 
 _PIPE_WIDTH = 160  # columns, where there is no terminal to ask
 
-console = Console(highlight=False, soft_wrap=True, width=None if sys.stdout.isatty() else _PIPE_WIDTH)
-error_console = Console(stderr=True, highlight=False, soft_wrap=True)
+console = Console(
+    highlight=False, emoji=False, soft_wrap=True, width=None if sys.stdout.isatty() else _PIPE_WIDTH
+)
+error_console = Console(stderr=True, highlight=False, emoji=False, soft_wrap=True)
 
 
 class Advance(Protocol):

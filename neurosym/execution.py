@@ -17,7 +17,7 @@ from neurosym.operators import TOLERANCE, Vector
 from neurosym.pddl.grounding import Grounding, is_lift
 from neurosym.pddl.plan_text import PlanStep
 from neurosym.problems import Problem
-from neurosym.world import FrameSink, Outcome, Scene, World
+from neurosym.world import Disturbance, FrameSink, Outcome, Scene, World
 
 StepOutcome = Literal["resting", "held", "toppled", "lost", "not performed"]
 
@@ -36,6 +36,7 @@ class StepRecord(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
         as_promised: Whether it ended so, within the tolerance.
         positions: Centre of every object after the step [m], by name.
         touched: Names of the other objects that the robot itself touched.
+        disturbed: How other objects ended that ended elsewhere (moved, toppled, lost), by name.
     """
 
     operator: str
@@ -48,6 +49,7 @@ class StepRecord(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     as_promised: bool
     positions: dict[str, Vector]
     touched: tuple[str, ...] = ()
+    disturbed: dict[str, Disturbance] = {}
 
 
 class Run(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
@@ -162,6 +164,7 @@ def _record(step: PlanStep, problem: Problem, grounding: Grounding, outcome: Out
         as_promised=kept and deviation is not None and deviation <= TOLERANCE,
         positions=_named(problem, outcome.end),
         touched=tuple(problem.object_names[index] for index in outcome.touched),
+        disturbed={problem.object_names[index]: how for index, how in outcome.disturbed},
     )
 
 

@@ -166,6 +166,7 @@ def _info(outcome: Outcome) -> dict[str, Any]:
         "resting_effect": np.array(outcome.resting_effect, dtype=np.float64),
         "kind": outcome.kind,
         "touched": tuple(outcome.touched),
+        "disturbed": dict(outcome.disturbed),
         "peak_height": float(outcome.peak_height),
     }
 

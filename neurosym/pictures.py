@@ -14,7 +14,7 @@ from neurosym.files import write_atomically
 from neurosym.world import Frame
 
 ENDINGS = (".png", ".gif")
-GIF_SIZE = (480, 360)
+GIF_SIZE = (640, 480)
 FRAME_MILLISECONDS = 50
 PAUSE_MILLISECONDS = 1500
 STRIP_SIZE = (640, 480)

@@ -75,6 +75,8 @@ def show_run(run: Run) -> None:
     for number, step in enumerate(run.steps, 1):
         if step.touched:
             say(f"in step {number} the robot touched {', '.join(step.touched)}")
+        for name, how in step.disturbed.items():
+            say(f"in step {number} {name} was {how}, though it was not acted upon")
     if run.reason:
         say(run.reason)
 

@@ -25,6 +25,8 @@ from neurosym.world import Outcome, Scene, World
 
 WorldFactory = Callable[[], World]
 
+MOST_WORKERS = 256
+"""Processes on one machine; a cluster may have more."""
 AHEAD = 4
 """Tasks handed out for each worker, so that none waits for the next."""
 
@@ -68,8 +70,8 @@ def crew(world_factory: WorldFactory, workers: int) -> Iterator[Perform]:
         InvalidValue: If there are fewer than one.
         WorkerDied: From the outcomes, if a worker process ends.
     """
-    if workers < 1:
-        raise InvalidValue(f"workers = {workers} must be at least 1.")
+    if not 1 <= workers <= MOST_WORKERS:
+        raise InvalidValue(f"workers = {workers} must be at least 1 and at most {MOST_WORKERS}.")
     if workers == 1:
         world = world_factory()
         yield lambda tasks: (perform_task(world, task) for task in tasks)

@@ -14,6 +14,7 @@ from jaxtyping import Bool, Float, UInt8
 
 from neurosym.errors import InvalidValue
 
+Disturbance = Literal["moved", "toppled", "lost"]
 OutcomeKind = Literal["resting", "held", "toppled", "lost"]
 Frame = UInt8[np.ndarray, "height width 3"]
 FrameSink = Callable[[Frame, str], None]
@@ -25,7 +26,8 @@ class Scene:
     """The objects on the table, at one moment.
 
     Attributes:
-        features: What each object is: size along x, size along y, height [m], type (0 solid, 1 hollow).
+        features: What each object is: size along x, size along y, height [m], and type; a world
+            names its own.
         positions: Centre of each object in the world frame [m].
         orientations: Orientation of each object in the world frame, as a quaternion (x, y, z, w).
     """
@@ -52,6 +54,7 @@ class Outcome:
         lost: Whether the target ended off the table.
         peak_height: Greatest height of the target's centre above its start on the way [m].
         touched: Indices of the bystanders that the robot itself touched.
+        disturbed: Indices of the bystanders that ended elsewhere, each with how it ended.
     """
 
     start: Scene
@@ -63,6 +66,7 @@ class Outcome:
     lost: bool
     peak_height: float
     touched: tuple[int, ...] = ()
+    disturbed: tuple[tuple[int, Disturbance], ...] = ()
 
     @property
     def kind(self) -> OutcomeKind:
@@ -240,11 +244,17 @@ def check_action(world: World, scene: Scene, action: np.ndarray, target: int) ->
         target: Index of the target.
     """
     size = len(world.action_box.low)
+    if np.asarray(action).dtype.kind not in "fiu":
+        raise InvalidValue(f"The action must be numbers, not {np.asarray(action).dtype}.")
     if np.shape(action) != (size,):
         raise InvalidValue(
             f"The action has shape {np.shape(action)}; the {world.name} world takes ({size},)."
         )
     if not np.all(np.isfinite(action)):
         raise InvalidValue(f"The action holds a value that is not finite: {np.asarray(action).tolist()}.")
+    if not isinstance(target, int | np.integer) or isinstance(target, bool):
+        raise InvalidValue(f"The target must be the number of an object, not {target!r}.")
+    if not len(scene):
+        raise InvalidValue("The scene is empty; there is nothing to act upon.")
     if not 0 <= target < len(scene):
         raise InvalidValue(f"There is no object {target}; the scene has objects 0 to {len(scene) - 1}.")

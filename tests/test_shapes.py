@@ -83,7 +83,7 @@ def test_more_objects_than_can_be_simulated_are_refused():
         ({"size": (-0.1, 0.1)}, "greater than 0"),
         ({"size": (30.0, 180.0)}, "lengths are in metres"),
         ({"table_x": (0.4, 0.5)}, "shorter than the 0.24 m"),
-        ({"time_step": 1 / 60}, "at most 1/120"),
+        ({"time_step": 1 / 60}, "between 1/2000 and 1/120"),
     ],
 )
 def test_impossible_world_is_refused_in_one_sentence(options, message):

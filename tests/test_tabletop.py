@@ -171,3 +171,59 @@ def test_world_survives_pickling_for_worker_processes():
     world = Tabletop(TabletopConfig(lift_height=0.15))
     world.client()
     assert pickle.loads(pickle.dumps(world)).config == world.config
+
+
+def boxes_at(*places, size=(0.03, 0.03, 0.04)):
+    return Scene(
+        features=np.array([[*size, 0.0]] * len(places)),
+        positions=np.array([[x, y, size[2] / 2] for x, y in places]),
+        orientations=np.tile([0.0, 0.0, 0.0, 1.0], (len(places), 1)),
+    )
+
+
+@pytest.mark.parametrize("target", [0, 1])
+def test_whatever_hangs_from_the_hand_is_put_down_not_only_the_target(target):
+    scene = boxes_at((0.6, 0.0), (0.6, -0.07))
+    aside = -0.035 if target == 0 else 0.035  # the hand closes around both
+    action = np.array([0, aside, 0, OPEN, 0, aside, 0, CLOSED, 0, aside, 0.03, CLOSED])
+    outcome = Tabletop().interact(scene, action, target)
+    assert outcome.lifted.positions[:, 2].max() > 0.15
+    assert outcome.kind == "held"
+    assert outcome.end.positions[:, 2].max() < 0.05
+    again = Tabletop().interact(outcome.end, np.tile([0.05, 0.05, 0.025, 0.0], 3), 0)
+    assert np.abs(again.start.positions - outcome.end.positions).max() < 2e-3
+
+
+def test_bystander_that_is_lifted_instead_of_the_target_is_put_down_and_reported():
+    scene = boxes_at((0.6, 0.1), (0.6, 0.06))
+    around_the_other = np.array([0, -0.04, 0, OPEN, 0, -0.04, 0, CLOSED, 0, -0.04, 0.03, CLOSED])
+    outcome = Tabletop().interact(scene, around_the_other, 0)
+    assert outcome.end.positions[:, 2].max() < 0.05
+    assert 1 in outcome.touched
+
+
+def test_bystander_pushed_off_the_table_is_reported_as_lost():
+    scene = boxes_at((0.65, -0.22), (0.65, -0.26))
+    outcome = Tabletop().interact(scene, np.array(PUSHES["right"][0]), 0)
+    assert (1, "lost") in outcome.disturbed
+
+
+@pytest.mark.parametrize(
+    ("scene", "message"),
+    [
+        (boxes_at((0.6, 0.0), size=(0.03, -0.03, 0.04)), "size that is not greater than 0"),
+        (Scene(np.ones((1, 3)), np.zeros((1, 3)), np.zeros((1, 4))), "3 features; valid: s_x, s_y, d, t"),
+        (boxes_at((np.nan, 0.0)), "not finite"),
+    ],
+)
+def test_impossible_scenes_are_refused_in_one_sentence(scene, message):
+    with pytest.raises(InvalidValue, match=message):
+        Tabletop().interact(scene, np.zeros(12), 0)
+
+
+@pytest.mark.parametrize(
+    "options", [{"table_x": (2.0, 2.6)}, {"lift_height": 5.0}, {"table_y": (-300.0, 300.0)}]
+)
+def test_table_out_of_the_arms_reach_is_refused_and_the_option_named(options):
+    with pytest.raises(InvalidValue, match=rf"{next(iter(options))} = .* more than the arm reaches"):
+        Tabletop(TabletopConfig(**options))

@@ -7,6 +7,7 @@ anew.
 import json
 import os
 import platform
+import sys
 import time
 from collections.abc import Callable
 from functools import partial
@@ -127,4 +128,8 @@ def _text(value: Any) -> str:
 
 
 if __name__ == "__main__":
-    tyro.cli(main)
+    try:
+        tyro.cli(main)
+    except KeyboardInterrupt:
+        say("interrupted; the same command goes on from what is written")
+        sys.exit(130)

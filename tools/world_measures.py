@@ -87,8 +87,8 @@ def predictability(count: int, seed: int, workers: int, advance: Advance, **opti
 
 def _surviving(effects: np.ndarray, rows: np.ndarray) -> float:
     first, second = effects[:, rows]
-    lost = ((first - second) ** 2).sum() / 2
-    return round(float(1 - lost / ((first - first.mean(0)) ** 2).sum()), 4)
+    lost, whole = ((first - second) ** 2).sum() / 2, ((first - first.mean(0)) ** 2).sum()
+    return round(float(1 - lost / whole), 4) if whole > 0 else 1.0
 
 
 def random_outcomes(outcomes: Sequence[Outcome]) -> Results:

@@ -11,7 +11,9 @@ from importlib.resources import files
 import numpy as np
 from jaxtyping import Float
 
+from neurosym.errors import InvalidValue
 from neurosym.sim import kinematics
+from neurosym.sim.config import TabletopConfig
 
 InverseKinematics = Callable[[Float[np.ndarray, "N 3"]], Float[np.ndarray, "N J"]]
 """Joint angles [rad] that bring the tool point to each point of a path in the world [m], the hand down.
@@ -54,6 +56,25 @@ class Arm:
     finger_thickness: float
     palm_half_size: tuple[float, float]
     mass_scale: float = 1.0
+
+
+def check_reach(config: TabletopConfig, arm: Arm) -> None:
+    """Raise `InvalidValue` unless an arm reaches over the whole table, as high as it lifts.
+
+    Args:
+        config: The world's options.
+        arm: The arm.
+    """
+    high = config.height[1] + config.lift_height
+    corners = [(x, y, z) for x in config.table_x for y in config.table_y for z in (config.height[0], high)]
+    for corner in corners:
+        try:
+            arm.inverse_kinematics(np.array([corner]))
+        except InvalidValue as error:
+            raise InvalidValue(
+                f"table_x = {list(config.table_x)}, table_y = {list(config.table_y)} and lift_height = "
+                f"{config.lift_height} m ask for more than the arm reaches: {error} Lengths are in metres."
+            ) from error
 
 
 UR10 = Arm(

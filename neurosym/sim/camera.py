@@ -7,41 +7,27 @@ import pybullet
 from jaxtyping import Float
 
 from neurosym.dots import draw_dots
-from neurosym.sim.config import TabletopConfig
 from neurosym.sim.ghosts import Colour, draw_ghosts
 from neurosym.sim.lens import HEIGHT, WIDTH, lens_over
 from neurosym.sim.simulation import Simulation
 from neurosym.sim.window import Window, is_window
-from neurosym.world import Frame, Scene
+from neurosym.world import Frame
 
 OBJECT_COLOURS: tuple[Colour, ...] = (
     (0.26, 0.53, 0.82, 1.0),
     (0.36, 0.70, 0.36, 1.0),
     (0.80, 0.33, 0.36, 1.0),
     (0.58, 0.42, 0.75, 1.0),
+    (0.93, 0.75, 0.24, 1.0),
+    (0.35, 0.73, 0.75, 1.0),
+    (0.55, 0.40, 0.30, 1.0),
+    (0.45, 0.47, 0.50, 1.0),
 )
-"""Blue, green, red, purple: item-01, item-02, ..., over and over."""
+"""Blue, green, red, purple, yellow, turquoise, brown, grey: item-01, item-02, ..., one for each object."""
 TABLE_COLOUR: Colour = (0.86, 0.82, 0.76, 1.0)
 DOT_RADIUS = 8.0
 BLANK: Frame = np.full((HEIGHT, WIDTH, 3), 255, dtype=np.uint8)
 """Stands for a picture that nobody wants to see."""
-
-
-class FilmedSimulation(Simulation):
-    """A simulation that pictures are taken of, or of which some are left out.
-
-    Args:
-        client: The physics client; everything in it is replaced.
-        config: What the world is made of.
-        scene: The objects, at rest.
-        wanted: Numbers of the pictures to draw, counted from 0; every other is blank. All, if not given.
-    """
-
-    def __init__(
-        self, client: int, config: TabletopConfig, scene: Scene, wanted: Container[int] | None = None
-    ):
-        super().__init__(client, config, scene)
-        self.wanted = wanted
 
 
 class Camera:
@@ -50,12 +36,18 @@ class Camera:
     Args:
         simulation: The scene, whose objects are coloured by their number.
         ghosts: Centres at which the objects are shown once more, transparently [m].
+        wanted: Numbers of the pictures to draw, counted from 0; every other is blank. All, if not given.
     """
 
-    def __init__(self, simulation: Simulation, ghosts: Float[np.ndarray, "M 3"] | None = None):
+    def __init__(
+        self,
+        simulation: Simulation,
+        ghosts: Float[np.ndarray, "M 3"] | None = None,
+        wanted: Container[int] | None = None,
+    ):
         self._client = client = simulation.client
         self._lens = lens_over(simulation.config)
-        self._wanted = simulation.wanted if isinstance(simulation, FilmedSimulation) else None
+        self._wanted = wanted
         self._taken = 0
         self._waypoints: Float[np.ndarray, "3 3"] | None = None
         colours = [OBJECT_COLOURS[index % len(OBJECT_COLOURS)] for index in range(len(simulation.bodies))]

@@ -50,15 +50,15 @@ class TabletopConfig:
         for name in ("wall", "mass", "friction", "lift_height", "time_step", "frame_every"):
             if not getattr(self, name) > 0:
                 raise InvalidValue(f"{name} = {getattr(self, name)} must be greater than 0.")
-        if not self.time_step <= 1 / 120:
-            raise InvalidValue(f"time_step = {self.time_step} s must be at most 1/120 s = {1 / 120:.6f}.")
+        if not 1 / 2000 <= self.time_step <= 1 / 120:
+            raise InvalidValue(f"time_step = {self.time_step} s must lie between 1/2000 and 1/120 s.")
         if not (self.size[0] > 2 * self.wall and self.height[0] > self.wall):
             raise InvalidValue(f"wall = {self.wall} leaves no room inside the smallest object.")
 
     def _check_ranges(self) -> None:
         for name in ("size", "height", "table_x", "table_y"):
             least, greatest = getattr(self, name)
-            if not least < greatest:
+            if least > greatest or (least == greatest and name.startswith("table")):
                 raise InvalidValue(f"{name} = [{least}, {greatest}] is empty; put the smaller number first.")
         for name in ("size", "height"):
             if not getattr(self, name)[0] > 0:

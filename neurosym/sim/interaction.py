@@ -6,6 +6,7 @@ until it stands, let go, rise, settle; record the resting effect.
 """
 
 import math
+from collections.abc import Iterator, Mapping, Sequence
 
 import numpy as np
 import pybullet
@@ -16,7 +17,7 @@ from neurosym.sim.camera import Camera
 from neurosym.sim.landing import landing_shift
 from neurosym.sim.robot import LOWEST_TOOL_POINT, Robot
 from neurosym.sim.simulation import Simulation
-from neurosym.world import FrameSink, Outcome, Scene
+from neurosym.world import Disturbance, FrameSink, Outcome, Scene
 
 CLEARANCE = 0.005
 """The hand starts at least this far above whatever it would otherwise touch [m]."""
@@ -26,7 +27,10 @@ LOWERING_SPEED = 0.25
 """Greatest speed of a held object on its way down [m/s]."""
 TOPPLED_COSINE = math.cos(math.radians(30))
 """An object has toppled when its up axis has turned by more than 30 degrees."""
-PARKING_HEIGHT = 0.35
+PARKING_CLEARANCE = 0.25
+"""How far above the tallest object the hand waits while a scene settles [m]."""
+LEAST_DISTURBANCE = 0.005
+"""A bystander that ends further away than this has been moved [m]."""
 _WATCH_EVERY, _TOUCH_EVERY = 8, 4
 
 
@@ -38,7 +42,7 @@ class Interaction:
         arm: The arm that acts in it.
         target: Index of the object acted upon.
         on_frame: Called with pictures of the motion, if given.
-        ghosts: Centres at which pictures show the objects once more [m].
+        camera: Takes them.
     """
 
     def __init__(
@@ -47,7 +51,7 @@ class Interaction:
         arm: Arm,
         target: int,
         on_frame: FrameSink | None = None,
-        ghosts: Float[np.ndarray, "M 3"] | None = None,
+        camera: Camera | None = None,
     ):
         self._simulation = simulation
         self._arm = arm
@@ -57,7 +61,7 @@ class Interaction:
         self._touched: set[int] = set()
         self._robot = Robot(simulation, arm, visible=on_frame is not None)
         self._on_frame = on_frame
-        self._camera = Camera(simulation, ghosts) if on_frame else None
+        self._camera = camera
         simulation.after_step = self._watch
 
     def perform(self, action: Float[np.ndarray, "A"], put_down: bool) -> Outcome:
@@ -84,11 +88,13 @@ class Interaction:
         self._rise()
         self._simulation.settle()
         lifted = self._simulation.observe()
-        held = self._is_held()
-        if held and put_down:
+        hanging = self._hanging()
+        held = self._target in hanging
+        lowers = bool(hanging) and (put_down or not held)
+        if lowers:
             self._phase = "put down"
-            self._put_down()
-        end = self._simulation.observe() if held and put_down else lifted
+            self._put_down(hanging)
+        end = self._simulation.observe() if lowers else lifted
         return Outcome(
             start=start,
             lifted=lifted,
@@ -99,6 +105,7 @@ class Interaction:
             lost=not self._simulation.config.table.contains(end.positions[self._target]),
             peak_height=self._peak - float(centre[2]),
             touched=tuple(sorted(self._touched)),
+            disturbed=tuple(self._disturbed(start, end)),
         )
 
     def _watch(self) -> None:
@@ -119,7 +126,7 @@ class Interaction:
     def _park_robot(self) -> None:
         """Put the hand high above the table's middle, out of every object's way."""
         c = self._simulation.config
-        point = np.array([sum(c.table_x) / 2, sum(c.table_y) / 2, PARKING_HEIGHT])
+        point = np.array([sum(c.table_x) / 2, sum(c.table_y) / 2, c.height[1] + PARKING_CLEARANCE])
         self._robot.place_at(point, self._arm.half_opening)
 
     def _approach(self, point: Float[np.ndarray, "3"], is_open: bool) -> None:
@@ -162,28 +169,66 @@ class Interaction:
         lift = np.array([0.0, 0.0, self._simulation.config.lift_height])
         self._robot.move_to(self._robot.tool_point() + lift)
 
-    def _is_held(self) -> bool:
-        body = self._simulation.bodies[self._target]
-        return self._simulation.touched_by(body) == {self._robot.body}
+    def _hanging(self) -> list[int]:
+        """List the objects that the robot carries, in its hand or on one another, clear of the table."""
+        bodies = self._simulation.bodies
+        touching = {body: self._simulation.touched_by(body) for body in bodies}
+        standing = _connected(self._simulation.table, touching)
+        carried = _connected(self._robot.body, touching)
+        return [index for index, body in enumerate(bodies) if body in carried - standing]
 
-    def _put_down(self) -> None:
-        """Lower the object until it stands, such that it comes to lie under where it hangs; let go, withdraw.
+    def _put_down(self, hanging: Sequence[int]) -> None:
+        """Lower what hangs until it stands, such that it comes to lie under where it hangs; let go, withdraw.
 
         A tilted object shifts when it falls flat; on its way down the hand moves by as much the other way.
         """
-        body = self._simulation.bodies[self._target]
-        tilt = _rotation(self._simulation.observe().orientations[self._target])
-        shift_x, shift_y = landing_shift(self._simulation.features[self._target], tilt)
+        heeded = self._target if self._target in hanging else hanging[0]
+        tilt = _rotation(self._simulation.observe().orientations[heeded])
+        shift_x, shift_y = landing_shift(self._simulation.features[heeded], tilt)
         x, y, _ = self._robot.tool_point()
         self._robot.move_to(
             np.array([x - shift_x, y - shift_y, 0.0]),
             peak_speed=LOWERING_SPEED,
-            until=lambda: self._simulation.touch(body, self._simulation.table),
+            until=lambda: self._has_landed(hanging),
         )
         for opening in RELEASE_OPENINGS:
             self._robot.open(self._robot.half_opening() + opening)
         self._rise()
         self._simulation.settle()
+
+    def _has_landed(self, hanging: Sequence[int]) -> bool:
+        simulation = self._simulation
+        ground = [simulation.table]
+        ground += [body for index, body in enumerate(simulation.bodies) if index not in hanging]
+        return any(simulation.touch(simulation.bodies[index], other) for index in hanging for other in ground)
+
+    def _disturbed(self, start: Scene, end: Scene) -> Iterator[tuple[int, Disturbance]]:
+        """Tell which bystanders ended elsewhere, and how."""
+        table = self._simulation.config.table
+        for index in range(len(start)):
+            if index == self._target:
+                continue
+            if not table.contains(end.positions[index]):
+                yield index, "lost"
+            elif _has_toppled(start, end, index):
+                yield index, "toppled"
+            elif math.dist(end.positions[index], start.positions[index]) > LEAST_DISTURBANCE:
+                yield index, "moved"
+
+
+def _connected(body: int, touching: Mapping[int, set[int]]) -> set[int]:
+    """Return the objects that touch a body, those that touch them, and so on.
+
+    Args:
+        body: The table or the robot.
+        touching: What each object touches.
+    """
+    found: set[int] = set()
+    front = {body}
+    while front:
+        front = {other for other, touched in touching.items() if touched & front} - found
+        found |= front
+    return found
 
 
 def _has_toppled(start: Scene, end: Scene, target: int) -> bool:

@@ -5,9 +5,11 @@ from jaxtyping import Float
 
 from neurosym.errors import InvalidValue
 from neurosym.sim.config import TabletopConfig
-from neurosym.sim.shapes import SHAPES
+from neurosym.sim.shapes import FEATURE_NAMES, SHAPES
 from neurosym.world import Scene
 
+ROOMY = 2
+"""So many objects, or fewer, keep `spawn_margin` from the table's edge, so that pushes do not lose them."""
 _DRAWS = 50  # of objects, if their places cannot be found
 _ATTEMPTS = 400  # to find places for given objects
 
@@ -39,6 +41,22 @@ def sample_scene(config: TabletopConfig, rng: np.random.Generator, objects: int)
     raise InvalidValue(f"{objects} objects do not fit on the table; ask for fewer.")
 
 
+def check_scene(scene: Scene) -> None:
+    """Raise `InvalidValue` unless a scene can be built: as many poses as objects, and sizes above 0."""
+    count, width = scene.features.shape
+    if width != len(FEATURE_NAMES):
+        raise InvalidValue(f"Objects have {width} features; valid: {', '.join(FEATURE_NAMES)}.")
+    if scene.positions.shape != (count, 3) or scene.orientations.shape != (count, 4):
+        raise InvalidValue(
+            f"The scene has {count} objects, positions of shape {scene.positions.shape} and orientations of "
+            f"shape {scene.orientations.shape}; valid: ({count}, 3) and ({count}, 4)."
+        )
+    if not all(np.all(np.isfinite(part)) for part in (scene.features, scene.positions, scene.orientations)):
+        raise InvalidValue("The scene holds a value that is not finite.")
+    if count and not scene.features[:, :3].min() > 0:
+        raise InvalidValue("An object of the scene has a size that is not greater than 0.")
+
+
 def sample_features(
     config: TabletopConfig, rng: np.random.Generator, objects: int
 ) -> Float[np.ndarray, "{objects} 4"]:
@@ -61,7 +79,7 @@ def _sample_places(
     """Find a place for each object, largest first; None if one finds none."""
     low = np.array([config.table_x[0], config.table_y[0]])
     high = np.array([config.table_x[1], config.table_y[1]])
-    margins = np.full_like(half_sizes, config.spawn_margin) if len(half_sizes) <= 2 else half_sizes
+    margins = np.maximum(half_sizes, config.spawn_margin if len(half_sizes) <= ROOMY else 0.0)
     order = np.argsort(-half_sizes.prod(axis=1), kind="stable")
     places = np.zeros_like(half_sizes)
     for number, index in enumerate(order):

@@ -26,6 +26,8 @@ class Simulation:
         client: The physics client; everything in it is replaced.
         config: What the world is made of.
         scene: The objects, at rest.
+
+    Attributes:
         after_step: Called after each step, once it is set.
     """
 

@@ -8,12 +8,13 @@ import pybullet
 from jaxtyping import Float
 
 from neurosym.errors import InvalidValue
-from neurosym.sim.arm import UR10, Arm
-from neurosym.sim.camera import Camera, FilmedSimulation
+from neurosym.sim.arm import UR10, Arm, check_reach
+from neurosym.sim.camera import Camera
 from neurosym.sim.config import MOST_OBJECTS, TabletopConfig
 from neurosym.sim.interaction import Interaction
-from neurosym.sim.scenes import sample_scene
+from neurosym.sim.scenes import check_scene, sample_scene
 from neurosym.sim.shapes import FEATURE_NAMES
+from neurosym.sim.simulation import Simulation
 from neurosym.sim.window import open_window
 from neurosym.world import ActionBox, Frame, FrameSink, Outcome, Scene, Table, check_action, three_waypoints
 
@@ -42,6 +43,9 @@ class Tabletop:
     arm: Arm = UR10
     wanted_pictures: Container[int] | None = field(default=None, init=False)
     _client: int | None = field(default=None, init=False)
+
+    def __post_init__(self) -> None:
+        check_reach(self.config, self.arm)
 
     @property
     def action_box(self) -> ActionBox:
@@ -81,6 +85,7 @@ class Tabletop:
         ghosts: Float[np.ndarray, "M 3"] | None = None,
     ) -> Outcome:
         """Perform one action on one object, from empty hand to empty hand (see `World.interact`)."""
+        check_scene(scene)
         check_action(self, scene, action, target)
         if len(scene) > MOST_OBJECTS:
             raise InvalidValue(
@@ -88,9 +93,10 @@ class Tabletop:
                 "larger problems are symbolic only."
             )
         config = self.config if self.wanted_pictures is None else replace(self.config, frame_every=1)
-        simulation = FilmedSimulation(self.client(), config, scene, self.wanted_pictures)
+        simulation = Simulation(self.client(), config, scene)
         try:
-            interaction = Interaction(simulation, self.arm, target, on_frame, ghosts)
+            camera = Camera(simulation, ghosts, self.wanted_pictures) if on_frame else None
+            interaction = Interaction(simulation, self.arm, target, on_frame, camera)
             return interaction.perform(np.asarray(action, dtype=float), put_down)
         except pybullet.error as error:
             if pybullet.isConnected(self.client()):
@@ -99,7 +105,7 @@ class Tabletop:
 
     def picture(self, scene: Scene, ghosts: Float[np.ndarray, "M 3"] | None = None) -> Frame:
         """Draw a scene without the arm (see `Pictured.picture`)."""
-        return Camera(FilmedSimulation(self.client(), self.config, scene), ghosts).picture()
+        return Camera(Simulation(self.client(), self.config, scene), ghosts).picture()
 
     def open_window(self) -> None:
         """Show everything that happens from now on live in a window (see `Windowed.open_window`)."""
