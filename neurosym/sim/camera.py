@@ -7,6 +7,7 @@ import pybullet
 from jaxtyping import Float
 
 from neurosym.dots import draw_dots
+from neurosym.sim.config import TabletopConfig
 from neurosym.sim.ghosts import Colour, draw_ghosts
 from neurosym.sim.lens import HEIGHT, WIDTH, lens_over
 from neurosym.sim.simulation import Simulation
@@ -24,6 +25,9 @@ OBJECT_COLOURS: tuple[Colour, ...] = (
     (0.45, 0.47, 0.50, 1.0),
 )
 """Blue, green, red, purple, yellow, turquoise, brown, grey: item-01, item-02, ..., one for each object."""
+BORDER_COLOUR: Colour = (0.62, 0.56, 0.48, 1.0)
+BORDER_WIDTH = 0.004
+"""Of the line around the table, beyond which an object is lost [m]."""
 TABLE_COLOUR: Colour = (0.86, 0.82, 0.76, 1.0)
 DOT_RADIUS = 8.0
 BLANK: Frame = np.full((HEIGHT, WIDTH, 3), 255, dtype=np.uint8)
@@ -55,6 +59,7 @@ class Camera:
             (simulation.table, *simulation.bodies), (TABLE_COLOUR, *colours), strict=True
         ):
             pybullet.changeVisualShape(body, -1, rgbaColor=colour, physicsClientId=client)
+        _draw_border(client, simulation.config)
         shown = None if ghosts is None else (simulation.observe(), ghosts, colours, simulation.config.wall)
         self._window = Window(simulation, self._lens, shown) if is_window(client) else None
         self._ghosts = draw_ghosts(*shown, self._lens) if shown and not self._window else None
@@ -84,3 +89,20 @@ class Camera:
         if self._waypoints is not None:
             frame = draw_dots(frame, self._lens.pixels(self._waypoints), DOT_RADIUS)
         return frame
+
+
+def _draw_border(client: int, config: TabletopConfig) -> None:
+    """Draw a line around the table, that can be seen and not touched."""
+    (left, right), (near, far) = config.table_x, config.table_y
+    middle, across = (left + right) / 2, (near + far) / 2
+    half = BORDER_WIDTH / 2
+    lines = [((middle, y), ((right - left) / 2 + half, half)) for y in (near, far)]
+    lines += [((x, across), (half, (far - near) / 2 + half)) for x in (left, right)]
+    shape = pybullet.createVisualShapeArray(
+        shapeTypes=[pybullet.GEOM_BOX] * len(lines),
+        halfExtents=[[*sizes, 0.0005] for _, sizes in lines],
+        visualFramePositions=[[*place, 0.0] for place, _ in lines],
+        rgbaColors=[list(BORDER_COLOUR)] * len(lines),
+        physicsClientId=client,
+    )
+    pybullet.createMultiBody(0, -1, shape, (0, 0, 0), physicsClientId=client)
