@@ -1,23 +1,21 @@
 """A Ray cluster gives the bytes of one worker, whatever dies; a missing one is refused in a sentence."""
 
-import os
 import pickle
 import socket
 import sys
 import time
-from dataclasses import dataclass
 from functools import partial
 from types import ModuleType
 
-import numpy as np
 import pytest
+from worker_tasks import Deadly, some_tasks
 
 from neurosym import ray_workers
 from neurosym.cli import main
 from neurosym.errors import InvalidValue, UnknownChoice
 from neurosym.exploration import explore
 from neurosym.ray_workers import NoCluster, OtherVersion, RayMissing, ray_crew
-from neurosym.toy_world import ToyWorld, make_world
+from neurosym.toy_world import make_world
 from neurosym.workers import Task, WorkerDied, in_order
 from neurosym.world_file import make_world as make_any_world
 
@@ -33,13 +31,6 @@ def free_port():
     with socket.socket() as listener:
         listener.bind(("127.0.0.1", 0))
         return listener.getsockname()[1]
-
-
-def some_tasks(count):
-    world = make_world()
-    rng = np.random.default_rng(5)
-    for _ in range(count):
-        yield Task(world.sample_scene(rng, 1), world.action_box.sample(rng, 1)[0])
 
 
 def test_outcomes_come_in_the_order_of_the_tasks_with_a_bounded_number_handed_out():
@@ -179,17 +170,6 @@ def test_a_node_killed_in_mid_run_costs_only_time(cluster, tmp_path):
     here, _ = explore(TABLETOP, **options)
     assert cpus == [2, 1]
     assert bytes_of(there, tmp_path / "there.npz") == bytes_of(here, tmp_path / "here.npz")
-
-
-@dataclass
-class Deadly(ToyWorld):
-    """A world that ends every process that it is tried in."""
-
-    def __init__(self):
-        super().__init__(make_world().config)
-
-    def interact(self, *arguments, **options):  # noqa: ARG002, D102
-        os._exit(1)
 
 
 @marked

@@ -1,32 +1,12 @@
 """Workers perform tasks in order, and one that fails stops the run with a sentence."""
 
-import os
-from dataclasses import dataclass
-
 import numpy as np
 import pytest
+from worker_tasks import Deadly, some_tasks
 
 from neurosym.errors import InvalidValue
-from neurosym.toy_world import ToyWorld, make_world
+from neurosym.toy_world import make_world
 from neurosym.workers import Task, WorkerDied, crew, perform_all
-
-
-def some_tasks(count):
-    world = make_world()
-    for seed in range(count):
-        rng = np.random.default_rng(seed)
-        yield Task(world.sample_scene(rng, 1), world.action_box.sample(rng, 1)[0])
-
-
-@dataclass
-class Deadly(ToyWorld):
-    """A world whose worker process ends at the first interaction."""
-
-    def __init__(self):
-        super().__init__(make_world().config)
-
-    def interact(self, *arguments, **options):  # noqa: ARG002, D102
-        os._exit(1)
 
 
 def test_two_workers_give_the_outcomes_of_one_in_order():

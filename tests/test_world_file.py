@@ -52,3 +52,23 @@ def test_unknown_world_is_not_written(tmp_path):
     with pytest.raises(UnknownChoice):
         write_world(tmp_path / "world.toml", "moon")
     assert not list(tmp_path.iterdir())
+
+
+@pytest.mark.parametrize(
+    ("text", "message"),
+    [
+        (
+            'world = "toy"\n[options.table]\nx = [0, 1]\ny = [0, 1]\nz = [0, 1]',
+            "'table.z'; valid: table.x, table.y",
+        ),
+    ],
+)
+def test_unknown_key_of_a_nested_option_is_refused(text, message, tmp_path):
+    (tmp_path / "world.toml").write_text(text)
+    with pytest.raises(InvalidFile, match=message):
+        read_world(tmp_path / "world.toml")
+
+
+def test_unknown_world_hints_at_ones_own():
+    with pytest.raises(UnknownChoice, match="valid: tabletop, toy, your own as module:factory"):
+        make_world("moon", {})

@@ -20,7 +20,6 @@ NUDGE = 1e-4
 """Length of the vector by which an action is changed to see whether its effect survives [m]."""
 SPANNABLE = 0.128
 """Objects are spanned by the hand up to this s_y [m]: its opening of 0.14 m less some room."""
-_MOVED = 0.005  # a bystander that moved further than this has moved [m]
 
 Results = dict[str, Any]
 Advance = Callable[[int, int], None]
@@ -198,20 +197,12 @@ def several_objects(scenes: int, objects: int, seed: int, workers: int, advance:
     """Act on one of several objects, and count what that does to the others."""
     tasks = random_tasks(scenes, seed, objects=objects)
     outcomes = perform_watched(factory(), tasks, workers, advance)
-    moved = [
-        np.linalg.norm(np.delete(outcome.displacements, outcome.target, 0), axis=1) for outcome in outcomes
-    ]
     return {
         "scenes": scenes,
         "objects": objects,
         "robot_touched_a_bystander": float(np.mean([bool(outcome.touched) for outcome in outcomes])),
-        "a_bystander_moved": float(np.mean([np.any(row > _MOVED) for row in moved])),
+        "a_bystander_moved": float(np.mean([bool(outcome.disturbed) for outcome in outcomes])),
         "moved_untouched": float(
-            np.mean(
-                [
-                    np.any(row > _MOVED) and not outcome.touched
-                    for row, outcome in zip(moved, outcomes, strict=True)
-                ]
-            )
+            np.mean([bool(outcome.disturbed) and not outcome.touched for outcome in outcomes])
         ),
     }
