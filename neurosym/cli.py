@@ -7,7 +7,7 @@ answer is no (no plan, goal missed); 130 interrupted.
 import sys
 from collections.abc import Callable, Sequence
 
-from neurosym import commands
+from neurosym import commands, learning_commands
 from neurosym.console import error_console
 from neurosym.errors import NeurosymError
 from neurosym.show_command import show
@@ -16,9 +16,9 @@ BAD_INPUT, INTERRUPTED = 2, 130
 COMMANDS: dict[str, Callable[..., int]] = {
     "run": commands.run,
     "init": commands.init,
-    "explore": commands.explore,
-    "train": commands.train,
-    "distill": commands.distill,
+    "explore": learning_commands.explore,
+    "train": learning_commands.train,
+    "distill": learning_commands.distill,
     "compile-domain": commands.compile_domain,
     "new-problem": commands.new_problem,
     "plan": commands.plan,

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Annotated
 
 from tyro.conf import arg
 
-from neurosym.commands import Folder
+from neurosym.command_options import Folder
 from neurosym.console import say, say_next
 from neurosym.errors import InvalidValue
 from neurosym.folder import GROUNDING, INTERACTIONS, MODEL, WORLD, DomainFolder
