@@ -20,10 +20,11 @@ from torch import Tensor, nn
 
 from neurosym.errors import InvalidFile, InvalidValue
 from neurosym.model_config import Dimensions, ModelConfig
+from neurosym.network_inputs import with_gripper_states
 from neurosym.symbols import Symbol, binarize, signs
 from neurosym.tensor_files import read_tensors, write_tensors
 
-FORMAT = "neurosym-effect-model-1"
+FORMAT = "neurosym-effect-model-2"
 LOG_VARIANCE_FLOOR = -5.0
 """Least log variance, of standardised effects; without it the NLL diverges."""
 
@@ -52,18 +53,16 @@ class EffectModel(nn.Module):
         self.object_encoder = _encoder(dimensions.features, config.object_bits, config)
         self.action_encoder = _encoder(dimensions.actions, config.action_bits, config)
         self.norm = nn.LayerNorm(bits) if config.layer_norm else nn.Identity()
-        self.decoder = nn.Sequential(*_hidden_layers(bits, config), nn.Linear(config.hidden, outputs))
+        layers = hidden_layers(bits, config.hidden, config.dropout)
+        self.decoder = nn.Sequential(*layers, nn.Linear(config.hidden, outputs))
         self.register_buffer("effect_mean", torch.zeros(dimensions.effects))
         self.register_buffer("effect_std", torch.ones(dimensions.effects))
 
-    def set_scale(self, effects: Float[Tensor, "N E"]) -> None:
-        """Standardise effects by the mean and standard deviation of these.
-
-        Args:
-            effects: Effects [m].
-        """
-        self.effect_mean.copy_(effects.mean(0))
-        self.effect_std.copy_(effects.std(0, correction=0).clamp(min=1e-4))
+    def set_scale(self, effects: Float[Tensor, "N E"], mirrored: tuple[int, ...] = ()) -> None:
+        """Standardise effects by the mean and standard deviation of these; see `scale_of`."""
+        mean, std = scale_of(effects, mirrored)
+        self.effect_mean.copy_(mean)
+        self.effect_std.copy_(std)
 
     def embed_objects(self, features: Float[Tensor, "B F"]) -> Float[Tensor, "B Ko"]:
         """Encode objects into embeddings in [-1, 1]."""
@@ -72,10 +71,8 @@ class EffectModel(nn.Module):
 
     def embed_actions(self, actions: Float[Tensor, "B A"]) -> Float[Tensor, "B Ka"]:
         """Encode actions into embeddings in [-1, 1]; differentiable in the actions."""
-        columns = list(self.dimensions.gripper_columns)
-        if self.config.gripper_sharpness is not None and columns:
-            opening = torch.sigmoid(self.config.gripper_sharpness * (actions[:, columns] - 0.5))
-            actions = actions.index_copy(1, torch.tensor(columns), opening)
+        columns = self.dimensions.gripper_columns
+        actions = with_gripper_states(actions, columns, self.config.gripper_sharpness)
         embeddings: Tensor = self.action_encoder(actions)
         return embeddings
 
@@ -100,13 +97,13 @@ class EffectModel(nn.Module):
 
     def object_codes(self, features: Float[np.ndarray, "N F"]) -> Float[np.ndarray, "N Ko"]:
         """Encode objects into embeddings, whose signs are the bits of their symbols."""
-        with _inference(self):
-            return self.embed_objects(_tensor(features)).numpy()
+        with inference(self):
+            return self.embed_objects(tensor(features)).numpy()
 
     def action_codes(self, actions: Float[np.ndarray, "N A"]) -> Float[np.ndarray, "N Ka"]:
         """Encode actions into embeddings, whose signs are the bits of their symbols."""
-        with _inference(self):
-            return self.embed_actions(_tensor(actions)).numpy()
+        with inference(self):
+            return self.embed_actions(tensor(actions)).numpy()
 
     def object_symbols(self, features: Float[np.ndarray, "N F"]) -> tuple[Symbol, ...]:
         """Name the category of each object."""
@@ -120,16 +117,16 @@ class EffectModel(nn.Module):
         self, features: Float[np.ndarray, "N F"], actions: Float[np.ndarray, "N A"]
     ) -> tuple[Float[np.ndarray, "N E"], Float[np.ndarray, "N E"]]:
         """Predict mean [m] and variance [m^2] of the effect; the "mean" head has no variance (zero)."""
-        with _inference(self):
-            return self._in_metres(*self(_tensor(features), _tensor(actions)))
+        with inference(self):
+            return self._in_metres(*self(tensor(features), tensor(actions)))
 
     def predict_from_codes(
         self, features: Float[np.ndarray, "N F"], actions: Float[np.ndarray, "N A"]
     ) -> tuple[Float[np.ndarray, "N E"], Float[np.ndarray, "N E"]]:
         """Predict like `predict`, but let only the bits of the symbols through (+-1)."""
-        with _inference(self):
-            objects = as_signs(self.embed_objects(_tensor(features)))
-            chosen = as_signs(self.embed_actions(_tensor(actions)))
+        with inference(self):
+            objects = as_signs(self.embed_objects(tensor(features)))
+            chosen = as_signs(self.embed_actions(tensor(actions)))
             return self._in_metres(*self.decode(objects, chosen))
 
     def branching_table(
@@ -141,9 +138,9 @@ class EffectModel(nn.Module):
             features: Features of the objects in a scene.
             primitives: Symbols of the primitives.
         """
-        chosen = _tensor(np.array([signs(symbol) for symbol in primitives]))  # (P, Ka)
-        with _inference(self):
-            objects = as_signs(self.embed_objects(_tensor(features)))  # (M, Ko)
+        chosen = tensor(np.array([signs(symbol) for symbol in primitives]))  # (P, Ka)
+        with inference(self):
+            objects = as_signs(self.embed_objects(tensor(features)))  # (M, Ko)
             mean, _ = self.decode(
                 objects.repeat_interleave(len(chosen), 0), chosen.repeat(len(objects), 1)
             )  # (M * P, E)
@@ -159,9 +156,9 @@ class EffectModel(nn.Module):
             features: Features of the one object.
             candidates: Actions that could be performed on it.
         """
-        with _inference(self):
-            chosen = self.embed_actions(_tensor(candidates))
-            objects = self.embed_objects(_tensor(features[None])).expand(len(chosen), -1)
+        with inference(self):
+            chosen = self.embed_actions(tensor(candidates))
+            objects = self.embed_objects(tensor(features[None])).expand(len(chosen), -1)
             _, log_variance = self.decode(objects, chosen)
             entropies = 0.5 * (np.log(2 * np.pi * np.e) + log_variance) + self.effect_std.log()
             mean: np.ndarray = entropies.mean(1).numpy()
@@ -236,7 +233,8 @@ def one_thread() -> Iterator[None]:
 
 
 @contextmanager
-def _inference(model: nn.Module) -> Iterator[None]:
+def inference(model: nn.Module) -> Iterator[None]:
+    """Let a model answer and not learn, on one thread."""
     was_training = model.training
     model.eval()
     try:
@@ -246,18 +244,33 @@ def _inference(model: nn.Module) -> Iterator[None]:
         model.train(was_training)
 
 
-def _encoder(inputs: int, bits: int, config: ModelConfig) -> nn.Sequential:
-    layers = _hidden_layers(inputs, config)
-    return nn.Sequential(nn.BatchNorm1d(inputs), *layers, nn.Linear(config.hidden, bits), nn.Tanh())
+def scale_of(
+    effects: Float[Tensor, "N E"], mirrored: tuple[int, ...]
+) -> tuple[Float[Tensor, "E"], Float[Tensor, "E"]]:
+    """Return mean and standard deviation of effects, as they are together with their mirror images.
+
+    Args:
+        effects: Effects [m].
+        mirrored: Axes whose sign some mirror of the world changes; their mean is 0.
+    """
+    mean = effects.mean(0)
+    mean[list(mirrored)] = 0.0
+    return mean, ((effects - mean) ** 2).mean(0).sqrt().clamp(min=1e-4)
 
 
-def _hidden_layers(inputs: int, config: ModelConfig) -> list[nn.Module]:
-    widths = [inputs, config.hidden, config.hidden, config.hidden]
+def hidden_layers(inputs: int, width: int, dropout: float) -> list[nn.Module]:
+    """Make three hidden layers with ReLU and dropout."""
     layers: list[nn.Module] = []
-    for before, after in itertools.pairwise(widths):
-        layers += [nn.Linear(before, after), nn.ReLU(inplace=True), nn.Dropout(config.dropout)]
+    for before, after in itertools.pairwise([inputs, width, width, width]):
+        layers += [nn.Linear(before, after), nn.ReLU(inplace=True), nn.Dropout(dropout)]
     return layers
 
 
-def _tensor(values: np.ndarray) -> Tensor:
+def tensor(values: np.ndarray) -> Tensor:
+    """Copy an array into a tensor of 32-bit numbers."""
     return torch.from_numpy(np.array(values, dtype=np.float32))
+
+
+def _encoder(inputs: int, bits: int, config: ModelConfig) -> nn.Sequential:
+    layers = hidden_layers(inputs, config.hidden, config.dropout)
+    return nn.Sequential(nn.BatchNorm1d(inputs), *layers, nn.Linear(config.hidden, bits), nn.Tanh())

@@ -1,39 +1,36 @@
-"""Exploration (Algorithm 1): a robot tries what its model is least certain about, and learns from it.
+"""Exploration (Algorithm 1): a robot tries what it knows least about, and learns from it.
 
-Interactions come in blocks. Within a block the model does not change, and each interaction draws its scene
-and its candidate actions from (seed, its number); so a block is a list of independent tasks, and any number
-of workers gives the same bytes. After each block the model trains on all interactions so far, and both are
-written down; a run that was killed goes on from there and ends with the same bytes, too.
+Interactions come in blocks. Within a block nothing is learned, and each interaction draws its scene and its
+candidate actions from (seed, its number); so a block is a list of independent tasks, and any number of
+workers gives the same bytes. After each block the networks of a curious strategy learn from all interactions
+so far, and everything is written down; a run that was killed goes on from there and ends with the same bytes,
+too.
 """
 
 import json
 from collections.abc import Callable, Iterator
-from dataclasses import asdict, dataclass, replace
+from dataclasses import asdict, dataclass, field
 from pathlib import Path
 from typing import Any
 
 import numpy as np
-import torch
 
-from neurosym.effect_model import EffectModel
+from neurosym.curiosity import Curiosity, LearningConfig, make_curiosity
 from neurosym.errors import InvalidFile, InvalidValue, UnknownChoice
-from neurosym.fitting import reproducible, run_epochs, total_loss
 from neurosym.interactions import Interactions
 from neurosym.model_config import Dimensions, ModelConfig
 from neurosym.ray_workers import ray_crew
-from neurosym.strategies import STRATEGIES, Strategy
+from neurosym.strategies import DEFAULT_STRATEGY, STRATEGIES
 from neurosym.tensor_files import read_tensors, write_tensors
 from neurosym.workers import Perform, Task, WorldFactory, crew
 from neurosym.world import World
 
-FORMAT = "neurosym-exploration-1"
+FORMAT = "neurosym-exploration-2"
 INTERACTIONS_FILE = "interactions.partial.npz"
 STATE_FILE = "exploration.safetensors"
 
 Progress = Callable[[int, int], None]
 """Called with the number of interactions made and of those wanted."""
-
-_LEAST_TO_LEARN_FROM = 32
 
 
 @dataclass(frozen=True, slots=True)
@@ -42,38 +39,30 @@ class ExplorationConfig:
 
     Attributes:
         candidates: How many actions are drawn to choose one from.
-        block: Interactions between two updates of the model.
-        epochs: How often the model sees every interaction in an update.
-        batch: Interactions in a mini-batch.
-        learning_rate: Step size of Adam.
-        loss_coefficient: The coefficient lambda of eq. 9.
-        temperature: The temperature tau of eq. 8.
-        clip_norm: Greatest norm of a gradient.
+        block: Interactions between two updates of the networks.
+        min_predicted_effect: Only candidates with at least this predicted sum of absolute displacements are
+            chosen from, if there are any [m]; 0 chooses from all (the paper; its authors' code: 0.1).
+        learning: How the networks of a curious strategy learn.
     """
 
     candidates: int = 2000
     block: int = 512
-    epochs: int = 10
-    batch: int = 512
-    learning_rate: float = 1e-3
-    loss_coefficient: float = 1.0
-    temperature: float = 0.1
-    clip_norm: float = 1.0
+    min_predicted_effect: float = 0.0
+    learning: LearningConfig = field(default_factory=LearningConfig)
 
     def __post_init__(self) -> None:
-        for name in ("candidates", "block", "epochs", "batch"):
+        for name in ("candidates", "block"):
             if getattr(self, name) < 1:
                 raise InvalidValue(f"{name} = {getattr(self, name)} must be at least 1.")
-        for name in ("learning_rate", "loss_coefficient", "temperature", "clip_norm"):
-            if not getattr(self, name) > 0:
-                raise InvalidValue(f"{name} = {getattr(self, name)} must be positive.")
+        if not 0 <= self.min_predicted_effect < np.inf:
+            raise InvalidValue(f"min_predicted_effect = {self.min_predicted_effect} m must be at least 0.")
 
 
 def explore(
     world_factory: WorldFactory,
     *,
     steps: int = 10_000,
-    strategy: str = "curiosity",
+    strategy: str = DEFAULT_STRATEGY,
     seed: int,
     workers: int = 1,
     ray: str | None = None,
@@ -82,8 +71,8 @@ def explore(
     model_config: ModelConfig | None = None,
     origin: dict[str, Any] | None = None,
     progress: Progress | None = None,
-) -> tuple[Interactions, EffectModel]:
-    """Explore a world; returns the interactions and the model as it was after the last whole block.
+) -> Interactions:
+    """Explore a world.
 
     Args:
         world_factory: Builds the world; must survive pickling if there is more than one worker.
@@ -94,7 +83,7 @@ def explore(
         ray: A Ray cluster that performs them instead: `auto`, or HOST:PORT; changes no byte, either.
         checkpoint: Folder to write the state to after each block, and to go on from if it is there.
         config: How exploration goes on.
-        model_config: How the model is built; the strategy decides its head.
+        model_config: How the network is built whose entropy is asked for.
         origin: Plain JSON values that identify the world; stored with the data, and compared on resuming.
         progress: Called after each interaction.
 
@@ -108,9 +97,14 @@ def explore(
         raise UnknownChoice("strategy", strategy, STRATEGIES)
     if steps < 1:
         raise InvalidValue(f"steps = {steps} must be at least 1.")
-    world = world_factory()
-    built_as = replace(model_config or ModelConfig(), head=STRATEGIES[strategy].head)
-    explorer = _Explorer(world, strategy, seed, config or ExplorationConfig(), built_as, origin or {})
+    explorer = _Explorer(
+        world_factory(),
+        strategy,
+        seed,
+        config or ExplorationConfig(),
+        model_config or ModelConfig(),
+        origin or {},
+    )
     if checkpoint is not None:
         explorer.resume(checkpoint, steps)
     hired = crew(world_factory, workers) if ray is None else ray_crew(world_factory, ray)
@@ -120,18 +114,17 @@ def explore(
             if checkpoint is not None:
                 explorer.save(checkpoint)
     assert explorer.interactions is not None
-    return explorer.interactions, explorer.model
+    return explorer.interactions
 
 
 def choose_action(
-    world: World, strategy: Strategy, model: EffectModel, config: ExplorationConfig, seed: int, number: int
+    world: World, curiosity: Curiosity | None, config: ExplorationConfig, seed: int, number: int
 ) -> Task:
     """Draw the scene and the candidates of one interaction, and choose among them.
 
     Args:
         world: Where scenes and actions come from.
-        strategy: Chooses.
-        model: What the strategy asks.
+        curiosity: Says which candidate is known least; without it, the first is chosen: a random action.
         config: How many candidates.
         seed: Of the exploration.
         number: Of the interaction.
@@ -139,7 +132,27 @@ def choose_action(
     rng = np.random.default_rng([seed, number])
     scene = world.sample_scene(rng, 1)
     candidates = world.action_box.sample(rng, config.candidates).astype(np.float32)  # as they are stored
-    return Task(scene, candidates[strategy.choose(model, scene.features[0], candidates)])
+    if curiosity is None:
+        return Task(scene, candidates[0])
+    features = scene.features[0]
+    scores = curiosity.uncertainties(features, candidates)
+    if config.min_predicted_effect > 0:
+        eligible = curiosity.expected_sizes(features, candidates) >= config.min_predicted_effect
+        scores = np.where(eligible, scores, -np.inf) if eligible.any() else scores
+    return Task(scene, candidates[int(np.argmax(scores))])
+
+
+def origin_of_world(world: World) -> dict[str, Any]:
+    """Say of a world what training must know of its actions, in plain JSON values."""
+    box = world.action_box
+    return {
+        "world": world.name,
+        "feature_names": list(world.feature_names),
+        "gripper_columns": np.flatnonzero(box.gripper).tolist(),
+        "action_low": box.low.tolist(),
+        "action_high": box.high.tolist(),
+        "mirrors": [{"actions": list(m.actions), "effects": list(m.effects)} for m in box.mirrors],
+    }
 
 
 class _Explorer:
@@ -154,25 +167,23 @@ class _Explorer:
         model_config: ModelConfig,
         origin: dict[str, Any],
     ):
-        self.world, self.strategy, self.seed, self.config = world, STRATEGIES[strategy], seed, config
+        self.world, self.seed, self.config = world, seed, config
         box = world.action_box
-        columns = np.flatnonzero(box.gripper).tolist()
         self.origin = {
-            "world": world.name,
             "strategy": strategy,
             "seed": seed,
             **asdict(config),
             "model": asdict(model_config),
-            "gripper_columns": columns,
-            "action_low": box.low.tolist(),
-            "action_high": box.high.tolist(),
+            **origin_of_world(world),
             **json.loads(json.dumps(origin)),  # as it comes back from a file: lists, not tuples
         }
-        dimensions = Dimensions(len(world.feature_names), len(box.low), 3, tuple(columns))
-        with reproducible(self._seed_of_block(0)):
-            self.model = EffectModel(dimensions, model_config).eval()
-        self.model.trained_by = {"exploration": self.origin}
-        self.optimiser = torch.optim.Adam(self.model.parameters(), lr=config.learning_rate, fused=True)
+        self.curiosity = None
+        if about := STRATEGIES[strategy].curious_about:
+            columns = tuple(np.flatnonzero(box.gripper).tolist())
+            dimensions = Dimensions(len(world.feature_names), len(box.low), 3, columns)
+            self.curiosity = make_curiosity(
+                about, dimensions, model_config, config.learning, box.mirrors, seed
+            )
         self.interactions: Interactions | None = None
         self.blocks = 0
 
@@ -192,59 +203,21 @@ class _Explorer:
         self.interactions = block if self.interactions is None else self.interactions.join(block)
         if len(block) == self.config.block:
             self.blocks += 1
-            self._learn(self.interactions)
+            if self.curiosity is not None:
+                self.curiosity.learn(self.interactions, self.blocks)
 
     def _tasks(self, numbers: range, actions: list[np.ndarray]) -> Iterator[Task]:
         for number in numbers:
-            task = choose_action(self.world, self.strategy, self.model, self.config, self.seed, number)
+            task = choose_action(self.world, self.curiosity, self.config, self.seed, number)
             actions.append(task.action)
             yield task
-
-    def _learn(self, interactions: Interactions) -> None:
-        rows = self.strategy.learns_from(interactions.effects)
-        if rows.sum() < _LEAST_TO_LEARN_FROM:
-            return
-        features, actions, effects = (
-            torch.from_numpy(column[rows])
-            for column in (interactions.features, interactions.actions, interactions.effects)
-        )
-        config = self.config
-
-        def loss_of(batch: torch.Tensor) -> torch.Tensor:
-            return total_loss(
-                self.model,
-                features[batch],
-                actions[batch],
-                effects[batch],
-                coefficient=config.loss_coefficient,
-                temperature=config.temperature,
-            )
-
-        self.model.set_scale(effects)
-        with reproducible(self._seed_of_block(self.blocks)) as generator:
-            self.model.train()
-            run_epochs(
-                loss_of,
-                len(effects),
-                self.optimiser,
-                generator,
-                epochs=config.epochs,
-                batch=config.batch,
-                clip_norm=config.clip_norm,
-            )
-            self.model.eval()
-
-    def _seed_of_block(self, block: int) -> int:
-        return int(np.random.default_rng([self.seed, 0x626C, block]).integers(2**62))
 
     def save(self, folder: Path) -> None:
         """Write the interactions first and then the state, so that the state is never ahead of them."""
         assert self.interactions is not None
         self.interactions.save(folder / INTERACTIONS_FILE)
-        tensors = {f"model.{name}": array for name, array in self.model.weights().items()}
-        for number, moments in self.optimiser.state_dict()["state"].items():
-            tensors |= {f"adam.{number}.{name}": moment.numpy() for name, moment in moments.items()}
-        description = {"blocks": self.blocks, "options": self.origin, "model": self.model.description()}
+        tensors = {} if self.curiosity is None else self.curiosity.state()
+        description = {"blocks": self.blocks, "options": self.origin}
         write_tensors(folder / STATE_FILE, FORMAT, tensors, description)
 
     def resume(self, folder: Path, steps: int) -> None:
@@ -267,19 +240,11 @@ class _Explorer:
                 folder / INTERACTIONS_FILE, f"it holds fewer than the {rows} interactions of {path}"
             )
         self.interactions, self.blocks = interactions[:rows], description["blocks"]
-        weights = {name[6:]: array for name, array in tensors.items() if name.startswith("model.")}
-        self.model = EffectModel.rebuild(path, weights, description["model"])
-        self.optimiser = torch.optim.Adam(self.model.parameters(), lr=self.config.learning_rate, fused=True)
-        self._load_moments(tensors)
-
-    def _load_moments(self, tensors: dict[str, np.ndarray]) -> None:
-        moments: dict[int, dict[str, torch.Tensor]] = {}
-        for key, array in tensors.items():
-            if key.startswith("adam."):
-                _, number, name = key.split(".")
-                moments.setdefault(int(number), {})[name] = torch.from_numpy(array.copy())
-        groups = self.optimiser.state_dict()["param_groups"]
-        self.optimiser.load_state_dict({"state": moments, "param_groups": groups})
+        if self.curiosity is not None:
+            try:
+                self.curiosity.restore(tensors)
+            except (KeyError, ValueError, RuntimeError) as error:
+                raise InvalidFile(path, "its weights do not fit the options stored beside them") from error
 
 
 def _check_options(path: Path, stored: dict[str, Any], wanted: dict[str, Any]) -> None:

@@ -19,8 +19,8 @@ class ModelConfig:
         hidden: Width of the hidden layers.
         dropout: Share of hidden units dropped in training.
         layer_norm: Whether the concatenated embeddings are layer-normalised (the paper's text).
-        gripper_sharpness: Gripper parameters g enter as sigmoid(sharpness (g - 0.5)), since they act only
-            through being open or closed; None lets them enter as they are (the paper).
+        gripper_sharpness: Gripper parameters g enter as open or closed, since that is all they do;
+            distillation sees sigmoid(sharpness (g - 0.5)). None lets them enter as they are (the paper).
         head: "gaussian" predicts mean and log variance, "mean" the mean alone (the baselines).
     """
 
@@ -42,6 +42,21 @@ class ModelConfig:
             raise InvalidValue(f"dropout = {self.dropout} must be at least 0 and less than 1.")
         if self.head not in ("gaussian", "mean"):
             raise InvalidValue(f"head = {self.head!r} must be 'gaussian' or 'mean'.")
+
+
+@dataclass(frozen=True, slots=True)
+class DirectConfig:
+    """How a network without a bottleneck is built.
+
+    Attributes:
+        hidden: Width of its three hidden layers.
+        dropout: Share of hidden units dropped in training.
+        gripper_sharpness: As in `ModelConfig`.
+    """
+
+    hidden: int = 256
+    dropout: float = 0.1
+    gripper_sharpness: float | None = 15.0
 
 
 @dataclass(frozen=True, slots=True)

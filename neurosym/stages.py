@@ -44,20 +44,25 @@ def explore_stage(
     regime: str,
     workers: int,
     ray: str | None = None,
+    min_predicted_effect: float = 0.0,
 ) -> Stage:
     """Explore the world: `world.toml` -> `interactions.npz`, with a checkpoint after every block."""
     chosen = check_choices(strategy, regime)
 
     def work() -> None:
+        from neurosym.curiosity import LearningConfig
         from neurosym.exploration import ExplorationConfig, explore
 
         _check_steps(folder / INTERACTIONS, steps)
         factory = read_world(folder.require(WORLD))
         config = ExplorationConfig(
-            learning_rate=chosen.exploration_rate, loss_coefficient=chosen.training.loss_coefficient
+            min_predicted_effect=min_predicted_effect,
+            learning=LearningConfig(
+                learning_rate=chosen.exploration_rate, loss_coefficient=chosen.training.loss_coefficient
+            ),
         )
         with progress_bar(f"exploring ({strategy})") as advance:
-            interactions, _ = explore(
+            interactions = explore(
                 factory,
                 steps=steps,
                 strategy=strategy,
@@ -72,7 +77,11 @@ def explore_stage(
             )
         interactions.save(folder / INTERACTIONS)
 
+    if not 0 <= min_predicted_effect < np.inf:
+        raise InvalidValue(f"min-predicted-effect = {min_predicted_effect} m must be at least 0.")
     options = {"strategy": strategy, "steps": steps, "seed": seed, "regime": regime}
+    if min_predicted_effect:
+        options["min_predicted_effect"] = min_predicted_effect
     return Stage("explore", (WORLD,), (INTERACTIONS,), work, options)
 
 

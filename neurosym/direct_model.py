@@ -1,0 +1,59 @@
+"""A network without a bottleneck: from object and action straight to the effect.
+
+It has no symbols to tell. It serves as the yardstick of what the data can teach, as the teacher of the bits,
+and, several at once, as a measure of what is not known yet: where they disagree.
+"""
+
+import numpy as np
+import torch
+from jaxtyping import Float
+from torch import Tensor, nn
+
+from neurosym.effect_model import hidden_layers, inference, scale_of, tensor
+from neurosym.model_config import Dimensions, DirectConfig
+from neurosym.network_inputs import with_gripper_states
+
+
+class DirectModel(nn.Module):
+    """Predicts the effect of an action on an object.
+
+    Args:
+        dimensions: What the network reads and writes.
+        config: How it is built.
+    """
+
+    effect_mean: Tensor
+    effect_std: Tensor
+
+    def __init__(self, dimensions: Dimensions, config: DirectConfig):
+        super().__init__()
+        self.dimensions, self.config = dimensions, config
+        inputs = dimensions.features + dimensions.actions
+        layers = hidden_layers(inputs, config.hidden, config.dropout)
+        self.layers = nn.Sequential(
+            nn.BatchNorm1d(inputs), *layers, nn.Linear(config.hidden, dimensions.effects)
+        )
+        self.register_buffer("effect_mean", torch.zeros(dimensions.effects))
+        self.register_buffer("effect_std", torch.ones(dimensions.effects))
+
+    def set_scale(self, effects: Float[Tensor, "N E"], mirrored: tuple[int, ...] = ()) -> None:
+        """Standardise effects by the mean and standard deviation of these; see `scale_of`."""
+        mean, std = scale_of(effects, mirrored)
+        self.effect_mean.copy_(mean)
+        self.effect_std.copy_(std)
+
+    def forward(self, features: Float[Tensor, "B F"], actions: Float[Tensor, "B A"]) -> Float[Tensor, "B E"]:
+        """Predict the standardised effect."""
+        dimensions = self.dimensions
+        actions = with_gripper_states(actions, dimensions.gripper_columns, self.config.gripper_sharpness)
+        effects: Tensor = self.layers(torch.cat([features, actions], dim=1))
+        return effects
+
+    def predict(
+        self, features: Float[np.ndarray, "N F"], actions: Float[np.ndarray, "N A"]
+    ) -> Float[np.ndarray, "N E"]:
+        """Predict effects [m]."""
+        with inference(self):
+            mean = self(tensor(features), tensor(actions))
+            effects: np.ndarray = (mean * self.effect_std + self.effect_mean).numpy()
+        return effects
