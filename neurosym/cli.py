@@ -17,6 +17,7 @@ COMMANDS: dict[str, Callable[..., int]] = {
     "run": commands.run,
     "init": commands.init,
     "explore": learning_commands.explore,
+    "check": learning_commands.check,
     "train": learning_commands.train,
     "distill": learning_commands.distill,
     "compile-domain": commands.compile_domain,

@@ -7,6 +7,10 @@ from typing import Annotated
 from tyro.conf import Positional, arg
 
 Folder = Annotated[Positional[Path], arg(metavar="DIR", help="The domain folder.")]
+DataPath = Annotated[
+    Positional[Path],
+    arg(metavar="DATA", help="A data set: an .npz file, or a folder that holds interactions.npz."),
+]
 ProblemName = Annotated[
     Positional[str],
     arg(metavar="PROBLEM", help="A problem in DIR/problems: its name or its file."),

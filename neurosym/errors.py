@@ -42,6 +42,13 @@ class InvalidFile(NeurosymError):
         super().__init__(f"{path} cannot be used: {problem}.")
 
 
+class InvalidData(InvalidFile):
+    """A data set with all its problems, a line each."""
+
+    def __init__(self, path: Path, problems: Iterable[str]):
+        NeurosymError.__init__(self, "\n".join(str(InvalidFile(path, problem)) for problem in problems))
+
+
 class UnknownChoice(NeurosymError):
     """A name that is not among the valid ones."""
 

@@ -10,6 +10,7 @@ Axes, here and everywhere in the package:
 import io
 import json
 import zipfile
+import zlib
 from collections.abc import Sequence
 from dataclasses import dataclass, field, fields
 from pathlib import Path
@@ -18,12 +19,12 @@ from typing import Any
 import numpy as np
 from jaxtyping import Bool, Float
 
+from neurosym.data_check import FLAGS, file_problems
 from neurosym.errors import InvalidFile
 from neurosym.files import write_atomically
 from neurosym.world import Outcome
 
 FORMAT = "neurosym-interactions-1"
-REQUIRED = ("features", "actions", "effects")
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -61,7 +62,7 @@ class Interactions:
 
     def __getitem__(self, rows: slice | np.ndarray) -> "Interactions":
         """Take some of the rows."""
-        return type(self)(**{name: getattr(self, name)[rows] for name in _ARRAYS}, origin=self.origin)
+        return type(self)(**{name: column[rows] for name, column in self.columns.items()}, origin=self.origin)
 
     @classmethod
     def from_outcomes(
@@ -88,16 +89,22 @@ class Interactions:
 
     def join(self, more: "Interactions") -> "Interactions":
         """Append the rows of another data set, keeping this one's origin."""
-        columns = {name: np.concatenate([getattr(self, name), getattr(more, name)]) for name in _ARRAYS}
+        columns = {
+            name: np.concatenate([column, getattr(more, name)]) for name, column in self.columns.items()
+        }
         return Interactions(**columns, origin=self.origin)
 
     def save(self, path: Path) -> None:
         """Write the data set as an .npz file whose bytes depend on nothing but the data."""
         buffer = io.BytesIO()
-        columns = {name: getattr(self, name) for name in _ARRAYS}
         origin = np.array(json.dumps({"format": FORMAT, **self.origin}, sort_keys=True))
-        np.savez_compressed(buffer, allow_pickle=False, **columns, origin=origin)
+        np.savez_compressed(buffer, allow_pickle=False, **self.columns, origin=origin)
         write_atomically(path, buffer.getvalue())
+
+    @property
+    def columns(self) -> dict[str, np.ndarray]:
+        """The arrays by name."""
+        return {name: getattr(self, name) for name in _ARRAYS}
 
     @classmethod
     def load(cls, path: Path) -> "Interactions":
@@ -108,42 +115,103 @@ class Interactions:
         Raises:
             InvalidFile: If the file is not such an .npz file, or its columns do not fit together.
         """
-        columns, origin = _read_columns(path)
-        if missing := [name for name in REQUIRED if name not in columns]:
-            raise InvalidFile(path, f"it has no array {missing[0]!r} (needed: {', '.join(REQUIRED)})")
-        rows = len(columns["features"]) if columns["features"].ndim else 0
-        if rows == 0:
-            raise InvalidFile(path, "it holds no interactions")
-        for name in REQUIRED:
-            if columns[name].ndim != 2 or columns[name].dtype.kind not in "fiu":
-                raise InvalidFile(path, f"{name!r} must be a two-dimensional array of numbers")
-        columns = _filled(columns)
-        for name, column in columns.items():
-            if len(column) != rows or column.shape[1:] != columns[_LIKE.get(name, name)].shape[1:]:
-                raise InvalidFile(
-                    path, f"{name!r} has shape {column.shape}, which does not fit {rows} interactions"
-                )
-            if not np.all(np.isfinite(column)):
-                row = int(np.argwhere(~np.isfinite(column))[0][0])
-                raise InvalidFile(path, f"{name!r} holds a value that is not finite in row {row}")
-        return cls(**columns, origin=origin)
+        examination = examine(path)
+        if examination.interactions is None:
+            raise InvalidFile(path, examination.problems[0])
+        return examination.interactions
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Examination:
+    """What was found in a file that should hold a data set.
+
+    Attributes:
+        columns: The arrays that could be read, with their names.
+        origin: What it says of how they came about.
+        given: The names of all arrays in the file.
+        problems: What keeps the arrays from being a data set, a sentence's end each.
+        interactions: The data set, if there are no problems.
+    """
+
+    columns: dict[str, np.ndarray]
+    origin: dict[str, Any]
+    given: tuple[str, ...]
+    problems: tuple[str, ...]
+    interactions: Interactions | None
+
+
+def examine(path: Path) -> Examination:
+    """Read what can be read of a data set, and list what is wrong with it; nothing is ever unpickled.
+
+    Args:
+        path: The file.
+
+    Raises:
+        InvalidFile: If it is no .npz file at all.
+    """
+    columns, given, problems = _read_arrays(path)
+    origin: dict[str, Any] = {}
+    if "origin" in columns:
+        try:
+            origin = _read_origin(columns.pop("origin"))
+        except ValueError as error:
+            problems.append(str(error))
+    unread = [name for name in given if name in _ARRAYS and name not in columns]
+    found = file_problems(columns, origin)
+    problems += [problem for problem in found if not any(repr(name) in problem for name in unread)]
+    interactions = None if problems else Interactions(**_filled(columns), origin=origin)
+    return Examination(columns, origin, given, tuple(problems), interactions)
 
 
 _ARRAYS = tuple(f.name for f in fields(Interactions) if f.name != "origin")
-_FLAGS = ("held", "toppled", "lost")
-_LIKE = {"resting_effects": "effects", "toppled": "held", "lost": "held", "peak_heights": "held"}
+_DAMAGED = (
+    OSError,
+    ValueError,
+    EOFError,
+    KeyError,
+    TypeError,
+    RuntimeError,
+    MemoryError,
+    zipfile.BadZipFile,
+    zlib.error,
+)
+"""What numpy and zipfile raise for files that are damaged, foreign, encrypted or pickled."""
 
 
-def _read_columns(path: Path) -> tuple[dict[str, np.ndarray], dict[str, Any]]:
+def _read_arrays(path: Path) -> tuple[dict[str, np.ndarray], tuple[str, ...], list[str]]:
+    """Read the known arrays of a file and the names of all, and say which cannot be read and why."""
+    arrays, problems = {}, []
     try:
-        with np.load(path, allow_pickle=False) as archive:
-            arrays = {name: archive[name] for name in archive.files}
-        origin = json.loads(str(arrays.pop("origin", "{}")))
-    except (OSError, ValueError, EOFError, zipfile.BadZipFile, KeyError, AttributeError, TypeError) as error:
+        with path.open("rb") as file, np.load(file, allow_pickle=False) as archive:
+            given = tuple(archive.files)
+            for name in filter(set(given).__contains__, (*_ARRAYS, "origin")):
+                try:
+                    arrays[name] = np.asarray(archive[name])
+                except _DAMAGED:
+                    problems.append(
+                        f"{name!r} is damaged, or holds Python objects, which are never unpickled; "
+                        "valid: a plain array"
+                    )
+    except _DAMAGED as error:
         raise InvalidFile(path, "it is not an .npz file of plain arrays") from error
-    if origin.pop("format", FORMAT) != FORMAT:
-        raise InvalidFile(path, f"it is not of the format {FORMAT}")
-    return {name: array for name, array in arrays.items() if name in _ARRAYS}, origin
+    doubles = sorted({name for name in given if given.count(name) > 1})
+    problems += [f"it holds {given.count(name)} arrays {name!r}; valid: one of each" for name in doubles]
+    return arrays, given, problems
+
+
+def _read_origin(array: np.ndarray) -> dict[str, Any]:
+    """Read the JSON object in an array of one text; `ValueError` says what is wrong with it."""
+    try:
+        origin = json.loads(array.item()) if array.shape == () and array.dtype.kind == "U" else None
+    except (ValueError, RecursionError):
+        origin = None
+    if not isinstance(origin, dict):
+        raise ValueError(
+            "'origin' cannot be read; valid: a JSON object as text, like '{\"robot\": \"mine\"}'"
+        )
+    if (found := origin.pop("format", FORMAT)) != FORMAT:
+        raise ValueError(f"it is of the format {found!r}; valid: {FORMAT!r}, or no format in its origin")
+    return origin
 
 
 def _filled(columns: dict[str, np.ndarray]) -> dict[str, np.ndarray]:
@@ -151,7 +219,7 @@ def _filled(columns: dict[str, np.ndarray]) -> dict[str, np.ndarray]:
     defaults = {
         "resting_effects": columns["effects"],
         "peak_heights": np.zeros(rows),
-        **{name: np.zeros(rows, dtype=bool) for name in _FLAGS},
+        **{name: np.zeros(rows, dtype=bool) for name in FLAGS},
     }
     full = {**defaults, **columns}
-    return {name: full[name].astype(bool if name in _FLAGS else np.float32) for name in _ARRAYS}
+    return {name: full[name].astype(bool if name in FLAGS else np.float32) for name in _ARRAYS}

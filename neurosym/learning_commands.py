@@ -1,13 +1,13 @@
-"""The commands that learn: explore, train, distil."""
+"""The commands that learn: explore, check, train, distil."""
 
 from typing import Annotated
 
 from tyro.conf import arg
 
-from neurosym.command_options import CPUS, Folder, RegimeName, Seed, Strategy, Workers
+from neurosym.command_options import CPUS, DataPath, Folder, RegimeName, Seed, Strategy, Workers
 from neurosym.console import say, say_next
-from neurosym.errors import InvalidValue
-from neurosym.folder import DomainFolder
+from neurosym.errors import InvalidData, InvalidFile, InvalidValue
+from neurosym.folder import INTERACTIONS, PRIMITIVES, DomainFolder
 from neurosym.operators import OperatorTable
 
 
@@ -52,6 +52,32 @@ def explore(
     return 0
 
 
+def check(data: DataPath) -> int:
+    """Check a data set, of your own or explored, before it is trained on.
+
+    docs/data.md says what it must hold; every problem is told in a line of its own, with exit code 2.
+    """
+    from neurosym.data_check import training_problems, warnings_about
+    from neurosym.interactions import examine
+    from neurosym.reporting import show_data
+
+    path = DomainFolder(data).require(INTERACTIONS) if data.is_dir() else data
+    if not path.is_file():
+        raise InvalidFile(path, "there is no such file or folder")
+    found = examine(path)
+    if problems := [*found.problems, *training_problems(found.columns, found.origin)]:
+        raise InvalidData(path, problems)
+    interactions = found.interactions
+    assert interactions is not None, "without problems there are interactions"
+    show_data(interactions, path)
+    for warning in warnings_about(interactions.columns, interactions.origin, found.given):
+        say(f"note: {warning}")
+    is_in_place = path.name == INTERACTIONS
+    copying = "" if is_in_place else f"mkdir -p my-domain && cp {path} my-domain/{INTERACTIONS} && "
+    say_next(f"{copying}neurosym train {path.parent if is_in_place else 'my-domain'}")
+    return 0
+
+
 def train(folder: Folder, seed: Seed = 0, regime: RegimeName = "default") -> int:
     """Fit the effect model whose bits are the symbols: `interactions.npz` -> `effect_model.safetensors`."""
     from neurosym.reporting import show_training
@@ -72,11 +98,22 @@ def distill(
 ) -> int:
     """Turn action symbols into parameters and rehearse each in the world: -> `primitives.json`."""
     from neurosym.files import read_json
+    from neurosym.naming import counted_axes
     from neurosym.reporting import show_operators
     from neurosym.stages import distill_stage
 
     domain = DomainFolder(folder)
     domain.perform(distill_stage(domain, objects=objects, seed=seed, workers=workers), again=True)
-    show_operators(read_json(domain / "primitives.json", OperatorTable))
-    say_next(f"neurosym compile-domain {folder}")
+    table = read_json(domain / PRIMITIVES, OperatorTable)
+    show_operators(table)
+    if table.measured == "rehearsal":
+        say_next(f"neurosym compile-domain {folder}")
+        return 0
+    say("there is no world.toml, so nothing was rehearsed: effects are averages over the rows of the data")
+    if table.axes == 3:
+        say("a PDDL domain needs a world besides, and distilled again, primitives are rehearsed in it")
+        say_next(f"neurosym init {folder} --world module:factory")
+    else:
+        say(f"no PDDL domain can be made of {counted_axes(table.axes)}: it moves objects along x, y and z")
+        say_next(f"python -m json.tool {folder / PRIMITIVES}")
     return 0

@@ -45,6 +45,30 @@ def name_categories(
     return tuple(names)
 
 
+def names_of_features(count: int, given: Sequence[str] = ()) -> tuple[str, ...]:
+    """Return the names of object features: those given, or `f1`, `f2`, ...
+
+    Args:
+        count: How many features there are.
+        given: Their names, if they have any.
+    """
+    return tuple(given) or tuple(f"f{number}" for number in range(1, count + 1))
+
+
+def name_axes(count: int) -> tuple[str, ...]:
+    """Name the axes of an effect: x, y and z if there are three, else `e1`, `e2`, ...
+
+    Args:
+        count: How many axes there are.
+    """
+    return ("x", "y", "z") if count == 3 else tuple(f"e{number}" for number in range(1, count + 1))
+
+
+def counted_axes(count: int) -> str:
+    """Say how many axes there are: `1 axis`, `2 axes`."""
+    return f"{count} {'axis' if count == 1 else 'axes'}"
+
+
 def name_operator(primitive: Symbol, category_name: str, modes: Sequence[Mode]) -> str:
     """Name an operator by what it does: `push-left-101-hollow-low-10`.
 
@@ -58,13 +82,15 @@ def name_operator(primitive: Symbol, category_name: str, modes: Sequence[Mode]) 
 
 
 def verb(mode: Mode) -> str:
-    """Say in a word or three what happened to the object."""
+    """Say in a word or three what happened to the object: `act`, where effects are not along x, y and z."""
     if mode.kind == "held":
         return "lift"
     if mode.kind == "lost":
         return "throw-off"
     if mode.kind == "toppled":
         return "topple"
+    if len(mode.resting_effect) != 3:
+        return "act"
     x, y, _ = mode.resting_effect
     if np.hypot(x, y) < NO_EFFECT:
         return "stay"

@@ -4,12 +4,16 @@ This one table is what every PDDL output is printed from, what plans are replaye
 compares observations against. It is stored in `primitives.json`.
 """
 
+from typing import Literal
+
 import msgspec
 
 from neurosym.symbols import Symbol
 from neurosym.world import OutcomeKind
 
 Vector = tuple[float, float, float]
+Effect = tuple[float, ...]
+"""A displacement: x, y and z [m] in every world, any number of axes in data of a user's own."""
 TOLERANCE = 0.05
 """How near an object must come to its goal, and an outcome to its promise [m] (section III-E)."""
 
@@ -19,8 +23,8 @@ class Mode(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
 
     Attributes:
         kind: How the target ended: at rest upright, held in the air, on another face, or off the table.
-        count: How many rehearsals ended so.
-        share: The same as a share of all rehearsals of this primitive on this category.
+        count: How many rehearsals ended so, or rows of the data.
+        share: The same as a share of all trials of this primitive on this category.
         effect: Mean displacement at the end of the rise [m].
         spread: Standard deviation of that displacement, each axis [m].
         resting_effect: Mean displacement once everything is put down [m].
@@ -32,20 +36,24 @@ class Mode(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     kind: OutcomeKind
     count: int
     share: float
-    effect: Vector
-    spread: Vector
-    resting_effect: Vector
-    resting_spread: Vector
+    effect: Effect
+    spread: Effect
+    resting_effect: Effect
+    resting_spread: Effect
     peak_height: float
     near_mean: int
 
+    def __post_init__(self) -> None:
+        if len({len(self.effect), len(self.spread), len(self.resting_effect), len(self.resting_spread)}) > 1:
+            raise ValueError("the effects and spreads of a mode must have the same number of axes")
+
     @property
-    def outcome(self) -> Vector:
+    def outcome(self) -> Effect:
         """Mean displacement of the object as it ended: held in the air, or else at rest [m]."""
         return self.effect if self.kind == "held" else self.resting_effect
 
     @property
-    def scatter(self) -> Vector:
+    def scatter(self) -> Effect:
         """Standard deviation of `outcome`, each axis [m]."""
         return self.spread if self.kind == "held" else self.resting_spread
 
@@ -70,7 +78,7 @@ class Category(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     Attributes:
         symbol: The object symbol, like "10".
         name: Readable name, a legal PDDL type.
-        share: Share of the sampled objects that fall into this category.
+        share: Share of the sampled objects, or of the rows of the data, that fall into this category.
         feature_means: Mean of each feature over those objects; empty if there were none.
         feature_spreads: Standard deviation of each feature over those objects.
     """
@@ -89,7 +97,7 @@ class Operator(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
         name: Readable name, a legal PDDL action name, unique in the table.
         category: Symbol of the category.
         primitive: Symbol of the primitive.
-        trials: How many rehearsals there were.
+        trials: How many rehearsals there were, or rows of the data.
         modes: The outcomes seen, most frequent first.
     """
 
@@ -110,15 +118,31 @@ class Operator(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
         return self.promise.near_mean if self.promise else 0
 
 
-class OperatorTable(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
+class OperatorTable(msgspec.Struct, frozen=True, forbid_unknown_fields=True, omit_defaults=True):
     """Categories, primitives, and an operator for each pair of them.
 
     Attributes:
         categories: In the order of their symbols.
         primitives: In the order of their symbols.
-        operators: By primitive, then category; pairs that were never rehearsed are missing.
+        operators: By primitive, then category; pairs that were never tried are missing.
+        measured: What the modes were measured by: rehearsals of the distilled actions, or averages over the
+            rows of the data whose action has the primitive's symbol, where there is no world to rehearse in.
     """
 
     categories: tuple[Category, ...]
     primitives: tuple[Primitive, ...]
     operators: tuple[Operator, ...]
+    measured: Literal["rehearsal", "data"] = "rehearsal"
+
+    def __post_init__(self) -> None:
+        if len(self._widths) > 1:
+            raise ValueError("all effects must have the same number of axes")
+
+    @property
+    def axes(self) -> int:
+        """How many axes the effects have; 3 if there are none."""
+        return next(iter(self._widths), 3)
+
+    @property
+    def _widths(self) -> set[int]:
+        return {len(mode.effect) for operator in self.operators for mode in operator.modes}

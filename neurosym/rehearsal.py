@@ -11,11 +11,12 @@ import numpy as np
 from jaxtyping import Float
 
 from neurosym.errors import InvalidValue
+from neurosym.modes import sort_into_modes
 from neurosym.naming import name_categories, name_operator
-from neurosym.operators import TOLERANCE, Category, Mode, Operator, OperatorTable, Primitive, Vector
+from neurosym.operators import Category, Mode, Operator, OperatorTable, Primitive
 from neurosym.symbols import Symbol, all_symbols
 from neurosym.workers import Task, WorldFactory, perform_all
-from neurosym.world import Outcome, OutcomeKind, Scene, World
+from neurosym.world import Outcome, Scene, World
 
 Categorise = Callable[[np.ndarray], Sequence[Symbol]]
 """Gives the object symbols of object features (N, F)."""
@@ -136,28 +137,11 @@ def modes_of(outcomes: Sequence[Outcome]) -> tuple[Mode, ...]:
     Args:
         outcomes: Outcomes of one primitive on objects of one category.
     """
-    by_kind: dict[OutcomeKind, list[Outcome]] = {}
-    for outcome in outcomes:
-        by_kind.setdefault(outcome.kind, []).append(outcome)
-    modes = [_mode(kind, members, len(outcomes)) for kind, members in by_kind.items()]
-    return tuple(sorted(modes, key=lambda mode: (-mode.count, mode.kind)))
-
-
-def _mode(kind: OutcomeKind, members: Sequence[Outcome], trials: int) -> Mode:
-    effects = np.array([outcome.effect for outcome in members])  # (N, 3)
-    resting = np.array([outcome.resting_effect for outcome in members])
-    judged = effects if kind == "held" else resting
-    distances = np.linalg.norm(judged - judged.mean(0), axis=1)
-    return Mode(
-        kind=kind,
-        count=len(members),
-        share=len(members) / trials,
-        effect=_vector(effects.mean(0)),
-        spread=_vector(effects.std(0)),
-        resting_effect=_vector(resting.mean(0)),
-        resting_spread=_vector(resting.std(0)),
-        peak_height=float(np.mean([outcome.peak_height for outcome in members])),
-        near_mean=int(np.sum(distances <= TOLERANCE)),
+    return sort_into_modes(
+        [outcome.kind for outcome in outcomes],
+        np.array([outcome.effect for outcome in outcomes]),  # (N, 3)
+        np.array([outcome.resting_effect for outcome in outcomes]),
+        np.array([outcome.peak_height for outcome in outcomes]),
     )
 
 
@@ -170,8 +154,3 @@ def _operator(primitive: Primitive, category: Category, outcomes: Sequence[Outco
         trials=len(outcomes),
         modes=modes,
     )
-
-
-def _vector(values: np.ndarray) -> Vector:
-    x, y, z = (float(value) for value in values)
-    return x, y, z

@@ -1,13 +1,18 @@
 """Tables for the command line: how well a model fits, what operators do, what became of plans."""
 
+from collections.abc import Sequence
 from pathlib import Path
 
 import msgspec
+import numpy as np
 
 from neurosym.console import say, show_table
+from neurosym.data_check import FLAGS
 from neurosym.execution import Run
 from neurosym.files import read_json
-from neurosym.operators import Operator, OperatorTable, Vector
+from neurosym.interactions import Interactions
+from neurosym.naming import NO_EFFECT, name_axes, names_of_features
+from neurosym.operators import Effect, Operator, OperatorTable
 
 
 class TrainingSummary(msgspec.Struct, frozen=True):
@@ -31,8 +36,13 @@ def show_training(path: Path) -> None:
         InvalidFile: If it is no training report.
     """
     report = read_json(path, TrainingSummary)
-    rows = [[name, *(f"{1000 * error:.1f}" for error in errors)] for name, errors in report.mae.items()]
-    axes = [f"{axis} [mm]" for axis in "xyz"[: len(rows[0]) - 1]]
+    names = name_axes(max(map(len, report.mae.values()), default=3))
+    is_in_space = len(names) == 3
+    rows = [
+        [name, *(f"{1000 * error:.1f}" if is_in_space else f"{error:.3g}" for error in errors)]
+        for name, errors in report.mae.items()
+    ]
+    axes = [f"{axis} [mm]" if is_in_space else axis for axis in names]
     show_table(f"mean absolute error, {report.held_out} held-out interactions", ["predictor", *axes], rows)
     say(f"R2 through the bits {report.r2_through_codes:.2f}, without cutting to bits {report.r2:.2f}")
     used = f"{len(report.action_symbols)} for actions, {len(report.object_symbols)} for objects"
@@ -41,8 +51,44 @@ def show_training(path: Path) -> None:
 
 def show_operators(table: OperatorTable) -> None:
     """Print what each primitive does to each category."""
-    columns = ["operator", "rehearsals", "as promised", "ends", "effect [mm]", "spread [mm]"]
-    show_table("operators", columns, [_operator_row(operator) for operator in table.operators])
+    trials = "rehearsals" if table.measured == "rehearsal" else "rows"
+    measures = ["effect [mm]", "spread [mm]"] if table.axes == 3 else ["effect", "spread"]
+    columns = ["operator", trials, "as promised", "ends", *measures]
+    title = "operators" if table.measured == "rehearsal" else "operators, averaged from the data"
+    show_table(title, columns, [_operator_row(operator) for operator in table.operators])
+
+
+def show_data(interactions: Interactions, path: Path) -> None:
+    """Print what a data set holds: its size, the range of each column, and how much happens in it.
+
+    Args:
+        interactions: The data set.
+        path: Where it stands.
+    """
+    given, axes = interactions.origin.get("feature_names", ()), name_axes(interactions.effects.shape[1])
+    grippers = interactions.origin.get("gripper_columns", ())
+    actions = [
+        f"gripper {n + 1}" if n in grippers else f"a{n + 1}" for n in range(interactions.actions.shape[1])
+    ]
+    rows = [
+        *_column_rows("features", names_of_features(interactions.features.shape[1], given), interactions),
+        *_column_rows("actions", actions, interactions),
+        *_column_rows("effects", axes, interactions),
+    ]
+    title = f"{path}: {len(interactions)} interactions"
+    show_table(title, ["column", "name", "least", "mean", "greatest", "spread"], rows)
+    moved = np.mean(np.linalg.norm(interactions.effects, axis=1) > NO_EFFECT)
+    shares = [f"{kind} {getattr(interactions, kind).mean():.0%}" for kind in FLAGS]
+    say(f"with an effect above {NO_EFFECT:g}: {moved:.0%}; {', '.join(shares)}")
+
+
+def _column_rows(array: str, names: Sequence[str], interactions: Interactions) -> list[list[str]]:
+    columns = interactions.columns[array].astype(np.float64)
+    figures = (columns.min(0), columns.mean(0), columns.max(0), columns.std(0))
+    return [
+        [f"{array}[:, {n}]", name, *(f"{values[n]:.4g}" for values in figures)]
+        for n, name in enumerate(names)
+    ]
 
 
 def _operator_row(operator: Operator) -> list[str]:
@@ -51,7 +97,8 @@ def _operator_row(operator: Operator) -> list[str]:
     if promise is None:
         return [*row, "0", "never at rest or held", "", ""]
     ends = f"{promise.kind} {promise.share:.0%}"
-    measured = [_millimetres(promise.outcome), _millimetres(promise.scatter)]
+    tell = _millimetres if len(promise.outcome) == 3 else _plain
+    measured = [tell(promise.outcome), tell(promise.scatter)]
     return [*row, str(operator.successes), ends, *measured]
 
 
@@ -81,5 +128,9 @@ def show_run(run: Run) -> None:
         say(run.reason)
 
 
-def _millimetres(vector: Vector) -> str:
+def _plain(effect: Effect) -> str:
+    return "(" + ", ".join(f"{value:.3g}" for value in effect) + ")"
+
+
+def _millimetres(vector: Effect) -> str:
     return "(" + ", ".join(f"{1000 * value:.0f}" for value in vector) + ")"

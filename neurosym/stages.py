@@ -11,7 +11,9 @@ from typing import Any
 import numpy as np
 
 from neurosym.console import progress_bar
-from neurosym.errors import InvalidValue, UnknownChoice
+from neurosym.data_check import model_misfit, training_problems, world_misfit
+from neurosym.data_origin import box_of, is_explored
+from neurosym.errors import InvalidFile, InvalidValue, UnknownChoice
 from neurosym.files import read_json, write_atomically, write_json
 from neurosym.folder import (
     DOMAIN,
@@ -29,6 +31,8 @@ from neurosym.operators import OperatorTable
 from neurosym.problems import Problem
 from neurosym.strategies import STRATEGIES
 from neurosym.training_config import REGIMES, Regime
+from neurosym.workers import WorldFactory
+from neurosym.world import ActionBox
 from neurosym.world_file import origin_of, read_world
 
 TRAINING = "training.json"
@@ -92,7 +96,7 @@ def train_stage(folder: DomainFolder, *, seed: int, regime: str) -> Stage:
     def work() -> None:
         from neurosym.training import train
 
-        interactions = Interactions.load(folder.require(INTERACTIONS))
+        interactions = _trainable(folder.require(INTERACTIONS))
         with progress_bar("training") as advance:
             model, report = train(
                 interactions,
@@ -109,20 +113,32 @@ def train_stage(folder: DomainFolder, *, seed: int, regime: str) -> Stage:
 
 
 def distill_stage(folder: DomainFolder, *, objects: int, seed: int, workers: int) -> Stage:
-    """Distil primitives and rehearse them: model, data and world -> `primitives.json`."""
+    """Distil primitives and rehearse them: model, data and world -> `primitives.json`.
+
+    Without a `world.toml`, nothing is rehearsed: effects are averaged from the data, whose origin, or else
+    least and greatest values, are the action box.
+    """
     if objects < 1:
         raise InvalidValue(f"objects = {objects} must be at least 1.")
 
     def work() -> None:
+        from neurosym.averaging import average
         from neurosym.distillation import distill
         from neurosym.effect_model import EffectModel
         from neurosym.rehearsal import rehearse
 
-        factory = read_world(folder.require(WORLD))
+        factory = read_world(folder / WORLD) if (folder / WORLD).exists() else None
         model = EffectModel.load(folder.require(MODEL))
         interactions = Interactions.load(folder.require(INTERACTIONS))
+        if problem := model_misfit(model.dimensions, interactions.columns):
+            raise InvalidFile(folder / MODEL, problem)
+        box = _box(folder / INTERACTIONS, interactions, factory)
         with progress_bar("distilling") as advance:
-            primitives = distill(model, interactions, factory().action_box, seed=seed, progress=advance)
+            primitives = distill(model, interactions, box, seed=seed, progress=advance)
+        if factory is None:
+            averaged = average(interactions, primitives, model.object_symbols, model.action_symbols)
+            write_json(folder / PRIMITIVES, averaged)
+            return
         with progress_bar("rehearsing") as advance:
             table = rehearse(
                 factory,
@@ -147,9 +163,16 @@ def compile_stage(folder: DomainFolder, *, cell: float) -> Stage:
 
     def work() -> None:
         from neurosym.pddl import compile_domain, domain_text, problem_text
+        from neurosym.pddl.compiler import check_axes
 
-        world = read_world(folder.require(WORLD))()
         table = read_json(folder.require(PRIMITIVES), OperatorTable)
+        check_axes(table)
+        if not (folder / WORLD).exists():
+            raise InvalidValue(
+                f"{folder / WORLD} is missing: a domain also needs where objects may stand and how far the "
+                f"hand rises; `neurosym init {folder.path}` writes it."
+            )
+        world = read_world(folder / WORLD)()
         grounding = compile_domain(
             table, name=world.name, cell=cell, table_bounds=world.table, lift_height=world.lift_height
         )
@@ -210,11 +233,36 @@ def regime_named(name: str) -> Regime:
     return REGIMES[name]
 
 
+def _trainable(path: Path) -> Interactions:
+    """Load a data set, and refuse one that cannot be learned from."""
+    interactions = Interactions.load(path)
+    if problems := training_problems(interactions.columns, interactions.origin):
+        raise InvalidFile(path, problems[0])
+    return interactions
+
+
+def _box(path: Path, interactions: Interactions, factory: WorldFactory | None) -> ActionBox:
+    """Return the action box: the world's, or where there is none, the data's."""
+    if factory is None:
+        low, high, is_gripper = box_of(interactions.actions, interactions.origin)
+        return ActionBox(low, high, is_gripper)
+    world = factory()
+    features, actions = len(world.feature_names), len(world.action_box.low)
+    if problem := world_misfit(world.name, features, actions, interactions.columns):
+        raise InvalidFile(path, problem)
+    return world.action_box
+
+
 def _check_steps(path: Path, steps: int) -> None:
-    """Refuse to replace interactions by fewer."""
-    if steps > 0 and path.exists() and (found := len(Interactions.load(path))) > steps:
+    """Refuse to replace interactions by fewer, or a user's own by any."""
+    if steps <= 0 or not path.exists():
+        return
+    found = Interactions.load(path)
+    if not is_explored(found.origin):
+        raise InvalidValue(f"{path} holds data which `neurosym explore` did not make; move it away first.")
+    if len(found) > steps:
         raise InvalidValue(
-            f"{path} holds {found} interactions already, more than {steps}; remove it, or ask for more."
+            f"{path} holds {len(found)} interactions already, more than {steps}; remove it, or ask for more."
         )
 
 

@@ -11,6 +11,7 @@ import numpy as np
 import torch
 from jaxtyping import Float
 
+from neurosym.data_check import too_few
 from neurosym.effect_model import EffectModel
 from neurosym.errors import InvalidValue
 from neurosym.fitting import reproducible
@@ -21,8 +22,6 @@ from neurosym.training_config import TrainingConfig
 
 TrainingReport = dict[str, Any]
 """Plain JSON values: see `assess` for the keys; besides, `restarts` and the figures of each."""
-
-_LEAST_INTERACTIONS = 20
 
 
 def train(
@@ -81,11 +80,8 @@ def split(interactions: Interactions, share: float, seed: int) -> tuple[Interact
     Raises:
         InvalidValue: If there are too few.
     """
-    if len(interactions) < _LEAST_INTERACTIONS:
-        raise InvalidValue(
-            f"{len(interactions)} interactions are too few to train on; "
-            f"at least {_LEAST_INTERACTIONS} are needed."
-        )
+    if problem := too_few(len(interactions)):
+        raise InvalidValue(f"{problem}.")
     order = np.random.default_rng([seed, len(interactions)]).permutation(len(interactions))
     held_out = max(2, round(share * len(interactions)))
     return interactions[order[held_out:]], interactions[order[:held_out]]

@@ -5,7 +5,7 @@ import re
 import numpy as np
 import pytest
 
-from neurosym.naming import name_categories, name_operator, verb
+from neurosym.naming import counted_axes, name_axes, name_categories, name_operator, names_of_features, verb
 from neurosym.operators import Mode
 
 NAMES = ("s_x", "s_y", "d", "t")
@@ -31,6 +31,19 @@ def a_mode(effect=(0.0, 0.0, 0.0), kind="resting", peak=0.0):
 )
 def test_pushes_are_named_by_direction(effect, expected):
     assert verb(a_mode(effect)) == expected
+
+
+def test_effects_without_x_y_and_z_are_acts():
+    two = Mode("resting", 1, 1.0, (0.1, 0.2), (0.0, 0.0), (0.1, 0.2), (0.0, 0.0), 0.0, 1)
+    assert name_operator("101", "kind-10", [two]) == "act-101-kind-10"
+    assert name_axes(3) == ("x", "y", "z")
+    assert name_axes(2) == ("e1", "e2")
+    assert [counted_axes(count) for count in (1, 2)] == ["1 axis", "2 axes"]
+
+
+def test_features_without_names_are_numbered():
+    assert names_of_features(3) == ("f1", "f2", "f3")
+    assert names_of_features(2, ["mass", "hue"]) == ("mass", "hue")
 
 
 def test_what_is_carried_and_set_down_is_placed():

@@ -4,6 +4,7 @@ import math
 from collections.abc import Iterable
 
 from neurosym.errors import InvalidValue
+from neurosym.naming import counted_axes
 from neurosym.operators import OperatorTable
 from neurosym.pddl.grounding import FORMAT, Grounding
 from neurosym.problems import LEGAL_NAME
@@ -28,8 +29,10 @@ def compile_domain(
         cell: Edge of a grid cell [m].
 
     Raises:
-        InvalidValue: If the cell is no sensible size, or a name is not legal, taken, or reserved.
+        InvalidValue: If effects are not along x, y and z, the cell is no sensible size, or a name is not
+            legal, taken, or reserved.
     """
+    check_axes(table)
     widest = max(high - low for low, high in (table_bounds.x, table_bounds.y))
     if not (math.isfinite(cell) and widest / MAX_CELLS <= cell <= widest):
         raise InvalidValue(f"A cell of {cell} m will not do; valid: {widest / MAX_CELLS:g} to {widest:g} m.")
@@ -43,6 +46,15 @@ def compile_domain(
     return Grounding(
         format=FORMAT, name=name, cell=cell, table=table_bounds, lift_height=lift_height, operators=table
     )
+
+
+def check_axes(table: OperatorTable) -> None:
+    """Raise `InvalidValue` unless effects are displacements along x, y and z."""
+    if table.axes != 3:
+        raise InvalidValue(
+            f"The table of operators has effects of {counted_axes(table.axes)}; "
+            "a PDDL domain needs 3: x, y and z [m]."
+        )
 
 
 def _check_names(names: Iterable[str]) -> None:

@@ -11,7 +11,7 @@ Both are positive STRIPS with types and action costs, and equal groundings give 
 import textwrap
 
 from neurosym.errors import UnknownChoice
-from neurosym.operators import Vector
+from neurosym.operators import Effect
 from neurosym.pddl.grid import AXES, grid_of
 from neurosym.pddl.grounding import Grounding
 from neurosym.pddl.moves import (
@@ -70,6 +70,8 @@ def _header(grounding: Grounding, encoding: Encoding) -> str:
         "After a lift the hand is full: only the put-down of that lift applies.",
         "Cost of a step: 1 + round(-100 ln((k + 1) / (n + 2))), k successes in n rehearsals.",
     ]
+    if grounding.operators.measured == "data":
+        lines.append("Nothing was rehearsed: by rehearsals, rows of the data are meant.")
     return _comment(lines, "")
 
 
@@ -181,7 +183,7 @@ def _comment(lines: list[str], indent: str) -> str:
     return "\n".join(f"{indent}; {line}" for line in wrapped)
 
 
-def _vector(vector: Vector) -> str:
+def _vector(vector: Effect) -> str:
     return "(" + ", ".join(_mm(value) for value in vector) + ")"
 
 

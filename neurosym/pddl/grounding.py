@@ -12,7 +12,8 @@ import msgspec
 
 from neurosym.errors import InvalidFile, UnknownChoice
 from neurosym.files import read_json, write_json
-from neurosym.operators import Category, Mode, Operator, OperatorTable, Primitive, Vector
+from neurosym.naming import counted_axes
+from neurosym.operators import Category, Effect, Mode, Operator, OperatorTable, Primitive, Vector
 from neurosym.symbols import Symbol
 from neurosym.world import Table
 
@@ -43,6 +44,10 @@ class Grounding(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     table: Table
     lift_height: float
     operators: OperatorTable
+
+    def __post_init__(self) -> None:
+        if self.operators.axes != 3:
+            raise ValueError(f"its effects have {counted_axes(self.operators.axes)}; valid: x, y and z")
 
     def save(self, path: Path) -> None:
         """Write the grounding to a file, `grounding.json` by custom."""
@@ -145,7 +150,7 @@ class Grounding(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
             operator: An operator with a promise.
         """
         promise = _promise(operator)
-        return promise.effect if promise.kind == "held" else (*promise.resting_effect[:2], 0.0)
+        return in_space(promise.effect) if promise.kind == "held" else at_rest(promise)
 
     def put_down_displacement(self, operator: Operator) -> Vector:
         """Return how putting the object down again moves it [m], back to its height above the table.
@@ -164,7 +169,7 @@ class Grounding(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     def put_down_cells(self, operator: Operator) -> Cells:
         """Return how putting down moves the object, in whole cells, such that no rounding adds up."""
         x, y, z = self.cells(operator)
-        resting = _in_cells(_promise(operator).resting_effect, self.cell)
+        resting = _in_cells(in_space(_promise(operator).resting_effect), self.cell)
         return (resting[0] - x, resting[1] - y, -z)
 
     def rounding(self) -> Vector:
@@ -176,7 +181,7 @@ class Grounding(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
         errors = [(0.0, 0.0, 0.0)]
         for operator in self.live:
             errors.append(_remainder(self.displacement(operator), self.cells(operator), self.cell))
-            resting = (*_promise(operator).resting_effect[:2], 0.0)
+            resting = at_rest(_promise(operator))
             errors.append(_remainder(resting, _in_cells(resting, self.cell), self.cell))
         x, y, z = (max(axis) for axis in zip(*errors, strict=True))
         return (x, y, z)
@@ -189,6 +194,18 @@ class _Versioned(msgspec.Struct, frozen=True):
 def is_lift(operator: Operator) -> bool:
     """Say whether an operator promises to end with the object held."""
     return operator.promise is not None and operator.promise.kind == "held"
+
+
+def in_space(effect: Effect) -> Vector:
+    """Return an effect along x, y and z as a vector [m]."""
+    x, y, z = effect
+    return (x, y, z)
+
+
+def at_rest(promise: Mode) -> Vector:
+    """Return where a promise to end upright brings the object: it keeps its height [m]."""
+    x, y, _ = promise.resting_effect
+    return (x, y, 0.0)
 
 
 def _promise(operator: Operator) -> Mode:

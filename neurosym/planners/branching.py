@@ -11,7 +11,7 @@ import numpy as np
 from jaxtyping import Bool, Float
 
 from neurosym.operators import Operator, Vector
-from neurosym.pddl.grounding import Grounding, is_lift
+from neurosym.pddl.grounding import Grounding, at_rest, is_lift
 from neurosym.problems import Problem
 
 Names = tuple[tuple[str, ...], ...]
@@ -93,7 +93,7 @@ def _branching(
 
 def _resting(operator: Operator) -> Vector:
     promise = operator.promise
-    return (*promise.resting_effect[:2], 0.0) if promise else (math.nan, math.nan, math.nan)
+    return at_rest(promise) if promise else (math.nan, math.nan, math.nan)
 
 
 def _table(

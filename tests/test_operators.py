@@ -1,0 +1,57 @@
+"""The table of operators has one number of axes, and says how it was measured where that is unusual."""
+
+import msgspec
+import pytest
+from tables import table
+
+from neurosym.errors import InvalidFile, InvalidValue
+from neurosym.files import read_json, write_json
+from neurosym.operators import Mode, Operator, OperatorTable, Primitive
+from neurosym.pddl import compile_domain
+from neurosym.pddl.grounding import Grounding
+from neurosym.world import Table
+
+
+def a_mode(*effect):
+    zero = (0.0,) * len(effect)
+    return Mode("resting", 1, 1.0, effect, zero, effect, zero, 0.0, 1)
+
+
+def a_table(*modes, **measured):
+    operators = tuple(Operator(f"o-{n}", "0", "1", 1, (mode,)) for n, mode in enumerate(modes))
+    return OperatorTable((), (Primitive("1", (0.0,), 0.0),), operators, **measured)
+
+
+def test_table_of_rehearsals_is_stored_as_before():
+    assert b"measured" not in msgspec.json.encode(table())
+    assert table().axes == 3
+
+
+def test_table_averaged_from_data_says_so_in_its_file(tmp_path):
+    averaged = a_table(a_mode(0.1, 0.2), measured="data")
+    write_json(tmp_path / "t.json", averaged)
+    assert read_json(tmp_path / "t.json", OperatorTable) == averaged
+    assert b'"measured": "data"' in (tmp_path / "t.json").read_bytes()
+
+
+def test_axes_that_do_not_agree_are_refused(tmp_path):
+    with pytest.raises(ValueError, match="same number of axes"):
+        Mode("resting", 1, 1.0, (0.0, 0.0), (0.0,), (0.0,), (0.0,), 0.0, 1)
+    write_json(tmp_path / "t.json", msgspec.to_builtins(a_table(a_mode(0.1, 0.2))))
+    text = (tmp_path / "t.json").read_text().replace("0.2", "0.2, 0.3")
+    (tmp_path / "t.json").write_text(text)
+    with pytest.raises(InvalidFile, match="same number of axes"):
+        read_json(tmp_path / "t.json", OperatorTable)
+    with pytest.raises(ValueError, match="same number of axes"):
+        a_table(a_mode(0.1, 0.2), a_mode(0.1, 0.2, 0.3))
+
+
+def test_effects_without_x_y_and_z_are_neither_compiled_nor_loaded(tmp_path):
+    bounds, planar = Table((0.0, 1.0), (0.0, 1.0)), a_table(a_mode(0.1, 0.2))
+    with pytest.raises(InvalidValue, match="effects of 2 axes"):
+        compile_domain(planar, name="mine", table_bounds=bounds, lift_height=0.2)
+    whole = compile_domain(a_table(a_mode(0.1, 0.2, 0.0)), name="mine", table_bounds=bounds, lift_height=0.2)
+    content = {**msgspec.to_builtins(whole), "operators": msgspec.to_builtins(planar)}
+    write_json(tmp_path / "grounding.json", content)
+    with pytest.raises(InvalidFile, match="have 2 axes; valid: x, y and z"):
+        Grounding.load(tmp_path / "grounding.json")

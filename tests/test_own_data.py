@@ -1,0 +1,169 @@
+"""Data of one's own go as far as they can: trained, distilled, and told what a domain would need besides."""
+
+import json
+import re
+import shutil
+from pathlib import Path
+
+import numpy as np
+import pytest
+from command_line import neurosym, refusal
+from own_data import own_columns, write_data
+from safetensors.numpy import save_file
+
+from neurosym.effect_model import EffectModel
+from neurosym.errors import InvalidFile
+from neurosym.files import read_json
+from neurosym.folder import DomainFolder
+from neurosym.model_config import Dimensions, ModelConfig
+from neurosym.operators import OperatorTable
+from neurosym.stages import distill_stage
+
+DOCUMENT = Path(__file__).parent.parent / "docs/data.md"
+
+
+def example() -> str:
+    """The script that the document shows."""
+    return re.search(r"```python\n(.*?)```", DOCUMENT.read_text(), re.DOTALL)[1]
+
+
+def commands() -> list[list[str]]:
+    """What the document types after `neurosym`."""
+    return [line.split() for line in re.findall(r"^\$ neurosym (.*)$", DOCUMENT.read_text(), re.MULTILINE)]
+
+
+@pytest.fixture(scope="module")
+def learned(tmp_path_factory):
+    """The folder of the document's example, where its commands have been typed; tests must not change it."""
+    place = tmp_path_factory.mktemp("document")
+    with pytest.MonkeyPatch.context() as patch:
+        patch.chdir(place)
+        exec(example(), {})
+        for command, *rest in commands():
+            quick = ["--regime", "quick"] if command == "train" else []
+            assert neurosym(command, *rest, *quick) == 0
+    return place / "discs"
+
+
+@pytest.fixture
+def discs(learned, tmp_path):
+    """A copy that a test may change."""
+    return Path(shutil.copytree(learned, tmp_path / "discs"))
+
+
+def test_the_documents_example_is_learned_through_the_bits(learned):
+    assert [command for command, *_ in commands()] == ["check", "train", "distill"]
+    assert len(example().splitlines()) <= 18
+    report = json.loads((learned / "training.json").read_text())
+    assert report["r2_through_codes"] > 0.8
+    assert len(report["mae"]["model"]) == 2
+
+
+def test_table_of_own_data_says_that_nothing_was_rehearsed(learned):
+    table = read_json(learned / "primitives.json", OperatorTable)
+    assert table.measured == "data"
+    assert table.axes == 2
+    low, high = [-1, -1, 0.1, 0, 0], [1, 1, 0.5, 1, 1]
+    assert all(
+        np.all(low <= np.array(p.action)) and np.all(np.array(p.action) <= high) for p in table.primitives
+    )
+    assert all(
+        re.fullmatch("act-[01]{3}-(kind|unseen)-[01]{2}", operator.name) for operator in table.operators
+    )
+    assert sum(operator.trials for operator in table.operators) <= 2000
+
+
+def test_distilling_again_without_a_world_is_up_to_date(discs):
+    folder = DomainFolder(discs)
+    stage = distill_stage(folder, objects=100, seed=0, workers=1)
+    before = (discs / "primitives.json").read_bytes()
+    folder.perform(stage, again=True)
+    assert (discs / "primitives.json").read_bytes() == before
+    assert not folder.perform(stage, again=False)
+    assert set(folder.manifest().stages["distill"].inputs) == {"effect_model.safetensors", "interactions.npz"}
+
+
+def test_distill_says_what_it_did_and_what_a_domain_needs(discs, capsys):
+    assert neurosym("distill", discs) == 0
+    said = capsys.readouterr().out
+    assert "averaged from the data" in said
+    assert "nothing was rehearsed" in said
+    assert "no PDDL domain can be made of 2 axes" in said
+
+
+def test_effects_along_other_axes_are_not_compiled(discs, capsys):
+    assert "effects of 2 axes; a PDDL domain needs 3" in refusal(capsys, "compile-domain", discs)
+    assert not (discs / "domain.pddl").exists()
+
+
+def test_own_data_along_three_axes_lack_nothing_but_a_world(folder, capsys):
+    (folder / "world.toml").unlink()
+    assert neurosym("distill", folder) == 0
+    assert f"neurosym init {folder} --world module:factory" in capsys.readouterr().out
+    table = read_json(folder / "primitives.json", OperatorTable)
+    assert (table.measured, table.axes) == ("data", 3)
+    said = refusal(capsys, "compile-domain", folder)
+    assert "world.toml is missing: a domain also needs where objects may stand" in said
+    assert neurosym("init", folder, "--world", "toy") == 0
+    assert neurosym("compile-domain", folder) == 0
+    assert "Nothing was rehearsed" in (folder / "domain.pddl").read_text()
+
+
+def test_exploration_does_not_replace_data_of_ones_own(discs, capsys):
+    (discs / "world.toml").write_text('world = "toy"\n')
+    before = (discs / "interactions.npz").read_bytes()
+    assert "which `neurosym explore` did not make" in refusal(capsys, "explore", discs, "--steps", 3000)
+    assert (discs / "interactions.npz").read_bytes() == before
+
+
+def test_data_that_do_not_fit_the_world_are_refused(discs, capsys):
+    (discs / "world.toml").write_text('world = "toy"\n')
+    said = refusal(capsys, "distill", discs)
+    assert "7 object features, 5 action parameters and 2 effect axes, and the toy world has 4" in said
+
+
+def test_model_of_other_dimensions_than_the_data_is_refused(discs, capsys):
+    EffectModel(Dimensions(), ModelConfig(hidden=8)).save(discs / "effect_model.safetensors")
+    said = refusal(capsys, "distill", discs)
+    assert "effect_model.safetensors cannot be used: it was trained on 4 object features, 12" in said
+    assert "the data have 7" in said
+
+
+@pytest.mark.parametrize("content", ["garbage", "foreign", "numpy", "torn"])
+def test_file_that_is_no_model_is_refused(content, discs, capsys):
+    path = discs / "effect_model.safetensors"
+    whole = path.read_bytes()
+    if content == "foreign":
+        save_file({"weight": np.zeros(3, dtype=np.float32)}, path)
+    elif content == "numpy":
+        path.write_bytes((discs / "interactions.npz").read_bytes())
+    else:
+        path.write_bytes(b"\x00garbage" if content == "garbage" else whole[:-100])
+    assert "effect_model.safetensors cannot be used" in refusal(capsys, "distill", discs)
+
+
+@pytest.mark.parametrize(
+    "change",
+    [
+        {"dimensions": {"features": 8, "actions": 5, "effects": 2, "gripper_columns": [4]}},
+        {"dimensions": {"features": "7", "actions": 5, "effects": 2, "gripper_columns": [4]}},
+        {"dimensions": {"features": 7, "actions": 5, "effects": 2, "gripper_columns": [9]}},
+        {"dimensions": [7, 5, 2]},
+        {"config": {"hidden": 64}},
+        {"config": {"depth": 3}},
+        {"trained_by": 5},
+    ],
+)
+def test_weights_that_do_not_fit_their_description_are_refused(change, learned):
+    model = EffectModel.load(learned / "effect_model.safetensors")
+    with pytest.raises(InvalidFile, match="do not fit the configuration"):
+        EffectModel.rebuild(Path("m"), model.weights(), {**model.description(), **change})
+
+
+def test_one_effect_axis_and_no_gripper_go_the_whole_way(tmp_path, capsys):
+    columns = own_columns(200)
+    write_data(tmp_path, {**columns, "effects": columns["effects"][:, :1]})
+    assert neurosym("train", tmp_path, "--regime", "paper") == 0
+    assert "e1" in capsys.readouterr().out
+    assert neurosym("distill", tmp_path) == 0
+    assert "no PDDL domain can be made of 1 axis" in capsys.readouterr().out
