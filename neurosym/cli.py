@@ -10,6 +10,7 @@ from collections.abc import Callable, Sequence
 from neurosym import commands, learning_commands
 from neurosym.console import error_console
 from neurosym.errors import NeurosymError
+from neurosym.explain_command import explain
 from neurosym.show_command import show
 
 BAD_INPUT, INTERRUPTED = 2, 130
@@ -25,6 +26,7 @@ COMMANDS: dict[str, Callable[..., int]] = {
     "plan": commands.plan,
     "execute": commands.execute,
     "show": show,
+    "explain": explain,
 }
 """The commands, in the order in which a domain folder meets them after `run`, which does it all."""
 

@@ -1,0 +1,109 @@
+"""The command `neurosym explain`: what the symbols mean, in words."""
+
+from dataclasses import replace
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+from tyro.conf import arg
+
+from neurosym.command_options import Folder
+from neurosym.console import say, say_next
+from neurosym.errors import InvalidFile, InvalidValue
+from neurosym.files import read_json, write_atomically
+from neurosym.folder import GROUNDING, PRIMITIVES, WORLD, DomainFolder
+from neurosym.operators import OperatorTable
+
+if TYPE_CHECKING:
+    from neurosym.explanation import Explanation
+    from neurosym.pddl.grounding import Grounding
+    from neurosym.world import World
+
+_NO_WORLD = f"There is no {WORLD} here to say what features and parameters are: they are numbered."
+_ASSUMED = f"What is in the domain is said for cells of 5 mm; there is no {GROUNDING} yet."
+_OTHER_TABLE = f"{GROUNDING} was compiled from another {PRIMITIVES}; compile-domain makes it fit."
+
+
+def explain(
+    folder: Folder,
+    output: Annotated[
+        Path | None, arg(metavar="FILE.md", help="Write it as Markdown here instead of printing it.")
+    ] = None,
+) -> int:
+    """Say in words what each symbol means: what the hand does and brings about, which objects are alike."""
+    from neurosym.explanation_text import explanation_page, show_explanation
+
+    domain = DomainFolder(folder)
+    if output:
+        _check_page_path(output)
+    explanation = explain_folder(domain)
+    if output:
+        write_atomically(output, explanation_page(explanation, domain.path.resolve().name))
+        say(explanation.summary[0])
+        say(f"wrote {output}")
+    else:
+        show_explanation(explanation)
+    compiled = (domain / GROUNDING).is_file()
+    say_next(
+        f"neurosym show {folder} --primitive {explanation.actions[0].symbol}"
+        if compiled
+        else f"neurosym compile-domain {folder}"
+    )
+    return 0
+
+
+def explain_folder(domain: DomainFolder) -> "Explanation":
+    """Explain the symbols of a domain folder, from whatever of it is there beside the table of operators.
+
+    Args:
+        domain: The folder.
+
+    Raises:
+        StageMissing: If there is no `primitives.json`.
+        InvalidFile: If a file cannot be used.
+    """
+    from neurosym.explanation import explain as explain_table
+
+    path = domain.require(PRIMITIVES)
+    table = read_json(path, OperatorTable)
+    world = _world(domain)
+    grounding, remark = _grounding(domain, table, world)
+    try:
+        explanation = explain_table(
+            table,
+            feature_names=world.feature_names if world else (),
+            gripper=world.action_box.gripper.tolist() if world else (),
+            why_left_out=grounding.why_left_out if grounding else None,
+        )
+    except InvalidValue as error:
+        raise InvalidFile(path, str(error)) from error
+    remarks = [_NO_WORLD] * (world is None) + [remark] * bool(remark)
+    return replace(explanation, summary=(*explanation.summary, *remarks))
+
+
+def _world(domain: DomainFolder) -> "World | None":
+    from neurosym.world_file import read_world
+
+    return read_world(domain / WORLD)() if (domain / WORLD).exists() else None
+
+
+def _grounding(
+    domain: DomainFolder, table: OperatorTable, world: "World | None"
+) -> "tuple[Grounding | None, str]":
+    """Return what knows which operators are in the domain, and a remark on how it knows."""
+    from neurosym.pddl.compiler import CELL
+    from neurosym.pddl.grounding import FORMAT, Grounding
+
+    if (domain / GROUNDING).exists():
+        grounding = Grounding.load(domain / GROUNDING)
+        return grounding, "" if grounding.operators == table else _OTHER_TABLE
+    axes = {len(mode.effect) for operator in table.operators for mode in operator.modes}
+    if world is None or axes != {3}:
+        return None, ""
+    return Grounding(FORMAT, world.name, CELL, world.table, world.lift_height, table), _ASSUMED
+
+
+def _check_page_path(path: Path) -> None:
+    if path.suffix.lower() != ".md" or path.is_dir() or not path.absolute().parent.is_dir():
+        raise InvalidValue(
+            f"No explanation can be written to {path}; name a file that ends in .md, in an existing folder."
+        )

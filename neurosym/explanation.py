@@ -1,0 +1,234 @@
+"""What the symbols of a domain mean, in sentences for a person: from the table of operators alone.
+
+Action symbols: what the hand does, what that does to each category, which other symbol does the most similar
+thing. Object symbols: which objects they hold, and to which other category the most similar things are done.
+"""
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+
+from neurosym.action_words import action_in_words, displacement_in_words, spread_in_words
+from neurosym.comparison_words import (
+    ENDS,
+    category_in_words,
+    competitor_in_words,
+    sorting_in_words,
+    verdict_in_words,
+)
+from neurosym.errors import InvalidValue
+from neurosym.likeness import Likenesses, Sorting
+from neurosym.object_words import objects_in_words
+from neurosym.operators import Category, Mode, Operator, OperatorTable, Primitive
+from neurosym.symbols import Symbol, all_symbols
+
+WhyLeftOut = Callable[[Operator], str | None]
+"""Says why an operator is not in the PDDL domain; None if it is."""
+
+_MOST_BITS = 10  # of symbols whose unused codes are listed
+
+
+@dataclass(frozen=True, slots=True)
+class EffectRow:
+    """One way that an action symbol turns out on a category.
+
+    Attributes:
+        operator: Name of the operator, as in the PDDL domain.
+        trials: How many rehearsals there were, or rows of the data.
+        share: Share of the rehearsals that ended so.
+        ends: How the object ended.
+        effect: Mean displacement as it ended, in words.
+        spread: Its standard deviation on each axis, in words.
+        domain: Whether the operator is in the PDDL domain, or why not; empty if nobody knows.
+    """
+
+    operator: str
+    trials: int
+    share: float
+    ends: str
+    effect: str
+    spread: str
+    domain: str
+
+
+@dataclass(frozen=True, slots=True)
+class SymbolExplanation:
+    """What one symbol means.
+
+    Attributes:
+        symbol: Its bits.
+        title: What an action symbol does to which share of the objects; the name of a category.
+        about: Sentences on what the hand does, or on which objects have the symbol.
+        compared: Sentences on which other symbol is most like it.
+        effects: What an action symbol does, by category and mode; empty for object symbols.
+    """
+
+    symbol: Symbol
+    title: str
+    about: str
+    compared: str
+    effects: tuple[EffectRow, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class Explanation:
+    """What the symbols of a domain mean.
+
+    Attributes:
+        summary: How many symbols there are, and how many do something of their own.
+        actions: The action symbols, in the order of their bits.
+        objects: The object symbols, in the order of their bits.
+    """
+
+    summary: tuple[str, ...]
+    actions: tuple[SymbolExplanation, ...]
+    objects: tuple[SymbolExplanation, ...]
+
+
+def explain(
+    table: OperatorTable,
+    *,
+    feature_names: Sequence[str] = (),
+    gripper: Sequence[bool] = (),
+    why_left_out: WhyLeftOut | None = None,
+) -> Explanation:
+    """Say what each symbol of a table means.
+
+    Args:
+        table: What each primitive does to each category.
+        feature_names: What the object features are, as the world names them; empty if nobody knows.
+        gripper: Which action parameters are gripper values, as the world says; empty if nobody knows.
+        why_left_out: Says why an operator is not in the PDDL domain, if there is one.
+
+    Raises:
+        InvalidValue: If the table does not fit together.
+    """
+    check_table(table)
+    likenesses = Likenesses(table)
+    sorting = likenesses.sort_out()
+    measured = f"Effects are means over {_trials(table)}."
+    summary = (*sorting_in_words(sorting, len(table.primitives), _axes(table)), measured, *_unused(table))
+    actions = [
+        _explain_action(table, p, likenesses, sorting, gripper, why_left_out) for p in table.primitives
+    ]
+    objects = [_explain_category(table, c, likenesses, feature_names) for c in table.categories]
+    return Explanation(summary, tuple(actions), tuple(objects))
+
+
+def check_table(table: OperatorTable) -> None:
+    """Raise `InvalidValue` unless the parts of a table fit together."""
+    primitives, categories = _symbols(table), tuple(_names(table))
+    if not primitives or not categories:
+        raise InvalidValue("it holds no primitives or no categories")
+    for kind, symbols in (("primitive", primitives), ("category", categories)):
+        widths = {len(symbol) for symbol in symbols}
+        if len(widths) > 1 or not set("".join(symbols)) <= set("01"):
+            raise InvalidValue(f"its {kind} symbols {', '.join(symbols)} are not codes of equally many bits")
+    for category in table.categories:
+        if len(category.feature_means) != len(category.feature_spreads):
+            raise InvalidValue(f"its category {category.name} has not a spread for each mean")
+    for operator in table.operators:
+        if operator.primitive not in primitives or operator.category not in categories:
+            raise InvalidValue(f"its operator {operator.name} is of an unknown primitive or category")
+    modes = [mode for operator in table.operators for mode in operator.modes]
+    vectors = [v for m in modes for v in (m.effect, m.spread, m.resting_effect, m.resting_spread)]
+    if len({len(vector) for vector in vectors}) > 1:
+        raise InvalidValue("its effects have different numbers of axes")
+
+
+def _unused(table: OperatorTable) -> tuple[str, ...]:
+    """Name the action codes that were never reached and the object codes that no object has."""
+    found, lines = _symbols(table), []
+    codes = all_symbols(len(found[0])) if len(found[0]) <= _MOST_BITS else ()
+    if missing := [code for code in codes if code not in found]:
+        lines.append(f"Action codes never reached, so that nothing was distilled: {', '.join(missing)}.")
+    if unseen := [category.name for category in table.categories if not category.share]:
+        lines.append(f"Object codes that no sampled object has: {', '.join(unseen)}.")
+    return tuple(lines)
+
+
+def _explain_action(
+    table: OperatorTable,
+    primitive: Primitive,
+    likenesses: Likenesses,
+    sorting: Sorting,
+    gripper: Sequence[bool],
+    why_left_out: WhyLeftOut | None,
+) -> SymbolExplanation:
+    symbol = primitive.symbol
+    operators = [operator for operator in table.operators if operator.primitive == symbol]
+    about = [
+        *action_in_words(primitive.action, gripper),
+        *_held_in_words(operators, _trials(table)),
+        *_never_tried(table, operators),
+    ]
+    nearest = likenesses.nearest_action(symbol)
+    compared = [
+        *verdict_in_words(symbol, sorting, _axes(table)),
+        competitor_in_words(symbol, nearest, _names(table), _axes(table)),
+    ]
+    rows = [_row(operator, mode, why_left_out) for operator in operators for mode in operator.modes]
+    title = _verbs(table, operators)
+    return SymbolExplanation(symbol, title, " ".join(about), " ".join(compared), tuple(rows))
+
+
+def _explain_category(
+    table: OperatorTable, category: Category, likenesses: Likenesses, feature_names: Sequence[str]
+) -> SymbolExplanation:
+    nearest = likenesses.nearest_category(category.symbol)
+    compared = category_in_words(nearest, _names(table), _axes(table)) if nearest else ""
+    about = " ".join(objects_in_words(category, feature_names))
+    return SymbolExplanation(category.symbol, category.name, about, compared)
+
+
+def _row(operator: Operator, mode: Mode, why_left_out: WhyLeftOut | None) -> EffectRow:
+    reason = why_left_out(operator) if why_left_out else None
+    return EffectRow(
+        operator=operator.name,
+        trials=operator.trials,
+        share=mode.share,
+        ends=ENDS[mode.kind],
+        effect=displacement_in_words(mode.outcome),
+        spread=spread_in_words(mode.scatter) if mode.count > 1 else "seen once",
+        domain="" if why_left_out is None else f"no: {reason}" if reason else "yes",
+    )
+
+
+def _verbs(table: OperatorTable, operators: Sequence[Operator]) -> str:
+    """Say what a primitive does to which share of the objects, in the words of the operators' names."""
+    names = _names(table)
+    weights = {category.symbol: category.share for category in table.categories}
+    shares: dict[str, float] = {}
+    for operator in operators:
+        verb = operator.name.removesuffix(f"-{operator.primitive}-{names[operator.category]}")
+        shares[verb] = shares.get(verb, 0.0) + weights[operator.category]
+    ordered = sorted(shares.items(), key=lambda entry: (-entry[1], entry[0]))
+    return ", ".join(f"{verb} ({share:.0%} of objects)" for verb, share in ordered) or "never tried"
+
+
+def _held_in_words(operators: Sequence[Operator], what: str) -> tuple[str, ...]:
+    trials = sum(operator.trials for operator in operators)
+    held = sum(mode.count for operator in operators for mode in operator.modes if mode.kind == "held")
+    return (f"The object hangs from the hand in {held or 'none'} of {trials} {what}.",) if trials else ()
+
+
+def _never_tried(table: OperatorTable, operators: Sequence[Operator]) -> tuple[str, ...]:
+    met = {operator.category for operator in operators}
+    missing = [c.name for c in table.categories if c.share and c.symbol not in met]
+    return (f"It was never tried on {', '.join(missing)}.",) if missing else ()
+
+
+def _trials(table: OperatorTable) -> str:
+    is_data = getattr(table, "measured", "rehearsal") == "data"
+    return "rows of the data" if is_data else "rehearsals"
+
+
+def _symbols(table: OperatorTable) -> tuple[Symbol, ...]:
+    return tuple(primitive.symbol for primitive in table.primitives)
+
+
+def _names(table: OperatorTable) -> dict[Symbol, str]:
+    return {category.symbol: category.name for category in table.categories}
+
+
+def _axes(table: OperatorTable) -> int:
+    return next((len(mode.effect) for operator in table.operators for mode in operator.modes), 0)

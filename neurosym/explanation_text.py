@@ -1,0 +1,92 @@
+"""An explanation of symbols, as Markdown or for a terminal."""
+
+import textwrap
+from collections.abc import Sequence
+
+from neurosym.console import console, say
+from neurosym.explanation import EffectRow, Explanation, SymbolExplanation
+
+_COLUMNS = ("operator", "trials", "share", "ends", "effect", "spread")
+_WIDEST = 110  # columns of running text
+_INDENT = "  "
+
+
+def show_explanation(explanation: Explanation) -> None:
+    """Print an explanation for a terminal."""
+    for line in explanation.summary:
+        _say_wrapped(line)
+    for kind, symbols in _parts(explanation):
+        for symbol in symbols:
+            say("")
+            _say_wrapped(f"{kind} symbol {symbol.symbol}: {symbol.title}")
+            _say_wrapped(symbol.about, _INDENT)
+            _say_effects(symbol.effects)
+            _say_wrapped(symbol.compared, _INDENT)
+
+
+def explanation_page(explanation: Explanation, title: str) -> str:
+    """Return an explanation as a page of Markdown.
+
+    Args:
+        explanation: The explanation.
+        title: Name of the domain.
+    """
+    blocks = [f"# What the symbols of {title} mean", *explanation.summary]
+    for kind, symbols in _parts(explanation):
+        blocks.append(f"## {kind} symbols")
+        for symbol in symbols:
+            table = _markdown_table(*_effects(symbol.effects)) if symbol.effects else ""
+            blocks += [f"### {symbol.symbol}: {symbol.title}", symbol.about, table, symbol.compared]
+    return "\n\n".join(filter(None, blocks)) + "\n"
+
+
+def _parts(explanation: Explanation) -> tuple[tuple[str, tuple[SymbolExplanation, ...]], ...]:
+    return ("Action", explanation.actions), ("Object", explanation.objects)
+
+
+def _effects(effects: Sequence[EffectRow]) -> tuple[list[str], list[list[str]]]:
+    """Return headings and cells; what is said of an operator stands beside its first mode only."""
+    with_domain = any(row.domain for row in effects)
+    rows, before = [], ""
+    for row in effects:
+        is_first, before = row.operator != before, row.operator
+        cells = [row.operator, str(row.trials)] if is_first else ["", ""]
+        cells += [f"{row.share:.0%}", row.ends, row.effect, row.spread]
+        rows.append([*cells, row.domain if is_first else ""] if with_domain else cells)
+    return [*_COLUMNS, "in the domain"] if with_domain else [*_COLUMNS], rows
+
+
+def _markdown_table(columns: Sequence[str], rows: Sequence[Sequence[str]]) -> str:
+    lines = [columns, ["---"] * len(columns), *rows]
+    escaped = [[cell.replace("|", "\\|") for cell in line] for line in lines]
+    return "\n".join(f"| {' | '.join(line)} |" for line in escaped)
+
+
+def _say_effects(effects: Sequence[EffectRow]) -> None:
+    """Print a line for each operator, whole so that its name can be copied, and one for each of its modes."""
+    before = ""
+    for row in effects:
+        if row.operator != before:
+            _say_wrapped(f"- {row.operator} ({row.trials} trials{_domain(row)})", _INDENT)
+        before = row.operator
+        _say_wrapped(f"{row.share:.0%} {row.ends}: {row.effect} ({row.spread})", 3 * _INDENT)
+
+
+def _domain(row: EffectRow) -> str:
+    if not row.domain:
+        return ""
+    return ", in the domain" if row.domain == "yes" else f", not in the domain{row.domain.removeprefix('no')}"
+
+
+def _say_wrapped(text: str, indent: str = "") -> None:
+    """Print text between words, and never broken within a name."""
+    width = min(console.width, _WIDEST)
+    for line in textwrap.wrap(
+        text,
+        width,
+        initial_indent=indent,
+        subsequent_indent=indent,
+        break_long_words=False,
+        break_on_hyphens=False,
+    ):
+        say(line)
