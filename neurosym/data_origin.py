@@ -7,6 +7,8 @@ from typing import Any
 import numpy as np
 from jaxtyping import Bool, Float
 
+from neurosym.world import Mirror
+
 GREATEST = float(np.finfo(np.float32).max)
 
 
@@ -110,3 +112,8 @@ def and_more(bad: np.ndarray) -> str:
 def _is_list_of(value: object, kind: Any) -> bool:
     """Say whether a JSON value is a list of such entries; true and false are no numbers."""
     return isinstance(value, list) and all(isinstance(v, kind) and not isinstance(v, bool) for v in value)
+
+
+def mirrors_of(origin: Mapping[str, Any]) -> tuple[Mirror, ...]:
+    """Return the mirrors that an origin names."""
+    return tuple(Mirror(tuple(m["actions"]), tuple(m["effects"])) for m in origin.get("mirrors", ()))
