@@ -12,6 +12,7 @@
 """
 
 from collections.abc import Callable
+from functools import partial
 from itertools import product
 
 import torch
@@ -125,29 +126,22 @@ def fit_names(
     Without the likelihood of the cheapest code, an encoder that gives everything one code could never leave
     it: tanh is flat there.
     """
-    for part, encoder, embed, inputs, costs in (
-        (0, model.action_encoder, model.embed_actions, meanings.actions, meanings.action_costs),
-        (1, model.object_encoder, model.embed_objects, meanings.features, meanings.object_costs),
-    ):
+    parts = (
+        ("actions", model.action_encoder, model.embed_actions, meanings.actions, meanings.action_costs),
+        ("objects", model.object_encoder, model.embed_objects, meanings.features, meanings.object_costs),
+    )
+    for stage, encoder, embed, inputs, costs in parts:
         cheapest = costs.argmin(1, keepdim=True)
 
-        def loss_of(rows: Tensor) -> Tensor:
-            likely = code_probabilities(embed(inputs[rows]))  # noqa: B023 (used at once)
+        def loss() -> Tensor:
+            rows = torch.randint(len(inputs), (config.naming_batch,), generator=generator)  # noqa: B023
+            likely = code_probabilities(embed(inputs[rows]))  # noqa: B023 (called in this round only)
             right = likely.gather(1, cheapest[rows]).clamp(min=1e-6)  # noqa: B023
             return (likely * costs[rows]).sum(1).mean() - _LIKELIHOOD_WEIGHT * right.log().mean()  # noqa: B023
 
         encoder.train()
-        run_epochs(
-            loss_of,
-            len(inputs),
-            torch.optim.Adam(encoder.parameters(), lr=config.code_rate, fused=True),
-            generator,
-            epochs=config.naming_epochs,
-            batch=config.naming_batch,
-            clip_norm=config.clip_norm,
-            decay=True,
-            after_epoch=lambda done: progress("naming", (part + done / config.naming_epochs) / 2),  # noqa: B023
-        )
+        report = partial(progress, f"naming {stage}")
+        _take_steps(loss, list(encoder.parameters()), config.naming_steps, config.code_rate, report)
         encoder.eval()
 
 
@@ -173,27 +167,20 @@ def fit_encoders(
         generator: Source of randomness, owned by the caller.
         progress: Told of the steps.
     """
-    steps, rows, columns = (
-        config.code_steps,
-        config.imagined_actions,
-        config.imagined_objects,
-    )
+    rows, columns = config.imagined_actions, config.imagined_objects
     encoders = nn.ModuleList([model.object_encoder, model.action_encoder]).train()
-    optimiser = torch.optim.Adam([*encoders.parameters(), effects], lr=config.code_rate / 2, fused=True)
-    schedule = torch.optim.lr_scheduler.OneCycleLR(optimiser, config.code_rate / 2, total_steps=steps)
-    for step in range(steps):
+
+    def loss() -> Tensor:
         _, actions = samples.imagine(rows, generator)
         features, _ = samples.imagine(columns, generator)
         with torch.no_grad():
-            pairs = features.repeat(rows, 1), actions.repeat_interleave(columns, 0)
-            targets = teacher(*pairs).view(rows, columns, -1)
+            targets = teacher(features.repeat(rows, 1), actions.repeat_interleave(columns, 0))
         by_action = code_probabilities(model.embed_actions(actions))
         by_object = code_probabilities(model.embed_objects(features))
-        optimiser.zero_grad()
-        expected_error(by_action, by_object, effects, targets).backward()  # type: ignore[no-untyped-call]
-        optimiser.step()
-        schedule.step()
-        progress("codes", (step + 1) / steps)
+        return expected_error(by_action, by_object, effects, targets.view(rows, columns, -1))
+
+    report = partial(progress, "codes")
+    _take_steps(loss, [*encoders.parameters(), effects], config.code_steps, config.code_rate / 2, report)
     encoders.eval()
 
 
@@ -247,6 +234,24 @@ def refit_decoder(
 
 Recipe = Callable[[EffectModel, DirectModel, Samples, TrainingConfig, torch.Generator, Progress], None]
 RECIPES: dict[str, Recipe] = {"joint": fit_jointly, "refit": fit_and_refit, "taught": fit_as_taught}
+
+
+def _take_steps(
+    loss: Callable[[], Tensor],
+    parameters: list[torch.nn.Parameter],
+    steps: int,
+    rate: float,
+    report: Callable[[float], None],
+) -> None:
+    """Descend a loss that draws its own batches, the step size rising to `rate` and falling to 0."""
+    optimiser = torch.optim.Adam(parameters, lr=rate, fused=True)
+    schedule = torch.optim.lr_scheduler.OneCycleLR(optimiser, rate, total_steps=steps)
+    for step in range(steps):
+        optimiser.zero_grad()
+        loss().backward()  # type: ignore[no-untyped-call]
+        optimiser.step()
+        schedule.step()
+        report((step + 1) / steps)
 
 
 def _descend(

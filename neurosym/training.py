@@ -49,6 +49,7 @@ def train(
     config: TrainingConfig | None = None,
     model_config: ModelConfig | None = None,
     seed: int,
+    direct: DirectModel | None = None,
     progress: Progress | None = None,
 ) -> Trained:
     """Fit an effect model to a data set; the same seed gives the same bytes.
@@ -62,6 +63,7 @@ def train(
         config: How the fit is made.
         model_config: How the network is built.
         seed: Where all draws start.
+        direct: A network without a bottleneck that was fitted to the same data before; else one is.
         progress: Called with the stage and the share of it that is done.
 
     Raises:
@@ -75,7 +77,8 @@ def train(
         interactions = interactions[strategy.learns_from(interactions.effects)]
     kept, held_out = split(interactions, config.validation_share, seed)
     samples = samples_of(kept, mirrors=config.mirrors)
-    direct = _fit_direct(samples, dimensions_of(interactions), config, seed, progress)
+    if direct is None:
+        direct = _fit_direct(samples, dimensions_of(interactions), config, seed, progress)
     fits = [_fit(samples, direct, model_config, config, seed, n, progress) for n in range(config.restarts)]
     reports = [assess(model, direct, kept, held_out) for model in fits]
     best = int(np.argmax([report["r2_through_codes"] for report in reports]))

@@ -36,7 +36,7 @@ class TrainingConfig:
         table_restarts: Starts of the co-clustering.
         named_actions: How many more actions the teacher tells the meaning of, for the encoder to be fitted.
         named_objects: The same of objects.
-        naming_epochs: How often the encoders see each of them.
+        naming_steps: Steps in which each encoder is fitted to them.
         naming_batch: How many at a time.
         imagined_actions: Actions in a step of the end-to-end fit of the encoders.
         imagined_objects: Objects in it: each action is imagined on each object.
@@ -63,12 +63,12 @@ class TrainingConfig:
     direct_batch: int = 256
     direct_rate: float = 3e-3
     direct_weight_decay: float = 1e-2
-    table_actions: int = 2000
-    table_objects: int = 64
-    table_restarts: int = 10
+    table_actions: int = 3000
+    table_objects: int = 96
+    table_restarts: int = 20
     named_actions: int = 40_000
     named_objects: int = 4000
-    naming_epochs: int = 20
+    naming_steps: int = 1000
     naming_batch: int = 1024
     imagined_actions: int = 256
     imagined_objects: int = 16
@@ -100,7 +100,7 @@ _COUNTS = (
     "table_restarts",
     "named_actions",
     "named_objects",
-    "naming_epochs",
+    "naming_steps",
     "naming_batch",
     "imagined_actions",
     "imagined_objects",
@@ -137,7 +137,12 @@ REGIMES = {
     "quick": Regime(
         ModelConfig(),
         TrainingConfig(
-            direct_epochs=40, table_actions=1000, table_restarts=4, named_actions=10_000, code_steps=300
+            direct_epochs=40,
+            table_actions=1000,
+            table_restarts=4,
+            named_actions=10_000,
+            naming_steps=300,
+            code_steps=300,
         ),
         exploration_rate=1e-3,
     ),
