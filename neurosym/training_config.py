@@ -147,7 +147,7 @@ REGIMES = {
         exploration_rate=1e-3,
     ),
     "paper": Regime(
-        ModelConfig(gripper_sharpness=None),
+        ModelConfig(dropout=0.1, gripper_sharpness=None, layer_norm=True),
         TrainingConfig(
             recipe="joint",
             learning_rate=1e-5,

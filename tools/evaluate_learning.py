@@ -46,7 +46,7 @@ FEW_SEEDS = 3
 """Seeds of the parts that are not Tables I and II."""
 
 OURS, PRINTED = TrainingConfig(), REGIMES["paper"].training
-NORMED = ModelConfig(layer_norm=True)
+NORMED, DROPPED = ModelConfig(layer_norm=True), ModelConfig(layer_norm=True, dropout=0.1)
 VARIANTS: Mapping[str, tuple[TrainingConfig, ModelConfig]] = {
     "signs after end-to-end training": (replace(OURS, recipe="joint"), ModelConfig(layer_norm=True)),
     "the same, decoder refitted": (replace(OURS, recipe="refit"), ModelConfig(layer_norm=True)),
@@ -65,6 +65,7 @@ VARIANTS: Mapping[str, tuple[TrainingConfig, ModelConfig]] = {
         ModelConfig(),
     ),
     "LayerNorm before the decoder": (OURS, NORMED),
+    "dropout of 0.1": (OURS, ModelConfig(dropout=0.1)),
     "everything as printed": (PRINTED, REGIMES["paper"].model),
 }
 """What is changed against our defaults, one at a time; then all of it."""
