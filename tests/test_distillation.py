@@ -23,7 +23,7 @@ BOX = make_world().action_box
 @cache
 def toy_data():
     config = ExplorationConfig(candidates=1, block=1001)
-    return explore(make_world, steps=500, strategy="random", seed=0, config=config)[0]
+    return explore(make_world, steps=500, strategy="random", seed=0, config=config)
 
 
 def a_model(bits=3):
