@@ -135,7 +135,7 @@ def test_fewer_steps_do_not_throw_interactions_away(folder, capsys):
         ["--regime", "big"],
         ["--rehearsals", "0"],
         ["--min-predicted-effect", "-1.0"],
-        ["--min-predicted-effect", "0.1", "--strategy", "active"],
+        ["--strategy", "active", "--min-predicted-effect", "0.1"],
     ],
 )
 def test_run_checks_what_was_typed_before_it_makes_a_folder(tmp_path, wrong, capsys):
