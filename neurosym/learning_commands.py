@@ -39,7 +39,7 @@ def explore(
     ] = None,
     min_predicted_effect: MinPredictedEffect = 0.0,
 ) -> int:
-    """Let the robot explore (Algorithm 1): `world.toml` -> `interactions.npz`.
+    """Let the robot explore, curious or at random: `world.toml` -> `interactions.npz`.
 
     Interrupt it when you like: the same command goes on from the last block of 512 interactions.
     """
