@@ -4,7 +4,7 @@ VENV ?= .venv
 PYTHON ?= $(firstword $(shell command -v python3.11) $(shell command -v python3))
 BIN := $(VENV)/bin
 
-.PHONY: install demo test lint evaluate evaluate-world clean
+.PHONY: install demo test lint evaluate evaluate-world evaluate-learning clean
 
 install: $(VENV)/.installed
 
@@ -37,6 +37,12 @@ evaluate: install
 SCALE ?= 1.0
 evaluate-world: install
 	$(BIN)/python tools/evaluate_world.py --scale $(SCALE)
+
+# Every figure of docs/learning.md, into docs/results/; goes on where it was interrupted. SEEDS=1 takes an hour.
+SEEDS ?= 5
+STEPS ?= 10000
+evaluate-learning: install
+	$(BIN)/python tools/evaluate_learning.py --seeds $(SEEDS) --steps $(STEPS)
 
 clean:
 	rm -rf $(VENV) demo

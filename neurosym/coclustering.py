@@ -62,8 +62,8 @@ def profiles(
     """
     members = np.eye(kinds)[columns]  # (C, kinds)
     weights = members / np.sqrt(np.maximum(members.sum(0), 1) * len(columns))
-    means: np.ndarray = np.einsum("rce,ck->rke", table, weights)
-    return means.reshape(len(table), -1)
+    means = np.tensordot(table, weights.astype(table.dtype), axes=(1, 0))  # (R, E, kinds)
+    return means.transpose(0, 2, 1).reshape(len(table), -1)
 
 
 def nearest(
@@ -135,8 +135,9 @@ def _block_error(
 ) -> float:
     row_members, column_members = np.eye(row_kinds)[rows], np.eye(column_kinds)[columns]
     counts = np.outer(row_members.sum(0), column_members.sum(0))
-    sums = np.einsum("rce,rk,cl->kle", table, row_members, column_members, optimize=True)
-    explained = (sums**2 / np.maximum(counts, 1)[:, :, None]).sum()
+    by_row = np.tensordot(row_members.astype(table.dtype), table, axes=(0, 0))  # (kinds, C, E)
+    sums = np.tensordot(by_row, column_members, axes=(1, 0))  # (kinds, E, other kinds)
+    explained = (sums**2 / np.maximum(counts, 1)[:, None]).sum()
     return float(((table**2).sum() - explained) / (table.shape[0] * table.shape[1]))
 
 

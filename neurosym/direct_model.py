@@ -9,12 +9,12 @@ import torch
 from jaxtyping import Float
 from torch import Tensor, nn
 
-from neurosym.effect_model import hidden_layers, inference, scale_of, tensor
+from neurosym.effect_network import EffectNetwork, hidden_layers, inference, tensor
 from neurosym.model_config import Dimensions, DirectConfig
 from neurosym.network_inputs import with_gripper_states
 
 
-class DirectModel(nn.Module):
+class DirectModel(EffectNetwork):
     """Predicts the effect of an action on an object.
 
     Args:
@@ -22,25 +22,17 @@ class DirectModel(nn.Module):
         config: How it is built.
     """
 
-    effect_mean: Tensor
-    effect_std: Tensor
+    FORMAT = "neurosym-direct-model-1"
+    CONFIG = DirectConfig
+    config: DirectConfig
 
     def __init__(self, dimensions: Dimensions, config: DirectConfig):
-        super().__init__()
-        self.dimensions, self.config = dimensions, config
+        super().__init__(dimensions, config)
         inputs = dimensions.features + dimensions.actions
         layers = hidden_layers(inputs, config.hidden, config.dropout)
         self.layers = nn.Sequential(
             nn.BatchNorm1d(inputs), *layers, nn.Linear(config.hidden, dimensions.effects)
         )
-        self.register_buffer("effect_mean", torch.zeros(dimensions.effects))
-        self.register_buffer("effect_std", torch.ones(dimensions.effects))
-
-    def set_scale(self, effects: Float[Tensor, "N E"], mirrored: tuple[int, ...] = ()) -> None:
-        """Standardise effects by the mean and standard deviation of these; see `scale_of`."""
-        mean, std = scale_of(effects, mirrored)
-        self.effect_mean.copy_(mean)
-        self.effect_std.copy_(std)
 
     def forward(self, features: Float[Tensor, "B F"], actions: Float[Tensor, "B A"]) -> Float[Tensor, "B E"]:
         """Predict the standardised effect."""

@@ -13,7 +13,8 @@ import torch
 from jaxtyping import Float
 from torch import Tensor
 
-from neurosym.effect_model import EffectModel, one_thread
+from neurosym.effect_model import EffectModel
+from neurosym.effect_network import one_thread
 from neurosym.errors import InvalidValue
 from neurosym.interactions import Interactions
 from neurosym.operators import Primitive
@@ -22,6 +23,9 @@ from neurosym.world import ActionBox
 
 Progress = Callable[[int, int], None]
 """Called with the number of steps done and of those to do."""
+
+CONVERGED = 0.05
+"""Greatest mean squared error to the code of an action that counts as found."""
 
 _STREAM = 0x6469  # keeps distillation's draws apart from those of other stages
 
@@ -61,9 +65,10 @@ def distill(
     config: DistillationConfig | None = None,
     progress: Progress | None = None,
 ) -> tuple[Primitive, ...]:
-    """Find for each action symbol the parameters whose embedding is nearest to its code.
+    """Find for each action symbol parameters whose embedding is its code: the candidates to choose from.
 
-    A symbol that no action of the data has is not used, and is left out; see `unreached`.
+    A symbol that no action of the data has is not used, and is left out; see `unreached`. If no candidate of
+    a symbol comes within `CONVERGED` of the code, the nearest one is returned.
 
     Args:
         model: Whose action encoder is inverted.
@@ -74,8 +79,8 @@ def distill(
         progress: Called after each step.
 
     Returns:
-        The primitives in the order of their symbols. Each encodes to its symbol; its `code_error` says how
-        far its embedding still is from the code.
+        Candidates in the order of their symbols, the nearest to its code first. Each encodes to its symbol;
+        its `code_error` says how far its embedding still is from the code.
     """
     config, actions = config or DistillationConfig(), np.asarray(interactions.actions)
     rng = np.random.default_rng([seed, _STREAM])
@@ -88,12 +93,18 @@ def distill(
     ends = _descend(model, begin, owners, box, config, progress)
     errors = code_errors(model, ends, owners)
     errors[np.array(model.action_symbols(ends)) != owners] = np.inf
-    best = [int(np.argmin(np.where(owners == symbol, errors, np.inf))) for symbol in reached]
     return tuple(
         Primitive(symbol=symbol, action=tuple(ends[row].tolist()), code_error=float(errors[row]))
-        for symbol, row in zip(reached, best, strict=True)
-        if np.isfinite(errors[row])
+        for symbol in reached
+        for row in _converged(np.flatnonzero(owners == symbol), errors)
     )
+
+
+def _converged(rows: np.ndarray, errors: Float[np.ndarray, "N"]) -> list[int]:
+    """Sort the rows by error, and keep those within `CONVERGED`, or else the best one if it is finite."""
+    ordered: list[int] = rows[np.argsort(errors[rows], kind="stable")].tolist()
+    within = [row for row in ordered if errors[row] < CONVERGED]
+    return within or [row for row in ordered[:1] if np.isfinite(errors[row])]
 
 
 def unreached(model: EffectModel, primitives: Sequence[Primitive]) -> tuple[Symbol, ...]:

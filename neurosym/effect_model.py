@@ -6,48 +6,36 @@ effect (eq. 3). Lengths go in and come out in metres; inside, effects are standa
 metres the printed training regime moves nothing.
 """
 
-import itertools
-from collections.abc import Iterator, Sequence
-from contextlib import contextmanager
-from dataclasses import asdict
-from pathlib import Path
-from typing import Any
+from collections.abc import Sequence
 
 import numpy as np
 import torch
 from jaxtyping import Float
 from torch import Tensor, nn
 
-from neurosym.errors import InvalidFile, InvalidValue
+from neurosym.effect_network import EffectNetwork, hidden_layers, inference, tensor
 from neurosym.model_config import Dimensions, ModelConfig
 from neurosym.network_inputs import with_gripper_states
 from neurosym.symbols import Symbol, binarize, signs
-from neurosym.tensor_files import read_tensors, write_tensors
 
-FORMAT = "neurosym-effect-model-2"
 LOG_VARIANCE_FLOOR = -5.0
 """Least log variance, of standardised effects; without it the NLL diverges."""
 
 
-class EffectModel(nn.Module):
+class EffectModel(EffectNetwork):
     """Predicts the effect of an action on an object, through symbols.
 
     Args:
         dimensions: What the network reads and writes.
         config: How it is built.
-
-    Attributes:
-        trained_by: What made the weights, as plain JSON values; stored in the file.
     """
 
-    effect_mean: Tensor
-    effect_std: Tensor
+    FORMAT = "neurosym-effect-model-2"
+    CONFIG = ModelConfig
+    config: ModelConfig
 
     def __init__(self, dimensions: Dimensions, config: ModelConfig):
-        super().__init__()
-        self.dimensions = dimensions
-        self.config = config
-        self.trained_by: dict[str, Any] = {}
+        super().__init__(dimensions, config)
         bits = config.object_bits + config.action_bits
         outputs = dimensions.effects * (2 if config.head == "gaussian" else 1)
         self.object_encoder = _encoder(dimensions.features, config.object_bits, config)
@@ -55,14 +43,6 @@ class EffectModel(nn.Module):
         self.norm = nn.LayerNorm(bits) if config.layer_norm else nn.Identity()
         layers = hidden_layers(bits, config.hidden, config.dropout)
         self.decoder = nn.Sequential(*layers, nn.Linear(config.hidden, outputs))
-        self.register_buffer("effect_mean", torch.zeros(dimensions.effects))
-        self.register_buffer("effect_std", torch.ones(dimensions.effects))
-
-    def set_scale(self, effects: Float[Tensor, "N E"], mirrored: tuple[int, ...] = ()) -> None:
-        """Standardise effects by the mean and standard deviation of these; see `scale_of`."""
-        mean, std = scale_of(effects, mirrored)
-        self.effect_mean.copy_(mean)
-        self.effect_std.copy_(std)
 
     def embed_objects(self, features: Float[Tensor, "B F"]) -> Float[Tensor, "B Ko"]:
         """Encode objects into embeddings in [-1, 1]."""
@@ -164,53 +144,6 @@ class EffectModel(nn.Module):
             mean: np.ndarray = entropies.mean(1).numpy()
         return mean
 
-    def save(self, path: Path) -> None:
-        """Write weights, configuration and `trained_by` as a safetensors file."""
-        write_tensors(path, FORMAT, self.weights(), self.description())
-
-    def weights(self) -> dict[str, np.ndarray]:
-        """Copy the weights into arrays."""
-        return {name: tensor.numpy().copy() for name, tensor in self.state_dict().items()}
-
-    def description(self) -> dict[str, Any]:
-        """Describe the model in plain JSON values, as its file does."""
-        parts = {"dimensions": asdict(self.dimensions), "config": asdict(self.config)}
-        return {**parts, "trained_by": self.trained_by}
-
-    @classmethod
-    def load(cls, path: Path) -> "EffectModel":
-        """Read a model.
-
-        Raises:
-            InvalidFile: If the file is corrupt or foreign, or its weights do not fit its configuration.
-        """
-        weights, description = read_tensors(path, FORMAT)
-        return cls.rebuild(path, weights, description)
-
-    @classmethod
-    def rebuild(
-        cls, path: Path, weights: dict[str, np.ndarray], description: dict[str, Any]
-    ) -> "EffectModel":
-        """Make a model from its weights and its `description`.
-
-        Args:
-            path: Where they come from, for the error message.
-            weights: The weights by name.
-            description: As `description` returned it.
-
-        Raises:
-            InvalidFile: If the weights do not fit the description.
-        """
-        try:
-            sizes = dict(description["dimensions"])
-            sizes["gripper_columns"] = tuple(sizes["gripper_columns"])
-            model = cls(Dimensions(**sizes), ModelConfig(**description["config"]))
-            model.load_state_dict({name: torch.from_numpy(array) for name, array in weights.items()})
-            model.trained_by = dict(description["trained_by"])
-        except (KeyError, TypeError, ValueError, RuntimeError, InvalidValue) as error:
-            raise InvalidFile(path, "its weights do not fit the configuration stored beside them") from error
-        return model.eval()
-
     def _in_metres(self, mean: Tensor, log_variance: Tensor) -> tuple[np.ndarray, np.ndarray]:
         variance = log_variance.exp() * self.effect_std**2
         return (mean * self.effect_std + self.effect_mean).numpy(), variance.numpy()
@@ -219,56 +152,6 @@ class EffectModel(nn.Module):
 def as_signs(embeddings: Float[Tensor, "B K"]) -> Float[Tensor, "B K"]:
     """Write the bits of embeddings in tanh's range: +1 where the value is > 0, else -1 (eq. 2)."""
     return torch.where(embeddings > 0, 1.0, -1.0)
-
-
-@contextmanager
-def one_thread() -> Iterator[None]:
-    """Compute on one thread, so that sums are taken in the same order on every machine."""
-    threads = torch.get_num_threads()
-    torch.set_num_threads(1)
-    try:
-        yield
-    finally:
-        torch.set_num_threads(threads)
-
-
-@contextmanager
-def inference(model: nn.Module) -> Iterator[None]:
-    """Let a model answer and not learn, on one thread."""
-    was_training = model.training
-    model.eval()
-    try:
-        with one_thread(), torch.inference_mode():
-            yield
-    finally:
-        model.train(was_training)
-
-
-def scale_of(
-    effects: Float[Tensor, "N E"], mirrored: tuple[int, ...]
-) -> tuple[Float[Tensor, "E"], Float[Tensor, "E"]]:
-    """Return mean and standard deviation of effects, as they are together with their mirror images.
-
-    Args:
-        effects: Effects [m].
-        mirrored: Axes whose sign some mirror of the world changes; their mean is 0.
-    """
-    mean = effects.mean(0)
-    mean[list(mirrored)] = 0.0
-    return mean, ((effects - mean) ** 2).mean(0).sqrt().clamp(min=1e-4)
-
-
-def hidden_layers(inputs: int, width: int, dropout: float) -> list[nn.Module]:
-    """Make three hidden layers with ReLU and dropout."""
-    layers: list[nn.Module] = []
-    for before, after in itertools.pairwise([inputs, width, width, width]):
-        layers += [nn.Linear(before, after), nn.ReLU(inplace=True), nn.Dropout(dropout)]
-    return layers
-
-
-def tensor(values: np.ndarray) -> Tensor:
-    """Copy an array into a tensor of 32-bit numbers."""
-    return torch.from_numpy(np.array(values, dtype=np.float32))
 
 
 def _encoder(inputs: int, bits: int, config: ModelConfig) -> nn.Sequential:

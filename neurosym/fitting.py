@@ -9,7 +9,8 @@ from jaxtyping import Float, Int
 from torch import Tensor
 from torch.nn import functional
 
-from neurosym.effect_model import EffectModel, one_thread
+from neurosym.effect_model import EffectModel
+from neurosym.effect_network import one_thread
 
 BatchLoss = Callable[[Tensor], Tensor]
 """Gives the loss of a batch, from the numbers of its rows."""

@@ -14,7 +14,8 @@ from neurosym.errors import FolderNotFound, InvalidValue, StageMissing, UnknownC
 from neurosym.files import digest, read_json, write_json
 
 WORLD, INTERACTIONS = "world.toml", "interactions.npz"
-MODEL, PRIMITIVES = "effect_model.safetensors", "primitives.json"
+MODEL, DIRECT_MODEL = "effect_model.safetensors", "direct_model.safetensors"
+PRIMITIVES = "primitives.json"
 DOMAIN, OPERATORS_DOMAIN, GROUNDING = "domain.pddl", "domain-operators.pddl", "grounding.json"
 MANIFEST = "manifest.json"
 COMMANDS = {

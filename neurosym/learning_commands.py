@@ -107,6 +107,10 @@ def distill(
     objects: Annotated[int, arg(help="Objects that each primitive is rehearsed on.")] = 100,
     seed: Seed = 0,
     workers: Workers = CPUS,
+    choice: Annotated[
+        str,
+        arg(help="Which candidate stands for a symbol: predictable, or lowest-error (the paper)."),
+    ] = "predictable",
 ) -> int:
     """Turn action symbols into parameters and rehearse each in the world: -> `primitives.json`."""
     from neurosym.files import read_json
@@ -115,7 +119,9 @@ def distill(
     from neurosym.stages import distill_stage
 
     domain = DomainFolder(folder)
-    domain.perform(distill_stage(domain, objects=objects, seed=seed, workers=workers), again=True)
+    domain.perform(
+        distill_stage(domain, objects=objects, seed=seed, workers=workers, choice=choice), again=True
+    )
     table = read_json(domain / PRIMITIVES, OperatorTable)
     show_operators(table)
     if table.measured == "rehearsal":

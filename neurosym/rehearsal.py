@@ -6,6 +6,7 @@ never averaged together, since the mean of "on the table" and "in the air" is a 
 """
 
 from collections.abc import Callable, Sequence
+from dataclasses import dataclass
 
 import numpy as np
 from jaxtyping import Float
@@ -27,6 +28,23 @@ Progress = Callable[[int, int], None]
 _STREAM = 0x7265  # keeps rehearsal's draws apart from those of exploration
 
 
+@dataclass(frozen=True, slots=True, eq=False)
+class Rehearsals:
+    """Every primitive performed on the same objects.
+
+    Attributes:
+        primitives: In the order of their symbols.
+        features: Features of the objects.
+        symbols: Symbol of each object.
+        outcomes: For each primitive, an outcome for each object.
+    """
+
+    primitives: tuple[Primitive, ...]
+    features: Float[np.ndarray, "M F"]
+    symbols: np.ndarray
+    outcomes: tuple[tuple[Outcome, ...], ...]
+
+
 def rehearse(
     world_factory: WorldFactory,
     primitives: Sequence[Primitive],
@@ -36,8 +54,8 @@ def rehearse(
     seed: int,
     workers: int = 1,
     progress: Progress | None = None,
-) -> OperatorTable:
-    """Perform each primitive on the same sampled objects, one at a time, and tell the outcomes.
+) -> Rehearsals:
+    """Perform each primitive on the same sampled objects, one at a time.
 
     Args:
         world_factory: Builds the world; must survive pickling if there is more than one worker.
@@ -58,28 +76,56 @@ def rehearse(
     world = world_factory()
     scenes = [rehearsal_scene(world, seed, number) for number in range(objects)]
     features = np.concatenate([scene.features for scene in scenes])
-    symbols = np.array(categorise(features))
-    categories = describe_categories(features, symbols, world.feature_names)
-    ordered = sorted(primitives, key=lambda primitive: primitive.symbol)
-    tasks = [
-        Task(scene, np.array(primitive.action, dtype=np.float64)) for primitive in ordered for scene in scenes
-    ]
+    ordered = tuple(sorted(primitives, key=lambda primitive: primitive.symbol))
+    outcomes = perform_on_each(world_factory, ordered, scenes, workers, progress)
+    return Rehearsals(ordered, features, np.array(categorise(features)), outcomes)
+
+
+def perform_on_each(
+    world_factory: WorldFactory,
+    primitives: Sequence[Primitive],
+    scenes: Sequence[Scene],
+    workers: int,
+    progress: Progress | None,
+) -> tuple[tuple[Outcome, ...], ...]:
+    """Perform each primitive on the one object of each scene.
+
+    Args:
+        world_factory: Builds the world.
+        primitives: What to perform.
+        scenes: On what.
+        workers: How many processes.
+        progress: Called after each performance.
+
+    Returns:
+        For each primitive, an outcome for each scene.
+    """
+    tasks = [Task(scene, np.array(primitive.action)) for primitive in primitives for scene in scenes]
     outcomes: list[Outcome] = []
     for outcome in perform_all(world_factory, tasks, workers):
         outcomes.append(outcome)
         if progress is not None:
             progress(len(outcomes), len(tasks))
+    rows = range(0, len(outcomes), len(scenes))
+    return tuple(tuple(outcomes[row : row + len(scenes)]) for row in rows)
+
+
+def tabulate(rehearsals: Rehearsals, feature_names: Sequence[str]) -> OperatorTable:
+    """Tell what each primitive did to each category.
+
+    Args:
+        rehearsals: What happened.
+        feature_names: What the features are.
+    """
+    symbols = rehearsals.symbols
+    categories = describe_categories(rehearsals.features, symbols, feature_names)
     operators = tuple(
-        _operator(
-            primitive,
-            category,
-            [outcomes[row * objects + i] for i in np.flatnonzero(symbols == category.symbol)],
-        )
-        for row, primitive in enumerate(ordered)
+        _operator(primitive, category, [outcomes[i] for i in np.flatnonzero(symbols == category.symbol)])
+        for primitive, outcomes in zip(rehearsals.primitives, rehearsals.outcomes, strict=True)
         for category in categories
         if category.share
     )
-    return OperatorTable(categories=categories, primitives=tuple(ordered), operators=operators)
+    return OperatorTable(categories=categories, primitives=rehearsals.primitives, operators=operators)
 
 
 def rehearsal_scene(world: World, seed: int, number: int) -> Scene:

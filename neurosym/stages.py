@@ -10,12 +10,14 @@ from typing import Any
 
 import numpy as np
 
+from neurosym.choosing import CHOICES, choose
 from neurosym.console import progress_bar
 from neurosym.data_check import model_misfit, training_problems, world_misfit
 from neurosym.data_origin import box_of, is_explored
 from neurosym.errors import InvalidFile, InvalidValue, UnknownChoice
 from neurosym.files import read_json, write_atomically, write_json
 from neurosym.folder import (
+    DIRECT_MODEL,
     DOMAIN,
     GROUNDING,
     INTERACTIONS,
@@ -96,21 +98,24 @@ def train_stage(folder: DomainFolder, *, seed: int, regime: str) -> Stage:
 
         interactions = _trainable(folder.require(INTERACTIONS))
         with progress_bar("training") as advance:
-            model, report = train(
+            trained = train(
                 interactions,
                 config=chosen.training,
                 model_config=chosen.model,
                 seed=seed,
                 progress=lambda stage, share: advance(round(100 * share), 100, stage),
             )
-        write_json(folder / TRAINING, report)
-        model.save(folder / MODEL)
+        write_json(folder / TRAINING, trained.report)
+        trained.direct.save(folder / DIRECT_MODEL)
+        trained.model.save(folder / MODEL)
 
     options = {"seed": seed, "regime": regime}
-    return Stage("train", (INTERACTIONS,), (MODEL, TRAINING), work, options)
+    return Stage("train", (INTERACTIONS,), (MODEL, DIRECT_MODEL, TRAINING), work, options)
 
 
-def distill_stage(folder: DomainFolder, *, objects: int, seed: int, workers: int) -> Stage:
+def distill_stage(
+    folder: DomainFolder, *, objects: int, seed: int, workers: int, choice: str = "predictable"
+) -> Stage:
     """Distil primitives and rehearse them: model, data and world -> `primitives.json`.
 
     Without a `world.toml`, nothing is rehearsed: effects are averaged from the data, whose origin, or else
@@ -118,39 +123,51 @@ def distill_stage(folder: DomainFolder, *, objects: int, seed: int, workers: int
     """
     if objects < 1:
         raise InvalidValue(f"objects = {objects} must be at least 1.")
+    if choice not in CHOICES:
+        raise UnknownChoice("choice", choice, CHOICES)
 
     def work() -> None:
         from neurosym.averaging import average
+        from neurosym.direct_model import DirectModel
         from neurosym.distillation import distill
         from neurosym.effect_model import EffectModel
-        from neurosym.rehearsal import rehearse
+        from neurosym.rehearsal import rehearse, tabulate
 
         factory = read_world(folder / WORLD) if (folder / WORLD).exists() else None
         model = EffectModel.load(folder.require(MODEL))
+        direct = DirectModel.load(folder.require(DIRECT_MODEL))
         interactions = Interactions.load(folder.require(INTERACTIONS))
-        if problem := model_misfit(model.dimensions, interactions.columns):
-            raise InvalidFile(folder / MODEL, problem)
+        for name, network in ((MODEL, model), (DIRECT_MODEL, direct)):
+            if problem := model_misfit(network.dimensions, interactions.columns):
+                raise InvalidFile(folder / name, problem)
         box = _box(folder / INTERACTIONS, interactions, factory)
         with progress_bar("distilling") as advance:
-            primitives = distill(model, interactions, box, seed=seed, progress=advance)
-        if factory is None:
-            averaged = average(interactions, primitives, model.object_symbols, model.action_symbols)
-            write_json(folder / PRIMITIVES, averaged)
-            return
-        with progress_bar("rehearsing") as advance:
-            table = rehearse(
-                factory,
-                primitives,
-                model.object_symbols,
-                objects=objects,
+            candidates = distill(model, interactions, box, seed=seed, progress=advance)
+        categorise = model.object_symbols
+        with progress_bar("auditioning") as advance:
+            primitives = choose(
+                candidates,
+                choice,
+                predict=direct.predict,
+                features=interactions.features,
+                categorise=categorise,
+                world_factory=factory,
                 seed=seed,
                 workers=workers,
                 progress=advance,
             )
-        write_json(folder / PRIMITIVES, table)
+        if factory is None:
+            averaged = average(interactions, primitives, categorise, model.action_symbols)
+            write_json(folder / PRIMITIVES, averaged)
+            return
+        with progress_bar("rehearsing") as advance:
+            rehearsals = rehearse(
+                factory, primitives, categorise, objects=objects, seed=seed, workers=workers, progress=advance
+            )
+        write_json(folder / PRIMITIVES, tabulate(rehearsals, factory().feature_names))
 
-    options = {"objects": objects, "seed": seed}
-    return Stage("distill", (WORLD, MODEL, INTERACTIONS), (PRIMITIVES,), work, options)
+    options = {"objects": objects, "seed": seed, "choice": choice}
+    return Stage("distill", (WORLD, MODEL, DIRECT_MODEL, INTERACTIONS), (PRIMITIVES,), work, options)
 
 
 def compile_stage(folder: DomainFolder, *, cell: float) -> Stage:

@@ -4,24 +4,43 @@ Each restart starts from other weights; the one that predicts held-out effects b
 is kept. The report sets the model's error beside what predictors that look at nothing achieve.
 """
 
-from dataclasses import asdict
+from dataclasses import asdict, dataclass, replace
 from typing import Any
 
 import numpy as np
-import torch
 from jaxtyping import Float
 
 from neurosym.data_check import too_few
+from neurosym.direct_model import DirectModel
 from neurosym.effect_model import EffectModel
 from neurosym.errors import InvalidValue
 from neurosym.fitting import reproducible
 from neurosym.interactions import Interactions
 from neurosym.model_config import Dimensions, ModelConfig
-from neurosym.recipes import RECIPES, Progress, Samples
+from neurosym.recipes import RECIPES, Progress, fit_direct
+from neurosym.samples import Samples, dimensions_of, samples_of
+from neurosym.strategies import STRATEGIES
 from neurosym.training_config import TrainingConfig
+
+_DIRECT = 0x6469  # keeps the draws of the network without a bottleneck apart from those of restarts
 
 TrainingReport = dict[str, Any]
 """Plain JSON values: see `assess` for the keys; besides, `restarts` and the figures of each."""
+
+
+@dataclass(frozen=True, slots=True)
+class Trained:
+    """What training makes.
+
+    Attributes:
+        model: The effect model, whose bits are the symbols.
+        direct: A network without a bottleneck on the same data: what the bits could tell at best.
+        report: How well both predict; see `assess`.
+    """
+
+    model: EffectModel
+    direct: DirectModel
+    report: TrainingReport
 
 
 def train(
@@ -30,43 +49,75 @@ def train(
     config: TrainingConfig | None = None,
     model_config: ModelConfig | None = None,
     seed: int,
+    direct: DirectModel | None = None,
     progress: Progress | None = None,
-) -> tuple[EffectModel, TrainingReport]:
+) -> Trained:
     """Fit an effect model to a data set; the same seed gives the same bytes.
 
-    Which action parameters are gripper values, and the box of the actions, are read from the data's origin
-    (`gripper_columns`, `action_low`, `action_high`) where they stand there.
+    What is known of the actions (which are gripper values, their box, mirrors of the world) is read from the
+    data's origin where it stands there. If the data was explored with one of the paper's baselines, the model
+    has a deterministic head, and learns only from what that baseline learns from.
 
     Args:
         interactions: The data.
         config: How the fit is made.
         model_config: How the network is built.
         seed: Where all draws start.
+        direct: A network without a bottleneck that was fitted to the same data before; else one is.
         progress: Called with the stage and the share of it that is done.
 
     Raises:
         InvalidValue: If there are too few interactions to hold some out.
     """
-    config, model_config = config or TrainingConfig(), model_config or ModelConfig()
+    config, progress = config or TrainingConfig(), progress or _silent
+    strategy = STRATEGIES.get(str(interactions.origin.get("strategy")))
+    model_config = model_config or ModelConfig()
+    if strategy is not None:
+        model_config = replace(model_config, head=strategy.head)
+        interactions = interactions[strategy.learns_from(interactions.effects)]
     kept, held_out = split(interactions, config.validation_share, seed)
-    samples, dimensions = samples_of(kept), dimensions_of(interactions)
-    fits = []
-    for restart in range(config.restarts):
-        with reproducible(_restart_seed(seed, restart)) as generator:
-            model = EffectModel(dimensions, model_config)
-            model.set_scale(samples.effects)
-            RECIPES[config.recipe](model, samples, config, generator, progress or _silent)
-            fits.append((model, assess(model, kept, held_out)))
-    best = int(np.argmax([report["r2_through_codes"] for _, report in fits]))
-    model, report = fits[best]
-    report["restarts"] = [figures["r2_through_codes"] for _, figures in fits]
-    model.trained_by = {
+    samples = samples_of(kept, mirrors=config.mirrors)
+    if direct is None:
+        direct = _fit_direct(samples, dimensions_of(interactions), config, seed, progress)
+    fits = [_fit(samples, direct, model_config, config, seed, n, progress) for n in range(config.restarts)]
+    reports = [assess(model, direct, kept, held_out) for model in fits]
+    best = int(np.argmax([report["r2_through_codes"] for report in reports]))
+    model, report = fits[best], reports[best]
+    report["restarts"] = [figures["r2_through_codes"] for figures in reports]
+    model.trained_by = direct.trained_by = {
         "training": asdict(config),
         "seed": seed,
         "interactions": len(interactions),
         "origin": interactions.origin,
     }
-    return model, report
+    return Trained(model, direct, report)
+
+
+def _fit_direct(
+    samples: Samples, dimensions: Dimensions, config: TrainingConfig, seed: int, progress: Progress
+) -> DirectModel:
+    with reproducible(_seed(seed, _DIRECT)) as generator:
+        direct = DirectModel(dimensions, config.direct)
+        direct.set_scale(samples.effects, samples.mirrored_axes)
+        fit_direct(direct, samples, config, generator, progress)
+    return direct
+
+
+def _fit(
+    samples: Samples,
+    direct: DirectModel,
+    model_config: ModelConfig,
+    config: TrainingConfig,
+    seed: int,
+    restart: int,
+    progress: Progress,
+) -> EffectModel:
+    with reproducible(_seed(seed, restart)) as generator:
+        model = EffectModel(direct.dimensions, model_config)
+        if config.standardise:
+            model.set_scale(samples.effects, samples.mirrored_axes)
+        RECIPES[config.recipe](model, direct, samples, config, generator, progress)
+    return model
 
 
 def split(interactions: Interactions, share: float, seed: int) -> tuple[Interactions, Interactions]:
@@ -87,35 +138,43 @@ def split(interactions: Interactions, share: float, seed: int) -> tuple[Interact
     return interactions[order[held_out:]], interactions[order[:held_out]]
 
 
-def assess(model: EffectModel, kept: Interactions, held_out: Interactions) -> TrainingReport:
+def assess(
+    model: EffectModel, direct: DirectModel, kept: Interactions, held_out: Interactions
+) -> TrainingReport:
     """Measure a model on interactions that it was not trained on.
 
     Returns:
-        `r2_through_codes` and `r2` (without cutting the embeddings to bits), mean over the axes and per axis;
+        `r2_through_codes`, `r2` (without cutting the embeddings to bits) and `r2_direct` (of the network
+        without a bottleneck), mean over the axes and per axis; `share`, the first divided by the last;
         `mae` [m] per axis of the model (through codes) and of the trivial predictors always-zero, always-mean
         and per-axis median; `object_symbols` and `action_symbols`, the share of each.
 
     Args:
         model: The model.
+        direct: The network without a bottleneck.
         kept: What it was trained on, from which the trivial predictors come.
         held_out: What it is measured on.
     """
     effects = np.asarray(held_out.effects, dtype=np.float64)
     coded, _ = model.predict_from_codes(held_out.features, held_out.actions)
-    direct, _ = model.predict(held_out.features, held_out.actions)
+    uncut, _ = model.predict(held_out.features, held_out.actions)
     predictors = {
         "model": coded,
         "always zero": np.zeros_like(effects),
         "always mean": np.broadcast_to(kept.effects.mean(0), effects.shape),
         "per-axis median": np.broadcast_to(np.median(kept.effects, axis=0), effects.shape),
     }
-    r2_coded, r2_direct = r_squared(coded, effects), r_squared(direct, effects)
+    r2_coded, r2 = r_squared(coded, effects), r_squared(uncut, effects)
+    r2_direct = r_squared(direct.predict(held_out.features, held_out.actions), effects)
     return {
         "held_out": len(held_out),
         "r2_through_codes": float(r2_coded.mean()),
         "r2_through_codes_by_axis": r2_coded.tolist(),
-        "r2": float(r2_direct.mean()),
-        "r2_by_axis": r2_direct.tolist(),
+        "r2": float(r2.mean()),
+        "r2_by_axis": r2.tolist(),
+        "r2_direct": float(r2_direct.mean()),
+        "r2_direct_by_axis": r2_direct.tolist(),
+        "share": float(r2_coded.mean() / max(r2_direct.mean(), 1e-9)),
         "mae": {name: np.abs(guess - effects).mean(0).tolist() for name, guess in predictors.items()},
         "object_symbols": _shares(model.object_symbols(held_out.features)),
         "action_symbols": _shares(model.action_symbols(held_out.actions)),
@@ -131,39 +190,13 @@ def r_squared(
     return np.where(total > 1e-12, 1 - residual / np.maximum(total, 1e-12), 0.0)
 
 
-def samples_of(interactions: Interactions) -> Samples:
-    """Turn a data set into tensors, with the box of its actions."""
-    actions, origin = interactions.actions, interactions.origin
-    return Samples(
-        features=_tensor(interactions.features),
-        actions=_tensor(actions),
-        effects=_tensor(interactions.effects),
-        low=_tensor(np.asarray(origin.get("action_low", actions.min(0)))),
-        high=_tensor(np.asarray(origin.get("action_high", actions.max(0)))),
-    )
-
-
-def dimensions_of(interactions: Interactions) -> Dimensions:
-    """Read from a data set what a network for it must read and write."""
-    return Dimensions(
-        features=interactions.features.shape[1],
-        actions=interactions.actions.shape[1],
-        effects=interactions.effects.shape[1],
-        gripper_columns=tuple(interactions.origin.get("gripper_columns", ())),
-    )
-
-
-def _restart_seed(seed: int, restart: int) -> int:
+def _seed(seed: int, restart: int) -> int:
     return int(np.random.default_rng([seed, restart]).integers(2**62))
 
 
 def _shares(symbols: tuple[str, ...]) -> dict[str, float]:
     names, counts = np.unique(symbols, return_counts=True)
     return {str(name): float(count) / len(symbols) for name, count in zip(names, counts, strict=True)}
-
-
-def _tensor(values: np.ndarray) -> torch.Tensor:
-    return torch.from_numpy(np.array(values, dtype=np.float32))
 
 
 def _silent(stage: str, share: float) -> None:

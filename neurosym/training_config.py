@@ -1,10 +1,10 @@
 """How the effect model is trained, apart from the training itself, so that reading it does not load torch."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Literal
 
 from neurosym.errors import InvalidValue
-from neurosym.model_config import ModelConfig
+from neurosym.model_config import DirectConfig, ModelConfig
 
 
 @dataclass(frozen=True, slots=True)
@@ -13,9 +13,8 @@ class TrainingConfig:
 
     Attributes:
         recipe: "joint" trains the whole network at once (the paper), "refit" then freezes the codes and fits
-            the decoder to them, "teacher" first learns what the bits should say from a network without a
-            bottleneck.
-        epochs: How often every interaction is seen by the network (or by the teacher).
+            the decoder to them, "taught" lets a network without a bottleneck teach what the bits should say.
+        epochs: How often every interaction is seen by the whole network.
         batch: Interactions in a mini-batch.
         learning_rate: Step size of Adam.
         loss_coefficient: The coefficient lambda of eq. 9.
@@ -23,15 +22,30 @@ class TrainingConfig:
         contrastive: Whether the contrastive loss of eq. 8 is added.
         clip_norm: Greatest norm of a gradient.
         decay: Whether the learning rate falls to zero along a half cosine.
+        standardise: Whether effects are standardised inside the networks; else they stay in metres.
+        mirrors: Whether interactions are also seen through the mirrors of the world.
         validation_share: Share of the interactions held out, to choose among restarts and to report.
         restarts: How many fits are made; the one that predicts best through its codes is kept.
-        teacher_objects: How many objects the teacher is asked about.
-        teacher_actions: How many actions the teacher labels, besides those of the data.
-        encoder_epochs: How often the encoders see every label of the teacher.
+        direct: How the network without a bottleneck is built.
+        direct_epochs: How often it sees every interaction.
+        direct_batch: Interactions in its mini-batches.
+        direct_rate: Step size of its optimiser, AdamW.
+        direct_weight_decay: Weight decay of the same.
+        table_actions: Rows of the table of its predictions that is co-clustered.
+        table_objects: Columns of that table.
+        table_restarts: Starts of the co-clustering.
+        named_actions: How many more actions the teacher tells the meaning of, for the encoder to be fitted.
+        named_objects: The same of objects.
+        naming_steps: Steps in which each encoder is fitted to them.
+        naming_batch: How many at a time.
+        imagined_actions: Actions in a step of the end-to-end fit of the encoders.
+        imagined_objects: Objects in it: each action is imagined on each object.
+        code_steps: Steps of the end-to-end fit.
+        code_rate: Greatest step size of Adam for the encoders; half of it in the end-to-end fit.
         refit_epochs: How often the decoder sees every interaction through the codes.
     """
 
-    recipe: Literal["joint", "refit", "teacher"] = "teacher"
+    recipe: Literal["joint", "refit", "taught"] = "taught"
     epochs: int = 100
     batch: int = 512
     learning_rate: float = 1e-3
@@ -40,24 +54,67 @@ class TrainingConfig:
     contrastive: bool = True
     clip_norm: float = 1.0
     decay: bool = True
+    standardise: bool = True
+    mirrors: bool = True
     validation_share: float = 0.1
-    restarts: int = 3
-    teacher_objects: int = 48
-    teacher_actions: int = 20_000
-    encoder_epochs: int = 60
+    restarts: int = 1
+    direct: DirectConfig = field(default_factory=DirectConfig)
+    direct_epochs: int = 100
+    direct_batch: int = 256
+    direct_rate: float = 3e-3
+    direct_weight_decay: float = 1e-2
+    table_actions: int = 3000
+    table_objects: int = 96
+    table_restarts: int = 20
+    named_actions: int = 40_000
+    named_objects: int = 4000
+    naming_steps: int = 1000
+    naming_batch: int = 1024
+    imagined_actions: int = 256
+    imagined_objects: int = 16
+    code_steps: int = 1000
+    code_rate: float = 2e-3
     refit_epochs: int = 30
 
     def __post_init__(self) -> None:
-        for name in ("epochs", "batch", "restarts", "teacher_objects", "encoder_epochs", "refit_epochs"):
+        for name in _COUNTS:
             if getattr(self, name) < 1:
                 raise InvalidValue(f"{name} = {getattr(self, name)} must be at least 1.")
-        for name in ("learning_rate", "loss_coefficient", "temperature", "clip_norm"):
+        for name in _POSITIVE:
             if not getattr(self, name) > 0:
                 raise InvalidValue(f"{name} = {getattr(self, name)} must be positive.")
         if not 0 < self.validation_share < 1:
             raise InvalidValue(f"validation_share = {self.validation_share} must lie between 0 and 1.")
-        if self.recipe not in ("joint", "refit", "teacher"):
-            raise InvalidValue(f"recipe = {self.recipe!r} must be 'joint', 'refit' or 'teacher'.")
+        if self.recipe not in ("joint", "refit", "taught"):
+            raise InvalidValue(f"recipe = {self.recipe!r} must be 'joint', 'refit' or 'taught'.")
+
+
+_COUNTS = (
+    "epochs",
+    "batch",
+    "restarts",
+    "direct_epochs",
+    "direct_batch",
+    "table_actions",
+    "table_objects",
+    "table_restarts",
+    "named_actions",
+    "named_objects",
+    "naming_steps",
+    "naming_batch",
+    "imagined_actions",
+    "imagined_objects",
+    "code_steps",
+    "refit_epochs",
+)
+_POSITIVE = (
+    "learning_rate",
+    "loss_coefficient",
+    "temperature",
+    "clip_norm",
+    "direct_rate",
+    "code_rate",
+)
 
 
 @dataclass(frozen=True, slots=True)
@@ -79,7 +136,14 @@ REGIMES = {
     "default": Regime(ModelConfig(), TrainingConfig(), exploration_rate=1e-3),
     "quick": Regime(
         ModelConfig(),
-        TrainingConfig(restarts=1, epochs=60, teacher_actions=4000, encoder_epochs=30),
+        TrainingConfig(
+            direct_epochs=40,
+            table_actions=1000,
+            table_restarts=4,
+            named_actions=10_000,
+            naming_steps=300,
+            code_steps=300,
+        ),
         exploration_rate=1e-3,
     ),
     "paper": Regime(
@@ -89,7 +153,8 @@ REGIMES = {
             learning_rate=1e-5,
             loss_coefficient=0.01,
             decay=False,
-            restarts=1,
+            standardise=False,
+            mirrors=False,
         ),
         exploration_rate=1e-5,
     ),

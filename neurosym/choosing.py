@@ -1,0 +1,158 @@
+"""Choosing among distilled actions: many encode to a symbol, and some are more predictable than others.
+
+A good action does nearly the same to all objects of a category, and does something: of all it does, as much
+as possible is explained by the category. That is first reckoned from what a network without a bottleneck
+predicts, and then measured: the few best of each symbol are auditioned in the world. The paper takes the
+candidate whose embedding is nearest to the code.
+"""
+
+from collections.abc import Callable, Iterator, Sequence
+from itertools import groupby
+
+import numpy as np
+from jaxtyping import Float
+
+from neurosym.errors import UnknownChoice
+from neurosym.operators import Primitive
+from neurosym.rehearsal import Categorise, Progress, perform_on_each
+from neurosym.symbols import Symbol
+from neurosym.workers import WorldFactory
+
+Predict = Callable[[np.ndarray, np.ndarray], np.ndarray]
+"""Predicts effects (N, E) [m] from features (N, F) and actions (N, A)."""
+
+CHOICES = ("predictable", "lowest-error")
+LITTLE = 0.01
+"""An effect that counts as much as none [m]."""
+
+SHORTLISTED = 4
+"""Candidates of each symbol that are auditioned."""
+AUDITION_OBJECTS = 24
+"""Objects on which each of them is performed."""
+OBJECTS_TO_PREDICT = 200
+"""Objects on which the effects of every candidate are predicted."""
+
+_STREAM = 0x6175  # keeps the objects of auditions apart from those of rehearsals
+
+
+def choose(
+    candidates: Sequence[Primitive],
+    choice: str,
+    *,
+    predict: Predict,
+    features: Float[np.ndarray, "M F"],
+    categorise: Categorise,
+    world_factory: WorldFactory | None,
+    seed: int,
+    workers: int = 1,
+    progress: Progress | None = None,
+) -> tuple[Primitive, ...]:
+    """Choose one of the candidates for each symbol.
+
+    Args:
+        candidates: Distilled actions.
+        choice: One of `CHOICES`.
+        predict: A network that sees the objects themselves and not their symbols.
+        features: Objects to predict the effects on.
+        categorise: Gives the object symbols of features.
+        world_factory: Builds the world of the auditions; None if there is none.
+        seed: Where all draws start.
+        workers: How many processes; their number does not change the result.
+        progress: Called after each performance.
+
+    Raises:
+        UnknownChoice: If there is no such choice.
+    """
+    if choice not in CHOICES:
+        raise UnknownChoice("choice", choice, CHOICES)
+    if choice == "lowest-error":
+        return lowest_error(candidates)
+    count = 1 if world_factory is None else SHORTLISTED
+    few = shortlist(candidates, predict, features[:OBJECTS_TO_PREDICT], categorise, count)
+    if world_factory is None:
+        return few
+    return audition(world_factory, few, categorise, seed=seed, workers=workers, progress=progress)
+
+
+def lowest_error(candidates: Sequence[Primitive]) -> tuple[Primitive, ...]:
+    """Choose for each symbol the candidate of the lowest error to its code (the paper)."""
+    return tuple(min(rivals, key=lambda rival: rival.code_error) for rivals in _by_symbol(candidates))
+
+
+def shortlist(
+    candidates: Sequence[Primitive],
+    predict: Predict,
+    features: Float[np.ndarray, "M F"],
+    categorise: Categorise,
+    count: int,
+) -> tuple[Primitive, ...]:
+    """Keep for each symbol the candidates of which the most predictable effects are predicted.
+
+    Args:
+        candidates: Distilled actions.
+        predict: A network that sees the objects themselves and not their symbols.
+        features: Objects to predict the effects on.
+        categorise: Gives the object symbols of features.
+        count: How many candidates are kept for each symbol.
+    """
+    symbols = np.array(categorise(features))
+
+    def score(candidate: Primitive) -> float:
+        actions = np.tile(np.array(candidate.action), (len(features), 1))
+        return predictability(predict(features, actions), symbols)
+
+    return tuple(
+        best for rivals in _by_symbol(candidates) for best in sorted(rivals, key=score, reverse=True)[:count]
+    )
+
+
+def audition(
+    world_factory: WorldFactory,
+    shortlisted: Sequence[Primitive],
+    categorise: Categorise,
+    *,
+    objects: int = AUDITION_OBJECTS,
+    seed: int,
+    workers: int = 1,
+    progress: Progress | None = None,
+) -> tuple[Primitive, ...]:
+    """Perform the candidates on the same sampled objects, and choose the most predictable of each symbol.
+
+    The objects are others than those that primitives are rehearsed on afterwards.
+
+    Args:
+        world_factory: Builds the world; must survive pickling if there is more than one worker.
+        shortlisted: Candidates, one or more for each symbol.
+        categorise: Gives the object symbols of features.
+        objects: How many objects are sampled.
+        seed: Where all draws start.
+        workers: How many processes; their number does not change the result.
+        progress: Called after each performance.
+    """
+    world = world_factory()
+    scenes = [world.sample_scene(np.random.default_rng([seed, _STREAM, n]), 1) for n in range(objects)]
+    symbols = np.array(categorise(np.concatenate([scene.features for scene in scenes])))
+    performed = perform_on_each(world_factory, shortlisted, scenes, workers, progress)
+    effects = [np.array([outcome.effect for outcome in outcomes]) for outcomes in performed]
+    scores = {rival.action: predictability(e, symbols) for rival, e in zip(shortlisted, effects, strict=True)}
+    return tuple(max(rivals, key=lambda rival: scores[rival.action]) for rivals in _by_symbol(shortlisted))
+
+
+def predictability(effects: Float[np.ndarray, "M E"], symbols: Sequence[Symbol] | np.ndarray) -> float:
+    """Compute the share of the mean square of an action's effects that the category of the object explains.
+
+    Effects of `LITTLE` are put to the unexplained, so that doing nothing at all is not predictable.
+
+    Args:
+        effects: What the action did to each object [m].
+        symbols: Symbol of each object.
+    """
+    symbols = np.asarray(symbols)
+    members = [effects[symbols == symbol] for symbol in np.unique(symbols)]
+    explained = sum(len(rows) * (rows.mean(0) ** 2).sum() for rows in members)
+    return float(explained / ((effects**2).sum() + len(effects) * LITTLE**2))
+
+
+def _by_symbol(candidates: Sequence[Primitive]) -> Iterator[list[Primitive]]:
+    ordered = sorted(candidates, key=lambda candidate: candidate.symbol)
+    return (list(rivals) for _, rivals in groupby(ordered, key=lambda candidate: candidate.symbol))

@@ -1,0 +1,90 @@
+"""Training data as tensors, with what is known of the actions they were drawn from."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+import torch
+from jaxtyping import Float, Int
+from torch import Tensor
+
+from neurosym.data_origin import mirrors_of
+from neurosym.effect_network import tensor
+from neurosym.interactions import Interactions
+from neurosym.model_config import Dimensions
+from neurosym.network_inputs import reflected
+from neurosym.world import Mirror
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Samples:
+    """The training data, and where further actions may be drawn from.
+
+    Attributes:
+        features: Object features.
+        actions: Action parameters.
+        effects: Effects [m].
+        low: Least value of each action parameter.
+        high: Greatest value of each action parameter.
+        mirrors: Mirrors of the world that are made use of.
+    """
+
+    features: Float[Tensor, "N F"]
+    actions: Float[Tensor, "N A"]
+    effects: Float[Tensor, "N E"]
+    low: Float[Tensor, "A"]
+    high: Float[Tensor, "A"]
+    mirrors: tuple[Mirror, ...] = ()
+
+    def __len__(self) -> int:
+        return len(self.features)
+
+    @property
+    def mirrored_axes(self) -> tuple[int, ...]:
+        """Effect axes whose sign some mirror changes."""
+        return tuple(axis for mirror in self.mirrors for axis in mirror.effects)
+
+    def batch(
+        self, rows: Int[Tensor, "B"], generator: torch.Generator
+    ) -> tuple[Float[Tensor, "B F"], Float[Tensor, "B A"], Float[Tensor, "B E"]]:
+        """Take rows, each seen through the mirrors at random."""
+        actions, effects = reflected(self.actions[rows], self.effects[rows], self.mirrors, generator)
+        return self.features[rows], actions, effects
+
+    def imagine(
+        self, count: int, generator: torch.Generator
+    ) -> tuple[Float[Tensor, "B F"], Float[Tensor, "B A"]]:
+        """Draw objects of the data and actions from the box, for a teacher to say what would happen."""
+        rows = torch.randint(len(self), (count,), generator=generator)
+        drawn = torch.rand(count, len(self.low), generator=generator)
+        return self.features[rows], self.low + drawn * (self.high - self.low)
+
+
+def samples_of(interactions: Interactions, *, mirrors: bool = True) -> Samples:
+    """Turn a data set into tensors, with the box of its actions.
+
+    Args:
+        interactions: The data.
+        mirrors: Whether to make use of the mirrors that its origin names.
+    """
+    actions, origin = interactions.actions, interactions.origin
+    return Samples(
+        features=tensor(interactions.features),
+        actions=tensor(actions),
+        effects=tensor(interactions.effects),
+        low=tensor(np.asarray(origin.get("action_low", actions.min(0)))),
+        high=tensor(np.asarray(origin.get("action_high", actions.max(0)))),
+        mirrors=mirrors_of(origin) if mirrors else (),
+    )
+
+
+def dimensions_of(interactions: Interactions) -> Dimensions:
+    """Read from a data set what a network for it must read and write."""
+    origin: Mapping[str, Any] = interactions.origin
+    return Dimensions(
+        features=interactions.features.shape[1],
+        actions=interactions.actions.shape[1],
+        effects=interactions.effects.shape[1],
+        gripper_columns=tuple(origin.get("gripper_columns", ())),
+    )

@@ -1,0 +1,270 @@
+"""Measure what docs/learning.md claims: Tables I and II, learning curves, bits and ablations, over seeds.
+
+Everything that was explored or measured stays in a working folder, one file for each job, so that the run can
+be interrupted and goes on where it was. The results go to docs/results/ (learning.json, learning.md,
+learning.png), as far as they are known.
+"""
+
+import json
+import os
+import platform
+import time
+from collections.abc import Callable, Iterator, Mapping
+from concurrent.futures import Future, ProcessPoolExecutor, as_completed
+from dataclasses import replace
+from functools import partial
+from importlib.metadata import version
+from multiprocessing import get_context
+from pathlib import Path
+from typing import Annotated, Any
+
+import learning_measures as measures
+import tyro
+from learning_curves import draw
+from learning_measures import Data
+from learning_tables import page
+
+from neurosym.commands import init
+from neurosym.console import progress_bar, say
+from neurosym.files import write_atomically
+from neurosym.folder import INTERACTIONS, WORLD, DomainFolder
+from neurosym.interactions import Interactions
+from neurosym.model_config import ModelConfig
+from neurosym.stages import explore_stage
+from neurosym.strategies import DEFAULT_STRATEGY
+from neurosym.training_config import REGIMES, TrainingConfig
+
+RESULTS, WORK = Path("docs/results"), Path("evaluation")
+FILTERED, FILTER = "entropy-filtered", 0.1
+"""Entropy among the candidates with this predicted effect only [m], as in the authors' code."""
+STRATEGIES = ("random", "active", "entropy", FILTERED, "disagreement")
+EXPLORED = {strategy: "random" if strategy == "active" else strategy for strategy in STRATEGIES}
+TEST_SEED, TEST_STEPS = 1000, 11_000
+CURVE = (1024, 2560, 5120, 10_000)
+BITS = ((1, 3), (3, 3), (2, 2), (2, 4), (2, 5), (2, 6))
+FEW_SEEDS = 3
+"""Seeds of the parts that are not Tables I and II."""
+
+OURS, PRINTED = TrainingConfig(), REGIMES["paper"].training
+NORMED = ModelConfig(layer_norm=True)
+VARIANTS: Mapping[str, tuple[TrainingConfig, ModelConfig]] = {
+    "signs after end-to-end training": (replace(OURS, recipe="joint"), ModelConfig(layer_norm=True)),
+    "the same, decoder refitted": (replace(OURS, recipe="refit"), ModelConfig(layer_norm=True)),
+    "the same, without eq. 8": (
+        replace(OURS, recipe="refit", contrastive=False),
+        ModelConfig(layer_norm=True),
+    ),
+    "effects in metres": (replace(OURS, standardise=False), ModelConfig()),
+    "gripper values as they are": (
+        replace(OURS, direct=replace(OURS.direct, gripper_sharpness=None)),
+        ModelConfig(gripper_sharpness=None),
+    ),
+    "no mirrors": (replace(OURS, mirrors=False), ModelConfig()),
+    "learning rate 1e-5": (
+        replace(OURS, learning_rate=1e-5, direct_rate=1e-5, code_rate=1e-5, decay=False),
+        ModelConfig(),
+    ),
+    "LayerNorm before the decoder": (OURS, NORMED),
+    "everything as printed": (PRINTED, REGIMES["paper"].model),
+}
+"""What is changed against our defaults, one at a time; then all of it."""
+
+Job = Callable[[], dict[str, Any]]
+
+
+def main(
+    seeds: Annotated[int, tyro.conf.arg(help="Seeds of Tables I and II.")] = 5,
+    steps: Annotated[int, tyro.conf.arg(help="Interactions of each exploration.")] = 10_000,
+    work: Annotated[Path, tyro.conf.arg(help="Folder for what was explored and measured.")] = WORK,
+    results: Annotated[Path, tyro.conf.arg(help="Folder for the tables.")] = RESULTS,
+    workers: Annotated[int, tyro.conf.arg(help="Jobs at once.")] = os.cpu_count() or 1,
+    only_report: Annotated[bool, tyro.conf.arg(help="Write the tables from what is there.")] = False,
+) -> None:
+    """Explore, do every job that was not done, and write the results."""
+    (work / "jobs").mkdir(parents=True, exist_ok=True)
+    results.mkdir(parents=True, exist_ok=True)
+    report = partial(write_results, work, results, seeds, steps)
+    if not only_report:
+        explore(work / "test", "random", TEST_SEED, TEST_STEPS, workers)
+        for seed in range(1, seeds + 1):
+            for strategy in dict.fromkeys(EXPLORED[strategy] for strategy in of_seed(seed)):
+                explore(work / f"{strategy}-{seed}", strategy, seed, steps, workers)
+            for few in (main_jobs(work, seed, steps), other_jobs(work, seed, steps)):
+                perform(work / "jobs", few, workers, report)
+    report()
+
+
+def explore(folder: Path, strategy: str, seed: int, steps: int, workers: int) -> None:
+    """Explore, unless there are as many interactions already."""
+    if not (folder / WORLD).exists():
+        init(folder)
+    path = folder / INTERACTIONS
+    if path.exists() and len(Interactions.load(path)) >= steps:
+        return
+    domain = DomainFolder(folder)
+    stage = explore_stage(
+        domain,
+        strategy=strategy.removesuffix("-filtered"),
+        steps=steps,
+        seed=seed,
+        regime="default",
+        workers=workers,
+        min_predicted_effect=FILTER if strategy == FILTERED else 0.0,
+    )
+    domain.perform(stage, again=True)
+
+
+def of_seed(seed: int) -> tuple[str, ...]:
+    """List the strategies that are tried with a seed."""
+    return tuple(strategy for strategy in STRATEGIES if strategy != FILTERED or seed <= FEW_SEEDS)
+
+
+def data_of(work: Path, strategy: str, seed: int, steps: int) -> Data:
+    """Say where the data of a strategy lies."""
+    return Data(work / f"{EXPLORED[strategy]}-{seed}", work / "test", strategy, seed, steps)
+
+
+def main_jobs(work: Path, seed: int, steps: int) -> dict[str, Job]:
+    """List the jobs of Tables I and II."""
+    return {
+        f"cell-{strategy}-{seed}-{steps}": partial(
+            measures.cell, data_of(work, strategy, seed, steps), keep=True
+        )
+        for strategy in of_seed(seed)
+    }
+
+
+def other_jobs(work: Path, seed: int, steps: int) -> dict[str, Job]:
+    """List the jobs of the curves, and for the first seeds those of bits, ablations and choices."""
+    jobs: dict[str, Job] = {}
+    ours = data_of(work, DEFAULT_STRATEGY, seed, steps)
+    jobs[f"choice-{seed}-{steps}"] = partial(measures.other_choice, ours, "lowest-error")
+    if seed <= FEW_SEEDS:
+        for bits in BITS:
+            jobs[f"bits-{bits[0]}-{bits[1]}-{seed}-{steps}"] = partial(measures.other_bits, ours, *bits)
+        for name, (config, model_config) in VARIANTS.items():
+            key = f"variant-{name.replace(' ', '_')}-{seed}-{steps}"
+            jobs[key] = partial(measures.variant, ours, config, model_config)
+    for rows in [rows for rows in CURVE if rows < steps]:
+        for strategy in of_seed(seed):
+            jobs[f"cell-{strategy}-{seed}-{rows}"] = partial(
+                measures.cell, data_of(work, strategy, seed, rows)
+            )
+    return jobs
+
+
+def perform(folder: Path, jobs: Mapping[str, Job], workers: int, report: Callable[[], None]) -> None:
+    """Do the jobs that were not done, some at once, each to a file of its own.
+
+    Args:
+        folder: Where the files go.
+        jobs: The jobs by name.
+        workers: How many at once.
+        report: Called after each.
+    """
+    left = {name: job for name, job in jobs.items() if not (folder / f"{name}.json").exists()}
+    if not left:
+        return
+    pool = ProcessPoolExecutor(min(workers, len(left)), mp_context=get_context("spawn"))
+    with pool, progress_bar("measuring") as advance:
+        running: dict[Future[dict[str, Any]], str] = {pool.submit(job): name for name, job in left.items()}
+        try:
+            for done, future in enumerate(as_completed(running), 1):
+                name = running[future]
+                write_atomically(folder / f"{name}.json", _text(future.result()))
+                report()
+                advance(done, len(left))
+        except BaseException:
+            pool.shutdown(wait=False, cancel_futures=True)
+            raise
+
+
+def write_results(work: Path, results: Path, seeds: int, steps: int) -> None:
+    """Write JSON, Markdown and PNG from the jobs that are done."""
+    found = {path.stem: json.loads(path.read_text()) for path in sorted((work / "jobs").glob("*.json"))}
+    summary = summarise(found, seeds, steps)
+    write_atomically(results / "learning.json", _text(summary))
+    write_atomically(results / "learning.md", page(summary))
+    draw(summary, results / "learning.png")
+
+
+def summarise(found: Mapping[str, Any], seeds: int, steps: int) -> dict[str, Any]:
+    """Gather jobs into tables; what is not done yet is missing."""
+    cells = {
+        strategy: dict(_by_seed(found, f"cell-{strategy}-{{}}-{steps}", seeds)) for strategy in STRATEGIES
+    }
+    ours = cells[DEFAULT_STRATEGY]
+    return {
+        "command": f"make evaluate-learning SEEDS={seeds} STEPS={steps}",
+        "steps": steps,
+        "default_strategy": DEFAULT_STRATEGY,
+        "machine": _machine(),
+        "through_code_share": [figures["share"] for figures in ours.values()],
+        "r2_direct": [figures["r2_direct"] for figures in ours.values()],
+        "table1": {
+            strategy: {seed: _without_acts(figures) for seed, figures in by_seed.items()}
+            for strategy, by_seed in cells.items()
+        },
+        "table2": {
+            strategy: {
+                seed: [kind for kind, pairs in figures["kinds"].items() if pairs]
+                for seed, figures in by_seed.items()
+            }
+            for strategy, by_seed in cells.items()
+        },
+        "rehearsals": {
+            strategy: {seed: _acts(figures) for seed, figures in by_seed.items()}
+            for strategy, by_seed in cells.items()
+        },
+        "choice": {
+            "predictable": {seed: _acts(figures) for seed, figures in ours.items()},
+            "lowest-error": dict(_by_seed(found, f"choice-{{}}-{steps}", seeds)),
+        },
+        "bits": {f"{o}+{a}": dict(_by_seed(found, f"bits-{o}-{a}-{{}}-{steps}", FEW_SEEDS)) for o, a in BITS},
+        "variants": {
+            name: dict(_by_seed(found, f"variant-{name.replace(' ', '_')}-{{}}-{steps}", FEW_SEEDS))
+            for name in VARIANTS
+        },
+        "curves": {
+            strategy: {
+                str(rows): dict(_by_seed(found, f"cell-{strategy}-{{}}-{rows}", seeds))
+                for rows in sorted({*CURVE, steps})
+                if rows <= steps
+            }
+            for strategy in STRATEGIES
+        },
+    }
+
+
+def _by_seed(found: Mapping[str, Any], name: str, seeds: int) -> Iterator[tuple[str, Any]]:
+    for seed in range(1, seeds + 1):
+        if (key := name.format(seed)) in found:
+            yield str(seed), found[key]
+
+
+_ACTS = ("distillation_seconds", "code_errors", "in_the_box", "objects", "kinds", "operators")
+
+
+def _acts(figures: Mapping[str, Any]) -> dict[str, Any]:
+    return {name: figures[name] for name in _ACTS}
+
+
+def _without_acts(figures: Mapping[str, Any]) -> dict[str, Any]:
+    return {name: value for name, value in figures.items() if name not in _ACTS}
+
+
+def _machine() -> dict[str, str]:
+    names = ("torch", "numpy", "pybullet")
+    versions = {name: version(name) for name in names}
+    return {"cpus": str(os.cpu_count()), "python": platform.python_version(), **versions}
+
+
+def _text(values: Any) -> str:
+    return json.dumps(values, indent=1, sort_keys=True) + "\n"
+
+
+if __name__ == "__main__":
+    begin = time.perf_counter()
+    os.environ.setdefault("OMP_NUM_THREADS", "1")  # for the jobs, of which there are several at once
+    tyro.cli(main)
+    say(f"took {(time.perf_counter() - begin) / 60:.0f} min; the tables are in docs/results/learning.md")

@@ -1,0 +1,223 @@
+"""What `evaluate_learning.py` measures: one function for each kind of job, from files to plain JSON values.
+
+A job reads data that was explored before, and no two jobs write the same file, so that any number can run at
+once.
+"""
+
+import time
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from neurosym.choosing import choose
+from neurosym.direct_model import DirectModel
+from neurosym.distillation import distill
+from neurosym.effect_model import EffectModel
+from neurosym.interactions import Interactions
+from neurosym.model_config import ModelConfig
+from neurosym.primitive_kinds import kind_of, kinds_found
+from neurosym.rehearsal import Rehearsals, rehearse
+from neurosym.strategies import has_high_effect
+from neurosym.symbols import all_symbols
+from neurosym.training import Trained, r_squared, train
+from neurosym.training_config import TrainingConfig
+from neurosym.world_file import read_world
+
+TEST_ROWS = 2400
+"""Interactions with a high effect in the test set."""
+REHEARSED = 60
+"""Objects that each primitive is rehearsed on."""
+NINETY = 1.6449
+"""Half the width of the interval that holds 90 % of a Gaussian, in standard deviations."""
+
+
+@dataclass(frozen=True, slots=True)
+class Data:
+    """Where the data of one strategy and seed lies.
+
+    Attributes:
+        folder: Domain folder that was explored; `active` acts at random, so its data is that of `random`.
+        test: Domain folder of the test set.
+        strategy: Who shall have made the data.
+        seed: Of exploration, and of all that follows.
+        steps: How many of the interactions are used.
+    """
+
+    folder: Path
+    test: Path
+    strategy: str
+    seed: int
+    steps: int
+
+    def load(self) -> Interactions:
+        """Read the data."""
+        data = Interactions.load(self.folder / "interactions.npz")[: self.steps]
+        return replace(data, origin={**data.origin, "strategy": self.strategy})
+
+
+def learn(
+    data: Data,
+    config: TrainingConfig | None = None,
+    model_config: ModelConfig | None = None,
+    direct: DirectModel | None = None,
+) -> tuple[Trained, dict[str, Any]]:
+    """Train on the data, and measure on the test set."""
+    begin = time.process_time()
+    interactions = data.load()
+    trained = train(interactions, config=config, model_config=model_config, seed=data.seed, direct=direct)
+    test = Interactions.load(data.test / "interactions.npz")
+    figures = {"cpu_seconds": time.process_time() - begin, "interactions": len(interactions)}
+    return trained, figures | assess_on_test(trained, interactions, test)
+
+
+def assess_on_test(trained: Trained, seen: Interactions, test: Interactions) -> dict[str, Any]:
+    """Measure what a model predicts of random interactions that it has never seen."""
+    model = trained.model
+    effects = np.asarray(test.effects, dtype=np.float64)
+    mean, variance = model.predict_from_codes(test.features, test.actions)
+    r2 = r_squared(mean, effects)
+    r2_direct = r_squared(trained.direct.predict(test.features, test.actions), effects)
+    high = np.flatnonzero(has_high_effect(effects))[:TEST_ROWS]
+    guesses = {
+        "model": mean,
+        "without a bottleneck": trained.direct.predict(test.features, test.actions),
+        "always zero": np.zeros_like(effects),
+        "always mean": np.broadcast_to(seen.effects.mean(0), effects.shape),
+        "per-axis median": np.broadcast_to(np.median(seen.effects, axis=0), effects.shape),
+    }
+    return {
+        "r2_through_codes": float(r2.mean()),
+        "r2_through_codes_by_axis": r2.tolist(),
+        "r2_direct": float(r2_direct.mean()),
+        "r2_direct_by_axis": r2_direct.tolist(),
+        "share": float(r2.mean() / r2_direct.mean()),
+        "mae": {name: np.abs(guess - effects)[high].mean(0).tolist() for name, guess in guesses.items()},
+        "mae_unfiltered": {name: np.abs(guess - effects).mean(0).tolist() for name, guess in guesses.items()},
+        "test_rows": len(high),
+        "test_rows_unfiltered": len(test),
+        "action_codes": _shares(model.action_symbols(test.actions), model.config.action_bits),
+        "action_codes_in_training": _shares(model.action_symbols(seen.actions), model.config.action_bits),
+        "object_codes": _shares(model.object_symbols(test.features), model.config.object_bits),
+        "object_contrast": _object_contrast(model, test),
+        **(_calibration(mean, variance, effects, seen.effects) if model.config.head == "gaussian" else {}),
+    }
+
+
+def act(data: Data, trained: Trained, choice: str, objects: int = REHEARSED) -> dict[str, Any]:
+    """Distil, choose and rehearse, and say which of the six primitives there are."""
+    factory = read_world(data.folder / "world.toml")
+    world, model, interactions = factory(), trained.model, data.load()
+    begin = time.process_time()
+    candidates = distill(model, interactions, world.action_box, seed=data.seed)
+    seconds = time.process_time() - begin
+    primitives = choose(
+        candidates,
+        choice,
+        predict=trained.direct.predict,
+        features=interactions.features,
+        categorise=model.object_symbols,
+        world_factory=factory,
+        seed=data.seed,
+    )
+    rehearsals = rehearse(factory, primitives, model.object_symbols, objects=objects, seed=data.seed)
+    found = kinds_found(rehearsals, world.lift_height)
+    return {
+        "distillation_seconds": seconds,
+        "code_errors": {primitive.symbol: primitive.code_error for primitive in primitives},
+        "in_the_box": all(world.action_box.contains(np.array(p.action)) for p in primitives),
+        "objects": objects,
+        "kinds": {kind: [list(pair) for pair in pairs] for kind, pairs in found.items()},
+        "operators": _operators(rehearsals, world.lift_height),
+    }
+
+
+def cell(data: Data, choice: str = "predictable", keep: bool = False) -> dict[str, Any]:
+    """Learn, and act upon it."""
+    trained, figures = learn(data)
+    if keep:
+        trained.model.save(data.folder / f"{data.strategy}.model.safetensors")
+        trained.direct.save(data.folder / f"{data.strategy}.direct.safetensors")
+    return figures | act(data, trained, choice)
+
+
+def variant(data: Data, config: TrainingConfig, model_config: ModelConfig) -> dict[str, Any]:
+    """Learn in another way, without acting."""
+    return learn(data, config, model_config)[1]
+
+
+def other_bits(data: Data, object_bits: int, action_bits: int) -> dict[str, Any]:
+    """Learn with other numbers of bits, taught by the network that `cell` kept."""
+    direct = DirectModel.load(data.folder / f"{data.strategy}.direct.safetensors")
+    return learn(data, None, ModelConfig(object_bits, action_bits), direct)[1]
+
+
+def other_choice(data: Data, choice: str) -> dict[str, Any]:
+    """Choose primitives by another rule, from the networks that `cell` kept."""
+    model = EffectModel.load(data.folder / f"{data.strategy}.model.safetensors")
+    direct = DirectModel.load(data.folder / f"{data.strategy}.direct.safetensors")
+    return act(data, Trained(model, direct, {}), choice)
+
+
+def _operators(rehearsals: Rehearsals, lift_height: float) -> list[dict[str, Any]]:
+    """Say of each primitive and object symbol what mostly happened, how often, and how widely spread."""
+    rows = []
+    for primitive, outcomes in zip(rehearsals.primitives, rehearsals.outcomes, strict=True):
+        for symbol in np.unique(rehearsals.symbols):
+            members = [outcomes[i] for i in np.flatnonzero(rehearsals.symbols == symbol)]
+            kinds = [kind_of(outcome, lift_height) or "none" for outcome in members]
+            kind = max(sorted(set(kinds)), key=kinds.count)
+            of_kind = [o for o, k in zip(members, kinds, strict=True) if k == kind]
+            ended = np.array([o.effect if o.held else o.resting_effect for o in of_kind])
+            rows.append(
+                {
+                    "primitive": primitive.symbol,
+                    "category": str(symbol),
+                    "objects": len(members),
+                    "kind": kind,
+                    "share": len(of_kind) / len(members),
+                    "mean": ended.mean(0).tolist(),
+                    "spread": ended.std(0).tolist(),
+                }
+            )
+    return rows
+
+
+def _calibration(
+    mean: np.ndarray, variance: np.ndarray, effects: np.ndarray, seen: np.ndarray
+) -> dict[str, Any]:
+    """Compare the NLL (eq. 7) with that of one Gaussian for all, and count the effects within 90 %."""
+
+    def nll(centre: np.ndarray, spread: np.ndarray) -> float:
+        return float(0.5 * (np.log(2 * np.pi * spread) + (effects - centre) ** 2 / spread).mean())
+
+    inside = np.abs(effects - mean) <= NINETY * np.sqrt(variance)
+    return {
+        "nll": nll(mean, variance),
+        "nll_of_constant_gaussian": nll(seen.mean(0), seen.var(0)),
+        "within_90": float(inside.mean()),
+        "within_90_by_axis": inside.mean(0).tolist(),
+    }
+
+
+def _object_contrast(model: EffectModel, test: Interactions) -> dict[str, Any]:
+    """Say what the object's bits add to those of the action: R2 of the means of codes without and with."""
+    actions = np.array(model.action_symbols(test.actions))
+    objects = np.array(model.object_symbols(test.features))
+    effects = np.asarray(test.effects, dtype=np.float64)
+
+    def explained(codes: np.ndarray) -> float:
+        means = np.empty_like(effects)
+        for code in np.unique(codes):
+            means[codes == code] = effects[codes == code].mean(0)
+        return float(r_squared(means, effects).mean())
+
+    held = {str(code): float(test.held[objects == code].mean()) for code in np.unique(objects)}
+    both = np.char.add(actions, objects)
+    return {"action_only": explained(actions), "action_and_object": explained(both), "held": held}
+
+
+def _shares(codes: tuple[str, ...], bits: int) -> dict[str, float]:
+    counted = np.array(codes)
+    return {symbol: float(np.mean(counted == symbol)) for symbol in all_symbols(bits)}

@@ -1,0 +1,216 @@
+"""The results of `evaluate_learning.py` as a page of Markdown tables."""
+
+from collections.abc import Iterable, Mapping, Sequence
+from typing import Any
+
+import numpy as np
+
+from neurosym.primitive_kinds import KINDS
+
+BySeed = Mapping[str, Mapping[str, Any]]
+_NOT_YET = "not measured yet"
+
+
+def page(results: Mapping[str, Any]) -> str:
+    """Write the page.
+
+    Args:
+        results: What `learning.json` holds.
+    """
+    machine = ", ".join(f"{name} {value}" for name, value in results["machine"].items())
+    ours = results["default_strategy"]
+    sections = [
+        "# Learning, measured",
+        f"By `{results['command']}`, which wrote this page, `learning.json` and `learning.png`. "
+        f"{results['steps']:,} interactions for each strategy and seed. Machine: {machine}. Mean ± standard "
+        "deviation over seeds, as many as the column says; docs/learning.md says what is what.",
+        "## What the bits hold",
+        "R2 on random interactions of a seed of their own, mean of the three axes; the share is that through "
+        "the codes over that of a network without a bottleneck on the same data.",
+        _held(results["table1"]),
+        _by_axis(results["table1"][ours]),
+        "## More bits, and fewer",
+        _bits(results, ours),
+        "## The paper's choices, one at a time",
+        f"Our defaults on the data of *{ours}*, with one thing changed; the last row changes all.",
+        _variants(results, ours),
+        "## Table I: errors of prediction",
+        "Mean absolute error [mm] on test interactions whose absolute displacements sum to 8 cm or more.",
+        _table1(results["table1"], "mae"),
+        "The same on all test interactions, small effects included:",
+        _table1(results["table1"], "mae_unfiltered"),
+        "How sure the model is (all test interactions; the baselines predict no distribution):",
+        _calibration(results["table1"]),
+        "## Table II: primitives",
+        "In how many seeds each kind was found, by the rule in docs/learning.md.",
+        _table2(results["table2"]),
+        "## Primitives, rehearsed",
+        _rehearsed(results["rehearsals"]),
+        "## Choosing among distilled actions",
+        _choices(results["choice"]),
+        "## Learning curves",
+        "![Errors and primitives against interactions](learning.png)",
+        _curves(results["curves"]),
+    ]
+    return "\n\n".join(sections) + "\n"
+
+
+def _held(table: Mapping[str, BySeed]) -> str:
+    rows = [
+        [
+            strategy,
+            str(len(cells)),
+            *_spread_of(cells, ["r2_through_codes", "r2_direct", "share"]),
+            _spread([min(c["action_codes"].values()) for c in cells.values()]),
+            _spread([min(c["action_codes_in_training"].values()) for c in cells.values()]),
+        ]
+        for strategy, cells in table.items()
+    ]
+    columns = ["data of", "seeds", "R2 through codes", "R2 without bottleneck", "share"]
+    rare = ["rarest action code, test", "rarest, training data"]
+    return _table([*columns, *rare], rows)
+
+
+def _by_axis(cells: BySeed) -> str:
+    rows = [
+        [seed, *(f"{r2:.2f}" for r2 in c["r2_through_codes_by_axis"]), f"{c['share']:.3f}"]
+        + [f"{c['object_contrast'][name]:.2f}" for name in ("action_only", "action_and_object")]
+        + [", ".join(f"{code} {held:.0%}" for code, held in c["object_contrast"]["held"].items())]
+        for seed, c in cells.items()
+    ]
+    explained = ["explained by action codes", "by action and object codes"]
+    return _table(["seed", "x", "y", "z", "share", *explained, "held, by object code"], rows)
+
+
+def _bits(results: Mapping[str, Any], ours: str) -> str:
+    by_bits = {**results["bits"], "2+3": results["table1"][ours]}
+    rows = [
+        [bits, str(len(cells)), *_spread_of(cells, ["r2_through_codes", "share"])]
+        for bits, cells in sorted(by_bits.items())
+    ]
+    return _table(["object + action bits", "seeds", "R2 through codes", "share"], rows)
+
+
+def _variants(results: Mapping[str, Any], ours: str) -> str:
+    rows = [
+        [
+            name,
+            str(len(cells)),
+            *_spread_of(cells, ["r2_through_codes", "r2_direct"]),
+            _spread([sum(share > 0.03 for share in c["action_codes"].values()) for c in cells.values()], 1),
+        ]
+        for name, cells in {"ours": results["table1"][ours], **results["variants"]}.items()
+    ]
+    columns = ["", "seeds", "R2 through codes", "R2 without bottleneck", "action codes above 3 %"]
+    return _table(columns, rows)
+
+
+def _table1(table: Mapping[str, BySeed], which: str) -> str:
+    rows = []
+    for strategy, cells in table.items():
+        rows.append([strategy, str(len(cells)), *_errors(cells, which, "model")])
+    some = next((cells for cells in table.values() if cells), {})
+    direct = {name: cells for name, cells in table.items() if cells}
+    rows += [
+        [f"{name}, without a bottleneck", str(len(cells)), *_errors(cells, which, "without a bottleneck")]
+        for name, cells in direct.items()
+    ]
+    rows += [
+        [name, str(len(some)), *_errors(some, which, name)]
+        for name in ("always zero", "always mean", "per-axis median")
+    ]
+    return _table(["", "seeds", "x", "y", "z"], rows)
+
+
+def _errors(cells: BySeed, which: str, name: str) -> list[str]:
+    return [_spread([1000 * c[which][name][axis] for c in cells.values()], 1) for axis in range(3)]
+
+
+def _calibration(table: Mapping[str, BySeed]) -> str:
+    names = ["nll", "nll_of_constant_gaussian", "within_90"]
+    rows = [
+        [strategy, str(len(cells)), *_spread_of(cells, names)]
+        for strategy, cells in table.items()
+        if cells and all("nll" in c for c in cells.values())
+    ]
+    return _table(["", "seeds", "NLL", "of one Gaussian for all", "within 90 % interval"], rows)
+
+
+def _table2(table: Mapping[str, Mapping[str, Sequence[str]]]) -> str:
+    rows = [
+        [
+            kind,
+            *(
+                f"{sum(kind in found for found in seeds.values())} of {len(seeds)}"
+                for seeds in table.values()
+            ),
+        ]
+        for kind in KINDS
+    ]
+    rows.append(["kinds, by seed", *(", ".join(str(len(f)) for f in s.values()) for s in table.values())])
+    return _table(["", *table], rows)
+
+
+def _rehearsed(table: Mapping[str, BySeed]) -> str:
+    rows = []
+    for strategy, cells in table.items():
+        operators = [row for c in cells.values() for row in c["operators"] if _is_of_a_kind(row)]
+        for kind in KINDS:
+            of_kind = [row for row in operators if row["kind"] == kind]
+            if of_kind:
+                worst = [1000 * max(row["spread"][:2]) for row in of_kind]
+                shares = [row["share"] for row in of_kind]
+                rows.append([strategy, kind, str(len(of_kind)), _spread(shares), _spread(worst, 1)])
+    columns = ["", "kind", "operators", "share of rehearsals", "spread, worse of x and y [mm]"]
+    return _table(columns, rows)
+
+
+def _is_of_a_kind(row: Mapping[str, Any]) -> bool:
+    return row["kind"] in KINDS and row["share"] >= 0.6 and row["objects"] >= 6
+
+
+def _choices(choices: Mapping[str, BySeed]) -> str:
+    rows = []
+    for name, cells in choices.items():
+        operators = [row for c in cells.values() for row in c["operators"]]
+        kept = [row["share"] for row in operators if row["kind"] != "none"]
+        found = [sum(bool(pairs) for pairs in c["kinds"].values()) for c in cells.values()]
+        errors = [max(c["code_errors"].values()) for c in cells.values()]
+        seconds = [c["distillation_seconds"] for c in cells.values()]
+        row = [_spread(found, 1), str(len(kept)), _spread(kept), _spread(errors, 4), _spread(seconds, 1)]
+        rows.append([name, str(len(cells)), *row])
+    columns = ["choice", "seeds", "kinds found", "operators of some kind", "share that turned out so"]
+    return _table([*columns, "worst code error", "distillation [s]"], rows)
+
+
+def _curves(curves: Mapping[str, Mapping[str, BySeed]]) -> str:
+    rows = [
+        [
+            strategy,
+            rows,
+            str(len(cells)),
+            *_spread_of(cells, ["r2_through_codes", "r2_direct"]),
+            _spread([1000 * float(np.mean(c["mae"]["model"])) for c in cells.values()], 1),
+            _spread([sum(bool(pairs) for pairs in c["kinds"].values()) for c in cells.values()], 1),
+        ]
+        for strategy, by_rows in curves.items()
+        for rows, cells in by_rows.items()
+        if cells
+    ]
+    columns = ["", "interactions", "seeds", "R2 through codes", "R2 without bottleneck"]
+    return _table([*columns, "error, high effects [mm]", "kinds found"], rows)
+
+
+def _spread_of(cells: BySeed, names: Iterable[str]) -> list[str]:
+    return [_spread([c[name] for c in cells.values()]) for name in names]
+
+
+def _spread(values: Sequence[float], digits: int = 3) -> str:
+    if not values:
+        return _NOT_YET
+    return f"{np.mean(values):.{digits}f} ± {np.std(values):.{digits}f}"
+
+
+def _table(columns: Sequence[str], rows: Sequence[Sequence[str]]) -> str:
+    lines = [columns, ["---"] * len(columns), *rows]
+    return "\n".join(f"| {' | '.join(line)} |" for line in lines)
