@@ -4,11 +4,18 @@ import numpy as np
 import pytest
 import torch
 
-from neurosym.effect_model import scale_of
+from neurosym.direct_model import DirectModel
+from neurosym.model_config import Dimensions, DirectConfig
 from neurosym.network_inputs import reflected, with_gripper_states
 from neurosym.world import Mirror
 
 MIRRORS = (Mirror(actions=(0, 4), effects=(0,)), Mirror(actions=(1, 4), effects=(1, 2)))
+
+
+def scale_of(effects, mirrored):
+    network = DirectModel(Dimensions(), DirectConfig())
+    network.set_scale(effects, mirrored)
+    return network.effect_mean, network.effect_std
 
 
 def samples(rows=200):
