@@ -17,7 +17,21 @@ ProblemName = Annotated[
 ]
 Seed = Annotated[int, arg(help="Where all random draws start: same seed, same bytes.")]
 Workers = Annotated[int, arg(help="Processes that simulate; their number does not change the result.")]
-Strategy = Annotated[str, arg(help="How actions are chosen: curiosity, random or active.")]
+Strategy = Annotated[
+    str,
+    arg(
+        help="How actions are chosen: disagreement (of several networks), entropy (the paper's, also called "
+        "curiosity), random or active."
+    ),
+]
+MinPredictedEffect = Annotated[
+    float,
+    arg(
+        metavar="METRES",
+        help="Choose only among candidates predicted to move the object at least this far in sum over the "
+        "axes, if there are any; disagreement and entropy only. 0: among all, as the paper prints it.",
+    ),
+]
 RegimeName = Annotated[
     str, arg(help="Network and training: default, quick (a first look), paper (as printed).")
 ]

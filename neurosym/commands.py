@@ -5,10 +5,21 @@ from typing import Annotated
 
 from tyro.conf import Positional, UseAppendAction, arg
 
-from neurosym.command_options import CPUS, NO_RESULT, Folder, ProblemName, RegimeName, Seed, Strategy, Workers
+from neurosym.command_options import (
+    CPUS,
+    NO_RESULT,
+    Folder,
+    MinPredictedEffect,
+    ProblemName,
+    RegimeName,
+    Seed,
+    Strategy,
+    Workers,
+)
 from neurosym.console import say, say_next
 from neurosym.errors import InvalidValue
 from neurosym.folder import DomainFolder
+from neurosym.strategies import DEFAULT_STRATEGY
 
 WorldName = Annotated[
     str, arg(help="Which world, for a new folder: tabletop, toy, or your own as module:factory.")
@@ -142,13 +153,14 @@ def run(
         str | None,
         arg(help="Which world, for a new folder: tabletop (default), toy, or your own as module:factory."),
     ] = None,
-    strategy: Strategy = "curiosity",
+    strategy: Strategy = DEFAULT_STRATEGY,
     steps: Annotated[int, arg(help="Interactions to explore for.")] = 10_000,
     seed: Seed = 0,
     regime: RegimeName = "default",
     workers: Workers = CPUS,
     rehearsals: Annotated[int, arg(help="Objects that each primitive is rehearsed on.")] = 100,
     problems: Annotated[int, arg(help="Problems to draw, every second one with two objects.")] = 6,
+    min_predicted_effect: MinPredictedEffect = 0.0,
 ) -> int:
     """Go the whole way: explore, train, distil, compile, draw problems, plan and execute.
 
@@ -158,7 +170,7 @@ def run(
     from neurosym.stages import check_choices
     from neurosym.world_file import read_world
 
-    check_choices(strategy, regime)
+    check_choices(strategy, regime, min_predicted_effect)
     if rehearsals < 1:
         raise InvalidValue(f"rehearsals = {rehearsals} must be at least 1.")
     if not (folder / "world.toml").exists():
@@ -174,6 +186,7 @@ def run(
         workers=workers,
         rehearsals=rehearsals,
         problems=problems,
+        min_predicted_effect=min_predicted_effect,
     )
     return 0
 

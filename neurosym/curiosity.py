@@ -172,6 +172,10 @@ class Curiosity:
                     parameter, name = name.split("/")
                     moments.setdefault(int(parameter), {})[name] = torch.from_numpy(array.copy())
             network.load_state_dict(weights)
+            for index, values in enumerate(network.parameters()):
+                shapes = {moments[index][name].shape for name in ("exp_avg", "exp_avg_sq")}
+                if shapes != {values.shape} or moments[index]["step"].numel() != 1:
+                    raise ValueError(f"The moments of parameter {index} have the shapes {shapes}.")
             groups = optimiser.state_dict()["param_groups"]
             optimiser.load_state_dict({"state": moments, "param_groups": groups})
 

@@ -9,7 +9,14 @@ from typing import Any
 
 import numpy as np
 
-from neurosym.data_origin import GREATEST, action_problems, and_more, is_explored, name_problems
+from neurosym.data_origin import (
+    GREATEST,
+    action_problems,
+    and_more,
+    is_explored,
+    mirror_problems,
+    name_problems,
+)
 from neurosym.model_config import Dimensions
 
 Columns = Mapping[str, np.ndarray]
@@ -46,6 +53,8 @@ def file_problems(columns: Columns, origin: Mapping[str, Any]) -> list[str]:
     problems += name_problems(origin, sizes.get("features", (0, None))[1])
     if "actions" in sizes and columns["actions"].dtype.kind in "fiub":
         problems += action_problems(columns["actions"], origin)
+    if "actions" in sizes and "effects" in sizes:
+        problems += mirror_problems(origin, sizes["actions"][1], sizes["effects"][1])
     return problems
 
 

@@ -7,6 +7,7 @@ from typing import Any
 import numpy as np
 from jaxtyping import Bool, Float
 
+from neurosym.mirror_check import column_problem
 from neurosym.world import Mirror
 
 GREATEST = float(np.finfo(np.float32).max)
@@ -54,6 +55,42 @@ def action_problems(actions: np.ndarray, origin: Mapping[str, Any]) -> list[str]
     if wrong or not bounds:
         return problems + wrong
     return problems + _box_problems(actions, origin)
+
+
+def mirror_problems(origin: Mapping[str, Any], actions: int, effects: int) -> list[str]:
+    """List what is wrong with the mirrors.
+
+    Args:
+        origin: May hold `mirrors`, and `gripper_columns`.
+        actions: How many action parameters there are.
+        effects: How many effect axes there are.
+    """
+    mirrors = origin.get("mirrors", [])
+    if not _is_list_of(mirrors, dict) or not all(_is_mirror(mirror) for mirror in mirrors):
+        return [
+            f"its origin has mirrors = {reprlib.repr(mirrors)}; "
+            'valid: a list of {"actions": [numbers], "effects": [numbers]}'
+        ]
+    columns = origin.get("gripper_columns", [])
+    grippers = columns if _is_list_of(columns, int) else []
+    return [
+        f"its origin has the mirror {reprlib.repr(given)}; {problem}"
+        for given, mirror in zip(mirrors, mirrors_of(origin), strict=True)
+        if (problem := column_problem(mirror, actions, effects, grippers))
+    ]
+
+
+def mirrors_of(origin: Mapping[str, Any]) -> tuple[Mirror, ...]:
+    """Return the mirrors in which what a data set tells of looks the same; none where it names none.
+
+    Args:
+        origin: May hold `mirrors`, with nothing wrong.
+    """
+    return tuple(Mirror(tuple(m["actions"]), tuple(m["effects"])) for m in origin.get("mirrors", ()))
+
+
+def _is_mirror(value: Mapping[str, Any]) -> bool:
+    return value.keys() == {"actions", "effects"} and all(_is_list_of(part, int) for part in value.values())
 
 
 def _gripper_problems(origin: Mapping[str, Any], width: int) -> list[str]:
@@ -112,8 +149,3 @@ def and_more(bad: np.ndarray) -> str:
 def _is_list_of(value: object, kind: Any) -> bool:
     """Say whether a JSON value is a list of such entries; true and false are no numbers."""
     return isinstance(value, list) and all(isinstance(v, kind) and not isinstance(v, bool) for v in value)
-
-
-def mirrors_of(origin: Mapping[str, Any]) -> tuple[Mirror, ...]:
-    """Return the mirrors that an origin names."""
-    return tuple(Mirror(tuple(m["actions"]), tuple(m["effects"])) for m in origin.get("mirrors", ()))

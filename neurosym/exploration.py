@@ -16,11 +16,11 @@ from typing import Any
 import numpy as np
 
 from neurosym.curiosity import Curiosity, LearningConfig, make_curiosity
-from neurosym.errors import InvalidFile, InvalidValue, UnknownChoice
+from neurosym.errors import InvalidFile, InvalidValue
 from neurosym.interactions import Interactions
 from neurosym.model_config import Dimensions, ModelConfig
 from neurosym.ray_workers import ray_crew
-from neurosym.strategies import DEFAULT_STRATEGY, STRATEGIES
+from neurosym.strategies import DEFAULT_STRATEGY, strategy_named
 from neurosym.tensor_files import read_tensors, write_tensors
 from neurosym.workers import Perform, Task, WorldFactory, crew
 from neurosym.world import World
@@ -77,7 +77,7 @@ def explore(
     Args:
         world_factory: Builds the world; must survive pickling if there is more than one worker.
         steps: How many interactions.
-        strategy: One of `STRATEGIES`.
+        strategy: One of `STRATEGIES` in `neurosym.strategies`.
         seed: Where all draws start.
         workers: How many processes perform the interactions; their number does not change the result.
         ray: A Ray cluster that performs them instead: `auto`, or HOST:PORT; changes no byte, either.
@@ -89,12 +89,11 @@ def explore(
 
     Raises:
         UnknownChoice: If there is no such strategy.
-        InvalidValue: If the checkpoint was made with other options, or already holds more steps.
+        InvalidValue: If a number is impossible, or the checkpoint was made with other options, or already
+            holds more steps.
         InvalidFile: If the checkpoint is damaged.
         RayMissing, NoCluster: If a Ray cluster is asked for and cannot be had.
     """
-    if strategy not in STRATEGIES:
-        raise UnknownChoice("strategy", strategy, STRATEGIES)
     if steps < 1:
         raise InvalidValue(f"steps = {steps} must be at least 1.")
     explorer = _Explorer(
@@ -178,7 +177,8 @@ class _Explorer:
             **json.loads(json.dumps(origin)),  # as it comes back from a file: lists, not tuples
         }
         self.curiosity = None
-        if about := STRATEGIES[strategy].curious_about:
+        about = strategy_named(strategy, config.min_predicted_effect).curious_about
+        if about is not None:
             columns = tuple(np.flatnonzero(box.gripper).tolist())
             dimensions = Dimensions(len(world.feature_names), len(box.low), 3, columns)
             self.curiosity = make_curiosity(

@@ -4,16 +4,26 @@ from typing import Annotated
 
 from tyro.conf import arg
 
-from neurosym.command_options import CPUS, DataPath, Folder, RegimeName, Seed, Strategy, Workers
+from neurosym.command_options import (
+    CPUS,
+    DataPath,
+    Folder,
+    MinPredictedEffect,
+    RegimeName,
+    Seed,
+    Strategy,
+    Workers,
+)
 from neurosym.console import say, say_next
 from neurosym.errors import InvalidData, InvalidFile, InvalidValue
 from neurosym.folder import INTERACTIONS, PRIMITIVES, DomainFolder
 from neurosym.operators import OperatorTable
+from neurosym.strategies import DEFAULT_STRATEGY
 
 
 def explore(
     folder: Folder,
-    strategy: Strategy = "curiosity",
+    strategy: Strategy = DEFAULT_STRATEGY,
     steps: Annotated[int, arg(help="Interactions to make; more can be made later.")] = 10_000,
     seed: Seed = 0,
     regime: RegimeName = "default",
@@ -27,8 +37,9 @@ def explore(
             help="Simulate on all CPUs of a Ray cluster, this machine's or by address, instead of --workers.",
         ),
     ] = None,
+    min_predicted_effect: MinPredictedEffect = 0.0,
 ) -> int:
-    """Let the robot explore (Algorithm 1): `world.toml` -> `interactions.npz`.
+    """Let the robot explore, curious or at random: `world.toml` -> `interactions.npz`.
 
     Interrupt it when you like: the same command goes on from the last block of 512 interactions.
     """
@@ -45,6 +56,7 @@ def explore(
         regime=regime,
         workers=CPUS if workers is None else workers,
         ray=ray,
+        min_predicted_effect=min_predicted_effect,
     )
     domain.perform(stage, again=True)
     say(f"{steps} interactions in {folder / 'interactions.npz'}")

@@ -26,6 +26,7 @@ def go_the_whole_way(
     workers: int,
     rehearsals: int,
     problems: int,
+    min_predicted_effect: float = 0.0,
 ) -> None:
     """Explore, train, distil, compile, draw problems, plan with Fast Downward, and execute what was found.
 
@@ -38,6 +39,8 @@ def go_the_whole_way(
         workers: Processes that simulate.
         rehearsals: Objects that each primitive is rehearsed on.
         problems: How many problems to draw; more, if none of them has a plan.
+        min_predicted_effect: Only actions with at least this predicted sum of absolute displacements are
+            explored, if there are any [m].
 
     Raises:
         InvalidValue: If a number is impossible.
@@ -45,7 +48,15 @@ def go_the_whole_way(
     if problems < 0:
         raise InvalidValue(f"problems = {problems} must be at least 0.")
     learning = (
-        explore_stage(folder, strategy=strategy, steps=steps, seed=seed, regime=regime, workers=workers),
+        explore_stage(
+            folder,
+            strategy=strategy,
+            steps=steps,
+            seed=seed,
+            regime=regime,
+            workers=workers,
+            min_predicted_effect=min_predicted_effect,
+        ),
         train_stage(folder, seed=seed, regime=regime),
         distill_stage(folder, objects=rehearsals, seed=seed, workers=workers),
         compile_stage(folder, cell=CELL),

@@ -31,7 +31,7 @@ from neurosym.folder import (
 from neurosym.interactions import Interactions
 from neurosym.operators import OperatorTable
 from neurosym.problems import Problem
-from neurosym.strategies import STRATEGIES
+from neurosym.strategies import strategy_named
 from neurosym.training_config import REGIMES, Regime
 from neurosym.workers import WorldFactory
 from neurosym.world import ActionBox
@@ -53,7 +53,7 @@ def explore_stage(
     min_predicted_effect: float = 0.0,
 ) -> Stage:
     """Explore the world: `world.toml` -> `interactions.npz`, with a checkpoint after every block."""
-    chosen = check_choices(strategy, regime)
+    chosen = check_choices(strategy, regime, min_predicted_effect)
 
     def work() -> None:
         from neurosym.curiosity import LearningConfig
@@ -83,9 +83,7 @@ def explore_stage(
             )
         interactions.save(folder / INTERACTIONS)
 
-    if not 0 <= min_predicted_effect < np.inf:
-        raise InvalidValue(f"min-predicted-effect = {min_predicted_effect} m must be at least 0.")
-    options = {"strategy": strategy, "steps": steps, "seed": seed, "regime": regime}
+    options: dict[str, Any] = {"strategy": strategy, "steps": steps, "seed": seed, "regime": regime}
     if min_predicted_effect:
         options["min_predicted_effect"] = min_predicted_effect
     return Stage("explore", (WORLD,), (INTERACTIONS,), work, options)
@@ -236,10 +234,9 @@ def problem_stage(
     return Stage(f"new-problem {name}", (WORLD, MODEL, GROUNDING), (text, scene), work, options)
 
 
-def check_choices(strategy: str, regime: str) -> Regime:
-    """Return a regime, or raise `UnknownChoice` unless there are such a strategy and regime."""
-    if strategy not in STRATEGIES:
-        raise UnknownChoice("strategy", strategy, STRATEGIES)
+def check_choices(strategy: str, regime: str, min_predicted_effect: float = 0.0) -> Regime:
+    """Return a regime, or raise unless there are such a strategy and regime, and they can be combined."""
+    strategy_named(strategy, min_predicted_effect)
     return regime_named(regime)
 
 

@@ -14,6 +14,8 @@ from typing import Literal
 import numpy as np
 from jaxtyping import Bool, Float
 
+from neurosym.errors import InvalidValue, UnknownChoice
+
 MIN_EFFECT = 0.08
 """Least sum of absolute displacements of a high effect [m]."""
 
@@ -53,3 +55,27 @@ STRATEGIES = {
     "random": Strategy(None, "mean", is_any),
     "active": Strategy(None, "mean", has_high_effect),
 }
+
+
+def strategy_named(name: str, min_predicted_effect: float = 0.0) -> Strategy:
+    """Return a strategy.
+
+    Args:
+        name: One of `STRATEGIES`.
+        min_predicted_effect: What it shall filter its candidates by [m]; 0 for no filter.
+
+    Raises:
+        UnknownChoice: If there is no such strategy.
+        InvalidValue: If candidates cannot be filtered so.
+    """
+    if name not in STRATEGIES:
+        raise UnknownChoice("strategy", name, STRATEGIES)
+    if not 0 <= min_predicted_effect < np.inf:
+        raise InvalidValue(f"min-predicted-effect = {min_predicted_effect} m must be at least 0.")
+    if min_predicted_effect > 0 and not STRATEGIES[name].curious_about:
+        curious = ", ".join(sorted(known for known in STRATEGIES if STRATEGIES[known].curious_about))
+        raise InvalidValue(
+            f"The strategy {name} predicts no effect that min-predicted-effect could compare; "
+            f"valid with it: {curious}."
+        )
+    return STRATEGIES[name]

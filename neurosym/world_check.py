@@ -7,6 +7,7 @@ from typing import Any, TypeVar
 import numpy as np
 
 from neurosym.errors import InvalidWorld
+from neurosym.mirror_check import box_problem, broken_mirror
 from neurosym.problems import LEGAL_NAME
 from neurosym.world import ActionBox, Outcome, Scene, Table, World
 
@@ -20,6 +21,7 @@ def check_world(world: World) -> None:
     """Raise unless an object keeps what the protocol `World` promises; for tests of worlds of your own.
 
     Samples a scene and performs an interaction, another one, and the first again: a world has no memory.
+    Then, if the action box has mirrors, performs 20 interactions and their images in each mirror.
 
     Args:
         world: The world.
@@ -29,6 +31,8 @@ def check_world(world: World) -> None:
     """
     check_attributes(world)
     _check_interactions(world, _checked_scene(world))
+    if broken := _attempt(world.name, "interact", lambda: broken_mirror(world)):
+        raise InvalidWorld(world.name, f"has an action_box with {broken}; leave that mirror out")
 
 
 def check_attributes(world: object, name: str | None = None) -> None:
@@ -80,6 +84,8 @@ def _check_box(called: str, box: object) -> None:
         raise InvalidWorld(called, f"has an action_box with gripper of {gripper.dtype}; valid: bool")
     if not (np.all(np.isfinite(low)) and np.all(np.isfinite(high)) and np.all(low <= high)):
         raise InvalidWorld(called, "has an action_box that is empty or not finite; valid: low <= high")
+    if problem := box_problem(box):
+        raise InvalidWorld(called, f"has an action_box with {problem}")
 
 
 def _checked_scene(world: World) -> Scene:

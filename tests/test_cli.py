@@ -6,6 +6,7 @@ from command_line import neurosym
 from conftest import RUN_TOY
 
 from neurosym.folder import DomainFolder
+from neurosym.interactions import Interactions
 
 
 def test_run_leaves_every_file_of_the_design(toy_folder):
@@ -102,3 +103,13 @@ def test_manifest_tells_how_each_file_came_about(toy_folder):
     assert stages["explore"].options["seed"] == 3
     assert stages["explore"].options["steps"] == 1024
     assert "domain.pddl" in stages["compile-domain"].outputs
+
+
+def test_explored_data_say_by_what_effect_their_actions_were_filtered(tmp_path):
+    assert neurosym("init", tmp_path, "--world", "toy") == 0
+    options = ["--steps", "5", "--regime", "quick", "--workers", "1", "--min-predicted-effect", "0.05"]
+    assert neurosym("explore", tmp_path, *options) == 0
+    origin = Interactions.load(tmp_path / "interactions.npz").origin
+    assert (origin["strategy"], origin["min_predicted_effect"]) == ("disagreement", 0.05)
+    recorded = json.loads((tmp_path / "manifest.json").read_text())["stages"]["explore"]["options"]
+    assert recorded["min_predicted_effect"] == 0.05

@@ -92,7 +92,16 @@ def test_missing_plan_file_is_refused(folder, capsys):
         (["plan", "task-01", "--encoding", "runes"], "no encoding 'runes'; valid: operators, stepwise"),
         (["plan", "task-99"], "no problem 'task-99'; valid: task-01, task-02"),
         (["plan", "task-01", "--time-limit", "-1"], "time-limit"),
-        (["explore", "--strategy", "luck"], "no strategy 'luck'; valid: active, curiosity, random"),
+        (
+            ["explore", "--strategy", "luck"],
+            "no strategy 'luck'; valid: active, curiosity, disagreement, entropy, random",
+        ),
+        (["explore", "--min-predicted-effect", "-0.1"], "min-predicted-effect = -0.1 m must be at least 0"),
+        (["explore", "--min-predicted-effect", "nan"], "min-predicted-effect = nan m must be at least 0"),
+        (
+            ["explore", *LEARN_TOY, "--min-predicted-effect", "0.1"],
+            "random predicts no effect that min-predicted-effect could compare; valid with it: curiosity",
+        ),
         (["explore", "--regime", "big"], "no regime 'big'; valid: default, paper, quick"),
         (["explore", "--seed", "-1"], "seed = -1 must be at least 0"),
         (["train", "--seed", "-1"], "seed = -1 must be at least 0"),
@@ -119,7 +128,16 @@ def test_fewer_steps_do_not_throw_interactions_away(folder, capsys):
     assert (folder / "interactions.npz").read_bytes() == before
 
 
-@pytest.mark.parametrize("wrong", [["--strategy", "luck"], ["--regime", "big"], ["--rehearsals", "0"]])
+@pytest.mark.parametrize(
+    "wrong",
+    [
+        ["--strategy", "luck"],
+        ["--regime", "big"],
+        ["--rehearsals", "0"],
+        ["--min-predicted-effect", "-1.0"],
+        ["--strategy", "active", "--min-predicted-effect", "0.1"],
+    ],
+)
 def test_run_checks_what_was_typed_before_it_makes_a_folder(tmp_path, wrong, capsys):
     assert wrong[1] in refusal(capsys, "run", tmp_path / "new", *wrong)
     assert not (tmp_path / "new").exists()

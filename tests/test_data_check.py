@@ -10,10 +10,14 @@ from command_line import neurosym, refusal
 from own_data import own_columns, write_data
 
 from neurosym.data_check import LEAST_INTERACTIONS, training_problems
+from neurosym.data_origin import mirrors_of
 from neurosym.errors import InvalidFile
+from neurosym.exploration import origin_of_world
 from neurosym.interactions import Interactions
+from neurosym.toy_world import make_world
 from neurosym.training import train
 from neurosym.training_config import TrainingConfig
+from neurosym.world import Mirror
 
 
 def put(array, place, value):
@@ -54,6 +58,19 @@ BAD_ORIGINS = [
     ({"gripper_columns": [True]}, "gripper_columns = [True]"),
     ({"gripper_columns": [1, 1]}, "gripper_columns = [1, 1]"),
     ({"gripper_columns": 3}, "gripper_columns = 3"),
+    ({"mirrors": {"actions": [0]}}, "mirrors = {'actions': [0]}; valid: a list of {"),
+    ({"mirrors": None}, "mirrors = None; valid: a list of {"),
+    ({"mirrors": [[0, 1]]}, "mirrors = [[0, 1]]; valid: a list of {"),
+    ({"mirrors": [{"actions": [0]}]}, "valid: a list of {"),
+    ({"mirrors": [{"actions": [0], "effects": [0], "why": 1}]}, "valid: a list of {"),
+    ({"mirrors": [{"actions": [0], "effects": 0}]}, "valid: a list of {"),
+    ({"mirrors": [{"actions": [True], "effects": [0]}]}, "valid: a list of {"),
+    ({"mirrors": [{"actions": [5], "effects": [0]}]}, "valid: different action parameters from 0 to 4"),
+    ({"mirrors": [{"actions": [-1], "effects": [0]}]}, "valid: different action parameters from 0 to 4"),
+    ({"mirrors": [{"actions": [0], "effects": [2]}]}, "different effect axes from 0 to 1"),
+    ({"mirrors": [{"actions": [], "effects": [0]}]}, "at least one and no gripper value"),
+    ({"mirrors": [{"actions": [0, 0], "effects": [0]}]}, "the mirror {'actions': [0, 0], 'effects': [0]}"),
+    ({"mirrors": [{"actions": [4], "effects": [0]}], "gripper_columns": [4]}, "no gripper value"),
     ({"action_low": [-1, -1]}, "action_low = [-1, -1]; valid: a list of 5 finite numbers"),
     ({"action_high": ["a"] * 5}, "action_high = ['a', 'a'"),
     ({"action_high": [float("nan")] * 5}, "action_high = [nan"),
@@ -255,3 +272,12 @@ def test_load_names_the_first_problem(tmp_path):
     with pytest.raises(InvalidFile, match=r"features\[9, 3\] is nan") as refused:
         Interactions.load(write_data(tmp_path, columns))
     assert "effects" not in str(refused.value)
+
+
+def test_mirrors_of_a_data_set_are_read_and_those_of_an_exploration_are_its_worlds(tmp_path):
+    given = [{"actions": [0, 2], "effects": [0]}, {"actions": [1], "effects": []}]
+    data = Interactions.load(write_data(tmp_path, own_columns(), {"mirrors": given}))
+    assert mirrors_of(data.origin) == (Mirror((0, 2), (0,)), Mirror((1,), ()))
+    assert mirrors_of({}) == ()
+    world = make_world()
+    assert mirrors_of(json.loads(json.dumps(origin_of_world(world)))) == world.action_box.mirrors

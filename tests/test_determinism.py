@@ -8,6 +8,7 @@ import numpy as np
 import pybullet
 import pytest
 
+from neurosym.curiosity import LearningConfig
 from neurosym.exploration import STATE_FILE, ExplorationConfig, explore
 from neurosym.model_config import ModelConfig
 from neurosym.sim.simulation import Simulation
@@ -87,11 +88,13 @@ def test_a_fresh_process_and_a_used_one_give_the_same_bytes(others, request):
     assert b"".join(used[others:]) == fresh
 
 
-QUICK = ExplorationConfig(candidates=20, block=16, epochs=1)
+QUICK = ExplorationConfig(
+    candidates=20, block=16, learning=LearningConfig(epochs=1, ensemble=2, ensemble_hidden=16)
+)
 
 
 def explored(folder, steps, workers=1, checkpoint=None):
-    interactions, _ = explore(
+    interactions = explore(
         Tabletop,
         steps=steps,
         seed=3,

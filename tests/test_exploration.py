@@ -4,26 +4,24 @@ import os
 import subprocess
 import sys
 import time
+from dataclasses import replace
 from functools import partial
 
 import numpy as np
 import pytest
 
-from neurosym.effect_model import EffectModel
+from neurosym.curiosity import LearningConfig
 from neurosym.errors import InvalidFile, InvalidValue, UnknownChoice
-from neurosym.exploration import (
-    INTERACTIONS_FILE,
-    STATE_FILE,
-    ExplorationConfig,
-    choose_action,
-    explore,
-)
-from neurosym.model_config import Dimensions, ModelConfig
-from neurosym.strategies import MIN_EFFECT, STRATEGIES, has_high_effect
+from neurosym.exploration import FORMAT, INTERACTIONS_FILE, STATE_FILE, ExplorationConfig, explore
+from neurosym.model_config import ModelConfig
+from neurosym.strategies import STRATEGIES
+from neurosym.tensor_files import read_tensors, write_tensors
 from neurosym.toy_world import ToyConfig, make_world
 
-QUICK = ExplorationConfig(candidates=20, block=40, epochs=2)
+BRIEF = LearningConfig(epochs=2, ensemble=2, ensemble_hidden=16)
+QUICK = ExplorationConfig(candidates=20, block=40, learning=BRIEF)
 SMALL = ModelConfig(hidden=16)
+CURIOUS = ["disagreement", "entropy"]
 
 
 def run(steps=100, workers=1, factory=make_world, **options):
@@ -31,50 +29,65 @@ def run(steps=100, workers=1, factory=make_world, **options):
     return explore(factory, steps=steps, workers=workers, **options)
 
 
-def bytes_of(result, folder):
-    interactions, model = result
+def bytes_of(folder, **options):
+    """Explore, and return the bytes of the interactions and of the networks that chose them."""
     folder.mkdir(exist_ok=True)
-    interactions.save(folder / "interactions.npz")
-    model.save(folder / "model.safetensors")
-    return (folder / "interactions.npz").read_bytes(), (folder / "model.safetensors").read_bytes()
+    run(checkpoint=folder, **options).save(folder / "interactions.npz")
+    return (folder / "interactions.npz").read_bytes(), (folder / STATE_FILE).read_bytes()
+
+
+def state_after(folder, **options):
+    """Explore, and return the arrays of the networks."""
+    folder.mkdir(exist_ok=True)
+    run(checkpoint=folder, **options)
+    return read_tensors(folder / STATE_FILE, FORMAT)[0]
 
 
 @pytest.mark.parametrize("strategy", STRATEGIES)
 def test_every_strategy_makes_the_interactions_asked_for(strategy):
-    interactions, model = run(strategy=strategy)
+    interactions = run(strategy=strategy)
     assert len(interactions) == 100
     assert interactions.origin["strategy"] == strategy
-    assert model.config.head == ("gaussian" if strategy == "curiosity" else "mean")
 
 
-def test_one_worker_and_two_give_the_same_bytes(tmp_path):
+@pytest.mark.parametrize("strategy", ["random", "active"])
+def test_strategies_without_curiosity_keep_no_networks_and_take_the_first_candidate(strategy, tmp_path):
+    assert state_after(tmp_path / "a", strategy=strategy, steps=80) == {}
+    config = ExplorationConfig(candidates=1, block=40)
+    np.testing.assert_array_equal(
+        run(strategy=strategy).actions, run(strategy="random", config=config).actions
+    )
+
+
+def test_curiosity_is_another_name_of_entropy():
+    one, other = (run(strategy=name) for name in ("curiosity", "entropy"))
+    np.testing.assert_array_equal(one.actions, other.actions)
+
+
+@pytest.mark.parametrize("strategy", CURIOUS)
+def test_one_worker_and_two_give_the_same_bytes(strategy, tmp_path):
     factory = partial(make_world, ToyConfig(lift_height=0.15))
-    one = bytes_of(run(workers=1, factory=factory), tmp_path / "one")
-    two = bytes_of(run(workers=2, factory=factory), tmp_path / "two")
-    assert one == two
+    options = {"factory": factory, "strategy": strategy}
+    assert bytes_of(tmp_path / "1", **options) == bytes_of(tmp_path / "2", workers=2, **options)
 
 
 def test_another_seed_gives_other_interactions():
-    first, _ = run(steps=5)
-    second, _ = run(steps=5, seed=4)
-    assert not np.array_equal(first.actions, second.actions)
+    assert not np.array_equal(run(steps=5).actions, run(steps=5, seed=4).actions)
 
 
-def test_a_run_interrupted_between_blocks_resumes_to_the_same_bytes(tmp_path):
-    whole = bytes_of(run(), tmp_path / "whole")
-    stop_at_third_block = _stop_after(95)
+@pytest.mark.parametrize("strategy", CURIOUS)
+def test_a_run_interrupted_between_blocks_resumes_to_the_same_bytes(strategy, tmp_path):
     with pytest.raises(KeyboardInterrupt):
-        run(checkpoint=tmp_path, progress=stop_at_third_block)
-    assert bytes_of(run(checkpoint=tmp_path), tmp_path / "resumed") == whole
+        run(strategy=strategy, checkpoint=tmp_path, progress=_stop_after(95))
+    assert bytes_of(tmp_path, strategy=strategy) == bytes_of(tmp_path / "whole", strategy=strategy)
 
 
 def test_interactions_written_ahead_of_the_state_are_made_again(tmp_path):
-    whole = bytes_of(run(), tmp_path / "whole")
     run(steps=40, checkpoint=tmp_path)
     state = (tmp_path / STATE_FILE).read_bytes()
     run(steps=80, checkpoint=tmp_path)
     (tmp_path / STATE_FILE).write_bytes(state)  # as a kill between the two writes would leave it
-    assert bytes_of(run(checkpoint=tmp_path), tmp_path / "resumed") == whole
+    assert bytes_of(tmp_path) == bytes_of(tmp_path / "whole")
 
 
 KILLED = """
@@ -83,14 +96,15 @@ from pathlib import Path
 sys.path.insert(0, {tests!r})
 from test_exploration import run
 if __name__ == "__main__":
-    run(checkpoint=Path(sys.argv[1]), workers=2, steps=100_000)
+    run(checkpoint=Path(sys.argv[1]), strategy=sys.argv[2], workers=2, steps=100_000)
 """
 
 
-def test_a_killed_run_resumes_to_the_same_bytes_and_leaves_no_workers(tmp_path):
+@pytest.mark.parametrize("strategy", CURIOUS)
+def test_a_killed_run_resumes_to_the_same_bytes_and_leaves_no_workers(strategy, tmp_path):
     script, state = tmp_path / "killed.py", tmp_path / STATE_FILE
     script.write_text(KILLED.format(tests=os.path.dirname(__file__)))  # noqa: PTH120 (a string is wanted)
-    process = subprocess.Popen([sys.executable, script, tmp_path], stderr=subprocess.DEVNULL)
+    process = subprocess.Popen([sys.executable, script, tmp_path, strategy], stderr=subprocess.DEVNULL)
     try:
         assert _becomes_true(state.exists, 30)
         children = _children(process.pid)
@@ -99,32 +113,45 @@ def test_a_killed_run_resumes_to_the_same_bytes_and_leaves_no_workers(tmp_path):
         process.wait()
     assert children
     assert _becomes_true(lambda: not any(_is_alive(child) for child in children), 5)
-    done = _blocks_done(state)
-    steps = done * QUICK.block + 50
-    resumed = bytes_of(run(steps=steps, checkpoint=tmp_path), tmp_path / "resumed")
-    assert resumed == bytes_of(run(steps=steps), tmp_path / "whole")
+    steps = read_tensors(state, FORMAT)[1]["blocks"] * QUICK.block + 50
+    options = {"steps": steps, "strategy": strategy}
+    assert bytes_of(tmp_path, **options) == bytes_of(tmp_path / "whole", **options)
 
 
 def test_a_finished_run_can_be_extended(tmp_path):
     run(steps=50, checkpoint=tmp_path)
-    extended = bytes_of(run(steps=100, checkpoint=tmp_path), tmp_path / "extended")
-    assert extended == bytes_of(run(steps=100), tmp_path / "whole")
+    assert bytes_of(tmp_path) == bytes_of(tmp_path / "whole")
 
 
 def test_a_finished_run_is_not_made_again(tmp_path):
     run(steps=80, checkpoint=tmp_path)
     calls = []
-    interactions, _ = run(steps=80, checkpoint=tmp_path, progress=lambda *numbers: calls.append(numbers))
+    interactions = run(steps=80, checkpoint=tmp_path, progress=lambda *numbers: calls.append(numbers))
     assert len(interactions) == 80
     assert not calls
+
+
+@pytest.mark.parametrize("strategy", CURIOUS)
+def test_networks_do_not_learn_from_a_block_that_is_not_whole(strategy, tmp_path):
+    before = state_after(tmp_path / "39", strategy=strategy, steps=39)
+    after = state_after(tmp_path / "40", strategy=strategy, steps=40)
+    more = state_after(tmp_path / "79", strategy=strategy, steps=79)
+    assert not any("/adam/" in name for name in before)
+    assert np.all(before["0/model/effect_std"] == 1)
+    assert any("/adam/" in name for name in after)
+    assert np.all(after["0/model/effect_std"] < 0.5)
+    assert after.keys() == more.keys()
+    assert all(np.array_equal(after[name], more[name]) for name in after)
 
 
 @pytest.mark.parametrize(
     ("options", "named"),
     [
         ({"seed": 4}, "seed"),
-        ({"strategy": "random"}, "strategy|model"),
-        ({"config": ExplorationConfig(candidates=21, block=40, epochs=2)}, "candidates"),
+        ({"strategy": "random"}, "strategy"),
+        ({"config": replace(QUICK, candidates=21)}, "candidates"),
+        ({"config": replace(QUICK, min_predicted_effect=0.1)}, "min_predicted_effect"),
+        ({"config": replace(QUICK, learning=replace(BRIEF, ensemble=3))}, "learning"),
         ({"origin": {"world_file": "other"}}, "world_file"),
     ],
 )
@@ -140,52 +167,68 @@ def test_fewer_steps_than_the_checkpoint_holds_are_refused(tmp_path):
         run(steps=50, checkpoint=tmp_path)
 
 
-def test_a_damaged_checkpoint_is_refused(tmp_path):
+@pytest.mark.parametrize("file", [INTERACTIONS_FILE, STATE_FILE])
+def test_a_damaged_checkpoint_is_refused_by_name(file, tmp_path):
     run(steps=40, checkpoint=tmp_path)
-    (tmp_path / INTERACTIONS_FILE).write_bytes(b"damaged")
-    with pytest.raises(InvalidFile):
-        run(checkpoint=tmp_path)
+    path = tmp_path / file
+    for content in (b"damaged", path.read_bytes()[: path.stat().st_size // 2]):
+        path.write_bytes(content)
+        with pytest.raises(InvalidFile, match=file):
+            run(checkpoint=tmp_path)
+
+
+def without(*parts):
+    return lambda arrays: {
+        name: array for name, array in arrays.items() if not any(part in name for part in parts)
+    }
+
+
+def cut_short(part):
+    return lambda arrays: {
+        name: array[..., :-1] if part in name and array.ndim else array for name, array in arrays.items()
+    }
+
+
+@pytest.mark.parametrize("strategy", CURIOUS)
+@pytest.mark.parametrize(
+    "damage",
+    [
+        without(""),
+        without("0/model"),
+        without("0/adam"),
+        without("exp_avg_sq"),
+        without("effect_std"),
+        cut_short("weight"),
+        cut_short("exp_avg"),
+        lambda arrays: {**arrays, "what": np.zeros(1)},
+    ],
+)
+def test_a_checkpoint_with_other_weights_is_refused(strategy, damage, tmp_path):
+    run(steps=40, strategy=strategy, checkpoint=tmp_path)
+    arrays, description = read_tensors(tmp_path / STATE_FILE, FORMAT)
+    write_tensors(tmp_path / STATE_FILE, FORMAT, damage(arrays), description)
+    with pytest.raises(InvalidFile, match="weights do not fit"):
+        run(strategy=strategy, checkpoint=tmp_path)
 
 
 def test_unknown_strategies_and_no_workers_are_refused():
-    with pytest.raises(UnknownChoice, match="curiosity"):
+    with pytest.raises(UnknownChoice, match="active, curiosity, disagreement, entropy, random"):
         run(strategy="greed")
     with pytest.raises(InvalidValue, match="workers"):
         run(workers=0)
 
 
-def test_curiosity_chooses_what_a_naive_reading_of_algorithm_1_chooses():
-    world, model = make_world(), EffectModel(Dimensions(), ModelConfig()).eval()
-    config = ExplorationConfig(candidates=50)
-    for number in range(5):
-        task = choose_action(world, STRATEGIES["curiosity"], model, config, 7, number)
-        rng = np.random.default_rng([7, number])
-        scene = world.sample_scene(rng, 1)
-        best, best_entropy = None, -np.inf
-        for candidate in world.action_box.sample(rng, 50).astype(np.float32):
-            _, variance = model.predict(scene.features, candidate[None])
-            entropy = sum(0.5 * np.log(2 * np.pi * np.e * v) for v in variance[0]) / 3
-            if entropy > best_entropy:
-                best, best_entropy = candidate, entropy
-        np.testing.assert_array_equal(task.action, best)
-        np.testing.assert_array_equal(task.scene.positions, scene.positions)
+@pytest.mark.parametrize("strategy", ["random", "active"])
+def test_strategies_that_predict_nothing_cannot_filter_by_it(strategy):
+    config = replace(QUICK, min_predicted_effect=0.1)
+    with pytest.raises(InvalidValue, match="valid with it: curiosity, disagreement, entropy"):
+        run(strategy=strategy, config=config)
 
 
-def test_the_model_does_not_learn_from_a_block_that_is_not_whole():
-    _, before = run(steps=39)
-    _, after = run(steps=40)
-    features, actions = np.full((1, 4), 0.1), np.full((1, 12), 0.01)
-    assert np.all(before.effect_mean.numpy() == 0)
-    assert not np.allclose(before.predict(features, actions)[0], after.predict(features, actions)[0])
-
-
-def test_active_learning_learns_only_from_high_effects():
-    effects = np.array([[0.05, -0.05, 0.0], [0.03, 0.0, 0.0], [0.0, 0.0, -MIN_EFFECT]])
-    assert has_high_effect(effects).tolist() == [True, False, True]
-    interactions, model = run(strategy="active", steps=120)
-    if has_high_effect(interactions.effects).sum() >= 32:
-        high = interactions.effects[has_high_effect(interactions.effects)]
-        np.testing.assert_allclose(model.effect_mean.numpy(), high.mean(0), atol=1e-5)
+@pytest.mark.parametrize("option", [{"candidates": 0}, {"block": 0}, {"min_predicted_effect": -0.1}])
+def test_impossible_options_are_refused(option):
+    with pytest.raises(InvalidValue, match=next(iter(option))):
+        ExplorationConfig(**option)
 
 
 def _stop_after(count):
@@ -215,10 +258,3 @@ def _children(pid):
 def _is_alive(pid):
     found = subprocess.run(["ps", "-o", "stat=", "-p", str(pid)], capture_output=True, text=True, check=False)
     return bool(found.stdout.strip()) and not found.stdout.strip().startswith("Z")
-
-
-def _blocks_done(state):
-    from neurosym.exploration import FORMAT
-    from neurosym.tensor_files import read_tensors
-
-    return read_tensors(state, FORMAT)[1]["blocks"]

@@ -165,9 +165,9 @@ def test_a_node_killed_in_mid_run_costs_only_time(cluster, tmp_path):
 
     start = time.perf_counter()
     options = {"steps": 160, "strategy": "random", "seed": 3}
-    there, _ = explore(TABLETOP, ray=cluster.address, progress=kill_one, **options)
+    there = explore(TABLETOP, ray=cluster.address, progress=kill_one, **options)
     print(f"with one node killed: {time.perf_counter() - start:.1f} s")
-    here, _ = explore(TABLETOP, **options)
+    here = explore(TABLETOP, **options)
     assert cpus == [2, 1]
     assert bytes_of(there, tmp_path / "there.npz") == bytes_of(here, tmp_path / "here.npz")
 

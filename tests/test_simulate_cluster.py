@@ -1,8 +1,12 @@
 """The paper cluster of `tools/simulate_cluster.py` takes the times that can be reckoned by hand."""
 
+from functools import partial
 from pathlib import Path
 
 import pytest
+
+from neurosym.exploration import ExplorationConfig
+from neurosym.toy_world import make_world
 
 TOOLS = Path(__file__).parent.parent / "tools"
 
@@ -52,3 +56,16 @@ def test_a_slow_interaction_ends_its_block(cluster):
     times = [1.0, 1.0, 5.0, 1.0]
     assert cluster.block_time(costs(cluster), cluster.Design(), 4, times) == pytest.approx(5.0)
     assert cluster.block_time(costs(cluster), cluster.Design(), 1, times) == pytest.approx(8.0)
+
+
+def test_what_a_choice_and_an_update_take_can_be_measured(cluster, monkeypatch):
+    monkeypatch.setattr(cluster, "BLOCK", 8)
+    monkeypatch.setattr(cluster, "make_world", lambda *_: make_world())
+    small = partial(ExplorationConfig, block=8)
+    monkeypatch.setattr(cluster, "ExplorationConfig", small)
+    choose, interactions = cluster.measure_interactions(3)
+    train, train_row = cluster.measure_training(3)
+    assert choose > 0
+    assert len(interactions) == 3
+    assert train >= 0
+    assert isinstance(train_row, float)

@@ -25,7 +25,7 @@ SMALL = ModelConfig(hidden=16)
 @cache
 def toy_data(count):
     config = ExplorationConfig(candidates=1, block=count + 1)
-    return explore(make_world, steps=count, strategy="random", seed=0, config=config)[0]
+    return explore(make_world, steps=count, strategy="random", seed=0, config=config)
 
 
 def test_nll_is_that_of_the_normal_distribution():

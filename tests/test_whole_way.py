@@ -11,6 +11,7 @@ from pathlib import Path
 
 import pytest
 
+from neurosym.curiosity import LearningConfig
 from neurosym.exploration import ExplorationConfig, explore
 from neurosym.files import read_json
 from neurosym.plan_stages import PlanRecord
@@ -86,11 +87,11 @@ def test_other_programs_read_and_solve_the_compiled_domain(folder):
 
 
 def test_one_and_two_workers_explore_to_the_same_bytes(tmp_path):
-    config = ExplorationConfig(block=32, candidates=100, epochs=2)
+    config = ExplorationConfig(block=32, candidates=100, learning=LearningConfig(epochs=2))
     for workers in (1, 2):
-        data, _ = explore(TABLETOP, steps=72, seed=5, workers=workers, config=config)
+        data = explore(TABLETOP, steps=72, seed=5, workers=workers, config=config)
         data.save(tmp_path / f"{workers}.npz")
     assert (tmp_path / "1.npz").read_bytes() == (tmp_path / "2.npz").read_bytes()
-    other, _ = explore(TABLETOP, steps=72, seed=6, workers=2, config=config)
+    other = explore(TABLETOP, steps=72, seed=6, workers=2, config=config)
     other.save(tmp_path / "other.npz")
     assert (tmp_path / "other.npz").read_bytes() != (tmp_path / "2.npz").read_bytes()

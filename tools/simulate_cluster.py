@@ -1,9 +1,9 @@
 """Exploration on a cluster, on paper: measure each part on this machine, and let a model add them up.
 
 The model is the loop of `neurosym.exploration`. One driver chooses each action and hands it out, never more
-than a few ahead of the workers; a block ends when its last interaction does; then the driver trains on all
-interactions so far. Not in it: the network's delays, workers that die, and workers slower than this machine.
-Processor times are measured, so that whatever else this machine does counts little.
+than a few ahead of the workers; a block ends when its last interaction does; then the driver trains its
+networks on all interactions so far. Not in it: the network's delays, workers that die, and workers slower
+than this machine. Processor times are measured, so that whatever else this machine does counts little.
 """
 
 import heapq
@@ -18,17 +18,16 @@ from typing import Annotated
 import numpy as np
 import tyro
 
-from neurosym.effect_model import EffectModel
+from neurosym.curiosity import make_curiosity
 from neurosym.exploration import ExplorationConfig, choose_action, explore
 from neurosym.model_config import Dimensions, ModelConfig
-from neurosym.strategies import STRATEGIES
+from neurosym.strategies import DEFAULT_STRATEGY
 from neurosym.workers import AHEAD, Result, in_order, perform_task
 from neurosym.world_file import make_world
 
 WORKERS = (1, 2, 4, 8, 16, 32, 64, 100)
 STEPS = 10_000
 BLOCK = ExplorationConfig().block
-CURIOUS = STRATEGIES["curiosity"]
 HAND_OUT = 0.8e-3  # of the driver for each interaction, where Ray is not installed to measure it [s]
 
 
@@ -40,7 +39,7 @@ class Costs:
         choose: One choice among 2,000 candidates.
         hand_out: The driver's work to hand out one interaction and take its outcome back.
         perform: Interactions, as measured; the model draws from them.
-        train: One update of the model, before the first interaction it learns from.
+        train: One update of the networks, before the first interaction it learns from.
         train_row: What each interaction adds to an update.
     """
 
@@ -56,9 +55,9 @@ class Design:
     """A way to organise exploration.
 
     Attributes:
-        block: Interactions between two updates of the model.
+        block: Interactions between two updates of the networks.
         workers_choose: Whether workers choose the actions, each the ones it performs.
-        overlapped: Whether the model trains during the next block, which then chooses with an older one.
+        overlapped: Whether the networks train during the next block, which then chooses with older ones.
     """
 
     block: int = BLOCK
@@ -151,12 +150,14 @@ def measure(hand_out: float | None) -> Costs:
 
 
 def measure_interactions(count: int) -> tuple[float, tuple[float, ...]]:
-    """Time curious choices (the median) and the interactions chosen, on the tabletop [s]."""
-    world = make_world("tabletop", {})
-    model = EffectModel(Dimensions(), ModelConfig(head=CURIOUS.head)).eval()
+    """Time choices of the default strategy (the median) and the interactions chosen, on the tabletop [s]."""
+    world, config = make_world("tabletop", {}), ExplorationConfig()
+    curiosity = make_curiosity(
+        DEFAULT_STRATEGY, Dimensions(), ModelConfig(), config.learning, world.action_box.mirrors, seed=0
+    )
     choices, interactions = [], []
     for number in range(count + 1):
-        choose = partial(choose_action, world, CURIOUS, model, ExplorationConfig(), 0, number)
+        choose = partial(choose_action, world, curiosity, config, 0, number)
         task, seconds = timed(choose)
         choices.append(seconds)
         interactions.append(timed(partial(perform_task, world, task))[1])
@@ -164,7 +165,7 @@ def measure_interactions(count: int) -> tuple[float, tuple[float, ...]]:
 
 
 def measure_training(blocks: int) -> tuple[float, float]:
-    """Time the first updates of the model, and fit a line; returns its start and its slope per row [s].
+    """Time the first updates of the networks, and fit a line; returns its start and its slope per row [s].
 
     An update is what passes between the last outcome of a block and the first of the next, where choosing
     among one candidate and interacting in the toy world take next to nothing.
