@@ -20,7 +20,8 @@ class TrainingSummary(msgspec.Struct, frozen=True):
 
     held_out: int
     r2_through_codes: float
-    r2: float
+    r2_direct: float
+    share: float
     mae: dict[str, list[float]]
     object_symbols: dict[str, float]
     action_symbols: dict[str, float]
@@ -44,7 +45,10 @@ def show_training(path: Path) -> None:
     ]
     axes = [f"{axis} [mm]" if is_in_space else axis for axis in names]
     show_table(f"mean absolute error, {report.held_out} held-out interactions", ["predictor", *axes], rows)
-    say(f"R2 through the bits {report.r2_through_codes:.2f}, without cutting to bits {report.r2:.2f}")
+    say(
+        f"R2 through the bits {report.r2_through_codes:.2f}, of a network without a bottleneck "
+        f"{report.r2_direct:.2f}: a share of {report.share:.2f}"
+    )
     used = f"{len(report.action_symbols)} for actions, {len(report.object_symbols)} for objects"
     say(f"symbols used: {used}")
 

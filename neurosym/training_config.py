@@ -74,7 +74,7 @@ class TrainingConfig:
     imagined_objects: int = 16
     code_steps: int = 1000
     code_rate: float = 2e-3
-    refit_epochs: int = 30
+    refit_epochs: int = 80
 
     def __post_init__(self) -> None:
         for name in _COUNTS:

@@ -46,7 +46,8 @@ def sections(folder: DomainFolder) -> list[str]:
     grounding = Grounding.load(folder / "grounding.json")
     return [
         "# The tabletop domain",
-        "Learned by neurosym's own pipeline with the paper's budget: 10,000 curious interactions of a UR10 "
+        "Learned by neurosym's own pipeline with the paper's budget: 10,000 interactions, chosen by what five "
+        "networks disagree about, of a UR10 "
         "with boxes, open-topped boxes, planks and rings of random size. `tools/relearn_tabletop.py` writes "
         "this file from what it measured; nothing in this folder is edited by hand, and no problem was "
         "removed.",
@@ -86,7 +87,8 @@ def _training(folder: DomainFolder) -> str:
     return (
         f"On {report.held_out} interactions held out from training (curious ones, like those trained "
         f"on; they also chose among restarts):\n\n{table}\n\nR2 of the effect, mean of the axes: "
-        f"{report.r2_through_codes:.2f} through the bits, {report.r2:.2f} with embeddings not cut to bits."
+        f"{report.r2_through_codes:.2f} through the bits, {report.r2_direct:.2f} of a network without a "
+        f"bottleneck: a share of {report.share:.2f}."
     )
 
 
