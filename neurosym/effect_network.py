@@ -5,7 +5,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import asdict
 from pathlib import Path
-from typing import Any, ClassVar, Self
+from typing import Any, ClassVar, TypeVar
 
 import numpy as np
 import torch
@@ -15,6 +15,8 @@ from torch import Tensor, nn
 from neurosym.errors import InvalidFile, InvalidValue
 from neurosym.model_config import Dimensions, DirectConfig, ModelConfig
 from neurosym.tensor_files import read_tensors, write_tensors
+
+Network = TypeVar("Network", bound="EffectNetwork")
 
 
 class EffectNetwork(nn.Module):
@@ -61,7 +63,7 @@ class EffectNetwork(nn.Module):
         write_tensors(path, self.FORMAT, weights, {**parts, "trained_by": self.trained_by})
 
     @classmethod
-    def load(cls, path: Path) -> Self:
+    def load(cls: type[Network], path: Path) -> Network:
         """Read a network.
 
         Raises:
