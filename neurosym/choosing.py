@@ -1,12 +1,13 @@
 """Choosing among distilled actions: many encode to a symbol, and some are more predictable than others.
 
 A good action does nearly the same to all objects of a category, and does something: of all it does, as much
-as possible is explained by the category. That is first reckoned from what a network without a bottleneck
-predicts, and then measured: the few best of each symbol are auditioned in the world. The paper takes the
-candidate whose embedding is nearest to the code.
+as possible is explained by the category. And it does something that no other symbol's action does
+(`variety.py`). That is first reckoned from what a network without a bottleneck predicts, and then measured:
+the few best of each symbol are auditioned in the world. The paper takes the candidate whose embedding is
+nearest to the code.
 """
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Sequence
 from itertools import groupby
 
 import numpy as np
@@ -16,15 +17,13 @@ from neurosym.errors import UnknownChoice
 from neurosym.operators import Primitive
 from neurosym.rehearsal import Categorise, Progress, perform_on_each
 from neurosym.symbols import Symbol
+from neurosym.variety import LITTLE, best_set, profile, worth_in_place
 from neurosym.workers import WorldFactory
 
 Predict = Callable[[np.ndarray, np.ndarray], np.ndarray]
 """Predicts effects (N, E) [m] from features (N, F) and actions (N, A)."""
 
 CHOICES = ("predictable", "lowest-error")
-LITTLE = 0.01
-"""An effect that counts as much as none [m]."""
-
 SHORTLISTED = 4
 """Candidates of each symbol that are auditioned."""
 AUDITION_OBJECTS = 24
@@ -76,7 +75,8 @@ def choose(
 
 def lowest_error(candidates: Sequence[Primitive]) -> tuple[Primitive, ...]:
     """Choose for each symbol the candidate of the lowest error to its code (the paper)."""
-    return tuple(min(rivals, key=lambda rival: rival.code_error) for rivals in _by_symbol(candidates))
+    ordered, rivals = _by_symbol(candidates)
+    return tuple(min((ordered[n] for n in group), key=lambda rival: rival.code_error) for group in rivals)
 
 
 def shortlist(
@@ -86,7 +86,10 @@ def shortlist(
     categorise: Categorise,
     count: int,
 ) -> tuple[Primitive, ...]:
-    """Keep for each symbol the candidates of which the most predictable effects are predicted.
+    """Keep for each symbol the candidates that promise most.
+
+    Half of them are predicted to be worth most among those of the other symbols. The other half are the most
+    predictable, since a prediction of displacements does not tell carrying from pushing.
 
     Args:
         candidates: Distilled actions.
@@ -96,14 +99,19 @@ def shortlist(
         count: How many candidates are kept for each symbol.
     """
     symbols = np.array(categorise(features))
-
-    def score(candidate: Primitive) -> float:
-        actions = np.tile(np.array(candidate.action), (len(features), 1))
-        return predictability(predict(features, actions), symbols)
-
-    return tuple(
-        best for rivals in _by_symbol(candidates) for best in sorted(rivals, key=score, reverse=True)[:count]
-    )
+    ordered, rivals = _by_symbol(candidates)
+    effects = [predict(features, np.tile(np.array(c.action), (len(features), 1))) for c in ordered]
+    scores = np.array([predictability(e, symbols) for e in effects])
+    profiles = np.array([profile(e, symbols) for e in effects])
+    chosen = best_set(rivals, scores, profiles)
+    kept: list[int] = []
+    for place, group in enumerate(rivals):
+        values = worth_in_place(chosen, place, group, scores, profiles)
+        by_worth = [group[number] for number in np.argsort(values, kind="stable")[::-1]]
+        by_score = sorted(group, key=lambda number: scores[number], reverse=True)
+        first = by_worth[: (count + 1) // 2]
+        kept += [*first, *[number for number in by_score if number not in first][: count // 2]]
+    return tuple(ordered[number] for number in kept)
 
 
 def audition(
@@ -116,9 +124,10 @@ def audition(
     workers: int = 1,
     progress: Progress | None = None,
 ) -> tuple[Primitive, ...]:
-    """Perform the candidates on the same sampled objects, and choose the most predictable of each symbol.
+    """Perform the candidates on the same sampled objects, and choose those that together are worth most.
 
-    The objects are others than those that primitives are rehearsed on afterwards.
+    Two that move an object equally far are different if one carried it higher on the way. The objects are
+    others than those that primitives are rehearsed on afterwards.
 
     Args:
         world_factory: Builds the world; must survive pickling if there is more than one worker.
@@ -132,10 +141,13 @@ def audition(
     world = world_factory()
     scenes = [world.sample_scene(np.random.default_rng([seed, _STREAM, n]), 1) for n in range(objects)]
     symbols = np.array(categorise(np.concatenate([scene.features for scene in scenes])))
-    performed = perform_on_each(world_factory, shortlisted, scenes, workers, progress)
+    ordered, rivals = _by_symbol(shortlisted)
+    performed = perform_on_each(world_factory, ordered, scenes, workers, progress)
     effects = [np.array([outcome.effect for outcome in outcomes]) for outcomes in performed]
-    scores = {rival.action: predictability(e, symbols) for rival, e in zip(shortlisted, effects, strict=True)}
-    return tuple(max(rivals, key=lambda rival: scores[rival.action]) for rivals in _by_symbol(shortlisted))
+    peaks = [np.array([[outcome.peak_height] for outcome in outcomes]) for outcomes in performed]
+    scores = np.array([predictability(e, symbols) for e in effects])
+    profiles = np.array([profile(np.hstack(both), symbols) for both in zip(effects, peaks, strict=True)])
+    return tuple(ordered[number] for number in best_set(rivals, scores, profiles))
 
 
 def predictability(effects: Float[np.ndarray, "M E"], symbols: Sequence[Symbol] | np.ndarray) -> float:
@@ -153,6 +165,8 @@ def predictability(effects: Float[np.ndarray, "M E"], symbols: Sequence[Symbol] 
     return float(explained / ((effects**2).sum() + len(effects) * LITTLE**2))
 
 
-def _by_symbol(candidates: Sequence[Primitive]) -> Iterator[list[Primitive]]:
+def _by_symbol(candidates: Sequence[Primitive]) -> tuple[list[Primitive], list[list[int]]]:
+    """Sort candidates by their symbols; returns them, and the numbers of those of each symbol."""
     ordered = sorted(candidates, key=lambda candidate: candidate.symbol)
-    return (list(rivals) for _, rivals in groupby(ordered, key=lambda candidate: candidate.symbol))
+    groups = groupby(range(len(ordered)), key=lambda number: ordered[number].symbol)
+    return ordered, [list(numbers) for _, numbers in groups]

@@ -41,7 +41,7 @@ class DistillationConfig:
         momentum: Share of the last step that is kept.
     """
 
-    candidates: int = 32
+    candidates: int = 128
     steps: int = 300
     learning_rate: float = 0.05
     momentum: float = 0.9

@@ -109,9 +109,11 @@ def one_thread() -> Iterator[None]:
 def inference(model: nn.Module) -> Iterator[None]:
     """Let a model answer and not learn, on one thread."""
     was_training = model.training
-    model.eval()
+    if was_training:  # switching visits every layer, which an explorer that asks often would feel
+        model.eval()
     try:
         with one_thread(), torch.inference_mode():
             yield
     finally:
-        model.train(was_training)
+        if was_training:
+            model.train()

@@ -22,6 +22,7 @@ COMMANDS = {
     WORLD: "init",
     INTERACTIONS: "explore",
     MODEL: "train",
+    DIRECT_MODEL: "train",
     PRIMITIVES: "distill",
     DOMAIN: "compile-domain",
     OPERATORS_DOMAIN: "compile-domain",

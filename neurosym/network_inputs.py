@@ -25,9 +25,11 @@ def with_gripper_states(
     if sharpness is None or not columns:
         return actions
     chosen = list(columns)
-    smooth = torch.sigmoid(sharpness * (actions[:, chosen] - 0.5))
-    step = (actions[:, chosen] >= 0.5).to(actions.dtype)
-    return actions.index_copy(1, torch.tensor(chosen), step + smooth - smooth.detach())
+    state = (actions[:, chosen] >= 0.5).to(actions.dtype)
+    if actions.requires_grad:
+        smooth = torch.sigmoid(sharpness * (actions[:, chosen] - 0.5))
+        state = state + smooth - smooth.detach()
+    return actions.index_copy(1, torch.tensor(chosen), state)
 
 
 def reflected(

@@ -100,7 +100,11 @@ def perform_on_each(
     Returns:
         For each primitive, an outcome for each scene.
     """
-    tasks = [Task(scene, np.array(primitive.action)) for primitive in primitives for scene in scenes]
+    tasks = [
+        Task(scene, np.array(primitive.action, dtype=np.float64))
+        for primitive in primitives
+        for scene in scenes
+    ]
     outcomes: list[Outcome] = []
     for outcome in perform_all(world_factory, tasks, workers):
         outcomes.append(outcome)

@@ -25,16 +25,16 @@ class Samples:
         features: Object features.
         actions: Action parameters.
         effects: Effects [m].
-        low: Least value of each action parameter.
-        high: Greatest value of each action parameter.
+        low: Least value of each action parameter; None if it is not known where actions may be drawn from.
+        high: Greatest value of each action parameter, likewise.
         mirrors: Mirrors of the world that are made use of.
     """
 
     features: Float[Tensor, "N F"]
     actions: Float[Tensor, "N A"]
     effects: Float[Tensor, "N E"]
-    low: Float[Tensor, "A"]
-    high: Float[Tensor, "A"]
+    low: Float[Tensor, "A"] | None
+    high: Float[Tensor, "A"] | None
     mirrors: tuple[Mirror, ...] = ()
 
     def __len__(self) -> int:
@@ -55,26 +55,32 @@ class Samples:
     def imagine(
         self, count: int, generator: torch.Generator
     ) -> tuple[Float[Tensor, "B F"], Float[Tensor, "B A"]]:
-        """Draw objects of the data and actions from the box, for a teacher to say what would happen."""
+        """Draw objects and actions, for a teacher to say what would happen.
+
+        Objects are those of the data. Actions come from the box, or where none is known, from the data.
+        """
         rows = torch.randint(len(self), (count,), generator=generator)
+        if self.low is None or self.high is None:
+            return self.features[rows], self.actions[torch.randint(len(self), (count,), generator=generator)]
         drawn = torch.rand(count, len(self.low), generator=generator)
         return self.features[rows], self.low + drawn * (self.high - self.low)
 
 
 def samples_of(interactions: Interactions, *, mirrors: bool = True) -> Samples:
-    """Turn a data set into tensors, with the box of its actions.
+    """Turn a data set into tensors, with the box of its actions if its origin names one.
 
     Args:
         interactions: The data.
         mirrors: Whether to make use of the mirrors that its origin names.
     """
-    actions, origin = interactions.actions, interactions.origin
+    origin = interactions.origin
+    has_box = "action_low" in origin and "action_high" in origin
     return Samples(
         features=tensor(interactions.features),
-        actions=tensor(actions),
+        actions=tensor(interactions.actions),
         effects=tensor(interactions.effects),
-        low=tensor(np.asarray(origin.get("action_low", actions.min(0)))),
-        high=tensor(np.asarray(origin.get("action_high", actions.max(0)))),
+        low=tensor(np.asarray(origin["action_low"])) if has_box else None,
+        high=tensor(np.asarray(origin["action_high"])) if has_box else None,
         mirrors=mirrors_of(origin) if mirrors else (),
     )
 

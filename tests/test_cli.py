@@ -5,8 +5,10 @@ import json
 from command_line import neurosym
 from conftest import RUN_TOY
 
+from neurosym.files import read_json
 from neurosym.folder import DomainFolder
 from neurosym.interactions import Interactions
+from neurosym.operators import OperatorTable
 
 
 def test_run_leaves_every_file_of_the_design(toy_folder):
@@ -14,6 +16,7 @@ def test_run_leaves_every_file_of_the_design(toy_folder):
         "world.toml",
         "interactions.npz",
         "effect_model.safetensors",
+        "direct_model.safetensors",
         "training.json",
         "primitives.json",
         "domain.pddl",
@@ -45,6 +48,19 @@ def test_run_does_again_only_what_a_change_touches(folder, capsys):
 def test_each_stage_says_what_to_type_next(folder, capsys):
     assert neurosym("compile-domain", folder) == 0
     assert f"next: neurosym new-problem {folder}" in capsys.readouterr().out
+
+
+def test_distill_can_choose_as_the_paper_does(folder):
+    before = read_json(folder / "primitives.json", OperatorTable)
+    assert neurosym("distill", folder, "--choice", "lowest-error", "--objects", 40, "--seed", 3) == 0
+    after = read_json(folder / "primitives.json", OperatorTable)
+    assert [p.symbol for p in after.primitives] == [p.symbol for p in before.primitives]
+    assert all(
+        now.code_error <= then.code_error
+        for now, then in zip(after.primitives, before.primitives, strict=True)
+    )
+    assert after.primitives != before.primitives
+    assert DomainFolder(folder).manifest().stages["distill"].options["choice"] == "lowest-error"
 
 
 def test_bfs_over_the_network_finds_plans_for_drawn_tasks(folder):

@@ -21,6 +21,7 @@ def test_missing_folder_is_refused(tmp_path, capsys):
         ("explore", "world.toml", "init"),
         ("train", "interactions.npz", "explore"),
         ("distill", "effect_model.safetensors", "train"),
+        ("distill", "direct_model.safetensors", "train"),
         ("compile-domain", "primitives.json", "distill"),
         ("new-problem", "grounding.json", "compile-domain"),
     ],
@@ -39,6 +40,7 @@ def test_stage_before_the_one_it_needs_is_refused(folder, command, missing, writ
         ("explore", "exploration.safetensors"),
         ("train", "interactions.npz"),
         ("distill", "effect_model.safetensors"),
+        ("distill", "direct_model.safetensors"),
         ("compile-domain", "primitives.json"),
         ("compile-domain", "manifest.json"),
         ("new-problem", "grounding.json"),
@@ -73,6 +75,21 @@ def test_plan_that_cannot_be_read_is_refused_with_its_line(folder, line, message
     said = refusal(capsys, "execute", folder, "task-01", plan)
     assert message in said
     assert f"{plan}, line 2" in said
+
+
+@pytest.mark.parametrize(
+    ("file", "other"),
+    [
+        ("direct_model.safetensors", "effect_model.safetensors"),
+        ("effect_model.safetensors", "direct_model.safetensors"),
+        ("direct_model.safetensors", "interactions.npz"),
+    ],
+)
+def test_one_file_is_not_taken_for_another(folder, file, other, capsys):
+    (folder / file).write_bytes((folder / other).read_bytes())
+    before = (folder / "primitives.json").read_bytes()
+    assert f"{folder / file} cannot be used" in refusal(capsys, "distill", folder)
+    assert (folder / "primitives.json").read_bytes() == before
 
 
 def test_missing_plan_file_is_refused(folder, capsys):
@@ -113,6 +130,7 @@ def test_missing_plan_file_is_refused(folder, capsys):
         ),
         (["explore", *LEARN_TOY, "--steps", "2048", "--seed", "4"], "seed = 3, not 4"),
         (["distill", "--objects", "0"], "objects = 0 must be at least 1"),
+        (["distill", "--choice", "luck"], "no choice 'luck'; valid: lowest-error, predictable"),
         (["compile-domain", "--cell", "0"], "cell"),
     ],
 )

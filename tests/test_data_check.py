@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 from command_line import neurosym, refusal
 from own_data import own_columns, write_data
+from toy_learning import BRIEF
 
 from neurosym.data_check import LEAST_INTERACTIONS, training_problems
 from neurosym.data_origin import mirrors_of
@@ -16,7 +17,6 @@ from neurosym.exploration import origin_of_world
 from neurosym.interactions import Interactions
 from neurosym.toy_world import make_world
 from neurosym.training import train
-from neurosym.training_config import TrainingConfig
 from neurosym.world import Mirror
 
 
@@ -130,8 +130,7 @@ def test_too_few_rows_are_refused(tmp_path, capsys):
         assert "19 interactions are too few to train on; at least 20" in refusal(capsys, command, tmp_path)
     enough = Interactions.load(write_data(tmp_path, own_columns(LEAST_INTERACTIONS)))
     assert neurosym("check", tmp_path) == 0
-    brief = TrainingConfig(restarts=1, epochs=2, encoder_epochs=2, refit_epochs=2, teacher_actions=100)
-    assert train(enough, config=brief, seed=0)[1]["held_out"] == 2
+    assert train(enough, config=BRIEF, seed=0).report["held_out"] == 2
 
 
 @pytest.mark.parametrize("content", ["garbage", "pickle", "array", "zip", "empty", "truncated"])

@@ -11,13 +11,15 @@ from command_line import neurosym, refusal
 from own_data import own_columns, write_data
 from safetensors.numpy import save_file
 
+from neurosym.direct_model import DirectModel
 from neurosym.effect_model import EffectModel
 from neurosym.errors import InvalidFile
 from neurosym.files import read_json
 from neurosym.folder import DomainFolder
-from neurosym.model_config import Dimensions, ModelConfig
+from neurosym.model_config import Dimensions, DirectConfig, ModelConfig
 from neurosym.operators import OperatorTable
 from neurosym.stages import distill_stage
+from neurosym.tensor_files import read_tensors, write_tensors
 
 DOCUMENT = Path(__file__).parent.parent / "docs/data.md"
 
@@ -80,7 +82,8 @@ def test_distilling_again_without_a_world_is_up_to_date(discs):
     folder.perform(stage, again=True)
     assert (discs / "primitives.json").read_bytes() == before
     assert not folder.perform(stage, again=False)
-    assert set(folder.manifest().stages["distill"].inputs) == {"effect_model.safetensors", "interactions.npz"}
+    inputs = {"effect_model.safetensors", "direct_model.safetensors", "interactions.npz"}
+    assert set(folder.manifest().stages["distill"].inputs) == inputs
 
 
 def test_distill_says_what_it_did_and_what_a_domain_needs(discs, capsys):
@@ -129,9 +132,16 @@ def test_model_of_other_dimensions_than_the_data_is_refused(discs, capsys):
     assert "the data have 7" in said
 
 
+def test_direct_model_of_other_dimensions_than_the_data_is_refused(discs, capsys):
+    DirectModel(Dimensions(), DirectConfig(hidden=8)).save(discs / "direct_model.safetensors")
+    said = refusal(capsys, "distill", discs)
+    assert "direct_model.safetensors cannot be used: it was trained on 4 object features, 12" in said
+
+
+@pytest.mark.parametrize("model", ["effect_model.safetensors", "direct_model.safetensors"])
 @pytest.mark.parametrize("content", ["garbage", "foreign", "numpy", "torn"])
-def test_file_that_is_no_model_is_refused(content, discs, capsys):
-    path = discs / "effect_model.safetensors"
+def test_file_that_is_no_model_is_refused(model, content, discs, capsys):
+    path = discs / model
     whole = path.read_bytes()
     if content == "foreign":
         save_file({"weight": np.zeros(3, dtype=np.float32)}, path)
@@ -139,7 +149,7 @@ def test_file_that_is_no_model_is_refused(content, discs, capsys):
         path.write_bytes((discs / "interactions.npz").read_bytes())
     else:
         path.write_bytes(b"\x00garbage" if content == "garbage" else whole[:-100])
-    assert "effect_model.safetensors cannot be used" in refusal(capsys, "distill", discs)
+    assert f"{model} cannot be used" in refusal(capsys, "distill", discs)
 
 
 @pytest.mark.parametrize(
@@ -154,10 +164,11 @@ def test_file_that_is_no_model_is_refused(content, discs, capsys):
         {"trained_by": 5},
     ],
 )
-def test_weights_that_do_not_fit_their_description_are_refused(change, learned):
-    model = EffectModel.load(learned / "effect_model.safetensors")
+def test_weights_that_do_not_fit_their_description_are_refused(change, learned, tmp_path):
+    weights, description = read_tensors(learned / "effect_model.safetensors", EffectModel.FORMAT)
+    write_tensors(tmp_path / "m", EffectModel.FORMAT, weights, {**description, **change})
     with pytest.raises(InvalidFile, match="do not fit the configuration"):
-        EffectModel.rebuild(Path("m"), model.weights(), {**model.description(), **change})
+        EffectModel.load(tmp_path / "m")
 
 
 def test_one_effect_axis_and_no_gripper_go_the_whole_way(tmp_path, capsys):

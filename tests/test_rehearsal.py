@@ -7,7 +7,7 @@ import pytest
 
 from neurosym.errors import InvalidValue
 from neurosym.operators import Primitive
-from neurosym.rehearsal import modes_of, rehearse
+from neurosym.rehearsal import modes_of, rehearse, tabulate
 from neurosym.toy_world import LONGEST_PUSH, WIDEST_GRASP, make_world
 from neurosym.world import Outcome, Scene
 
@@ -28,8 +28,12 @@ def an_outcome(shift=(0.0, 0.0, 0.0), rest=None, **flags):
     return Outcome(scene((0, 0, 0)), scene(shift), scene(shift if rest is None else rest), 0, **flags)
 
 
+def table_of(primitives, categorise=categorise, **options):
+    return tabulate(rehearse(make_world, primitives, categorise, **options), make_world().feature_names)
+
+
 def test_operators_promise_what_the_toy_world_does():
-    table = rehearse(make_world, [GRASP, LEFT], categorise, objects=60, seed=0)
+    table = table_of([GRASP, LEFT], objects=60, seed=0)
     assert [primitive.symbol for primitive in table.primitives] == ["010", "111"]
     assert [category.symbol for category in table.categories] == ["00", "01", "10", "11"]
     promised = {(o.category, o.primitive): o.promise for o in table.operators}
@@ -41,7 +45,7 @@ def test_operators_promise_what_the_toy_world_does():
 
 
 def test_counts_and_shares_add_up():
-    table = rehearse(make_world, [GRASP, LEFT], categorise, objects=60, seed=0)
+    table = table_of([GRASP, LEFT], objects=60, seed=0)
     assert sum(category.share for category in table.categories) == pytest.approx(1)
     for operator in table.operators:
         assert sum(mode.count for mode in operator.modes) == operator.trials
@@ -50,22 +54,19 @@ def test_counts_and_shares_add_up():
 
 
 def test_names_are_unique():
-    table = rehearse(make_world, [GRASP, LEFT], categorise, objects=60, seed=0)
+    table = table_of([GRASP, LEFT], objects=60, seed=0)
     names = [operator.name for operator in table.operators]
     assert len(set(names)) == len(names)
     assert any(name.startswith("lift-111-hollow") for name in names)
 
 
 def test_two_workers_give_the_table_of_one():
-    one, two = (
-        rehearse(make_world, [GRASP, LEFT], categorise, objects=20, seed=1, workers=workers)
-        for workers in (1, 2)
-    )
+    one, two = (table_of([GRASP, LEFT], objects=20, seed=1, workers=workers) for workers in (1, 2))
     assert one == two
 
 
 def test_objects_lost_over_the_edge_are_a_mode_of_their_own():
-    table = rehearse(make_world, [LEFT], categorise, objects=200, seed=0)
+    table = table_of([LEFT], objects=200, seed=0)
     kinds = {mode.kind for operator in table.operators for mode in operator.modes}
     assert kinds == {"resting", "lost"}
 
@@ -112,7 +113,7 @@ def test_nothing_to_rehearse_is_refused():
 
 
 def test_symbol_that_no_object_has_is_a_category_of_which_nothing_is_known():
-    table = rehearse(make_world, [GRASP], lambda features: ["10"] * len(features), objects=6, seed=0)
+    table = table_of([GRASP], lambda features: ["10"] * len(features), objects=6, seed=0)
     assert [category.symbol for category in table.categories] == ["00", "01", "10", "11"]
     assert [category.share for category in table.categories] == [0.0, 0.0, 1.0, 0.0]
     assert table.categories[0].name == "unseen-00"

@@ -1,31 +1,24 @@
 """Training makes bits that hold what the effect needs, and always the same ones."""
 
 from dataclasses import replace
-from functools import cache
 
 import numpy as np
 import pytest
 import torch
+from toy_learning import BRIEF, MOMENT, SMALL, toy_data
 
+from neurosym.data_origin import mirrors_of
+from neurosym.direct_model import DirectModel
 from neurosym.effect_model import EffectModel
 from neurosym.errors import InvalidValue
-from neurosym.exploration import ExplorationConfig, explore
 from neurosym.fitting import negative_log_likelihood, nt_xent, reproducible, run_epochs, total_loss
 from neurosym.interactions import Interactions
 from neurosym.model_config import Dimensions, ModelConfig
 from neurosym.recipes import RECIPES
-from neurosym.toy_world import make_world
+from neurosym.samples import samples_of
+from neurosym.strategies import has_high_effect
 from neurosym.training import assess, r_squared, split, train
 from neurosym.training_config import REGIMES, TrainingConfig
-
-BRIEF = TrainingConfig(restarts=1, epochs=2, batch=64, encoder_epochs=2, refit_epochs=2, teacher_actions=100)
-SMALL = ModelConfig(hidden=16)
-
-
-@cache
-def toy_data(count):
-    config = ExplorationConfig(candidates=1, block=count + 1)
-    return explore(make_world, steps=count, strategy="random", seed=0, config=config)
 
 
 def test_nll_is_that_of_the_normal_distribution():
@@ -73,14 +66,15 @@ def test_every_sample_is_seen_once_in_an_epoch():
 
 @pytest.mark.parametrize("recipe", RECIPES)
 def test_the_same_seed_gives_the_same_bytes(recipe, tmp_path):
-    config = TrainingConfig(
-        recipe=recipe, restarts=1, epochs=2, encoder_epochs=2, refit_epochs=2, teacher_actions=100
-    )
+    config = replace(BRIEF, recipe=recipe)
     for name, seed in (("a", 5), ("b", 5), ("c", 6)):
-        train(toy_data(300), config=config, model_config=SMALL, seed=seed)[0].save(tmp_path / name)
+        trained = train(toy_data(300), config=config, model_config=SMALL, seed=seed)
+        trained.model.save(tmp_path / name)
+        trained.direct.save(tmp_path / f"{name}-direct")
         torch.rand(3)  # what happens outside changes nothing
-    assert (tmp_path / "a").read_bytes() == (tmp_path / "b").read_bytes()
-    assert (tmp_path / "a").read_bytes() != (tmp_path / "c").read_bytes()
+    for kind in ("", "-direct"):
+        a, b, c = ((tmp_path / f"{name}{kind}").read_bytes() for name in "abc")
+        assert a == b != c
 
 
 def test_training_leaves_the_callers_random_state_alone():
@@ -90,39 +84,58 @@ def test_training_leaves_the_callers_random_state_alone():
     assert torch.equal(before, torch.random.get_rng_state())
 
 
-def planted_kinds(count):
-    """Perform lifts, pushes in four directions and nothing, each a little different every time."""
-    world, rng = make_world(), np.random.default_rng(0)
-    travels = np.array([[0, 0], [0.08, 0], [-0.08, 0], [0, 0.08], [0, -0.08], [0, 0]])
-    kinds = rng.integers(6, size=count)
-    waypoints = 0.003 * rng.normal(size=(count, 3, 4))
-    waypoints[:, 0, :2] -= travels[kinds] / 2
-    waypoints[:, 2, :2] += travels[kinds] / 2
-    waypoints[:, :, 3] += 0.9
-    waypoints[kinds == 0, 2, 3] -= 0.8
-    actions = waypoints.reshape(count, 12)
-    outcomes = [world.interact(world.sample_scene(rng, 1), action, 0) for action in actions]
-    return Interactions.from_outcomes(outcomes, actions, {"gripper_columns": [3, 7, 11]}), kinds
-
-
-def test_the_default_recipe_gives_each_planted_kind_of_action_its_own_symbol():
-    data, kinds = planted_kinds(1500)
-    config = replace(TrainingConfig(), restarts=1, epochs=60, batch=128, encoder_epochs=20, teacher_actions=0)
-    model, report = train(data, config=config, model_config=ModelConfig(hidden=64, dropout=0.0), seed=0)
-    assert report["r2_through_codes"] > 0.7  # lifts of objects at the limit of the grasp cost the rest
-    symbols = np.array(model.action_symbols(data.actions))
-    named = [np.unique(symbols[kinds == kind], return_counts=True) for kind in range(6)]
-    favourites = [names[counts.argmax()] for names, counts in named]
-    assert len(set(favourites)) == 6
-    assert all(counts.max() > 0.9 * counts.sum() for _, counts in named)
-    assert np.all(np.array(report["mae"]["model"]) < np.array(report["mae"]["always zero"]))
-
-
 def test_the_best_restart_is_kept():
-    config = TrainingConfig(recipe="refit", epochs=2, refit_epochs=2, restarts=3)
-    _, report = train(toy_data(300), config=config, model_config=SMALL, seed=0)
+    config = replace(BRIEF, recipe="refit", restarts=3)
+    report = train(toy_data(300), config=config, model_config=SMALL, seed=0).report
     assert report["r2_through_codes"] == max(report["restarts"])
     assert len(set(report["restarts"])) == 3
+
+
+@pytest.mark.parametrize("strategy", ["active", "random", "disagreement"])
+def test_data_of_a_baseline_are_learned_as_that_baseline_learns(strategy):
+    data = replace(toy_data(400), origin={**toy_data(400).origin, "strategy": strategy})
+    used = data[has_high_effect(data.effects)] if strategy == "active" else data
+    model = train(data, config=BRIEF, model_config=SMALL, seed=0).model
+    assert model.config.head == ("gaussian" if strategy == "disagreement" else "mean")
+    assert model.trained_by["interactions"] == len(used)
+    kept, _ = split(used, BRIEF.validation_share, 0)
+    squares = (kept.effects - model.effect_mean.numpy()) ** 2
+    np.testing.assert_allclose(model.effect_std, np.sqrt(squares.mean(0)), rtol=1e-4)
+
+
+def test_effects_that_are_not_standardised_stay_in_metres():
+    config = replace(BRIEF, standardise=False)
+    trained = train(toy_data(300), config=config, model_config=SMALL, seed=0)
+    assert trained.model.effect_std.tolist() == [1, 1, 1]
+    assert trained.model.effect_mean.tolist() == [0, 0, 0]
+    assert all(trained.direct.effect_std < 0.2)  # the yardstick is
+
+
+def test_mirrors_are_made_use_of_only_if_the_origin_names_them_and_the_config_allows():
+    data = toy_data(300)
+    unknown = replace(data, origin={k: v for k, v in data.origin.items() if k != "mirrors"})
+    assert len(mirrors_of(data.origin)) == 2
+    assert samples_of(data).mirrors == mirrors_of(data.origin)
+    assert samples_of(data, mirrors=False).mirrors == samples_of(unknown).mirrors == ()
+    means = [
+        train(rows, config=replace(BRIEF, mirrors=mirrors), model_config=SMALL, seed=0).model.effect_mean
+        for rows, mirrors in ((data, True), (data, False), (unknown, True))
+    ]
+    assert means[0][:2].tolist() == [0, 0]  # left as often as right, in the mirror
+    assert all(means[1][:2] != 0)
+    assert torch.equal(means[1], means[2])
+
+
+def test_batches_are_seen_through_each_mirror_half_of_the_time():
+    samples = samples_of(toy_data(300))
+    _, actions, effects = samples.batch(torch.zeros(2000, dtype=torch.int64), torch.Generator())
+    for axis in (0, 1):
+        flipped = actions[:, axis] == -samples.actions[0, axis]
+        assert 0.45 < flipped.float().mean() < 0.55
+        signs = torch.where(flipped, -1.0, 1.0)
+        torch.testing.assert_close(actions[:, axis + 8], signs * samples.actions[0, axis + 8])
+        torch.testing.assert_close(effects[:, axis], signs * samples.effects[0, axis])
+    assert torch.all(effects[:, 2] == samples.effects[0, 2])
 
 
 def test_held_out_interactions_are_not_trained_on():
@@ -136,9 +149,12 @@ def test_held_out_interactions_are_not_trained_on():
 def test_trivial_predictors_stand_beside_the_model():
     data = toy_data(300)
     kept, held_out = split(data, 0.2, seed=1)
-    report = assess(EffectModel(Dimensions(), SMALL).eval(), kept, held_out)
+    model, direct = EffectModel(Dimensions(), SMALL).eval(), DirectModel(Dimensions(), BRIEF.direct).eval()
+    report = assess(model, direct, kept, held_out)
     np.testing.assert_allclose(report["mae"]["always zero"], np.abs(held_out.effects).mean(0), rtol=1e-5)
     assert set(report["mae"]) == {"model", "always zero", "always mean", "per-axis median"}
+    direct_r2 = r_squared(direct.predict(held_out.features, held_out.actions), held_out.effects)
+    assert report["r2_direct_by_axis"] == pytest.approx(direct_r2.tolist(), rel=1e-4)
 
 
 def test_r_squared_is_one_for_the_truth_and_zero_for_the_mean():
@@ -154,9 +170,9 @@ def test_data_of_other_dimensions_can_be_learned():
     flags = np.zeros(200, dtype=bool)
     effects = actions[:, :1].copy()
     data = Interactions(features, actions, effects, effects, flags, flags, flags, np.zeros(200))
-    model, report = train(data, config=BRIEF, model_config=ModelConfig(1, 2, hidden=8), seed=0)
-    assert model.dimensions == Dimensions(2, 5, 1, ())
-    assert len(report["r2_through_codes_by_axis"]) == 1
+    trained = train(data, config=BRIEF, model_config=ModelConfig(1, 2, hidden=8), seed=0)
+    assert trained.model.dimensions == trained.direct.dimensions == Dimensions(2, 5, 1, ())
+    assert len(trained.report["r2_through_codes_by_axis"]) == 1
 
 
 def test_too_few_interactions_are_refused():
@@ -164,13 +180,15 @@ def test_too_few_interactions_are_refused():
         train(toy_data(300)[:10], seed=0)
 
 
-def test_a_model_says_what_trained_it(tmp_path):
-    model, _ = train(toy_data(300), config=BRIEF, model_config=SMALL, seed=9)
-    model.save(tmp_path / "m")
-    trained_by = EffectModel.load(tmp_path / "m").trained_by
-    assert trained_by["seed"] == 9
-    assert trained_by["training"]["recipe"] == "teacher"
-    assert trained_by["origin"]["strategy"] == "random"
+def test_both_networks_say_what_trained_them(tmp_path):
+    trained = train(toy_data(300), config=BRIEF, model_config=SMALL, seed=9)
+    for network in (trained.model, trained.direct):
+        network.save(tmp_path / "m")
+        trained_by = type(network).load(tmp_path / "m").trained_by
+        assert trained_by["seed"] == 9
+        assert trained_by["training"]["recipe"] == "taught"
+        assert trained_by["training"]["direct"]["hidden"] == 16
+        assert trained_by["origin"]["strategy"] == "random"
 
 
 def test_the_papers_regime_has_the_papers_numbers():
@@ -178,9 +196,20 @@ def test_the_papers_regime_has_the_papers_numbers():
     assert (paper.training.learning_rate, paper.training.loss_coefficient) == (1e-5, 0.01)
     assert paper.model.gripper_sharpness is None
     assert paper.training.recipe == "joint"
+    assert not paper.training.mirrors
+    assert not paper.training.standardise
 
 
-@pytest.mark.parametrize("option", [{"epochs": 0}, {"validation_share": 1.0}, {"learning_rate": 0.0}])
+_IMPOSSIBLE = [
+    {"epochs": 0},
+    {"direct_epochs": 0},
+    {"code_steps": 0},
+    {"validation_share": 1.0},
+    {"learning_rate": 0.0},
+]
+
+
+@pytest.mark.parametrize("option", _IMPOSSIBLE)
 def test_impossible_options_are_refused(option):
     with pytest.raises(InvalidValue, match=next(iter(option))):
-        TrainingConfig(**option)
+        TrainingConfig(**{**MOMENT, **option})

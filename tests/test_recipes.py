@@ -1,0 +1,97 @@
+"""Recipes of the final fit: what is descended is what was meant, and what is taught gets into the bits."""
+
+from dataclasses import replace
+from itertools import product
+
+import numpy as np
+import pytest
+import torch
+from toy_learning import toy_data
+
+from neurosym.model_config import DirectConfig, ModelConfig
+from neurosym.recipes import code_probabilities, expected_error
+from neurosym.training import train
+from neurosym.training_config import TrainingConfig
+
+SMALL_FIT = TrainingConfig(
+    epochs=20,
+    batch=128,
+    direct=DirectConfig(hidden=64),
+    direct_epochs=40,
+    direct_batch=128,
+    table_actions=300,
+    table_objects=32,
+    table_restarts=3,
+    named_actions=4000,
+    named_objects=600,
+    naming_steps=20,
+    naming_batch=96,
+    imagined_actions=128,
+    imagined_objects=8,
+    code_steps=100,
+    refit_epochs=15,
+)
+"""Learns the toy world well enough, in a few seconds."""
+
+
+def some_probabilities(rng, rows, bits):
+    return code_probabilities(torch.tensor(rng.uniform(-1, 1, size=(rows, bits)), dtype=torch.float32))
+
+
+@pytest.mark.parametrize("bits", [1, 2, 3, 5])
+def test_code_probabilities_are_products_over_the_bits_and_sum_to_one(bits):
+    embeddings = np.random.default_rng(bits).uniform(-1, 1, size=(7, bits)).astype(np.float32)
+    found = code_probabilities(torch.from_numpy(embeddings)).numpy()
+    np.testing.assert_allclose(found.sum(1), 1, atol=1e-6)
+    for row, z in enumerate(embeddings):
+        for number, code in enumerate(product((0, 1), repeat=bits)):
+            likely = 1.0
+            for bit, value in zip(code, z, strict=True):
+                likely *= (1 + value) / 2 if bit else (1 - value) / 2
+            assert found[row, number] == pytest.approx(likely, abs=1e-6)
+
+
+def test_code_of_a_saturated_embedding_is_certain():
+    found = code_probabilities(torch.tensor([[1.0, -1.0, 1.0]]))
+    assert found.argmax() == 0b101
+    assert found.max() == 1
+
+
+def test_expected_error_is_that_of_drawing_every_code_in_turn():
+    rng = np.random.default_rng(0)
+    by_action, by_object = some_probabilities(rng, 6, 3), some_probabilities(rng, 4, 2)
+    effects, targets = (torch.from_numpy(rng.normal(size=(n, m, 3))).float() for n, m in ((8, 4), (6, 4)))
+    total = 0.0
+    for r, c, i, j in product(range(6), range(4), range(8), range(4)):
+        square = float(((targets[r, c] - effects[i, j]) ** 2).sum())
+        total += float(by_action[r, i] * by_object[c, j]) * square / (6 * 4)
+    assert float(expected_error(by_action, by_object, effects, targets)) == pytest.approx(total, rel=1e-5)
+
+
+def test_taught_bits_say_more_than_those_of_the_joint_fit_and_every_code_is_used():
+    data, network = toy_data(1200), ModelConfig(hidden=64)
+    taught = train(data, config=SMALL_FIT, model_config=network, seed=0)
+    joint = train(data, config=replace(SMALL_FIT, recipe="joint"), model_config=network, seed=0)
+    assert taught.report["r2_through_codes"] > joint.report["r2_through_codes"] + 0.2
+    assert taught.report["r2_direct"] == joint.report["r2_direct"]
+    assert taught.report["share"] > 0.7
+    symbols = np.array(taught.model.action_symbols(data.actions))
+    assert len(set(symbols)) == 8
+    assert len(set(taught.model.object_symbols(data.features))) == 4
+    pushes = direction_of_pushes(data.actions)
+    favourites = {}
+    for push in range(4):
+        names, counts = np.unique(symbols[pushes == push], return_counts=True)
+        assert counts.max() > 0.7 * counts.sum()
+        favourites[push] = names[counts.argmax()]
+    assert len(set(favourites.values())) == 4
+
+
+def direction_of_pushes(actions):
+    """Number the direction of each push by the rules of the toy world; -1 for what is none."""
+    waypoints = actions.reshape(-1, 3, 4)
+    travels = waypoints[:, 2, :2] - waypoints[:, 0, :2]
+    axes = np.abs(travels).argmax(1)
+    along = travels[np.arange(len(travels)), axes]
+    is_lift = (waypoints[:, 0, 3] >= 0.5) & (waypoints[:, 2, 3] < 0.5)
+    return np.where(is_lift | (np.abs(along) < 0.02), -1, 2 * axes + (along > 0))

@@ -1,0 +1,36 @@
+"""Data of the toy world, and trainings of it that take a moment."""
+
+from functools import cache
+
+from neurosym.exploration import ExplorationConfig, explore
+from neurosym.interactions import Interactions
+from neurosym.model_config import DirectConfig, ModelConfig
+from neurosym.toy_world import make_world
+from neurosym.training_config import TrainingConfig
+
+SMALL = ModelConfig(hidden=16)
+MOMENT = {
+    "epochs": 2,
+    "batch": 64,
+    "direct": DirectConfig(hidden=16),
+    "direct_epochs": 2,
+    "table_actions": 60,
+    "table_objects": 12,
+    "table_restarts": 1,
+    "named_actions": 200,
+    "named_objects": 100,
+    "naming_steps": 10,
+    "imagined_actions": 16,
+    "imagined_objects": 4,
+    "code_steps": 5,
+    "refit_epochs": 2,
+}
+"""Options of a training that learns nearly nothing."""
+BRIEF = TrainingConfig(**MOMENT)
+
+
+@cache
+def toy_data(count: int, strategy: str = "random") -> Interactions:
+    """Random interactions with the toy world, said to be of some strategy."""
+    config = ExplorationConfig(candidates=1, block=count + 1)
+    return explore(make_world, steps=count, strategy=strategy, seed=0, config=config)
