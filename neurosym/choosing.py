@@ -107,7 +107,7 @@ def shortlist(
     kept: list[int] = []
     for place, group in enumerate(rivals):
         values = worth_in_place(chosen, place, group, scores, profiles)
-        by_worth = [group[number] for number in np.argsort(values, kind="stable")[::-1]]
+        by_worth = [group[number] for number in np.argsort(-np.array(values), kind="stable")]
         by_score = sorted(group, key=lambda number: scores[number], reverse=True)
         first = by_worth[: (count + 1) // 2]
         kept += [*first, *[number for number in by_score if number not in first][: count // 2]]

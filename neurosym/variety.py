@@ -1,8 +1,8 @@
 """Variety: of the candidates for each symbol, take those that together do most.
 
-What an action is worth among others is how predictable it is, times how far what it does is from what the
-nearest other does, or from doing nothing. Distances count by their logarithm: it matters that something else
-happens, and less how much else.
+What an action is worth among others is how predictable it is, squared, times how far what it does is from
+what the nearest other does, or from doing nothing. Distances count by their logarithm: it matters that
+something else happens, and less how much else.
 """
 
 from collections.abc import Sequence
@@ -35,7 +35,7 @@ def worths(scores: Float[np.ndarray, "S"], profiles: Float[np.ndarray, "S L"]) -
     from_nothing = np.linalg.norm(profiles, axis=1)
     apart = np.linalg.norm(profiles[:, None] - profiles, axis=2)
     np.fill_diagonal(apart, np.inf)
-    return np.asarray(scores * np.log1p(np.minimum(apart.min(1), from_nothing) / LITTLE))
+    return np.asarray(scores**2 * np.log1p(np.minimum(apart.min(1), from_nothing) / LITTLE))
 
 
 def best_set(

@@ -46,9 +46,9 @@ def sections(folder: DomainFolder) -> list[str]:
     grounding = Grounding.load(folder / "grounding.json")
     return [
         "# The tabletop domain",
-        "Learned by neurosym's own pipeline with the paper's budget: 10,000 interactions of a UR10, each that "
-        "which five networks disagreed about most, with boxes, open-topped boxes, planks and rings of random "
-        "size. `tools/relearn_tabletop.py` writes "
+        "Learned by neurosym's own pipeline with the paper's budget: 10,000 interactions of a UR10, each the "
+        "one that five networks disagreed about most, with boxes, open-topped boxes, planks and rings of "
+        "random size. `tools/relearn_tabletop.py` writes "
         "this file from what it measured; nothing in this folder is edited by hand, and no problem was "
         "removed.",
         "## How it was made",
