@@ -18,7 +18,7 @@ import numpy as np
 from neurosym.curiosity import Curiosity, LearningConfig, make_curiosity
 from neurosym.errors import InvalidFile, InvalidValue
 from neurosym.interactions import Interactions
-from neurosym.model_config import Dimensions, ModelConfig
+from neurosym.model_config import EXPLORING, Dimensions, ModelConfig
 from neurosym.ray_workers import ray_crew
 from neurosym.strategies import DEFAULT_STRATEGY, strategy_named
 from neurosym.tensor_files import read_tensors, write_tensors
@@ -101,7 +101,7 @@ def explore(
         strategy,
         seed,
         config or ExplorationConfig(),
-        model_config or ModelConfig(),
+        model_config or EXPLORING,
         origin or {},
     )
     if checkpoint is not None:

@@ -46,6 +46,10 @@ class ModelConfig:
             raise InvalidValue(f"head = {self.head!r} must be 'gaussian' or 'mean'.")
 
 
+EXPLORING = ModelConfig(dropout=0.1, layer_norm=True)
+"""The network whose entropy is explored by, with dropout and LayerNorm as the paper has it."""
+
+
 @dataclass(frozen=True, slots=True)
 class DirectConfig:
     """How a network without a bottleneck is built.

@@ -77,7 +77,7 @@ def explore_stage(
                 ray=ray,
                 checkpoint=folder.path,
                 config=config,
-                model_config=chosen.model,
+                model_config=chosen.exploration,
                 origin=origin_of(factory),
                 progress=advance,
             )

@@ -4,7 +4,7 @@ from dataclasses import dataclass, field
 from typing import Literal
 
 from neurosym.errors import InvalidValue
-from neurosym.model_config import DirectConfig, ModelConfig
+from neurosym.model_config import EXPLORING, DirectConfig, ModelConfig
 
 
 @dataclass(frozen=True, slots=True)
@@ -124,12 +124,14 @@ class Regime:
     Attributes:
         model: How the network is built.
         training: How the final fit is made.
+        exploration: How the network is built whose entropy is explored by.
         exploration_rate: Step size of Adam during exploration.
     """
 
     model: ModelConfig
     training: TrainingConfig
     exploration_rate: float
+    exploration: ModelConfig = EXPLORING
 
 
 REGIMES = {
@@ -157,5 +159,6 @@ REGIMES = {
             mirrors=False,
         ),
         exploration_rate=1e-5,
+        exploration=ModelConfig(dropout=0.1, gripper_sharpness=None, layer_norm=True),
     ),
 }
