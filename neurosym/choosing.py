@@ -21,7 +21,7 @@ from neurosym.variety import LITTLE, best_set, profile, worth_in_place
 from neurosym.workers import WorldFactory
 
 Predict = Callable[[np.ndarray, np.ndarray], np.ndarray]
-"""Predicts effects (N, E) [m] from features (N, F) and actions (N, A)."""
+"""Predicts effects, and peak heights behind them, (N, O) [m], from features (N, F) and actions (N, A)."""
 
 CHOICES = ("predictable", "lowest-error")
 SHORTLISTED = 4
@@ -86,10 +86,7 @@ def shortlist(
     categorise: Categorise,
     count: int,
 ) -> tuple[Primitive, ...]:
-    """Keep for each symbol the candidates that promise most.
-
-    Half of them are predicted to be worth most among those of the other symbols. The other half are the most
-    predictable, since a prediction of displacements does not tell carrying from pushing.
+    """Keep for each symbol the candidates that are predicted to be worth most among those of the others.
 
     Args:
         candidates: Distilled actions.
@@ -100,17 +97,14 @@ def shortlist(
     """
     symbols = np.array(categorise(features))
     ordered, rivals = _by_symbol(candidates)
-    effects = [predict(features, np.tile(np.array(c.action), (len(features), 1))) for c in ordered]
-    scores = np.array([predictability(e, symbols) for e in effects])
-    profiles = np.array([profile(e, symbols) for e in effects])
+    happens = [predict(features, np.tile(np.array(c.action), (len(features), 1))) for c in ordered]
+    scores = np.array([predictability(values, symbols) for values in happens])
+    profiles = np.array([profile(values, symbols) for values in happens])
     chosen = best_set(rivals, scores, profiles)
-    kept: list[int] = []
+    kept = []
     for place, group in enumerate(rivals):
         values = worth_in_place(chosen, place, group, scores, profiles)
-        by_worth = [group[number] for number in np.argsort(-np.array(values), kind="stable")]
-        by_score = sorted(group, key=lambda number: scores[number], reverse=True)
-        first = by_worth[: (count + 1) // 2]
-        kept += [*first, *[number for number in by_score if number not in first][: count // 2]]
+        kept += [group[number] for number in np.argsort(-np.array(values), kind="stable")[:count]]
     return tuple(ordered[number] for number in kept)
 
 
@@ -126,8 +120,8 @@ def audition(
 ) -> tuple[Primitive, ...]:
     """Perform the candidates on the same sampled objects, and choose those that together are worth most.
 
-    Two that move an object equally far are different if one carried it higher on the way. The objects are
-    others than those that primitives are rehearsed on afterwards.
+    Two that move an object equally far differ if one carries it higher on the way. The objects are others
+    than those that primitives are rehearsed on afterwards.
 
     Args:
         world_factory: Builds the world; must survive pickling if there is more than one worker.
@@ -143,20 +137,19 @@ def audition(
     symbols = np.array(categorise(np.concatenate([scene.features for scene in scenes])))
     ordered, rivals = _by_symbol(shortlisted)
     performed = perform_on_each(world_factory, ordered, scenes, workers, progress)
-    effects = [np.array([outcome.effect for outcome in outcomes]) for outcomes in performed]
-    peaks = [np.array([[outcome.peak_height] for outcome in outcomes]) for outcomes in performed]
-    scores = np.array([predictability(e, symbols) for e in effects])
-    profiles = np.array([profile(np.hstack(both), symbols) for both in zip(effects, peaks, strict=True)])
+    happened = [np.array([[*o.effect, o.peak_height] for o in outcomes]) for outcomes in performed]
+    scores = np.array([predictability(values, symbols) for values in happened])
+    profiles = np.array([profile(values, symbols) for values in happened])
     return tuple(ordered[number] for number in best_set(rivals, scores, profiles))
 
 
-def predictability(effects: Float[np.ndarray, "M E"], symbols: Sequence[Symbol] | np.ndarray) -> float:
+def predictability(effects: Float[np.ndarray, "M O"], symbols: Sequence[Symbol] | np.ndarray) -> float:
     """Compute the share of the mean square of an action's effects that the category of the object explains.
 
     Effects of `LITTLE` are put to the unexplained, so that doing nothing at all is not predictable.
 
     Args:
-        effects: What the action did to each object [m].
+        effects: What the action did to each object: displacement and peak height [m].
         symbols: Symbol of each object.
     """
     symbols = np.asarray(symbols)

@@ -256,7 +256,7 @@ def make_curiosity(
     if about == "entropy":
         with reproducible(seed_of(seed, 0, 0)):
             return Entropy([EffectModel(dimensions, model_config).eval()], config, mirrors, seed)
-    direct = DirectConfig(config.ensemble_hidden, 0.0, model_config.gripper_sharpness)
+    direct = DirectConfig(config.ensemble_hidden, 0.0, model_config.gripper_sharpness, peaks=False)
     networks = []
     for number in range(config.ensemble):
         with reproducible(seed_of(seed, 0, number)):

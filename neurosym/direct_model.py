@@ -27,25 +27,37 @@ class DirectModel(EffectNetwork):
     config: DirectConfig
 
     def __init__(self, dimensions: Dimensions, config: DirectConfig):
-        super().__init__(dimensions, config)
+        outputs = dimensions.effects + config.peaks
+        super().__init__(dimensions, config, outputs)
         inputs = dimensions.features + dimensions.actions
         layers = hidden_layers(inputs, config.hidden, config.dropout)
-        self.layers = nn.Sequential(
-            nn.BatchNorm1d(inputs), *layers, nn.Linear(config.hidden, dimensions.effects)
-        )
+        self.layers = nn.Sequential(nn.BatchNorm1d(inputs), *layers, nn.Linear(config.hidden, outputs))
 
-    def forward(self, features: Float[Tensor, "B F"], actions: Float[Tensor, "B A"]) -> Float[Tensor, "B E"]:
-        """Predict the standardised effect."""
+    def forward(self, features: Float[Tensor, "B F"], actions: Float[Tensor, "B A"]) -> Float[Tensor, "B O"]:
+        """Predict the effect, and the peak height behind it if `config.peaks`; all standardised."""
         dimensions = self.dimensions
         actions = with_gripper_states(actions, dimensions.gripper_columns, self.config.gripper_sharpness)
-        effects: Tensor = self.layers(torch.cat([features, actions], dim=1))
+        outputs: Tensor = self.layers(torch.cat([features, actions], dim=1))
+        return outputs
+
+    def standard_effects(
+        self, features: Float[Tensor, "B F"], actions: Float[Tensor, "B A"]
+    ) -> Float[Tensor, "B E"]:
+        """Predict the standardised effect."""
+        effects: Tensor = self(features, actions)[:, : self.dimensions.effects]
         return effects
 
     def predict(
         self, features: Float[np.ndarray, "N F"], actions: Float[np.ndarray, "N A"]
     ) -> Float[np.ndarray, "N E"]:
         """Predict effects [m]."""
+        return self.predict_outcomes(features, actions)[:, : self.dimensions.effects]
+
+    def predict_outcomes(
+        self, features: Float[np.ndarray, "N F"], actions: Float[np.ndarray, "N A"]
+    ) -> Float[np.ndarray, "N O"]:
+        """Predict effects, and peak heights behind them if `config.peaks` [m]."""
         with inference(self):
             mean = self(tensor(features), tensor(actions))
-            effects: np.ndarray = (mean * self.effect_std + self.effect_mean).numpy()
-        return effects
+            outcomes: np.ndarray = (mean * self.effect_std + self.effect_mean).numpy()
+        return outcomes

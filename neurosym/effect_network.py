@@ -25,6 +25,7 @@ class EffectNetwork(nn.Module):
     Args:
         dimensions: What the network reads and writes.
         config: How it is built.
+        outputs: How many numbers it predicts, the effect axes first; just these if not given.
 
     Attributes:
         trained_by: What made the weights, as plain JSON values; stored in the file.
@@ -36,19 +37,22 @@ class EffectNetwork(nn.Module):
     effect_std: Tensor
     trained_by: dict[str, Any]
 
-    def __init__(self, dimensions: Dimensions, config: ModelConfig | DirectConfig):
+    def __init__(
+        self, dimensions: Dimensions, config: ModelConfig | DirectConfig, outputs: int | None = None
+    ):
         super().__init__()
+        outputs = outputs or dimensions.effects
         self.dimensions = dimensions
         self.config = config
         self.trained_by = {}
-        self.register_buffer("effect_mean", torch.zeros(dimensions.effects))
-        self.register_buffer("effect_std", torch.ones(dimensions.effects))
+        self.register_buffer("effect_mean", torch.zeros(outputs))
+        self.register_buffer("effect_std", torch.ones(outputs))
 
     def set_scale(self, effects: Float[Tensor, "N E"], mirrored: tuple[int, ...] = ()) -> None:
         """Standardise effects by mean and standard deviation of these, together with their mirror images.
 
         Args:
-            effects: Effects [m].
+            effects: Effects, or all that is predicted [m].
             mirrored: Axes whose sign some mirror of the world changes; their mean is 0.
         """
         mean = effects.mean(0)

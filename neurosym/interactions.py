@@ -5,6 +5,7 @@ Axes, here and everywhere in the package:
     N  interactions          F  object features (4)     K  bits of a symbol
     B  samples in a batch    A  action parameters (12)  P  primitives
     M  objects in a scene    E  effect axes (3)         C  candidate actions
+    O  effect axes, and the peak height on the way if it is predicted, too
 """
 
 import io

@@ -123,7 +123,7 @@ def _table(
     """Predict standardised effects of every action on every object."""
     with torch.inference_mode():
         parts = [
-            teacher(features.repeat(len(part), 1), part.repeat_interleave(len(features), 0))
+            teacher.standard_effects(features.repeat(len(part), 1), part.repeat_interleave(len(features), 0))
             for part in torch.split(actions, max(1, _AT_ONCE // len(features)))
         ]
     return torch.cat(parts).numpy().reshape(len(actions), len(features), -1)

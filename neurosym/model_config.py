@@ -58,11 +58,13 @@ class DirectConfig:
         hidden: Width of its three hidden layers.
         dropout: Share of hidden units dropped in training.
         gripper_sharpness: As in `ModelConfig`.
+        peaks: Whether it also predicts the greatest height on the way, which tells carrying from pushing.
     """
 
     hidden: int = 256
     dropout: float = 0.1
     gripper_sharpness: float | None = 15.0
+    peaks: bool = True
 
 
 @dataclass(frozen=True, slots=True)

@@ -23,6 +23,7 @@ from neurosym.direct_model import DirectModel
 from neurosym.effect_model import EffectModel, as_signs
 from neurosym.fitting import prediction_loss, run_epochs, total_loss
 from neurosym.meanings import Meanings, find_meanings
+from neurosym.network_inputs import reflected
 from neurosym.samples import Samples
 from neurosym.training_config import TrainingConfig
 
@@ -39,12 +40,13 @@ def fit_direct(
     generator: torch.Generator,
     progress: Progress,
 ) -> None:
-    """Fit a network without a bottleneck to the effects, by squared error."""
+    """Fit a network without a bottleneck to what happened, by squared error."""
+    outcomes = samples.outcomes(peaks=model.config.peaks)
 
     def loss_of(rows: Tensor) -> Tensor:
-        features, actions, effects = samples.batch(rows, generator)
-        targets = (effects - model.effect_mean) / model.effect_std
-        return nn.functional.mse_loss(model(features, actions), targets)
+        actions, targets = reflected(samples.actions[rows], outcomes[rows], samples.mirrors, generator)
+        targets = (targets - model.effect_mean) / model.effect_std
+        return nn.functional.mse_loss(model(samples.features[rows], actions), targets)
 
     model.train()
     run_epochs(
@@ -174,7 +176,8 @@ def fit_encoders(
         _, actions = samples.imagine(rows, generator)
         features, _ = samples.imagine(columns, generator)
         with torch.no_grad():
-            targets = teacher(features.repeat(rows, 1), actions.repeat_interleave(columns, 0))
+            pairs = features.repeat(rows, 1), actions.repeat_interleave(columns, 0)
+            targets = teacher.standard_effects(*pairs)
         by_action = code_probabilities(model.embed_actions(actions))
         by_object = code_probabilities(model.embed_objects(features))
         return expected_error(by_action, by_object, effects, targets.view(rows, columns, -1))

@@ -25,6 +25,7 @@ class Samples:
         features: Object features.
         actions: Action parameters.
         effects: Effects [m].
+        peaks: Greatest heights on the way [m].
         low: Least value of each action parameter; None if it is not known where actions may be drawn from.
         high: Greatest value of each action parameter, likewise.
         mirrors: Mirrors of the world that are made use of.
@@ -33,6 +34,7 @@ class Samples:
     features: Float[Tensor, "N F"]
     actions: Float[Tensor, "N A"]
     effects: Float[Tensor, "N E"]
+    peaks: Float[Tensor, "N"]
     low: Float[Tensor, "A"] | None
     high: Float[Tensor, "A"] | None
     mirrors: tuple[Mirror, ...] = ()
@@ -51,6 +53,10 @@ class Samples:
         """Take rows, each seen through the mirrors at random."""
         actions, effects = reflected(self.actions[rows], self.effects[rows], self.mirrors, generator)
         return self.features[rows], actions, effects
+
+    def outcomes(self, *, peaks: bool) -> Float[Tensor, "N O"]:
+        """Put the peak heights behind the effects, or leave them out."""
+        return torch.cat([self.effects, self.peaks[:, None]], dim=1) if peaks else self.effects
 
     def imagine(
         self, count: int, generator: torch.Generator
@@ -79,6 +85,7 @@ def samples_of(interactions: Interactions, *, mirrors: bool = True) -> Samples:
         features=tensor(interactions.features),
         actions=tensor(interactions.actions),
         effects=tensor(interactions.effects),
+        peaks=tensor(interactions.peak_heights),
         low=tensor(np.asarray(origin["action_low"])) if has_box else None,
         high=tensor(np.asarray(origin["action_high"])) if has_box else None,
         mirrors=mirrors_of(origin) if mirrors else (),

@@ -148,7 +148,7 @@ def distill_stage(
             primitives = choose(
                 candidates,
                 choice,
-                predict=direct.predict,
+                predict=direct.predict_outcomes,
                 features=interactions.features,
                 categorise=categorise,
                 world_factory=factory,

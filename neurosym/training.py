@@ -98,7 +98,7 @@ def _fit_direct(
 ) -> DirectModel:
     with reproducible(_seed(seed, _DIRECT)) as generator:
         direct = DirectModel(dimensions, config.direct)
-        direct.set_scale(samples.effects, samples.mirrored_axes)
+        direct.set_scale(samples.outcomes(peaks=config.direct.peaks), samples.mirrored_axes)
         fit_direct(direct, samples, config, generator, progress)
     return direct
 

@@ -115,7 +115,7 @@ def act(data: Data, trained: Trained, choice: str, objects: int = REHEARSED) -> 
     primitives = choose(
         candidates,
         choice,
-        predict=trained.direct.predict,
+        predict=trained.direct.predict_outcomes,
         features=interactions.features,
         categorise=model.object_symbols,
         world_factory=factory,
