@@ -141,9 +141,13 @@ REGIMES = {
         TrainingConfig(
             direct_epochs=40,
             table_actions=1000,
+            table_objects=48,
             table_restarts=4,
             named_actions=10_000,
+            named_objects=1000,
             naming_steps=300,
+            naming_batch=512,
+            imagined_actions=128,
             code_steps=300,
         ),
         exploration_rate=1e-3,
