@@ -37,7 +37,7 @@ def test_there_are_ten_problems_or_more_with_one_and_with_two_objects():
 def test_files_are_those_that_the_record_tells_of():
     stages = FOLDER.manifest().stages
     assert stages["explore"].options == {
-        "strategy": "curiosity",
+        "strategy": "disagreement",
         "steps": 10_000,
         "seed": 1,
         "regime": "default",
