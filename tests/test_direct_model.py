@@ -16,7 +16,7 @@ def a_model(seed=0, dimensions=None, **options):
     with torch.random.fork_rng(devices=[]):
         torch.manual_seed(seed)
         model = DirectModel(dimensions or Dimensions(), DirectConfig(**{"hidden": 16, **options})).eval()
-        model.set_scale(torch.randn(100, model.dimensions.effects) * 0.1 + 0.05)
+        model.set_scale(torch.randn(100, len(model.effect_mean)) * 0.1 + 0.05)
     return model
 
 
@@ -34,13 +34,25 @@ def sentence(path, network=DirectModel):
     return message
 
 
-def test_predictions_are_in_metres():
-    model = a_model()
+@pytest.mark.parametrize("peaks", [True, False])
+def test_predictions_are_in_metres(peaks):
+    model = a_model(peaks=peaks)
     features, actions = (torch.from_numpy(column).float() for column in inputs(7))
     with torch.inference_mode():
         standardised = model(features, actions).numpy()
     expected = standardised * model.effect_std.numpy() + model.effect_mean.numpy()
-    np.testing.assert_allclose(model.predict(*inputs(7)), expected, rtol=1e-5)
+    assert expected.shape == (7, 3 + peaks)
+    np.testing.assert_allclose(model.predict_outcomes(*inputs(7)), expected, rtol=1e-5)
+    np.testing.assert_allclose(model.predict(*inputs(7)), expected[:, :3], rtol=1e-5)
+
+
+@pytest.mark.parametrize("peaks", [True, False])
+def test_standard_effects_are_the_effects_before_they_are_scaled(peaks):
+    model = a_model(peaks=peaks)
+    with torch.inference_mode():
+        standard = model.standard_effects(*(torch.from_numpy(column).float() for column in inputs(7)))
+    scaled = standard.numpy() * model.effect_std.numpy()[:3] + model.effect_mean.numpy()[:3]
+    np.testing.assert_allclose(model.predict(*inputs(7)), scaled, rtol=1e-5)
 
 
 def test_only_open_or_closed_counts_of_a_gripper():
@@ -53,14 +65,17 @@ def test_only_open_or_closed_counts_of_a_gripper():
     assert np.any(as_it_is.predict(features, ajar) != as_it_is.predict(features, actions))
 
 
-def test_a_saved_model_comes_back_whole(tmp_path):
-    model = a_model(dimensions=Dimensions(3, 5, 2, (4,)), dropout=0.3, gripper_sharpness=None)
+@pytest.mark.parametrize("peaks", [True, False])
+def test_a_saved_model_comes_back_whole(peaks, tmp_path):
+    options = {"dropout": 0.3, "gripper_sharpness": None, "peaks": peaks}
+    model = a_model(dimensions=Dimensions(3, 5, 2, (4,)), **options)
     model.trained_by = {"seed": 3}
     model.save(tmp_path / "m")
     again = DirectModel.load(tmp_path / "m")
     assert (again.config, again.dimensions, again.trained_by) == (model.config, model.dimensions, {"seed": 3})
     assert not again.training
-    np.testing.assert_array_equal(again.predict(*inputs(9, 3, 5)), model.predict(*inputs(9, 3, 5)))
+    for told, known in ((again.predict, model.predict), (again.predict_outcomes, model.predict_outcomes)):
+        np.testing.assert_array_equal(told(*inputs(9, 3, 5)), known(*inputs(9, 3, 5)))
 
 
 def test_equal_models_are_equal_bytes(tmp_path):
@@ -99,6 +114,8 @@ def test_neither_network_is_taken_for_the_other(tmp_path):
         {"config": {"hidden": -1}},
         {"config": {"dropout": 2.0}},
         {"config": {"depth": 3}},
+        {"config": {"hidden": 16, "peaks": False}},
+        {"config": {"hidden": 16, "peaks": "yes"}},
         {"config": None},
         {"dimensions": {"features": 5, "actions": 12, "effects": 3, "gripper_columns": []}},
         {"dimensions": {"features": 4, "actions": 12, "effects": 3, "gripper_columns": [12]}},

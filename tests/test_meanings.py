@@ -21,16 +21,20 @@ def kinds_of_actions(actions):
 
 
 class Planted(DirectModel):
-    """Says an effect that depends on which of four kinds an action is and which of two an object is."""
+    """Says an effect that depends on which of four kinds an action is and which of two an object is.
+
+    Behind it is a peak height that depends on something else; meanings are about effects alone.
+    """
 
     def forward(self, features, actions):  # noqa: D102
-        return ALONG_ACTIONS[kinds_of_actions(actions)] + ALONG_OBJECTS[(features[:, 0] > 0).long()]
+        effects = ALONG_ACTIONS[kinds_of_actions(actions)] + ALONG_OBJECTS[(features[:, 0] > 0).long()]
+        return torch.cat([effects, 9 * actions[:, :1] * actions[:, 1:]], dim=1)
 
 
 def planted_meanings():
     generator = torch.Generator().manual_seed(0)
     features, actions = (torch.rand(200, width, generator=generator) * 2 - 1 for width in (1, 2))
-    samples = Samples(features, actions, torch.zeros(200, 2), -torch.ones(2), torch.ones(2))
+    samples = Samples(features, actions, torch.zeros(200, 2), torch.zeros(200), -torch.ones(2), torch.ones(2))
     teacher = Planted(Dimensions(1, 2, 2, ()), MOMENT["direct"]).eval()
     config = TrainingConfig(**{**MOMENT, "table_restarts": 5})
     return find_meanings(teacher, ModelConfig(object_bits=1, action_bits=2), samples, config, generator)
