@@ -218,7 +218,7 @@ def _never_tried(table: OperatorTable, operators: Sequence[Operator]) -> tuple[s
 
 
 def _trials(table: OperatorTable) -> str:
-    is_data = getattr(table, "measured", "rehearsal") == "data"
+    is_data = table.measured == "data"
     return "rows of the data" if is_data else "rehearsals"
 
 

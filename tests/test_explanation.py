@@ -188,7 +188,6 @@ def with_axes(operators: OperatorTable, axes: int) -> OperatorTable:
     )
 
 
-@pytest.mark.xfail(raises=TypeError, strict=False, reason="until Mode takes effects of any number of axes")
 @pytest.mark.parametrize("axes", [1, 2, 5])
 def test_effects_of_any_number_of_axes_are_plain_numbers(axes):
     explanation = explain(with_axes(table(), axes), feature_names=FEATURES)
