@@ -83,8 +83,9 @@ def _show_primitive(domain: DomainFolder, symbol: str, output: Path | None, gui:
     grounding.primitive(symbol)
     categorise = EffectModel.load(domain.require(MODEL)).object_symbols
     distilled = domain.manifest().stages.get("distill")
-    options = distilled.options if distilled else {"objects": 100, "seed": 0}
-    motions = primitive_motions(world, grounding, symbol, categorise, **options)
+    options = distilled.options if distilled else {}
+    objects, seed = options.get("objects", 100), options.get("seed", 0)
+    motions = primitive_motions(world, grounding, symbol, categorise, objects=objects, seed=seed)
     _show_motions(domain, world, motions, f"primitive-{symbol}", output, gui)
     symbols = [primitive.symbol for primitive in grounding.operators.primitives]
     following = symbols[(symbols.index(symbol) + 1) % len(symbols)]

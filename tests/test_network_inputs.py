@@ -13,7 +13,7 @@ MIRRORS = (Mirror(actions=(0, 4), effects=(0,)), Mirror(actions=(1, 4), effects=
 
 
 def scale_of(effects, mirrored):
-    network = DirectModel(Dimensions(), DirectConfig())
+    network = DirectModel(Dimensions(), DirectConfig(peaks=False))
     network.set_scale(effects, mirrored)
     return network.effect_mean, network.effect_std
 
