@@ -198,6 +198,9 @@ def summarise(found: Mapping[str, Any], seeds: int, steps: int) -> dict[str, Any
     return {
         "command": f"make evaluate-learning SEEDS={seeds} STEPS={steps}",
         "steps": steps,
+        "complete": all(
+            len(cells[s]) == (min(FEW_SEEDS, seeds) if s == FILTERED else seeds) for s in STRATEGIES
+        ),
         "default_strategy": DEFAULT_STRATEGY,
         "machine": _machine(),
         "through_code_share": [figures["share"] for figures in ours.values()],

@@ -23,7 +23,8 @@ def page(results: Mapping[str, Any]) -> str:
         "# Learning, measured",
         f"By `{results['command']}`, which wrote this page, `learning.json` and `learning.png`. "
         f"{results['steps']:,} interactions for each strategy and seed. Machine: {machine}. Mean ± standard "
-        "deviation over seeds, as many as the column says; docs/learning.md says what is what.",
+        "deviation over seeds, as many as the column says; docs/learning.md says what is what."
+        + ("" if results["complete"] else " **Not finished**: the same command goes on."),
         "## What the bits hold",
         "R2 on random interactions of a seed of their own, mean of the three axes; the share is that through "
         "the codes over that of a network without a bottleneck on the same data.",
