@@ -3,6 +3,7 @@
 Between two blocks of interactions they learn from all interactions so far, for a few epochs.
 """
 
+from abc import ABC, abstractmethod
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import partial
@@ -60,7 +61,7 @@ class LearningConfig:
             raise InvalidValue(f"ensemble = {self.ensemble} must be at least 2.")
 
 
-class Curiosity:
+class Curiosity(ABC):
     """One network or several, that learn and are asked how little they know.
 
     Args:
@@ -83,6 +84,7 @@ class Curiosity:
             for network in networks
         ]
 
+    @abstractmethod
     def uncertainties(
         self, features: Float[np.ndarray, "F"], candidates: Float[np.ndarray, "C A"]
     ) -> Float[np.ndarray, "C"]:
@@ -92,17 +94,16 @@ class Curiosity:
             features: Features of the one object.
             candidates: Actions that could be performed on it.
         """
-        raise NotImplementedError
 
+    @abstractmethod
     def expected_sizes(
         self, features: Float[np.ndarray, "F"], candidates: Float[np.ndarray, "C A"]
     ) -> Float[np.ndarray, "C"]:
         """Predict the sum of absolute displacements that each candidate leads to [m]."""
-        raise NotImplementedError
 
+    @abstractmethod
     def loss(self, network: Any, features: Tensor, actions: Tensor, effects: Tensor) -> Tensor:
         """Compute what a network descends."""
-        raise NotImplementedError
 
     def learn(self, interactions: Interactions, block: int) -> None:
         """Let every network learn from all interactions so far.
