@@ -40,7 +40,7 @@ evaluate-world: install
 
 # Every figure of docs/learning.md, into docs/results/; goes on where it was interrupted. SEEDS=1 takes an hour.
 SEEDS ?= 5
-STEPS ?= 10000
+STEPS ?= 5120
 evaluate-learning: install
 	$(BIN)/python tools/evaluate_learning.py --seeds $(SEEDS) --steps $(STEPS)
 

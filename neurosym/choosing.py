@@ -3,8 +3,8 @@
 A good action does nearly the same to all objects of a category, and does something: of all it does, as much
 as possible is explained by the category. And it does something that no other symbol's action does
 (`variety.py`). That is first reckoned from what a network without a bottleneck predicts, and then measured:
-the few best of each symbol are auditioned in the world. The paper takes the candidate whose embedding is
-nearest to the code.
+the few best of each symbol are auditioned in the world, and the best of those once more. The paper takes the
+candidate whose embedding is nearest to the code.
 """
 
 from collections.abc import Callable, Sequence
@@ -19,15 +19,16 @@ from neurosym.rehearsal import Categorise, Progress, perform_on_each
 from neurosym.symbols import Symbol
 from neurosym.variety import LITTLE, best_set, profile, worth_in_place
 from neurosym.workers import WorldFactory
+from neurosym.world import Scene
 
 Predict = Callable[[np.ndarray, np.ndarray], np.ndarray]
 """Predicts effects, and peak heights behind them, (N, O) [m], from features (N, F) and actions (N, A)."""
 
 CHOICES = ("predictable", "lowest-error")
-SHORTLISTED = 4
-"""Candidates of each symbol that are auditioned."""
+AUDITIONED = (4, 2)
+"""Candidates of each symbol that are auditioned, the first time and again."""
 AUDITION_OBJECTS = 24
-"""Objects on which each of them is performed."""
+"""Objects on which each of them is performed, others each time."""
 OBJECTS_TO_PREDICT = 200
 """Objects on which the effects of every candidate are predicted."""
 
@@ -66,7 +67,7 @@ def choose(
         raise UnknownChoice("choice", choice, CHOICES)
     if choice == "lowest-error":
         return lowest_error(candidates)
-    count = 1 if world_factory is None else SHORTLISTED
+    count = 1 if world_factory is None else AUDITIONED[0]
     few = shortlist(candidates, predict, features[:OBJECTS_TO_PREDICT], categorise, count)
     if world_factory is None:
         return few
@@ -98,14 +99,7 @@ def shortlist(
     symbols = np.array(categorise(features))
     ordered, rivals = _by_symbol(candidates)
     happens = [predict(features, np.tile(np.array(c.action), (len(features), 1))) for c in ordered]
-    scores = np.array([predictability(values, symbols) for values in happens])
-    profiles = np.array([profile(values, symbols) for values in happens])
-    chosen = best_set(rivals, scores, profiles)
-    kept = []
-    for place, group in enumerate(rivals):
-        values = worth_in_place(chosen, place, group, scores, profiles)
-        kept += [group[number] for number in np.argsort(-np.array(values), kind="stable")[:count]]
-    return tuple(ordered[number] for number in kept)
+    return tuple(ordered[number] for number in _best_of_each(rivals, np.array(happens), symbols, count))
 
 
 def audition(
@@ -120,27 +114,64 @@ def audition(
 ) -> tuple[Primitive, ...]:
     """Perform the candidates on the same sampled objects, and choose those that together are worth most.
 
-    Two that move an object equally far differ if one carries it higher on the way. The objects are others
-    than those that primitives are rehearsed on afterwards.
+    Two that move an object equally far differ if one carries it higher on the way. Who shone by luck is found
+    out by a second audition of the best. The objects are others than those that primitives are rehearsed on
+    afterwards.
 
     Args:
         world_factory: Builds the world; must survive pickling if there is more than one worker.
         shortlisted: Candidates, one or more for each symbol.
         categorise: Gives the object symbols of features.
-        objects: How many objects are sampled.
+        objects: How many objects are sampled for each audition.
         seed: Where all draws start.
         workers: How many processes; their number does not change the result.
         progress: Called after each performance.
     """
     world = world_factory()
-    scenes = [world.sample_scene(np.random.default_rng([seed, _STREAM, n]), 1) for n in range(objects)]
-    symbols = np.array(categorise(np.concatenate([scene.features for scene in scenes])))
-    ordered, rivals = _by_symbol(shortlisted)
-    performed = perform_on_each(world_factory, ordered, scenes, workers, progress)
-    happened = [np.array([[*o.effect, o.peak_height] for o in outcomes]) for outcomes in performed]
-    scores = np.array([predictability(values, symbols) for values in happened])
-    profiles = np.array([profile(values, symbols) for values in happened])
-    return tuple(ordered[number] for number in best_set(rivals, scores, profiles))
+    few, rivals = _by_symbol(shortlisted)
+    again = sum(min(AUDITIONED[1], len(group)) for group in rivals)
+    total, scenes, done = objects * (len(few) + again), list[Scene](), 0
+    happened = [list[list[float]]() for _ in few]
+
+    def report(count: int, _: int) -> None:
+        if progress is not None:
+            progress(done + count, total)
+
+    for kept in (AUDITIONED[1], 1):
+        numbers = range(len(scenes), len(scenes) + objects)
+        scenes += [world.sample_scene(np.random.default_rng([seed, _STREAM, n]), 1) for n in numbers]
+        performed = perform_on_each(world_factory, few, scenes[-objects:], workers, report)
+        done += objects * len(few)
+        for rows, outcomes in zip(happened, performed, strict=True):
+            rows += [[*outcome.effect, outcome.peak_height] for outcome in outcomes]
+        symbols = np.array(categorise(np.concatenate([scene.features for scene in scenes])))
+        best = _best_of_each(rivals, np.array(happened), symbols, kept)
+        few, happened = [few[number] for number in best], [happened[number] for number in best]
+        rivals = _by_symbol(few)[1]
+    return tuple(few)
+
+
+def _best_of_each(
+    rivals: Sequence[Sequence[int]],
+    happens: Float[np.ndarray, "N M O"],
+    symbols: np.ndarray,
+    count: int,
+) -> list[int]:
+    """Keep those of each symbol that are worth most among the best set of the others, best first.
+
+    Args:
+        rivals: For each symbol, the numbers of its candidates.
+        happens: What each candidate does to each object.
+        symbols: Symbol of each object.
+        count: How many are kept of each symbol.
+    """
+    scores = np.array([predictability(values, symbols) for values in happens])
+    profiles = np.array([profile(values, symbols) for values in happens])
+    chosen, kept = best_set(rivals, scores, profiles), []
+    for place, group in enumerate(rivals):
+        values = worth_in_place(chosen, place, group, scores, profiles)
+        kept += [group[number] for number in np.argsort(-np.array(values), kind="stable")[:count]]
+    return kept
 
 
 def predictability(effects: Float[np.ndarray, "M O"], symbols: Sequence[Symbol] | np.ndarray) -> float:

@@ -47,6 +47,14 @@ class DirectModel(EffectNetwork):
         effects: Tensor = self(features, actions)[:, : self.dimensions.effects]
         return effects
 
+    def effects(self, features: Float[Tensor, "B F"], actions: Float[Tensor, "B A"]) -> Float[Tensor, "B E"]:
+        """Predict the effect [m]."""
+        axes = self.dimensions.effects
+        effects: Tensor = (
+            self.standard_effects(features, actions) * self.effect_std[:axes] + self.effect_mean[:axes]
+        )
+        return effects
+
     def predict(
         self, features: Float[np.ndarray, "N F"], actions: Float[np.ndarray, "N A"]
     ) -> Float[np.ndarray, "N E"]:

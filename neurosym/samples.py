@@ -14,6 +14,7 @@ from neurosym.effect_network import tensor
 from neurosym.interactions import Interactions
 from neurosym.model_config import Dimensions
 from neurosym.network_inputs import reflected
+from neurosym.strategies import STRATEGIES
 from neurosym.world import Mirror
 
 
@@ -26,7 +27,7 @@ class Samples:
         actions: Action parameters.
         effects: Effects [m].
         peaks: Greatest heights on the way [m].
-        low: Least value of each action parameter; None if it is not known where actions may be drawn from.
+        low: Least value of each action parameter, if the actions were drawn from a box; else None.
         high: Greatest value of each action parameter, likewise.
         mirrors: Mirrors of the world that are made use of.
     """
@@ -63,7 +64,7 @@ class Samples:
     ) -> tuple[Float[Tensor, "B F"], Float[Tensor, "B A"]]:
         """Draw objects and actions, for a teacher to say what would happen.
 
-        Objects are those of the data. Actions come from the box, or where none is known, from the data.
+        Objects are those of the data. Actions come from the box if those of the data did, else from the data.
         """
         rows = torch.randint(len(self), (count,), generator=generator)
         if self.low is None or self.high is None:
@@ -73,14 +74,16 @@ class Samples:
 
 
 def samples_of(interactions: Interactions, *, mirrors: bool = True) -> Samples:
-    """Turn a data set into tensors, with the box of its actions if its origin names one.
+    """Turn a data set into tensors, with the box of its actions if they were drawn from it.
+
+    So they were if a strategy explored. Actions of other origin may lie in few places of their box.
 
     Args:
         interactions: The data.
         mirrors: Whether to make use of the mirrors that its origin names.
     """
     origin = interactions.origin
-    has_box = "action_low" in origin and "action_high" in origin
+    has_box = origin.get("strategy") in STRATEGIES and "action_low" in origin and "action_high" in origin
     return Samples(
         features=tensor(interactions.features),
         actions=tensor(interactions.actions),

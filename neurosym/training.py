@@ -14,10 +14,10 @@ from neurosym.data_check import too_few
 from neurosym.direct_model import DirectModel
 from neurosym.effect_model import EffectModel
 from neurosym.errors import InvalidValue
-from neurosym.fitting import reproducible
+from neurosym.fitting import Progress, reproducible
 from neurosym.interactions import Interactions
 from neurosym.model_config import Dimensions, ModelConfig
-from neurosym.recipes import RECIPES, Progress, fit_direct
+from neurosym.recipes import RECIPES, fit_direct
 from neurosym.samples import Samples, dimensions_of, samples_of
 from neurosym.strategies import STRATEGIES
 from neurosym.training_config import TrainingConfig
@@ -77,19 +77,21 @@ def train(
         interactions = interactions[strategy.learns_from(interactions.effects)]
     kept, held_out = split(interactions, config.validation_share, seed)
     samples = samples_of(kept, mirrors=config.mirrors)
-    if direct is None:
-        direct = _fit_direct(samples, dimensions_of(interactions), config, seed, progress)
-    fits = [_fit(samples, direct, model_config, config, seed, n, progress) for n in range(config.restarts)]
-    reports = [assess(model, direct, kept, held_out) for model in fits]
-    best = int(np.argmax([report["r2_through_codes"] for report in reports]))
-    model, report = fits[best], reports[best]
-    report["restarts"] = [figures["r2_through_codes"] for figures in reports]
-    model.trained_by = direct.trained_by = {
+    trained_by = {
         "training": asdict(config),
         "seed": seed,
         "interactions": len(interactions),
         "origin": interactions.origin,
     }
+    if direct is None:
+        direct = _fit_direct(samples, dimensions_of(interactions), config, seed, progress)
+        direct.trained_by = trained_by
+    fits = [_fit(samples, direct, model_config, config, seed, n, progress) for n in range(config.restarts)]
+    reports = [assess(model, direct, kept, held_out) for model in fits]
+    best = int(np.argmax([report["r2_through_codes"] for report in reports]))
+    model, report = fits[best], reports[best]
+    report["restarts"] = [figures["r2_through_codes"] for figures in reports]
+    model.trained_by = trained_by
     return Trained(model, direct, report)
 
 

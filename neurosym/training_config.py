@@ -36,13 +36,18 @@ class TrainingConfig:
         table_restarts: Starts of the co-clustering.
         named_actions: How many more actions the teacher tells the meaning of, for the encoder to be fitted.
         named_objects: The same of objects.
-        naming_steps: Steps in which each encoder is fitted to them.
+        naming_starts: From how many starts each encoder is fitted to them; the best is kept.
+        naming_steps: Steps of each of these fits.
         naming_batch: How many at a time.
         imagined_actions: Actions in a step of the end-to-end fit of the encoders.
         imagined_objects: Objects in it: each action is imagined on each object.
         code_steps: Steps of the end-to-end fit.
         code_rate: Greatest step size of Adam for the encoders; half of it in the end-to-end fit.
-        refit_epochs: How often the decoder sees every interaction through the codes.
+        decoder_learns_from: "imagined" fits the decoder of "taught" to actions as they come, "data" to
+            those that were chosen.
+        imagined: Interactions that are imagined for the decoder.
+        imagined_epochs: How often the decoder sees each of them.
+        refit_epochs: How often the decoder sees every interaction, if it is fitted to the data.
     """
 
     recipe: Literal["joint", "refit", "taught"] = "taught"
@@ -68,12 +73,16 @@ class TrainingConfig:
     table_restarts: int = 20
     named_actions: int = 40_000
     named_objects: int = 4000
-    naming_steps: int = 1000
+    naming_starts: int = 3
+    naming_steps: int = 400
     naming_batch: int = 1024
     imagined_actions: int = 256
     imagined_objects: int = 16
     code_steps: int = 1000
     code_rate: float = 2e-3
+    decoder_learns_from: Literal["imagined", "data"] = "imagined"
+    imagined: int = 60_000
+    imagined_epochs: int = 8
     refit_epochs: int = 80
 
     def __post_init__(self) -> None:
@@ -100,11 +109,14 @@ _COUNTS = (
     "table_restarts",
     "named_actions",
     "named_objects",
+    "naming_starts",
     "naming_steps",
     "naming_batch",
     "imagined_actions",
     "imagined_objects",
     "code_steps",
+    "imagined",
+    "imagined_epochs",
     "refit_epochs",
 )
 _POSITIVE = (
@@ -145,10 +157,12 @@ REGIMES = {
             table_restarts=4,
             named_actions=10_000,
             named_objects=1000,
-            naming_steps=300,
+            naming_starts=2,
+            naming_steps=200,
             naming_batch=512,
             imagined_actions=128,
             code_steps=300,
+            imagined=20_000,
         ),
         exploration_rate=1e-3,
     ),

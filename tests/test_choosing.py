@@ -126,10 +126,32 @@ def test_auditions_are_on_other_objects_than_rehearsals_and_the_same_for_every_c
     told = []
     audition(lambda: world, RIVALS[:2], alike, objects=5, seed=3, progress=lambda *n: told.append(n))
     auditioned = [tuple(task.scene.features[0]) for task in world.asked]
-    assert auditioned[:5] == auditioned[5:]
-    rehearsed = {tuple(rehearsal_scene(world, 3, n).features[0]) for n in range(5)}
+    assert auditioned[:5] == auditioned[5:10]
+    assert auditioned[10:15] == auditioned[15:]
+    assert len(set(auditioned)) == 10  # the second audition is on others
+    rehearsed = {tuple(rehearsal_scene(world, 3, n).features[0]) for n in range(10)}
     assert not rehearsed & set(auditioned)
-    assert told == [(n, 10) for n in range(1, 11)]
+    assert told == [(n, 20) for n in range(1, 21)]
+
+
+class Lucky(ToyWorld):
+    """A toy world in which `SHORT` does something while the first audition lasts."""
+
+    def __init__(self):
+        super().__init__(make_world().config)
+        self.performed = 0
+
+    def interact(self, scene, action, target, **options):  # noqa: D102
+        self.performed += 1
+        lucky = tuple(action) == SHORT and self.performed <= 2 * 12
+        return super().interact(scene, np.array(FORWARD) if lucky else action, target, **options)
+
+
+def test_who_shone_by_luck_is_found_out_by_the_second_audition():
+    rivals = (Primitive("0", SHORT, 0.0), Primitive("0", LEFT, 0.0))
+    world = Lucky()
+    assert audition(lambda: world, rivals, by_affordance, objects=12, seed=0)[0].action == LEFT
+    assert world.performed == 4 * 12
 
 
 def test_without_a_world_the_choice_rests_on_what_is_foretold():

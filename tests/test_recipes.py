@@ -8,8 +8,10 @@ import pytest
 import torch
 from toy_learning import toy_data
 
+from neurosym.interactions import Interactions
 from neurosym.model_config import DirectConfig, ModelConfig
-from neurosym.recipes import code_probabilities, expected_error
+from neurosym.teaching import code_probabilities, draw_alike, expected_error
+from neurosym.toy_world import make_world
 from neurosym.training import train
 from neurosym.training_config import TrainingConfig
 
@@ -24,11 +26,14 @@ SMALL_FIT = TrainingConfig(
     table_restarts=3,
     named_actions=4000,
     named_objects=600,
+    naming_starts=1,
     naming_steps=400,
     naming_batch=96,
     imagined_actions=128,
     imagined_objects=8,
     code_steps=100,
+    imagined=4000,
+    imagined_epochs=15,
     refit_epochs=15,
 )
 """Learns the toy world well enough, in a few seconds."""
@@ -85,6 +90,57 @@ def test_taught_bits_say_more_than_those_of_the_joint_fit_and_every_code_is_used
         assert counts.max() > 0.7 * counts.sum()
         favourites[push] = names[counts.argmax()]
     assert len(set(favourites.values())) == 4
+
+
+def test_drawn_alike_are_of_the_same_code_or_else_of_the_nearest_there_is():
+    there = torch.tensor([[1.0, 1, 1], [1, 1, 1], [-1, -1, -1], [-1, 1, -1]])
+    wanted = torch.tensor([[1.0, 1, 1]] * 50 + [[-1.0, -1, -1]] * 20 + [[-1.0, -1, 1]] * 20)
+    drawn = draw_alike(wanted, there, torch.Generator().manual_seed(0))
+    assert set(drawn[:50].tolist()) == {0, 1}
+    assert set(drawn[50:70].tolist()) == {2}
+    assert set(drawn[70:].tolist()) == {2}
+
+
+def test_decoder_expects_what_actions_do_that_nobody_chose_for_their_effect():
+    """Nine of ten pushes that would move something are left out of the data."""
+    every = toy_data(2000)
+    moved = np.abs(every.effects).sum(1) > 0
+    rare = np.random.default_rng(0).uniform(size=len(every)) < 0.1
+    chosen, test = every[~moved | rare], toy_data(3000)[2000:]
+    errors, direct = {}, None
+    for source in ("imagined", "data"):
+        config = replace(SMALL_FIT, decoder_learns_from=source, direct_epochs=20, code_steps=30)
+        trained = train(chosen, config=config, model_config=ModelConfig(hidden=64), seed=0, direct=direct)
+        direct = trained.direct
+        mean, _ = trained.model.predict_from_codes(test.features, test.actions)
+        errors[source] = np.mean((mean - test.effects) ** 2)
+    assert errors["imagined"] < errors["data"]
+
+
+def planted_kinds(count):
+    """Perform lifts, pushes in four directions and nothing, each a little different every time."""
+    world, rng = make_world(), np.random.default_rng(0)
+    travels = np.array([[0, 0], [0.08, 0], [-0.08, 0], [0, 0.08], [0, -0.08], [0, 0]])
+    kinds = rng.integers(6, size=count)
+    waypoints = 0.003 * rng.normal(size=(count, 3, 4))
+    waypoints[:, 0, :2] -= travels[kinds] / 2
+    waypoints[:, 2, :2] += travels[kinds] / 2
+    waypoints[:, :, 3] += 0.9
+    waypoints[kinds == 0, 2, 3] -= 0.8
+    actions = waypoints.reshape(count, 12)
+    outcomes = [world.interact(world.sample_scene(rng, 1), action, 0) for action in actions]
+    box = {"action_low": world.action_box.low.tolist(), "action_high": world.action_box.high.tolist()}
+    return Interactions.from_outcomes(outcomes, actions, {"gripper_columns": [3, 7, 11], **box}), kinds
+
+
+def test_actions_that_lie_together_in_few_places_of_their_box_are_told_apart():
+    data, kinds = planted_kinds(1500)
+    trained = train(data, config=SMALL_FIT, model_config=ModelConfig(hidden=64), seed=0)
+    assert trained.report["share"] > 0.7
+    symbols = np.array(trained.model.action_symbols(data.actions))
+    named = [np.unique(symbols[kinds == kind], return_counts=True) for kind in range(6)]
+    assert all(counts.max() > 0.9 * counts.sum() for _, counts in named)
+    assert len({names[counts.argmax()] for names, counts in named}) >= 5
 
 
 def direction_of_pushes(actions):

@@ -23,6 +23,8 @@ MOMENT = {
     "imagined_actions": 16,
     "imagined_objects": 4,
     "code_steps": 5,
+    "imagined": 300,
+    "imagined_epochs": 2,
     "refit_epochs": 2,
 }
 """Options of a training that learns nearly nothing."""

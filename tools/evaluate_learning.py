@@ -60,6 +60,7 @@ VARIANTS: Mapping[str, tuple[TrainingConfig, ModelConfig]] = {
         ModelConfig(gripper_sharpness=None),
     ),
     "no mirrors": (replace(OURS, mirrors=False), ModelConfig()),
+    "decoder fitted to the chosen actions": (replace(OURS, decoder_learns_from="data"), ModelConfig()),
     "learning rate 1e-5": (
         replace(OURS, learning_rate=1e-5, direct_rate=1e-5, code_rate=1e-5, decay=False),
         ModelConfig(),
@@ -75,7 +76,7 @@ Job = Callable[[], dict[str, Any]]
 
 def main(
     seeds: Annotated[int, tyro.conf.arg(help="Seeds of Tables I and II.")] = 5,
-    steps: Annotated[int, tyro.conf.arg(help="Interactions of each exploration.")] = 10_000,
+    steps: Annotated[int, tyro.conf.arg(help="Interactions of each exploration.")] = 5120,
     work: Annotated[Path, tyro.conf.arg(help="Folder for what was explored and measured.")] = WORK,
     results: Annotated[Path, tyro.conf.arg(help="Folder for the tables.")] = RESULTS,
     workers: Annotated[int, tyro.conf.arg(help="Jobs at once.")] = os.cpu_count() or 1,
@@ -90,8 +91,11 @@ def main(
         for seed in range(1, seeds + 1):
             for strategy in dict.fromkeys(EXPLORED[strategy] for strategy in of_seed(seed)):
                 explore(work / f"{strategy}-{seed}", strategy, seed, steps, workers)
-            for few in (main_jobs(work, seed, steps), other_jobs(work, seed, steps)):
-                perform(work / "jobs", few, workers, report)
+            perform(work / "jobs", main_jobs(work, seed, steps), workers, report)
+        for seed in range(1, seeds + 1):
+            perform(work / "jobs", other_jobs(work, seed, steps), workers, report)
+        for seed in range(1, seeds + 1):
+            perform(work / "jobs", curve_jobs(work, seed, steps), workers, report)
     report()
 
 
@@ -136,7 +140,7 @@ def main_jobs(work: Path, seed: int, steps: int) -> dict[str, Job]:
 
 
 def other_jobs(work: Path, seed: int, steps: int) -> dict[str, Job]:
-    """List the jobs of the curves, and for the first seeds those of bits, ablations and choices."""
+    """List the job of another choice, and for the first seeds those of bits and ablations."""
     jobs: dict[str, Job] = {}
     ours = data_of(work, DEFAULT_STRATEGY, seed, steps)
     jobs[f"choice-{seed}-{steps}"] = partial(measures.other_choice, ours, "lowest-error")
@@ -146,12 +150,17 @@ def other_jobs(work: Path, seed: int, steps: int) -> dict[str, Job]:
         for name, (config, model_config) in VARIANTS.items():
             key = f"variant-{name.replace(' ', '_')}-{seed}-{steps}"
             jobs[key] = partial(measures.variant, ours, config, model_config)
-    for rows in [rows for rows in CURVE if rows < steps]:
-        for strategy in of_seed(seed):
-            jobs[f"cell-{strategy}-{seed}-{rows}"] = partial(
-                measures.cell, data_of(work, strategy, seed, rows)
-            )
     return jobs
+
+
+def curve_jobs(work: Path, seed: int, steps: int) -> dict[str, Job]:
+    """List the jobs of the learning curves, short of the last point."""
+    return {
+        f"cell-{strategy}-{seed}-{rows}": partial(measures.cell, data_of(work, strategy, seed, rows))
+        for rows in CURVE
+        if rows < steps
+        for strategy in of_seed(seed)
+    }
 
 
 def perform(folder: Path, jobs: Mapping[str, Job], workers: int, report: Callable[[], None]) -> None:
