@@ -10,7 +10,7 @@ from collections.abc import Callable, Sequence
 from neurosym import commands, learning_commands
 from neurosym.console import error_console
 from neurosym.errors import NeurosymError
-from neurosym.explain_command import explain
+from neurosym.explain.command import explain
 from neurosym.show_command import show
 
 BAD_INPUT, INTERRUPTED = 2, 130

@@ -5,8 +5,8 @@ from command_line import neurosym, refusal
 from tables import table
 from test_shipped_domain import FOLDER, GROUNDING
 
-from neurosym.explain_command import explain_folder
-from neurosym.explanation_text import explanation_page
+from neurosym.explain.command import explain_folder
+from neurosym.explain.text import explanation_page
 from neurosym.files import read_json, write_json
 from neurosym.folder import DomainFolder
 from neurosym.operators import OperatorTable

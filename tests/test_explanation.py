@@ -8,11 +8,11 @@ import pytest
 from tables import grounding, mode, table
 from test_shipped_domain import GROUNDING
 
-from neurosym.action_words import action_in_words, displacement_in_words, place_in_words
 from neurosym.errors import InvalidValue
-from neurosym.explanation import explain
-from neurosym.likeness import Likenesses, typical
-from neurosym.object_words import objects_in_words, type_shares
+from neurosym.explain.action_words import action_in_words, displacement_in_words, place_in_words
+from neurosym.explain.explanation import explain
+from neurosym.explain.likeness import Likenesses, typical
+from neurosym.explain.object_words import objects_in_words, type_shares
 from neurosym.operators import Category, Operator, OperatorTable, Primitive
 from neurosym.world import three_waypoints
 

@@ -14,7 +14,7 @@ from neurosym.folder import GROUNDING, PRIMITIVES, WORLD, DomainFolder
 from neurosym.operators import OperatorTable
 
 if TYPE_CHECKING:
-    from neurosym.explanation import Explanation
+    from neurosym.explain.explanation import Explanation
     from neurosym.pddl.grounding import Grounding
     from neurosym.world import World
 
@@ -30,7 +30,7 @@ def explain(
     ] = None,
 ) -> int:
     """Say in words what each symbol means: what the hand does and brings about, which objects are alike."""
-    from neurosym.explanation_text import explanation_page, show_explanation
+    from neurosym.explain.text import explanation_page, show_explanation
 
     domain = DomainFolder(folder)
     if output:
@@ -61,7 +61,7 @@ def explain_folder(domain: DomainFolder) -> "Explanation":
         StageMissing: If there is no `primitives.json`.
         InvalidFile: If a file cannot be used.
     """
-    from neurosym.explanation import explain as explain_table
+    from neurosym.explain.explanation import explain as explain_table
 
     path = domain.require(PRIMITIVES)
     table = read_json(path, OperatorTable)

@@ -7,17 +7,17 @@ thing. Object symbols: which objects they hold, and to which other category the 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
-from neurosym.action_words import action_in_words, displacement_in_words, spread_in_words
-from neurosym.comparison_words import (
+from neurosym.errors import InvalidValue
+from neurosym.explain.action_words import action_in_words, displacement_in_words, spread_in_words
+from neurosym.explain.comparison_words import (
     ENDS,
     category_in_words,
     competitor_in_words,
     sorting_in_words,
     verdict_in_words,
 )
-from neurosym.errors import InvalidValue
-from neurosym.likeness import Likenesses, Sorting
-from neurosym.object_words import objects_in_words
+from neurosym.explain.likeness import Likenesses, Sorting
+from neurosym.explain.object_words import objects_in_words
 from neurosym.operators import Category, Mode, Operator, OperatorTable, Primitive
 from neurosym.symbols import Symbol, all_symbols
 

@@ -4,7 +4,7 @@ import textwrap
 from collections.abc import Sequence
 
 from neurosym.console import console, say
-from neurosym.explanation import EffectRow, Explanation, SymbolExplanation
+from neurosym.explain.explanation import EffectRow, Explanation, SymbolExplanation
 
 _COLUMNS = ("operator", "trials", "share", "ends", "effect", "spread")
 _WIDEST = 110  # columns of running text

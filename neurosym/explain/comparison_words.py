@@ -2,8 +2,8 @@
 
 from collections.abc import Collection, Mapping
 
-from neurosym.action_words import displacement_in_words, distance_in_words
-from neurosym.likeness import Difference, Likeness, Sorting
+from neurosym.explain.action_words import displacement_in_words, distance_in_words
+from neurosym.explain.likeness import Difference, Likeness, Sorting
 from neurosym.operators import Mode
 from neurosym.symbols import Symbol
 from neurosym.world import OutcomeKind
