@@ -75,6 +75,36 @@ def nearest(
     return labels, np.maximum(squares[np.arange(len(points)), labels], 0)
 
 
+def kmeans(
+    points: Float[np.ndarray, "N D"],
+    kinds: int,
+    rng: np.random.Generator,
+    labels: np.ndarray | None = None,
+) -> Int[np.ndarray, "N"]:
+    """Cluster points by Lloyd's steps, from given labels or from k-means++ seeds; returns labels.
+
+    Args:
+        points: What to cluster.
+        kinds: How many clusters, at most.
+        rng: Source of randomness, owned by the caller.
+        labels: Where to begin.
+    """
+    if labels is None or len(np.unique(labels)) < kinds:
+        labels, _ = nearest(points, _seeds(points, kinds, rng))
+    for _ in range(_LLOYD_STEPS):
+        members = np.eye(kinds)[labels]  # (N, kinds)
+        counts = members.sum(0)
+        centres = (members.T @ points) / np.maximum(counts, 1)[:, None]
+        moved, distances = nearest(points, centres)
+        for empty in np.flatnonzero(counts == 0):
+            moved[np.argmax(distances)] = empty
+            distances[np.argmax(distances)] = 0
+        if np.array_equal(moved, labels):
+            break
+        labels = moved
+    return labels
+
+
 def gray_order(centres: Float[np.ndarray, "L D"], rng: np.random.Generator) -> Int[np.ndarray, "L"]:
     """Give each kind a code such that kinds one bit apart are alike, by swaps while they help.
 
@@ -119,11 +149,11 @@ def _alternate(
     table: np.ndarray, row_kinds: int, column_kinds: int, rng: np.random.Generator
 ) -> CoClustering:
     flipped = table.transpose(1, 0, 2)
-    rows = _kmeans(table.reshape(len(table), -1), row_kinds, rng)
+    rows = kmeans(table.reshape(len(table), -1), row_kinds, rng)
     columns, error = np.zeros(len(flipped), dtype=int), np.inf
     for _ in range(_ROUNDS):
-        columns = _kmeans(profiles(flipped, rows, row_kinds), column_kinds, rng, columns)
-        rows = _kmeans(profiles(table, columns, column_kinds), row_kinds, rng, rows)
+        columns = kmeans(profiles(flipped, rows, row_kinds), column_kinds, rng, columns)
+        rows = kmeans(profiles(table, columns, column_kinds), row_kinds, rng, rows)
         previous, error = error, _block_error(table, rows, columns, row_kinds, column_kinds)
         if error > previous * (1 - 1e-4):
             break
@@ -139,29 +169,6 @@ def _block_error(
     sums = np.tensordot(by_row, column_members, axes=(1, 0))  # (kinds, E, other kinds)
     explained = (sums**2 / np.maximum(counts, 1)[:, None]).sum()
     return float(((table**2).sum() - explained) / (table.shape[0] * table.shape[1]))
-
-
-def _kmeans(
-    points: Float[np.ndarray, "N D"],
-    kinds: int,
-    rng: np.random.Generator,
-    labels: np.ndarray | None = None,
-) -> Int[np.ndarray, "N"]:
-    """Cluster points by Lloyd's steps, from given labels or from k-means++ seeds."""
-    if labels is None or len(np.unique(labels)) < kinds:
-        labels, _ = nearest(points, _seeds(points, kinds, rng))
-    for _ in range(_LLOYD_STEPS):
-        members = np.eye(kinds)[labels]  # (N, kinds)
-        counts = members.sum(0)
-        centres = (members.T @ points) / np.maximum(counts, 1)[:, None]
-        moved, distances = nearest(points, centres)
-        for empty in np.flatnonzero(counts == 0):
-            moved[np.argmax(distances)] = empty
-            distances[np.argmax(distances)] = 0
-        if np.array_equal(moved, labels):
-            break
-        labels = moved
-    return labels
 
 
 def _seeds(points: np.ndarray, kinds: int, rng: np.random.Generator) -> Float[np.ndarray, "L D"]:

@@ -2,7 +2,7 @@
 
 After the section "Distilling Parameters" of the paper: the encoder is frozen, and gradient descent moves the
 parameters of actions until their embedding is the +-1 code of the symbol. It starts from actions of the data
-that already have the symbol.
+that already have the symbol: some of every kind of outcome they had, since rare ones are worth knowing, too.
 """
 
 from collections.abc import Callable, Sequence
@@ -13,6 +13,7 @@ import torch
 from jaxtyping import Float
 from torch import Tensor
 
+from neurosym.coclustering import kmeans
 from neurosym.effect_model import EffectModel
 from neurosym.effect_network import one_thread
 from neurosym.errors import InvalidValue
@@ -27,6 +28,7 @@ Progress = Callable[[int, int], None]
 CONVERGED = 0.05
 """Greatest mean squared error to the code of an action that counts as found."""
 
+_KINDS_OF_OUTCOME = 12
 _STREAM = 0x6469  # keeps distillation's draws apart from those of other stages
 
 
@@ -86,7 +88,12 @@ def distill(
     rng = np.random.default_rng([seed, _STREAM])
     symbols = all_symbols(model.config.action_bits)
     found = np.array(model.action_symbols(actions))
-    starts = {symbol: _some(np.flatnonzero(found == symbol), config.candidates, rng) for symbol in symbols}
+    outcomes = np.column_stack([interactions.effects, interactions.peak_heights])
+    outcomes = outcomes / np.maximum(outcomes.std(0), 1e-9)
+    starts = {
+        symbol: draw_of_every_kind(np.flatnonzero(found == symbol), outcomes, config.candidates, rng)
+        for symbol in symbols
+    }
     reached = [symbol for symbol in symbols if len(starts[symbol])]
     begin = np.concatenate([actions[starts[symbol]] for symbol in reached])
     owners = np.repeat(reached, [len(starts[symbol]) for symbol in reached])
@@ -164,8 +171,25 @@ def _descend(
     return np.clip((middle + half * best).numpy().astype(np.float64), box.low, box.high)
 
 
-def _some(rows: np.ndarray, count: int, rng: np.random.Generator) -> np.ndarray:
-    return np.asarray(rng.permutation(rows)[:count])
+def draw_of_every_kind(
+    rows: np.ndarray, outcomes: Float[np.ndarray, "N D"], count: int, rng: np.random.Generator
+) -> np.ndarray:
+    """Draw some of the rows, equally many of each kind of outcome as far as there are so many.
+
+    Args:
+        rows: Numbers of interactions.
+        outcomes: What happened in each of all interactions, on comparable scales.
+        count: How many are drawn; all if there are fewer.
+        rng: Source of randomness, owned by the caller.
+    """
+    rows = rng.permutation(rows)
+    if len(rows) <= count:
+        return rows
+    kinds = kmeans(outcomes[rows], _KINDS_OF_OUTCOME, rng)
+    turns = np.empty(len(rows), dtype=int)
+    for kind in np.unique(kinds):
+        turns[kinds == kind] = np.arange(np.sum(kinds == kind))
+    return np.asarray(rows[np.argsort(turns, kind="stable")[:count]])
 
 
 def _tensor(values: np.ndarray) -> Tensor:

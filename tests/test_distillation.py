@@ -7,7 +7,14 @@ import pytest
 import torch
 from toy_learning import toy_data
 
-from neurosym.distillation import CONVERGED, DistillationConfig, code_errors, distill, unreached
+from neurosym.distillation import (
+    CONVERGED,
+    DistillationConfig,
+    code_errors,
+    distill,
+    draw_of_every_kind,
+    unreached,
+)
 from neurosym.effect_model import EffectModel
 from neurosym.errors import InvalidValue
 from neurosym.fitting import reproducible
@@ -37,6 +44,20 @@ def a_model(bits=3):
 def by_symbol(candidates):
     symbols = sorted({candidate.symbol for candidate in candidates})
     return {symbol: [c for c in candidates if c.symbol == symbol] for symbol in symbols}
+
+
+def test_starts_are_of_every_kind_of_outcome_however_rare():
+    rng = np.random.default_rng(0)
+    outcomes = rng.normal(size=(2000, 4)) * 0.05
+    rare = rng.permutation(2000)[:20]
+    outcomes[rare, 2] += 3
+    rows = np.setdiff1d(np.arange(2000), rare[:10])  # half of the rare ones have another symbol
+    drawn = draw_of_every_kind(rows, outcomes, 120, rng)
+    assert len(set(drawn.tolist())) == 120
+    assert set(drawn) <= set(rows)
+    assert set(rare[10:]) <= set(drawn)
+    few = draw_of_every_kind(rows[:50], outcomes, 120, rng)
+    assert sorted(few) == rows[:50].tolist()
 
 
 def test_every_candidate_encodes_to_its_symbol_and_lies_in_the_box():

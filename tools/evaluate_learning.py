@@ -24,6 +24,7 @@ from learning_curves import draw
 from learning_measures import Data
 from learning_tables import page
 
+from neurosym.choosing import CHOICES
 from neurosym.commands import init
 from neurosym.console import progress_bar, say
 from neurosym.files import write_atomically
@@ -91,11 +92,8 @@ def main(
         for seed in range(1, seeds + 1):
             for strategy in dict.fromkeys(EXPLORED[strategy] for strategy in of_seed(seed)):
                 explore(work / f"{strategy}-{seed}", strategy, seed, steps, workers)
-            perform(work / "jobs", main_jobs(work, seed, steps), workers, report)
-        for seed in range(1, seeds + 1):
-            perform(work / "jobs", other_jobs(work, seed, steps), workers, report)
-        for seed in range(1, seeds + 1):
-            perform(work / "jobs", curve_jobs(work, seed, steps), workers, report)
+        for few in jobs_in_turn(work, seeds, steps):
+            perform(work / "jobs", few, workers, report)
     report()
 
 
@@ -129,21 +127,25 @@ def data_of(work: Path, strategy: str, seed: int, steps: int) -> Data:
     return Data(work / f"{EXPLORED[strategy]}-{seed}", work / "test", strategy, seed, steps)
 
 
-def main_jobs(work: Path, seed: int, steps: int) -> dict[str, Job]:
-    """List the jobs of Tables I and II."""
-    return {
-        f"cell-{strategy}-{seed}-{steps}": partial(
-            measures.cell, data_of(work, strategy, seed, steps), keep=True
-        )
-        for strategy in of_seed(seed)
-    }
+def jobs_in_turn(work: Path, seeds: int, steps: int) -> Iterator[dict[str, Job]]:
+    """List the jobs: first those whose networks others need; all tables, and then the curves."""
+    numbers = range(1, seeds + 1)
+    for rows in [steps, *(rows for rows in CURVE if rows < steps)]:
+        cells = {
+            f"{strategy}-{seed}-{rows}": data_of(work, strategy, seed, rows)
+            for seed in numbers
+            for strategy in of_seed(seed)
+        }
+        yield {f"learn-{name}": partial(measures.learn_and_keep, data) for name, data in cells.items()}
+        yield {f"act-{name}": partial(measures.act_upon, data, CHOICES[0]) for name, data in cells.items()}
+        if rows == steps:
+            yield {name: job for seed in numbers for name, job in other_jobs(work, seed, steps).items()}
 
 
 def other_jobs(work: Path, seed: int, steps: int) -> dict[str, Job]:
     """List the job of another choice, and for the first seeds those of bits and ablations."""
-    jobs: dict[str, Job] = {}
     ours = data_of(work, DEFAULT_STRATEGY, seed, steps)
-    jobs[f"choice-{seed}-{steps}"] = partial(measures.other_choice, ours, "lowest-error")
+    jobs: dict[str, Job] = {f"choice-{seed}-{steps}": partial(measures.act_upon, ours, "lowest-error")}
     if seed <= FEW_SEEDS:
         for bits in BITS:
             jobs[f"bits-{bits[0]}-{bits[1]}-{seed}-{steps}"] = partial(measures.other_bits, ours, *bits)
@@ -151,16 +153,6 @@ def other_jobs(work: Path, seed: int, steps: int) -> dict[str, Job]:
             key = f"variant-{name.replace(' ', '_')}-{seed}-{steps}"
             jobs[key] = partial(measures.variant, ours, config, model_config)
     return jobs
-
-
-def curve_jobs(work: Path, seed: int, steps: int) -> dict[str, Job]:
-    """List the jobs of the learning curves, short of the last point."""
-    return {
-        f"cell-{strategy}-{seed}-{rows}": partial(measures.cell, data_of(work, strategy, seed, rows))
-        for rows in CURVE
-        if rows < steps
-        for strategy in of_seed(seed)
-    }
 
 
 def perform(folder: Path, jobs: Mapping[str, Job], workers: int, report: Callable[[], None]) -> None:
@@ -200,47 +192,43 @@ def write_results(work: Path, results: Path, seeds: int, steps: int) -> None:
 
 def summarise(found: Mapping[str, Any], seeds: int, steps: int) -> dict[str, Any]:
     """Gather jobs into tables; what is not done yet is missing."""
-    cells = {
-        strategy: dict(_by_seed(found, f"cell-{strategy}-{{}}-{steps}", seeds)) for strategy in STRATEGIES
-    }
-    ours = cells[DEFAULT_STRATEGY]
+    learned, acted = (
+        {strategy: dict(_by_seed(found, f"{job}-{strategy}-{{}}-{steps}", seeds)) for strategy in STRATEGIES}
+        for job in ("learn", "act")
+    )
+    ours, few = learned[DEFAULT_STRATEGY], min(FEW_SEEDS, seeds)
     return {
         "command": f"make evaluate-learning SEEDS={seeds} STEPS={steps}",
         "steps": steps,
-        "complete": all(
-            len(cells[s]) == (min(FEW_SEEDS, seeds) if s == FILTERED else seeds) for s in STRATEGIES
-        ),
+        "missing": sum(name not in found for jobs in jobs_in_turn(Path(), seeds, steps) for name in jobs),
         "default_strategy": DEFAULT_STRATEGY,
         "machine": _machine(),
         "through_code_share": [figures["share"] for figures in ours.values()],
         "r2_direct": [figures["r2_direct"] for figures in ours.values()],
-        "table1": {
-            strategy: {seed: _without_acts(figures) for seed, figures in by_seed.items()}
-            for strategy, by_seed in cells.items()
-        },
+        "table1": learned,
         "table2": {
             strategy: {
                 seed: [kind for kind, pairs in figures["kinds"].items() if pairs]
                 for seed, figures in by_seed.items()
             }
-            for strategy, by_seed in cells.items()
+            for strategy, by_seed in acted.items()
         },
-        "rehearsals": {
-            strategy: {seed: _acts(figures) for seed, figures in by_seed.items()}
-            for strategy, by_seed in cells.items()
-        },
+        "rehearsals": acted,
         "choice": {
-            "predictable": {seed: _acts(figures) for seed, figures in ours.items()},
+            "predictable": acted[DEFAULT_STRATEGY],
             "lowest-error": dict(_by_seed(found, f"choice-{{}}-{steps}", seeds)),
         },
-        "bits": {f"{o}+{a}": dict(_by_seed(found, f"bits-{o}-{a}-{{}}-{steps}", FEW_SEEDS)) for o, a in BITS},
+        "bits": {f"{o}+{a}": dict(_by_seed(found, f"bits-{o}-{a}-{{}}-{steps}", few)) for o, a in BITS},
         "variants": {
-            name: dict(_by_seed(found, f"variant-{name.replace(' ', '_')}-{{}}-{steps}", FEW_SEEDS))
+            name: dict(_by_seed(found, f"variant-{name.replace(' ', '_')}-{{}}-{steps}", few))
             for name in VARIANTS
         },
         "curves": {
             strategy: {
-                str(rows): dict(_by_seed(found, f"cell-{strategy}-{{}}-{rows}", seeds))
+                str(rows): {
+                    job: dict(_by_seed(found, f"{job}-{strategy}-{{}}-{rows}", seeds))
+                    for job in ("learn", "act")
+                }
                 for rows in sorted({*CURVE, steps})
                 if rows <= steps
             }
@@ -253,17 +241,6 @@ def _by_seed(found: Mapping[str, Any], name: str, seeds: int) -> Iterator[tuple[
     for seed in range(1, seeds + 1):
         if (key := name.format(seed)) in found:
             yield str(seed), found[key]
-
-
-_ACTS = ("distillation_seconds", "code_errors", "in_the_box", "objects", "kinds", "operators")
-
-
-def _acts(figures: Mapping[str, Any]) -> dict[str, Any]:
-    return {name: figures[name] for name in _ACTS}
-
-
-def _without_acts(figures: Mapping[str, Any]) -> dict[str, Any]:
-    return {name: value for name, value in figures.items() if name not in _ACTS}
 
 
 def _machine() -> dict[str, str]:

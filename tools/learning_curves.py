@@ -11,12 +11,13 @@ mpl.use("Agg")
 import matplotlib.pyplot as plt
 
 Figure = Callable[[Mapping[str, Any]], float]
-PANELS: Mapping[str, Figure] = {
-    "R2 through the codes": lambda cell: cell["r2_through_codes"],
-    "R2 without a bottleneck": lambda cell: cell["r2_direct"],
-    "error, high effects [mm]": lambda cell: 1000 * float(np.mean(cell["mae"]["model"])),
-    "kinds of primitive found": lambda cell: sum(bool(pairs) for pairs in cell["kinds"].values()),
+PANELS: Mapping[str, tuple[str, Figure]] = {
+    "R2 through the codes": ("learn", lambda cell: cell["r2_through_codes"]),
+    "R2 without a bottleneck": ("learn", lambda cell: cell["r2_direct"]),
+    "error, high effects [mm]": ("learn", lambda cell: 1000 * float(np.mean(cell["mae"]["model"]))),
+    "kinds of primitive found": ("act", lambda cell: sum(bool(pairs) for pairs in cell["kinds"].values())),
 }
+"""Which job tells each measure, and how."""
 
 
 def draw(results: Mapping[str, Any], path: Path) -> None:
@@ -27,9 +28,9 @@ def draw(results: Mapping[str, Any], path: Path) -> None:
         path: The PNG.
     """
     figure, axes = plt.subplots(1, len(PANELS), figsize=(4 * len(PANELS), 3.4), layout="constrained")
-    for axis, (title, figure_of) in zip(axes, PANELS.items(), strict=True):
+    for axis, (title, (job, figure_of)) in zip(axes, PANELS.items(), strict=True):
         for strategy, by_rows in results["curves"].items():
-            points = {int(rows): [figure_of(c) for c in cells.values()] for rows, cells in by_rows.items()}
+            points = {int(rows): [figure_of(c) for c in jobs[job].values()] for rows, jobs in by_rows.items()}
             points = {rows: points[rows] for rows in sorted(points) if points[rows]}
             means = np.array([np.mean(values) for values in points.values()])
             spreads = np.array([np.std(values) for values in points.values()])

@@ -56,6 +56,10 @@ class Data:
         data = Interactions.load(self.folder / "interactions.npz")[: self.steps]
         return replace(data, origin={**data.origin, "strategy": self.strategy})
 
+    def kept(self, which: str) -> Path:
+        """Say where a network that learned from the data is kept."""
+        return self.folder / f"{self.strategy}.{self.steps}.{which}.safetensors"
+
 
 def learn(
     data: Data,
@@ -133,13 +137,18 @@ def act(data: Data, trained: Trained, choice: str, objects: int = REHEARSED) -> 
     }
 
 
-def cell(data: Data, choice: str = "predictable", keep: bool = False) -> dict[str, Any]:
-    """Learn, and act upon it."""
+def learn_and_keep(data: Data) -> dict[str, Any]:
+    """Learn, and keep the networks for the jobs that act upon them."""
     trained, figures = learn(data)
-    if keep:
-        trained.model.save(data.folder / f"{data.strategy}.model.safetensors")
-        trained.direct.save(data.folder / f"{data.strategy}.direct.safetensors")
-    return figures | act(data, trained, choice)
+    trained.model.save(data.kept("model"))
+    trained.direct.save(data.kept("direct"))
+    return figures
+
+
+def act_upon(data: Data, choice: str) -> dict[str, Any]:
+    """Act upon the networks that were kept."""
+    model, direct = EffectModel.load(data.kept("model")), DirectModel.load(data.kept("direct"))
+    return act(data, Trained(model, direct, {}), choice)
 
 
 def variant(data: Data, config: TrainingConfig, model_config: ModelConfig) -> dict[str, Any]:
@@ -148,16 +157,9 @@ def variant(data: Data, config: TrainingConfig, model_config: ModelConfig) -> di
 
 
 def other_bits(data: Data, object_bits: int, action_bits: int) -> dict[str, Any]:
-    """Learn with other numbers of bits, taught by the network that `cell` kept."""
-    direct = DirectModel.load(data.folder / f"{data.strategy}.direct.safetensors")
+    """Learn with other numbers of bits, taught by the network that was kept."""
+    direct = DirectModel.load(data.kept("direct"))
     return learn(data, None, ModelConfig(object_bits, action_bits), direct)[1]
-
-
-def other_choice(data: Data, choice: str) -> dict[str, Any]:
-    """Choose primitives by another rule, from the networks that `cell` kept."""
-    model = EffectModel.load(data.folder / f"{data.strategy}.model.safetensors")
-    direct = DirectModel.load(data.folder / f"{data.strategy}.direct.safetensors")
-    return act(data, Trained(model, direct, {}), choice)
 
 
 def _operators(rehearsals: Rehearsals, lift_height: float) -> list[dict[str, Any]]:

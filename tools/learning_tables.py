@@ -18,13 +18,13 @@ def page(results: Mapping[str, Any]) -> str:
         results: What `learning.json` holds.
     """
     machine = ", ".join(f"{name} {value}" for name, value in results["machine"].items())
-    ours = results["default_strategy"]
+    ours, missing = results["default_strategy"], results["missing"]
     sections = [
         "# Learning, measured",
         f"By `{results['command']}`, which wrote this page, `learning.json` and `learning.png`. "
         f"{results['steps']:,} interactions for each strategy and seed. Machine: {machine}. Mean ± standard "
         "deviation over seeds, as many as the column says; docs/learning.md says what is what."
-        + ("" if results["complete"] else " **Not finished**: the same command goes on."),
+        + (f" **Not finished**: {missing} jobs to do; the same command goes on." if missing else ""),
         "## What the bits hold",
         "R2 on random interactions of a seed of their own, mean of the three axes; the share is that through "
         "the codes over that of a network without a bottleneck on the same data.",
@@ -184,19 +184,19 @@ def _choices(choices: Mapping[str, BySeed]) -> str:
     return _table([*columns, "worst code error", "distillation [s]"], rows)
 
 
-def _curves(curves: Mapping[str, Mapping[str, BySeed]]) -> str:
+def _curves(curves: Mapping[str, Mapping[str, Mapping[str, BySeed]]]) -> str:
     rows = [
         [
             strategy,
             rows,
-            str(len(cells)),
-            *_spread_of(cells, ["r2_through_codes", "r2_direct"]),
-            _spread([1000 * float(np.mean(c["mae"]["model"])) for c in cells.values()], 1),
-            _spread([sum(bool(pairs) for pairs in c["kinds"].values()) for c in cells.values()], 1),
+            str(len(jobs["learn"])),
+            *_spread_of(jobs["learn"], ["r2_through_codes", "r2_direct"]),
+            _spread([1000 * float(np.mean(c["mae"]["model"])) for c in jobs["learn"].values()], 1),
+            _spread([sum(bool(pairs) for pairs in c["kinds"].values()) for c in jobs["act"].values()], 1),
         ]
         for strategy, by_rows in curves.items()
-        for rows, cells in by_rows.items()
-        if cells
+        for rows, jobs in by_rows.items()
+        if jobs["learn"]
     ]
     columns = ["", "interactions", "seeds", "R2 through codes", "R2 without bottleneck"]
     return _table([*columns, "error, high effects [mm]", "kinds found"], rows)
