@@ -1,10 +1,9 @@
 """Choosing among distilled actions: many encode to a symbol, and some are more predictable than others.
 
-A good action does nearly the same to all objects of a category, and does something: of all it does, as much
-as possible is explained by the category. And it does something that no other symbol's action does
-(`variety.py`). That is first reckoned from what a network without a bottleneck predicts, and then measured:
-the few best of each symbol are auditioned in the world, and the best of those once more. The paper takes the
-candidate whose embedding is nearest to the code.
+A good action does nearly the same to all objects of a category, and something that no other symbol's action
+does to them (`variety.py`). That is first reckoned from what a network without a bottleneck predicts, and
+then measured: the few best of each symbol are auditioned in the world, and the best of those once more. The
+paper takes the candidate whose embedding is nearest to the code.
 """
 
 from collections.abc import Callable, Sequence
@@ -16,8 +15,7 @@ from jaxtyping import Float
 from neurosym.errors import UnknownChoice
 from neurosym.operators import Primitive
 from neurosym.rehearsal import Categorise, Progress, perform_on_each
-from neurosym.symbols import Symbol
-from neurosym.variety import LITTLE, best_set, profile, worth_in_place
+from neurosym.variety import best_set, observe, worth_in_place
 from neurosym.workers import WorldFactory
 from neurosym.world import Scene
 
@@ -165,28 +163,12 @@ def _best_of_each(
         symbols: Symbol of each object.
         count: How many are kept of each symbol.
     """
-    scores = np.array([predictability(values, symbols) for values in happens])
-    profiles = np.array([profile(values, symbols) for values in happens])
-    chosen, kept = best_set(rivals, scores, profiles), []
+    deeds = observe(happens, symbols)
+    chosen, kept = best_set(rivals, deeds), []
     for place, group in enumerate(rivals):
-        values = worth_in_place(chosen, place, group, scores, profiles)
+        values = worth_in_place(chosen, place, group, deeds)
         kept += [group[number] for number in np.argsort(-np.array(values), kind="stable")[:count]]
     return kept
-
-
-def predictability(effects: Float[np.ndarray, "M O"], symbols: Sequence[Symbol] | np.ndarray) -> float:
-    """Compute the share of the mean square of an action's effects that the category of the object explains.
-
-    Effects of `LITTLE` are put to the unexplained, so that doing nothing at all is not predictable.
-
-    Args:
-        effects: What the action did to each object: displacement and peak height [m].
-        symbols: Symbol of each object.
-    """
-    symbols = np.asarray(symbols)
-    members = [effects[symbols == symbol] for symbol in np.unique(symbols)]
-    explained = sum(len(rows) * (rows.mean(0) ** 2).sum() for rows in members)
-    return float(explained / ((effects**2).sum() + len(effects) * LITTLE**2))
 
 
 def _by_symbol(candidates: Sequence[Primitive]) -> tuple[list[Primitive], list[list[int]]]:

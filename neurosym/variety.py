@@ -1,80 +1,110 @@
 """Variety: of the candidates for each symbol, take those that together do most.
 
-What an action is worth among others is how predictable it is, squared, times how far what it does is from
-what the nearest other does, or from doing nothing. Distances count by their logarithm: it matters that
-something else happens, and less how much else.
+What an action does to the objects of one category is worth how sure it is, squared, times how different it is
+from what the nearest other action does to them, and from doing nothing. An action is worth the mean over
+objects. It matters that something else happens, and hardly how much else: differences beyond `PLENTY` count
+alike, or else what reaches far would be preferred to what is sure.
 """
 
 from collections.abc import Sequence
+from dataclasses import dataclass
 
 import numpy as np
 from jaxtyping import Float
 
+from neurosym.symbols import Symbol
+
 LITTLE = 0.01
-"""An effect that counts as much as none, and a difference that counts as hardly any [m]."""
+"""An effect that counts as much as none [m]."""
+PLENTY = 0.05
+"""A difference that counts as three quarters of the greatest [m]."""
+_STARTS = 8
 
 
-def profile(values: Float[np.ndarray, "M D"], symbols: np.ndarray) -> Float[np.ndarray, "L"]:
-    """Describe an action by the means over each category of what it did, such that distances are per object.
+@dataclass(frozen=True, slots=True, eq=False)
+class Deeds:
+    """What each of some actions does to the objects of each category.
+
+    Attributes:
+        means: Mean of what it does [m].
+        sureness: Share of the mean square of what it does that the mean explains.
+        shares: Share of the objects that are of each category.
+    """
+
+    means: Float[np.ndarray, "N L D"]
+    sureness: Float[np.ndarray, "N L"]
+    shares: Float[np.ndarray, "L"]
+
+
+def observe(values: Float[np.ndarray, "N M D"], symbols: Sequence[Symbol] | np.ndarray) -> Deeds:
+    """Summarise what each action did to the objects of each category.
+
+    Effects of `LITTLE` are put to the unexplained, so that doing nothing at all is not sure.
 
     Args:
-        values: What it did to each object [m].
+        values: What each action did to each object: displacement and peak height [m].
         symbols: Symbol of each object.
     """
-    members = [values[symbols == symbol] for symbol in np.unique(symbols)]
-    return np.concatenate([np.sqrt(len(rows) / len(values)) * rows.mean(0) for rows in members])
+    symbols = np.asarray(symbols)
+    members = [values[:, symbols == symbol] for symbol in np.unique(symbols)]
+    means = np.stack([rows.mean(1) for rows in members], axis=1)
+    squares = np.stack([(rows**2).sum(2).mean(1) for rows in members], axis=1)
+    shares = np.array([rows.shape[1] for rows in members]) / len(symbols)
+    return Deeds(means, (means**2).sum(2) / (squares + LITTLE**2), shares)
 
 
-def worths(scores: Float[np.ndarray, "S"], profiles: Float[np.ndarray, "S L"]) -> Float[np.ndarray, "S"]:
+def worths(deeds: Deeds, chosen: Sequence[int]) -> Float[np.ndarray, "S"]:
     """Compute what each action of a set is worth.
 
     Args:
-        scores: How predictable each is.
-        profiles: What each does.
+        deeds: What all candidates do.
+        chosen: Which of them are the set.
     """
-    from_nothing = np.linalg.norm(profiles, axis=1)
-    apart = np.linalg.norm(profiles[:, None] - profiles, axis=2)
-    np.fill_diagonal(apart, np.inf)
-    return np.asarray(scores**2 * np.log1p(np.minimum(apart.min(1), from_nothing) / LITTLE))
+    means = deeds.means[chosen]
+    from_nothing = np.linalg.norm(means, axis=2)  # (S, L)
+    apart = np.linalg.norm(means[:, None] - means, axis=3)  # (S, S, L)
+    apart[np.arange(len(chosen)), np.arange(len(chosen))] = np.inf
+    different = np.tanh(np.minimum(apart.min(1), from_nothing) / PLENTY)
+    return np.asarray((deeds.sureness[chosen] ** 2 * different) @ deeds.shares)
 
 
-def best_set(
-    rivals: Sequence[Sequence[int]], scores: Float[np.ndarray, "N"], profiles: Float[np.ndarray, "N L"]
-) -> list[int]:
+def best_set(rivals: Sequence[Sequence[int]], deeds: Deeds) -> list[int]:
     """Choose one candidate of each symbol so that the set is worth most, changing one at a time.
+
+    That can get stuck; so it is begun from the surest candidates and from some drawn at random.
 
     Args:
         rivals: For each symbol, the numbers of its candidates.
-        scores: How predictable each candidate is.
-        profiles: What each does.
+        deeds: What all candidates do.
     """
-    chosen = [max(group, key=lambda number: scores[number]) for group in rivals]
-    changed = True
-    while changed:
-        changed = False
-        for place, group in enumerate(rivals):
-            values = worth_in_place(chosen, place, group, scores, profiles)
-            best = int(np.argmax(values))
-            if values[best] > values[group.index(chosen[place])] + 1e-9:
-                chosen[place], changed = group[best], True
-    return chosen
+    rng = np.random.default_rng(0)
+    sure = deeds.sureness @ deeds.shares
+    begun = [[max(group, key=lambda number: sure[number]) for group in rivals]]
+    begun += [[group[int(rng.integers(len(group)))] for group in rivals] for _ in range(_STARTS - 1)]
+    sets = [_improve(chosen, rivals, deeds) for chosen in begun]
+    return max(sets, key=lambda chosen: worths(deeds, chosen).sum())
 
 
-def worth_in_place(
-    chosen: Sequence[int],
-    place: int,
-    group: Sequence[int],
-    scores: Float[np.ndarray, "N"],
-    profiles: Float[np.ndarray, "N L"],
-) -> list[float]:
+def worth_in_place(chosen: Sequence[int], place: int, group: Sequence[int], deeds: Deeds) -> list[float]:
     """Compute what a set is worth with each of some candidates in one place of it.
 
     Args:
         chosen: The set.
         place: Which of it is exchanged.
         group: The candidates for that place.
-        scores: How predictable each candidate is.
-        profiles: What each does.
+        deeds: What all candidates do.
     """
     sets = [[*chosen[:place], rival, *chosen[place + 1 :]] for rival in group]
-    return [float(worths(scores[members], profiles[members]).sum()) for members in sets]
+    return [float(worths(deeds, members).sum()) for members in sets]
+
+
+def _improve(chosen: list[int], rivals: Sequence[Sequence[int]], deeds: Deeds) -> list[int]:
+    changed = True
+    while changed:
+        changed = False
+        for place, group in enumerate(rivals):
+            values = worth_in_place(chosen, place, group, deeds)
+            best = int(np.argmax(values))
+            if values[best] > values[group.index(chosen[place])] + 1e-9:
+                chosen[place], changed = group[best], True
+    return chosen

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from neurosym.choosing import CHOICES, LITTLE, audition, choose, lowest_error, predictability, shortlist
+from neurosym.choosing import CHOICES, audition, choose, lowest_error, shortlist
 from neurosym.errors import UnknownChoice
 from neurosym.operators import Primitive
 from neurosym.rehearsal import rehearsal_scene
@@ -60,35 +60,6 @@ class Watched(ToyWorld):
     def interact(self, scene, action, target, **options):  # noqa: D102
         self.asked.append(Task(scene, action, target))
         return super().interact(scene, action, target, **options)
-
-
-def test_predictability_is_the_share_that_categories_explain():
-    rng = np.random.default_rng(0)
-    effects, symbols = rng.normal(size=(30, 3)), rng.choice(["00", "01", "11"], size=30)
-    explained, total = 0.0, 30 * LITTLE**2
-    for row, symbol in zip(effects, symbols, strict=True):
-        mean = sum(effects[i] for i in range(30) if symbols[i] == symbol) / list(symbols).count(symbol)
-        explained += float(mean @ mean)
-        total += float(row @ row)
-    assert predictability(effects, symbols) == pytest.approx(explained / total)
-
-
-def test_doing_nothing_is_worth_nothing_and_doing_hardly_anything_little():
-    assert predictability(np.zeros((10, 3)), ["00"] * 10) == 0
-    assert predictability(np.full((10, 3), LITTLE / 10), ["00"] * 10) < 0.05
-
-
-def test_sure_outcome_scores_near_one_and_a_bimodal_one_less():
-    sure = np.tile([0.1, 0.0, 0.0], (20, 1))
-    bimodal = sure * (np.arange(20) % 2)[:, None]
-    assert predictability(sure, ["00"] * 20) > 0.98
-    assert predictability(bimodal, ["00"] * 20) == pytest.approx(0.5, abs=0.01)
-
-
-def test_outcomes_that_the_category_tells_apart_count_as_sure():
-    bimodal = np.array([[0.1, 0.0, 0.0], [0.0, 0.0, 0.2]] * 10)
-    assert predictability(bimodal, ["00", "01"] * 10) > 0.98
-    assert predictability(bimodal, ["00", "00", "01", "01"] * 5) < 0.6
 
 
 def test_lowest_error_takes_the_nearest_to_the_code_of_each_symbol():

@@ -1,9 +1,9 @@
-"""Variety: what is sure and unlike the others counts, and carrying is unlike pushing."""
+"""Variety: what is sure and unlike the others counts, for each category; and carrying is unlike pushing."""
 
 from dataclasses import replace
 from functools import cache
 from itertools import product
-from math import log, sqrt
+from math import sqrt, tanh
 
 import numpy as np
 import pytest
@@ -18,7 +18,7 @@ from neurosym.operators import Primitive
 from neurosym.recipes import fit_direct
 from neurosym.samples import Samples
 from neurosym.toy_world import PUSH_LENGTH, ToyWorld, make_world
-from neurosym.variety import LITTLE, best_set, profile, worth_in_place, worths
+from neurosym.variety import LITTLE, PLENTY, Deeds, best_set, observe, worth_in_place, worths
 
 PUSH = (0.0, -0.04, 0.0, 0.1, 0.0, 0.0, 0.0, 0.1, 0.0, 0.04, 0.0, 0.1)
 CARRY = (0.0, -0.04, 0.0, 0.1, 0.0, 0.0, 0.08, 0.1, 0.0, 0.04, 0.0, 0.1)  # the same by way of a height
@@ -41,15 +41,27 @@ class BlindCarrier(Carrier):
         return replace(super().interact(scene, action, target, **options), peak_height=0.0)
 
 
-def naive_worths(scores, profiles):
+def distance(one, other):
+    return sqrt(sum((x - y) ** 2 for x, y in zip(one, other, strict=True)))
+
+
+def naive_worths(deeds, chosen):
     found = []
-    for i, (score, mine) in enumerate(zip(scores, profiles, strict=True)):
-        distance = sqrt(sum(x * x for x in mine))
-        for j, other in enumerate(profiles):
-            if j != i:
-                distance = min(distance, sqrt(sum((x - y) ** 2 for x, y in zip(mine, other, strict=True))))
-        found.append(score * score * log(1 + distance / LITTLE))
+    for place, mine in enumerate(chosen):
+        total = 0.0
+        for category, share in enumerate(deeds.shares):
+            others = [deeds.means[n, category] for at, n in enumerate(chosen) if at != place]
+            here = deeds.means[mine, category]
+            nearest = min(distance(here, other) for other in [*others, np.zeros(len(here))])
+            total += share * deeds.sureness[mine, category] ** 2 * tanh(nearest / PLENTY)
+        found.append(total)
     return found
+
+
+def some_deeds(rng, count, categories=2):
+    kinds = 0.1 * rng.normal(size=(5, categories, 4))
+    means = kinds[rng.integers(5, size=count)] + 0.01 * rng.normal(size=(count, categories, 4))
+    return Deeds(means, rng.uniform(size=(count, categories)), rng.dirichlet(np.ones(categories)))
 
 
 def some_rivals(seed):
@@ -59,96 +71,113 @@ def some_rivals(seed):
     numbers = rng.permutation(sizes.sum()).tolist()
     ends = np.cumsum(sizes).tolist()
     rivals = [numbers[end - size : end] for size, end in zip(sizes.tolist(), ends, strict=True)]
-    kinds = rng.normal(size=(5, 6)) * 0.1
-    profiles = kinds[rng.integers(5, size=len(numbers))] + rng.normal(size=(len(numbers), 6)) * 0.01
-    return rivals, rng.uniform(size=len(numbers)), profiles
+    return rivals, some_deeds(rng, len(numbers))
 
 
-def total(chosen, scores, profiles):
-    return sum(naive_worths(scores[list(chosen)], profiles[list(chosen)]))
+def total(chosen, deeds):
+    return sum(naive_worths(deeds, chosen))
+
+
+def seen(*values, sureness=None):
+    """Say that actions do this to the one object there is."""
+    means = np.array(values, dtype=float)[:, None]
+    return Deeds(means, np.array(sureness or np.ones(len(values)))[:, None], np.ones(1))
 
 
 @pytest.mark.parametrize("count", [1, 2, 7])
 def test_worths_agree_with_a_naive_computation(count):
     rng = np.random.default_rng(count)
-    scores, profiles = rng.uniform(size=count), rng.normal(size=(count, 5)) * 0.05
-    np.testing.assert_allclose(worths(scores, profiles), naive_worths(scores, profiles), rtol=1e-9)
+    deeds = some_deeds(rng, 9, categories=3)
+    chosen = rng.permutation(9)[:count].tolist()
+    np.testing.assert_allclose(worths(deeds, chosen), naive_worths(deeds, chosen), rtol=1e-9)
 
 
 def test_doing_nothing_is_worth_nothing_however_sure():
-    profiles = np.array([[0.0, 0.0], [0.1, 0.0]])
-    assert worths(np.array([1.0]), profiles[:1]).tolist() == [0.0]
-    assert worths(np.ones(2), profiles)[0] == 0
-    assert worths(np.ones(2), profiles)[1] > 0
+    deeds = seen([0.0, 0.0], [0.1, 0.0])
+    assert worths(deeds, [0]).tolist() == [0.0]
+    assert worths(deeds, [0, 1])[0] == 0
+    assert worths(deeds, [0, 1])[1] > 0
 
 
 def test_a_duplicate_is_worth_nothing_extra():
-    rng = np.random.default_rng(3)
-    scores, profiles = rng.uniform(0.5, 1, size=4), rng.normal(size=(4, 3)) * 0.1
-    again = [0, 1, 2, 3, 2]
-    found = worths(scores[again], profiles[again])
-    assert found[4] == 0
-    assert found.sum() <= worths(scores, profiles).sum()
+    deeds = some_deeds(np.random.default_rng(3), 4)
+    found = worths(deeds, [0, 1, 2, 3, 2])
+    assert found[2] == found[4] == 0
+    assert found.sum() <= worths(deeds, [0, 1, 2, 3]).sum()
 
 
 def test_something_else_is_preferred_to_doing_the_same_more_surely():
-    profiles = np.array([[0.1, 0.0], [0.1, 0.0], [0.0, 0.1], [0.0, 0.0]])
-    scores = np.array([0.9, 1.0, 0.7, 0.0])
-    assert best_set([[0], [1, 2]], scores, profiles) == [0, 2]
-    assert best_set([[0], [1, 3]], scores, profiles) == [0, 3]  # even to do nothing
+    deeds = seen([0.1, 0.0], [0.1, 0.0], [0.0, 0.1], [0.0, 0.0], sureness=[0.9, 1.0, 0.7, 0.0])
+    assert best_set([[0], [1, 2]], deeds) == [0, 2]
+    assert best_set([[0], [1, 3]], deeds) == [0, 3]  # even to do nothing
+
+
+def test_sure_is_preferred_to_far_but_not_to_hardly_anything():
+    deeds = seen([0.0, 0.08], [0.0, 0.2], [0.0, 0.01], sureness=[0.9, 0.7, 0.95])
+    assert best_set([[0, 1]], deeds) == [0]
+    assert best_set([[0, 2]], deeds) == [0]
+
+
+def test_means_and_sureness_are_those_of_each_category():
+    rng = np.random.default_rng(0)
+    values = rng.normal(size=(2, 30, 4)) * 0.1
+    symbols = rng.choice(["00", "01", "11"], size=30)
+    deeds = observe(values, symbols)
+    for action in range(2):
+        for column, symbol in enumerate(["00", "01", "11"]):
+            rows = [values[action, i] for i in range(30) if symbols[i] == symbol]
+            mean = sum(rows) / len(rows)
+            square = sum(float(row @ row) for row in rows) / len(rows)
+            np.testing.assert_allclose(deeds.means[action, column], mean)
+            sure = float(mean @ mean) / (square + LITTLE**2)
+            assert deeds.sureness[action, column] == pytest.approx(sure)
+            assert deeds.shares[column] == pytest.approx(len(rows) / 30)
+
+
+def test_what_always_happens_is_sure_what_sometimes_happens_less_and_nothing_not_at_all():
+    always = np.tile([0.1, 0.0, 0.0], (20, 1))
+    sometimes = always * (np.arange(20) % 2)[:, None]
+    hardly = np.full((20, 3), LITTLE / 10)
+    sureness = observe(np.array([always, sometimes, hardly, 0 * always]), ["00"] * 20).sureness[:, 0]
+    assert sureness[0] > 0.98
+    assert sureness[1] == pytest.approx(0.5, abs=0.01)
+    assert sureness[2] < 0.05
+    assert sureness[3] == 0
+    assert observe(sometimes[None], ["00", "01"] * 10).sureness[0].tolist() == [0, pytest.approx(sureness[0])]
 
 
 def test_worth_in_place_is_that_of_the_whole_set_with_each_candidate_in_turn():
-    rivals, scores, profiles = some_rivals(8)
+    rivals, deeds = some_rivals(8)
     chosen = [group[0] for group in rivals]
     for place, group in enumerate(rivals):
-        found = worth_in_place(chosen, place, group, scores, profiles)
+        found = worth_in_place(chosen, place, group, deeds)
         for value, rival in zip(found, group, strict=True):
             exchanged = [rival if n == place else number for n, number in enumerate(chosen)]
-            assert value == pytest.approx(total(exchanged, scores, profiles))
+            assert value == pytest.approx(total(exchanged, deeds))
     assert chosen == [group[0] for group in rivals]
 
 
 @pytest.mark.parametrize("seed", range(20))
 def test_no_single_exchange_makes_the_best_set_better(seed):
-    rivals, scores, profiles = some_rivals(seed)
-    chosen = best_set(rivals, scores, profiles)
+    rivals, deeds = some_rivals(seed)
+    chosen = best_set(rivals, deeds)
     assert all(number in group for number, group in zip(chosen, rivals, strict=True))
-    worth = total(chosen, scores, profiles)
-    surest = [max(group, key=lambda number: scores[number]) for group in rivals]
-    assert worth >= total(surest, scores, profiles) - 1e-9
+    worth = total(chosen, deeds)
+    surest = [max(group, key=lambda number: deeds.sureness[number] @ deeds.shares) for group in rivals]
+    assert worth >= total(surest, deeds) - 1e-9
     for place, group in enumerate(rivals):
         for rival in group:
-            assert total([*chosen[:place], rival, *chosen[place + 1 :]], scores, profiles) <= worth + 1e-8
+            assert total([*chosen[:place], rival, *chosen[place + 1 :]], deeds) <= worth + 1e-8
 
 
 def test_best_set_is_nearly_always_the_best_of_all_and_never_far_from_it():
     shares = []
     for seed in range(60):
-        rivals, scores, profiles = some_rivals(seed)
-        best = max(total(chosen, scores, profiles) for chosen in product(*rivals))
-        shares.append(total(best_set(rivals, scores, profiles), scores, profiles) / best)
-    assert np.mean(np.array(shares) > 1 - 1e-9) >= 0.8
-    assert min(shares) > 0.75  # one exchange at a time can get stuck
-
-
-def test_distances_of_profiles_are_rms_per_object_of_the_means_of_categories():
-    rng = np.random.default_rng(4)
-    symbols = rng.choice(["00", "01", "11"], size=25, p=[0.6, 0.3, 0.1])
-    one, two = rng.normal(size=(2, 25, 4))
-    squares = 0.0
-    for symbol in symbols:  # each object stands for the mean of its category
-        members = [i for i in range(25) if symbols[i] == symbol]
-        for axis in range(4):
-            squares += (sum(one[i, axis] - two[i, axis] for i in members) / len(members)) ** 2
-    apart = np.linalg.norm(profile(one, symbols) - profile(two, symbols))
-    assert apart == pytest.approx(sqrt(squares / 25))
-
-
-def test_distance_of_what_does_the_same_to_all_does_not_depend_on_categories():
-    shift = np.tile([0.03, 0.04, 0.0], (12, 1))
-    for symbols in (["0"] * 12, ["0", "1"] * 6, [*["0"] * 11, "1"]):
-        assert np.linalg.norm(profile(shift, np.array(symbols))) == pytest.approx(0.05)
+        rivals, deeds = some_rivals(seed)
+        best = max(total(list(chosen), deeds) for chosen in product(*rivals))
+        shares.append(total(best_set(rivals, deeds), deeds) / best)
+    assert np.mean(np.array(shares) > 1 - 1e-9) >= 0.9
+    assert min(shares) > 0.9  # one exchange at a time can get stuck
 
 
 def alike(features):
@@ -196,11 +225,10 @@ def a_network_that_saw_carrying(*, peaks):
 def test_network_tells_carrying_from_pushing_by_the_peaks_it_predicts(peaks):
     network = a_network_that_saw_carrying(peaks=peaks)
     features = np.random.default_rng(1).uniform(size=(50, 4))
-    symbols = np.array(alike(features))
 
     def apart(predict):
         told = [predict(features, np.tile(action, (50, 1))) for action in (PUSH, CARRY)]
-        return np.linalg.norm(profile(told[0], symbols) - profile(told[1], symbols))
+        return np.linalg.norm(told[0].mean(0) - told[1].mean(0))
 
     assert apart(network.predict) < LITTLE
     if peaks:
