@@ -139,6 +139,7 @@ def jobs_in_turn(work: Path, seeds: int, steps: int) -> Iterator[dict[str, Job]]
         yield {f"learn-{name}": partial(measures.learn_and_keep, data) for name, data in cells.items()}
         yield {f"act-{name}": partial(measures.act_upon, data, CHOICES[0]) for name, data in cells.items()}
         if rows == steps:
+            yield {f"went-{name}": partial(measures.where_it_went, data) for name, data in cells.items()}
             yield {name: job for seed in numbers for name, job in other_jobs(work, seed, steps).items()}
 
 
@@ -192,9 +193,9 @@ def write_results(work: Path, results: Path, seeds: int, steps: int) -> None:
 
 def summarise(found: Mapping[str, Any], seeds: int, steps: int) -> dict[str, Any]:
     """Gather jobs into tables; what is not done yet is missing."""
-    learned, acted = (
+    learned, acted, went = (
         {strategy: dict(_by_seed(found, f"{job}-{strategy}-{{}}-{steps}", seeds)) for strategy in STRATEGIES}
-        for job in ("learn", "act")
+        for job in ("learn", "act", "went")
     )
     ours, few = learned[DEFAULT_STRATEGY], min(FEW_SEEDS, seeds)
     return {
@@ -214,6 +215,7 @@ def summarise(found: Mapping[str, Any], seeds: int, steps: int) -> dict[str, Any
             for strategy, by_seed in acted.items()
         },
         "rehearsals": acted,
+        "went": went,
         "choice": {
             "predictable": acted[DEFAULT_STRATEGY],
             "lowest-error": dict(_by_seed(found, f"choice-{{}}-{steps}", seeds)),

@@ -17,6 +17,7 @@ from neurosym.distillation import distill
 from neurosym.effect_model import EffectModel
 from neurosym.interactions import Interactions
 from neurosym.model_config import ModelConfig
+from neurosym.naming import CARRIED
 from neurosym.primitive_kinds import kind_of, kinds_found
 from neurosym.rehearsal import Rehearsals, rehearse
 from neurosym.strategies import has_high_effect
@@ -59,6 +60,23 @@ class Data:
     def kept(self, which: str) -> Path:
         """Say where a network that learned from the data is kept."""
         return self.folder / f"{self.strategy}.{self.steps}.{which}.safetensors"
+
+
+def where_it_went(data: Data) -> dict[str, Any]:
+    """Say what became of the objects, and how evenly the patterns of an open or closed hand were tried."""
+    seen = data.load()
+    grippers = list(seen.origin["gripper_columns"])
+    _, patterns = np.unique(seen.actions[:, grippers] >= 0.5, axis=0, return_counts=True)
+    tried = np.zeros(2 ** len(grippers))
+    tried[: len(patterns)] = patterns / len(seen)
+    return {
+        "held": float(seen.held.mean()),
+        "carried and put down": float((~seen.held & (seen.peak_heights > CARRIED)).mean()),
+        "toppled": float(seen.toppled.mean()),
+        "moved less than 1 cm": float((np.abs(seen.effects).sum(1) < 0.01).mean()),
+        "rarest pattern of the hand": float(tried.min()),
+        "commonest": float(tried.max()),
+    }
 
 
 def learn(

@@ -49,6 +49,10 @@ def page(results: Mapping[str, Any]) -> str:
         _rehearsed(results["rehearsals"]),
         "## Choosing among distilled actions",
         _choices(results["choice"]),
+        "## Where the strategies went",
+        "Shares of their interactions. The hand is open or closed at each of three waypoints: eight patterns, of "
+        "which an eighth each would be even.",
+        _went(results["went"]),
         "## Learning curves",
         "![Errors and primitives against interactions](learning.png)",
         _curves(results["curves"]),
@@ -182,6 +186,12 @@ def _choices(choices: Mapping[str, BySeed]) -> str:
         rows.append([name, str(len(cells)), *row])
     columns = ["choice", "seeds", "kinds found", "operators of some kind", "share that turned out so"]
     return _table([*columns, "worst code error", "distillation [s]"], rows)
+
+
+def _went(table: Mapping[str, BySeed]) -> str:
+    names = list(dict.fromkeys(name for cells in table.values() for c in cells.values() for name in c))
+    rows = [[strategy, str(len(cells)), *_spread_of(cells, names)] for strategy, cells in table.items()]
+    return _table(["", "seeds", *names], rows)
 
 
 def _curves(curves: Mapping[str, Mapping[str, Mapping[str, BySeed]]]) -> str:
