@@ -74,8 +74,8 @@ def where_it_went(data: Data) -> dict[str, Any]:
         "carried and put down": float((~seen.held & (seen.peak_heights > CARRIED)).mean()),
         "toppled": float(seen.toppled.mean()),
         "moved less than 1 cm": float((np.abs(seen.effects).sum(1) < 0.01).mean()),
-        "rarest pattern of the hand": float(tried.min()),
-        "commonest": float(tried.max()),
+        "hand: rarest pattern": float(tried.min()),
+        "hand: commonest pattern": float(tried.max()),
     }
 
 
