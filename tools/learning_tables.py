@@ -50,8 +50,8 @@ def page(results: Mapping[str, Any]) -> str:
         "## Choosing among distilled actions",
         _choices(results["choice"]),
         "## Where the strategies went",
-        "Shares of their interactions. The hand is open or closed at each of three waypoints: eight patterns, "
-        "of which an eighth each would be even.",
+        "Shares of their interactions. The hand is open or closed at each of three waypoints: eight "
+        "patterns, of which an eighth each would be even.",
         _went(results["went"]),
         "## Learning curves",
         "![Errors and primitives against interactions](learning.png)",
