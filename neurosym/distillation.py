@@ -37,7 +37,7 @@ class DistillationConfig:
     """How parameters are distilled.
 
     Attributes:
-        candidates: How many actions of the data are started from, for each symbol.
+        candidates: How many actions of the data are started from, for each symbol; each leads to up to two.
         steps: How many steps of gradient descent.
         learning_rate: Size of a step, where the action box is scaled to [-1, 1].
         momentum: Share of the last step that is kept.
@@ -97,7 +97,8 @@ def distill(
     reached = [symbol for symbol in symbols if len(starts[symbol])]
     begin = np.concatenate([actions[starts[symbol]] for symbol in reached])
     owners = np.repeat(reached, [len(starts[symbol]) for symbol in reached])
-    ends = _descend(model, begin, owners, box, config, progress)
+    ends = np.concatenate(_descend(model, begin, owners, box, config, progress))
+    owners = np.tile(owners, 2)
     errors = code_errors(model, ends, owners)
     errors[np.array(model.action_symbols(ends)) != owners] = np.inf
     return tuple(
@@ -146,19 +147,27 @@ def _descend(
     box: ActionBox,
     config: DistillationConfig,
     progress: Progress | None,
-) -> Float[np.ndarray, "N A"]:
-    """Descend the error of every candidate at once, projected into the box; the best of each one's way."""
+) -> tuple[Float[np.ndarray, "N A"], Float[np.ndarray, "N A"]]:
+    """Descend the error of every candidate at once, projected into the box.
+
+    Returns:
+        The first on the way of each that is within `CONVERGED`, and so does most nearly what the action did
+        that it started from; and the best.
+    """
     middle, half = _tensor((box.low + box.high) / 2), _tensor((box.high - box.low) / 2).clamp(min=1e-9)
     targets = _tensor(np.array([signs(symbol) for symbol in owners]))
     scaled = ((_tensor(begin) - middle) / half).clamp(-1, 1).requires_grad_()
     optimiser = torch.optim.SGD([scaled], lr=config.learning_rate, momentum=config.momentum)
     best, best_errors = scaled.detach().clone(), torch.full((len(begin),), torch.inf)
+    first = best.clone()
     was_training = model.training
     model.eval()
     with one_thread():
         for step in range(config.steps + 1):
             errors = ((model.embed_actions(middle + half * scaled) - targets) ** 2).mean(1)  # (N,)
             better = errors.detach() < best_errors
+            searching = best_errors >= CONVERGED
+            first[searching & better] = scaled.detach()[searching & better]
             best[better], best_errors[better] = scaled.detach()[better], errors.detach()[better]
             if step < config.steps:
                 (scaled.grad,) = torch.autograd.grad(errors.sum(), scaled)
@@ -168,7 +177,8 @@ def _descend(
             if progress is not None:
                 progress(step, config.steps)
     model.train(was_training)
-    return np.clip((middle + half * best).numpy().astype(np.float64), box.low, box.high)
+    ends = [(middle + half * found).numpy().astype(np.float64) for found in (first, best)]
+    return np.clip(ends[0], box.low, box.high), np.clip(ends[1], box.low, box.high)
 
 
 def draw_of_every_kind(

@@ -81,7 +81,7 @@ def test_all_candidates_have_converged_or_there_is_only_the_best_one():
             errors = [candidate.code_error for candidate in candidates]
             assert errors == sorted(errors)
             assert len(errors) == 1 or max(errors) < CONVERGED
-            assert len(errors) <= 12
+            assert len(errors) <= 2 * 12
         counts.append(sum(map(len, found.values())))
     assert counts[0] < counts[-1]  # the longer the descent, the more arrive
 
