@@ -85,8 +85,9 @@ def _training(folder: DomainFolder) -> str:
     rows = [[name, *(f"{1000 * error:.1f}" for error in errors)] for name, errors in report.mae.items()]
     table = _markdown(["mean absolute error [mm]", "x", "y", "z"], rows)
     return (
-        f"On {report.held_out} interactions held out from training (curious ones, like those trained "
-        f"on; they also chose among restarts):\n\n{table}\n\nR2 of the effect, mean of the axes: "
+        f"On {report.held_out} interactions held out from training, chosen by curiosity. On actions as they "
+        "come, to which the decoder is fitted, it does better: see `docs/results/learning.md`.\n\n"
+        f"{table}\n\nR2 of the effect, mean of the axes: "
         f"{report.r2_through_codes:.2f} through the bits, {report.r2_direct:.2f} of a network without a "
         f"bottleneck: a share of {report.share:.2f}."
     )
