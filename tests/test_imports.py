@@ -20,6 +20,7 @@ FENCES = {
         "curiosity.py",
         "fitting.py",
         "recipes.py",
+        "teaching.py",
         "distillation.py",
     },
     "unified_planning": {"planners/unified_planning.py"},
