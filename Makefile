@@ -38,7 +38,7 @@ SCALE ?= 1.0
 evaluate-world: install
 	$(BIN)/python tools/evaluate_world.py --scale $(SCALE)
 
-# Every figure of docs/learning.md, into docs/results/; goes on where it was interrupted. SEEDS=1 takes an hour.
+# Every figure of docs/learning.md, into docs/results/; goes on where it was interrupted. SEEDS=1 is the short form.
 SEEDS ?= 5
 STEPS ?= 5120
 evaluate-learning: install

@@ -18,12 +18,12 @@ import torch
 from torch import Tensor, nn
 
 from neurosym.direct_model import DirectModel
-from neurosym.effect_model import EffectModel, as_signs
+from neurosym.effect_model import EffectModel
 from neurosym.fitting import Progress, descend, prediction_loss, run_epochs, total_loss
 from neurosym.meanings import find_meanings
 from neurosym.network_inputs import reflected
 from neurosym.samples import Samples
-from neurosym.teaching import fit_decoder, fit_encoders, fit_names
+from neurosym.teaching import descend_decoder, fit_decoder, fit_encoders, fit_names, signs_of
 from neurosym.training_config import TrainingConfig
 
 
@@ -126,13 +126,10 @@ def refit_decoder(
     def loss_of(rows: Tensor) -> Tensor:
         features, actions, effects = samples.batch(rows, generator)
         with torch.no_grad():
-            objects = as_signs(model.embed_objects(features))
-            chosen = as_signs(model.embed_actions(actions))
+            objects, chosen = signs_of(model, features, actions)
         return prediction_loss(model, objects, chosen, effects)
 
-    decoder = [*model.norm.parameters(), *model.decoder.parameters()]
-    report = partial(progress, "decoder")
-    descend(loss_of, len(samples), decoder, config, generator, epochs=config.refit_epochs, report=report)
+    descend_decoder(model, loss_of, len(samples), config, generator, config.refit_epochs, progress)
 
 
 Recipe = Callable[[EffectModel, DirectModel, Samples, TrainingConfig, torch.Generator, Progress], None]

@@ -17,7 +17,7 @@ from torch import Tensor, nn
 
 from neurosym.direct_model import DirectModel
 from neurosym.effect_model import EffectModel, as_signs
-from neurosym.fitting import Progress, descend, prediction_loss, take_steps
+from neurosym.fitting import BatchLoss, Progress, descend, prediction_loss, take_steps
 from neurosym.meanings import Meanings
 from neurosym.samples import Samples
 from neurosym.training_config import TrainingConfig
@@ -179,18 +179,31 @@ def fit_decoder(
     with torch.no_grad():
         features, _ = samples.imagine(config.imagined, generator)
         _, actions = samples.imagine(config.imagined, generator)
-        objects, chosen = codes = _signs(model, features, actions)
+        objects, chosen = codes = signs_of(model, features, actions)
         unexplained = samples.effects - teacher.effects(samples.features, samples.actions)
-        known = _signs(model, samples.features, samples.actions)
+        known = signs_of(model, samples.features, samples.actions)
         rows = draw_alike(torch.cat(codes, 1), torch.cat(known, 1), generator)
         effects = teacher.effects(features, actions) + unexplained[rows]
 
     def loss_of(rows: Tensor) -> Tensor:
         return prediction_loss(model, objects[rows], chosen[rows], effects[rows])
 
+    descend_decoder(model, loss_of, len(effects), config, generator, config.imagined_epochs, progress)
+
+
+def descend_decoder(
+    model: EffectModel,
+    loss_of: BatchLoss,
+    rows: int,
+    config: TrainingConfig,
+    generator: torch.Generator,
+    epochs: int,
+    progress: Progress,
+) -> None:
+    """Descend a loss with the decoder alone; the encoders stay as they are."""
     decoder = [*model.norm.parameters(), *model.decoder.parameters()]
     report = partial(progress, "decoder")
-    descend(loss_of, len(effects), decoder, config, generator, epochs=config.imagined_epochs, report=report)
+    descend(loss_of, rows, decoder, config, generator, epochs=epochs, report=report)
 
 
 def draw_alike(
@@ -212,5 +225,6 @@ def draw_alike(
     return drawn
 
 
-def _signs(model: EffectModel, features: Tensor, actions: Tensor) -> tuple[Tensor, Tensor]:
+def signs_of(model: EffectModel, features: Tensor, actions: Tensor) -> tuple[Tensor, Tensor]:
+    """Encode objects and actions into codes of +-1."""
     return as_signs(model.embed_objects(features)), as_signs(model.embed_actions(actions))
