@@ -42,6 +42,8 @@ STRATEGIES = ("random", "active", "entropy", FILTERED, "disagreement")
 EXPLORED = {strategy: "random" if strategy == "active" else strategy for strategy in STRATEGIES}
 TEST_SEED, TEST_STEPS = 1000, 11_000
 CURVE = (1024, 2560, 5120, 10_000)
+"""Interactions after which the learning curves have a point; there are none of a single seed."""
+CURVED = tuple(strategy for strategy in STRATEGIES if strategy != FILTERED)
 BITS = ((1, 3), (3, 3), (2, 2), (2, 4), (2, 5), (2, 6))
 FEW_SEEDS = 3
 """Seeds of the parts that are not Tables I and II."""
@@ -84,6 +86,7 @@ def main(
     only_report: Annotated[bool, tyro.conf.arg(help="Write the tables from what is there.")] = False,
 ) -> None:
     """Explore, do every job that was not done, and write the results."""
+    begin = time.perf_counter()
     (work / "jobs").mkdir(parents=True, exist_ok=True)
     results.mkdir(parents=True, exist_ok=True)
     report = partial(write_results, work, results, seeds, steps)
@@ -95,6 +98,7 @@ def main(
         for few in jobs_in_turn(work, seeds, steps):
             perform(work / "jobs", few, workers, report)
     report()
+    say(f"took {(time.perf_counter() - begin) / 60:.0f} min; the tables are in {results / 'learning.md'}")
 
 
 def explore(folder: Path, strategy: str, seed: int, steps: int, workers: int) -> None:
@@ -130,11 +134,11 @@ def data_of(work: Path, strategy: str, seed: int, steps: int) -> Data:
 def jobs_in_turn(work: Path, seeds: int, steps: int) -> Iterator[dict[str, Job]]:
     """List the jobs: first those whose networks others need; all tables, and then the curves."""
     numbers = range(1, seeds + 1)
-    for rows in [steps, *(rows for rows in CURVE if rows < steps)]:
+    for rows in [steps, *(rows for rows in CURVE if rows < steps and seeds > 1)]:
         cells = {
             f"{strategy}-{seed}-{rows}": data_of(work, strategy, seed, rows)
             for seed in numbers
-            for strategy in of_seed(seed)
+            for strategy in (of_seed(seed) if rows == steps else CURVED)
         }
         yield {f"learn-{name}": partial(measures.learn_and_keep, data) for name, data in cells.items()}
         yield {f"act-{name}": partial(measures.act_upon, data, CHOICES[0]) for name, data in cells.items()}
@@ -234,7 +238,7 @@ def summarise(found: Mapping[str, Any], seeds: int, steps: int) -> dict[str, Any
                 for rows in sorted({*CURVE, steps})
                 if rows <= steps
             }
-            for strategy in STRATEGIES
+            for strategy in CURVED
         },
     }
 
@@ -256,7 +260,5 @@ def _text(values: Any) -> str:
 
 
 if __name__ == "__main__":
-    begin = time.perf_counter()
     os.environ.setdefault("OMP_NUM_THREADS", "1")  # for the jobs, of which there are several at once
     tyro.cli(main)
-    say(f"took {(time.perf_counter() - begin) / 60:.0f} min; the tables are in docs/results/learning.md")
