@@ -5,7 +5,8 @@ from pathlib import Path
 
 import pytest
 
-TOOLS = Path(__file__).parent.parent / "tools"
+ROOT = Path(__file__).parent.parent
+TOOLS = ROOT / "tools"
 
 
 @pytest.fixture
@@ -41,3 +42,10 @@ def test_page_says_what_is_missing_and_jobs_that_are_done_are_not_done_again(eva
     assert summary["missing"] == count
     assert f"**Not finished**: {count} jobs" in (tmp_path / "learning.md").read_text()
     assert (tmp_path / "learning.png").stat().st_size > 1000
+
+
+def test_published_page_tells_what_was_measured(evaluation):
+    from learning_tables import page
+
+    results = ROOT / "docs/results"
+    assert page(json.loads((results / "learning.json").read_text())) == (results / "learning.md").read_text()

@@ -166,17 +166,17 @@ def _rehearsed(table: Mapping[str, BySeed]) -> str:
         for kind in KINDS:
             of_kind = [row for row in operators if row["kind"] == kind]
             if of_kind:
-                widest = np.array([max(row["spread"]) for row in of_kind])
-                within = f"{np.sum(widest < _most_spread(kind))} of {len(of_kind)}"
+                widest = [1000 * max(row["spread"]) for row in of_kind]
+                within = f"{sum(spread < _most_spread(kind) for spread in widest)} of {len(of_kind)}"
                 shares = [row["share"] for row in of_kind]
-                rows.append([strategy, kind, _spread(shares), _spread(1000 * widest, 1), within])
+                rows.append([strategy, kind, _spread(shares), _spread(widest, 1), within])
     columns = ["", "kind", "share of rehearsals", "spread, worst axis [mm]", "operators within the limit"]
     return _table(columns, rows)
 
 
 def _most_spread(kind: str) -> float:
-    """Say how widely effects may spread [m]: in a push, the width of an object counts."""
-    return 0.01 if kind in ("grasp", "pick and place") else 0.025
+    """Say how widely effects may spread [mm]: in a push, the width of an object counts."""
+    return 10 if kind in ("grasp", "pick and place") else 25
 
 
 def _is_of_a_kind(row: Mapping[str, Any]) -> bool:
