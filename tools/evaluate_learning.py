@@ -256,7 +256,7 @@ def _machine() -> dict[str, str]:
 
 
 def _text(values: Any) -> str:
-    return json.dumps(values, indent=1, sort_keys=True) + "\n"
+    return json.dumps(values, indent=1) + "\n"
 
 
 if __name__ == "__main__":
