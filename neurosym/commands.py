@@ -159,7 +159,10 @@ def run(
     regime: RegimeName = "default",
     workers: Workers = CPUS,
     rehearsals: Annotated[int, arg(help="Objects that each primitive is rehearsed on.")] = 100,
-    problems: Annotated[int, arg(help="Problems to draw, every second one with two objects.")] = 6,
+    problems: Annotated[
+        int,
+        arg(help="Problems to draw, every second one with two objects; up to 30 if none has a plan."),
+    ] = 6,
     min_predicted_effect: MinPredictedEffect = 0.0,
 ) -> int:
     """Go the whole way: explore, train, distil, compile, draw problems, plan and execute.

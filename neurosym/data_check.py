@@ -15,9 +15,11 @@ from neurosym.data_origin import (
     and_more,
     is_explored,
     mirror_problems,
+    misspelt_entries,
     name_problems,
 )
 from neurosym.model_config import Dimensions
+from neurosym.operators import TOLERANCE
 
 Columns = Mapping[str, np.ndarray]
 """Arrays of a data set, by name."""
@@ -29,6 +31,8 @@ LEAST_INTERACTIONS = 20
 
 _NARROW = 3e-3
 """A standard deviation below this is damped by batch normalisation, which adds 1e-5 to the variance."""
+_FAR = 100
+"""Effects of more tolerances than this are hardly meant to be foretold so precisely."""
 
 
 def file_problems(columns: Columns, origin: Mapping[str, Any]) -> list[str]:
@@ -106,14 +110,27 @@ def warnings_about(columns: Columns, origin: Mapping[str, Any], given: tuple[str
                 if number not in constant
             ]
     for number in origin.get("gripper_columns", ()):
-        is_open = columns["actions"][:, number] >= 0.5
+        values = columns["actions"][:, number]
+        if values.min() < 0 or values.max() > 1:
+            warnings.append(
+                f"the gripper value actions[:, {number}] leaves the range from 0 (closed) to 1 (open)"
+            )
+        is_open = values >= 0.5
         if is_open.all() or not is_open.any():
             warnings.append(
                 f"the gripper value actions[:, {number}] never crosses 0.5, between open and closed"
             )
     if columns["held"].any() and "resting_effects" not in given:
         warnings.append("without 'resting_effects', a held object is taken to rest where it was held")
-    return warnings
+    if columns["lost"].all():
+        warnings.append("'lost' is true in every row, so that no effect counts as reached")
+    greatest = float(np.abs(columns["effects"]).max())
+    if greatest > _FAR * TOLERANCE:
+        warnings.append(
+            f"effects reach {greatest:g}, but an outcome counts as promised within {TOLERANCE:g} of the "
+            "mean, in their unit; give them in a larger unit"
+        )
+    return warnings + misspelt_entries(origin)
 
 
 def too_few(rows: int) -> str | None:

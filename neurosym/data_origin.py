@@ -2,6 +2,7 @@
 
 import reprlib
 from collections.abc import Mapping
+from difflib import get_close_matches
 from typing import Any
 
 import numpy as np
@@ -10,12 +11,26 @@ from jaxtyping import Bool, Float
 from neurosym.mirror_check import column_problem
 from neurosym.world import Mirror
 
-GREATEST = float(np.finfo(np.float32).max)
+GREATEST = 1e9
+"""Greatest number that networks of 32 bits can still learn from without squares overflowing."""
+
+READ = ("gripper_columns", "action_low", "action_high", "mirrors", "feature_names", "format")
+"""Entries that are read of the origin of data of a user's own."""
 
 
 def is_explored(origin: Mapping[str, Any]) -> bool:
     """Say whether `neurosym explore` made a data set."""
     return "world" in origin and "strategy" in origin
+
+
+def misspelt_entries(origin: Mapping[str, Any]) -> list[str]:
+    """List the entries that are not read, but are nearly called like one that is."""
+    near = {name: get_close_matches(name, READ, n=1, cutoff=0.8) for name in origin if name not in READ}
+    return [
+        f"the entry {name!r} of the origin is not read, but {found[0]!r} is"
+        for name, found in near.items()
+        if found
+    ]
 
 
 def name_problems(origin: Mapping[str, Any], features: int | None) -> list[str]:

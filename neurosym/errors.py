@@ -25,14 +25,16 @@ class FolderNotFound(NeurosymError):
     """A domain folder that does not exist."""
 
     def __init__(self, folder: Path):
-        super().__init__(f"There is no folder {folder}; `neurosym init {folder}` makes a new domain folder.")
+        valid = "name a domain folder" if folder.exists() else f"`neurosym init {folder}` makes a new one"
+        problem = f"{folder} is a file" if folder.exists() else f"There is no folder {folder}"
+        super().__init__(f"{problem}; {valid}.")
 
 
 class StageMissing(NeurosymError):
     """A stage was asked for before the one whose file it reads."""
 
-    def __init__(self, missing: Path, command: str):
-        super().__init__(f"{missing} is missing; `{command}` writes it.")
+    def __init__(self, missing: Path, command: str, besides: str = ""):
+        super().__init__(f"{missing} is missing; `{command}` writes it{besides}.")
 
 
 class InvalidFile(NeurosymError):

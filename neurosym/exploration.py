@@ -20,7 +20,7 @@ from neurosym.errors import InvalidFile, InvalidValue
 from neurosym.interactions import Interactions
 from neurosym.model_config import EXPLORING, Dimensions, ModelConfig
 from neurosym.ray_workers import ray_crew
-from neurosym.strategies import DEFAULT_STRATEGY, strategy_named
+from neurosym.strategies import DEFAULT_STRATEGY, own_name, strategy_named
 from neurosym.tensor_files import read_tensors, write_tensors
 from neurosym.workers import Perform, Task, WorldFactory, crew
 from neurosym.world import World
@@ -169,7 +169,7 @@ class _Explorer:
         self.world, self.seed, self.config = world, seed, config
         box = world.action_box
         self.origin = {
-            "strategy": strategy,
+            "strategy": own_name(strategy),
             "seed": seed,
             **asdict(config),
             "model": asdict(model_config),

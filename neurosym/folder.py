@@ -10,7 +10,8 @@ from typing import Any
 
 import msgspec
 
-from neurosym.errors import FolderNotFound, InvalidValue, StageMissing, UnknownChoice
+from neurosym.console import say
+from neurosym.errors import FolderNotFound, InvalidFile, InvalidValue, StageMissing, UnknownChoice
 from neurosym.files import digest, read_json, write_json
 
 WORLD, INTERACTIONS = "world.toml", "interactions.npz"
@@ -101,10 +102,17 @@ class DomainFolder:
 
         Raises:
             StageMissing: If it is not there; the message names the command that writes it.
+            InvalidFile: If it is a folder.
         """
         path = self.path / name
+        _refuse_folder(path)
         if not path.is_file():
-            raise StageMissing(path, f"neurosym {COMMANDS[name]} {self.path}")
+            command, besides = f"neurosym {COMMANDS[name]} {self.path}", ""
+            if name == INTERACTIONS:
+                besides = ", or a script of yours (docs/data.md)"
+            if name == WORLD and (self.path / INTERACTIONS).exists():
+                command, besides = f"{command} --world module:factory", " for the world of your data"
+            raise StageMissing(path, command, besides)
         return path
 
     def problem_names(self) -> tuple[str, ...]:
@@ -139,8 +147,12 @@ class DomainFolder:
             Whether there was anything to do.
         """
         self.manifest()  # refuses a damaged one before anything is written
+        for name in (*stage.outputs, MANIFEST):
+            _refuse_folder(self.path / name)
         if not again and self._is_current(stage):
             return False
+        for remark in self.outdated(stage.inputs):
+            say(f"note: {remark}")
         inputs = self._digests(stage.inputs)
         start = perf_counter()
         stage.work()
@@ -154,6 +166,23 @@ class DomainFolder:
         write_json(self.path / MANIFEST, Manifest({**self.manifest().stages, stage.name: record}))
         return True
 
+    def outdated(self, names: tuple[str, ...]) -> list[str]:
+        """Say which of these files were made from others than those that are there now.
+
+        Args:
+            names: Files, relative to the folder.
+        """
+        remarks = []
+        for record in self.manifest().stages.values():
+            made = {name: made for name, made in record.outputs.items() if name in names}
+            now = self._digests(tuple(record.inputs))
+            changed = [name for name, then in record.inputs.items() if now.get(name) != then]
+            if made and changed and made.items() <= self._digests(tuple(made)).items():
+                files, others = " and ".join(made), " and ".join(changed)
+                command = COMMANDS[next(iter(made))]
+                remarks.append(f"{files} came from another {others}; `neurosym {command}` makes it anew")
+        return remarks
+
     def _is_current(self, stage: Stage) -> bool:
         record = self.manifest().stages.get(stage.name)
         return (
@@ -165,6 +194,11 @@ class DomainFolder:
 
     def _digests(self, names: tuple[str, ...]) -> dict[str, str]:
         return {name: digest(self.path / name) for name in names if (self.path / name).is_file()}
+
+
+def _refuse_folder(path: Path) -> None:
+    if path.is_dir():
+        raise InvalidFile(path, "it is a folder, and should be a file; move it away")
 
 
 def versions() -> dict[str, str]:

@@ -133,5 +133,5 @@ def distill(
         say_next(f"neurosym init {folder} --world module:factory")
     else:
         say(f"no PDDL domain can be made of {counted_axes(table.axes)}: it moves objects along x, y and z")
-        say_next(f"python -m json.tool {folder / PRIMITIVES}")
+        say_next(f"neurosym explain {folder}")
     return 0

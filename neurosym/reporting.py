@@ -21,7 +21,7 @@ class TrainingSummary(msgspec.Struct, frozen=True):
     held_out: int
     r2_through_codes: float
     r2_direct: float
-    share: float
+    share: float | None
     mae: dict[str, list[float]]
     object_symbols: dict[str, float]
     action_symbols: dict[str, float]
@@ -47,10 +47,16 @@ def show_training(path: Path) -> None:
     show_table(f"mean absolute error, {report.held_out} held-out interactions", ["predictor", *axes], rows)
     say(
         f"R2 through the bits {report.r2_through_codes:.2f}, of a network without a bottleneck "
-        f"{report.r2_direct:.2f}: a share of {report.share:.2f}"
+        f"{report.r2_direct:.2f}: {_share(report)}"
     )
     used = f"{len(report.action_symbols)} for actions, {len(report.object_symbols)} for objects"
-    say(f"symbols used: {used}")
+    say(f"symbols used in the held-out interactions: {used}")
+
+
+def _share(report: TrainingSummary) -> str:
+    if report.share is None or report.r2_through_codes <= 0:
+        return "no better than the mean effect, so there is nothing to share"
+    return f"a share of {report.share:.2f}"
 
 
 def show_operators(table: OperatorTable) -> None:

@@ -31,7 +31,7 @@ from neurosym.folder import (
 from neurosym.interactions import Interactions
 from neurosym.operators import OperatorTable
 from neurosym.problems import Problem
-from neurosym.strategies import strategy_named
+from neurosym.strategies import own_name, strategy_named
 from neurosym.training_config import REGIMES, Regime
 from neurosym.workers import WorldFactory
 from neurosym.world import ActionBox
@@ -54,6 +54,7 @@ def explore_stage(
 ) -> Stage:
     """Explore the world: `world.toml` -> `interactions.npz`, with a checkpoint after every block."""
     chosen = check_choices(strategy, regime, min_predicted_effect)
+    strategy = own_name(strategy)
 
     def work() -> None:
         from neurosym.curiosity import LearningConfig
@@ -185,7 +186,7 @@ def compile_stage(folder: DomainFolder, *, cell: float) -> Stage:
         if not (folder / WORLD).exists():
             raise InvalidValue(
                 f"{folder / WORLD} is missing: a domain also needs where objects may stand and how far the "
-                f"hand rises; `neurosym init {folder.path}` writes it."
+                f"hand rises; `neurosym init {folder.path} --world module:factory` writes it."
             )
         world = read_world(folder / WORLD)()
         grounding = compile_domain(

@@ -47,14 +47,22 @@ def is_any(effects: Float[np.ndarray, "N E"]) -> Bool[np.ndarray, "N"]:
     return np.ones(len(effects), dtype=bool)
 
 
-_ENTROPY = Strategy("entropy", "gaussian", is_any)
+_ALIASES = {"curiosity": "entropy"}
 STRATEGIES = {
     "disagreement": Strategy("disagreement", "gaussian", is_any),
-    "entropy": _ENTROPY,
-    "curiosity": _ENTROPY,
+    "entropy": Strategy("entropy", "gaussian", is_any),
     "random": Strategy(None, "mean", is_any),
     "active": Strategy(None, "mean", has_high_effect),
 }
+
+
+def own_name(name: str) -> str:
+    """Return what a strategy is called, if it was called by another name.
+
+    Args:
+        name: One of `STRATEGIES`, or another name of one; any other is returned as it is.
+    """
+    return _ALIASES.get(name, name)
 
 
 def strategy_named(name: str, min_predicted_effect: float = 0.0) -> Strategy:
@@ -68,6 +76,7 @@ def strategy_named(name: str, min_predicted_effect: float = 0.0) -> Strategy:
         UnknownChoice: If there is no such strategy.
         InvalidValue: If candidates cannot be filtered so.
     """
+    name = own_name(name)
     if name not in STRATEGIES:
         raise UnknownChoice("strategy", name, STRATEGIES)
     if not 0 <= min_predicted_effect < np.inf:

@@ -147,7 +147,7 @@ def assess(
 
     Returns:
         `r2_through_codes`, `r2` (without cutting the embeddings to bits) and `r2_direct` (of the network
-        without a bottleneck), mean over the axes and per axis; `share`, the first divided by the last;
+        without a bottleneck), mean over the axes that vary and per axis; `share`, see `share_of`;
         `mae` [m] per axis of the model (through codes) and of the trivial predictors always-zero, always-mean
         and per-axis median; `object_symbols` and `action_symbols`, the share of each.
 
@@ -168,19 +168,33 @@ def assess(
     }
     r2_coded, r2 = r_squared(coded, effects), r_squared(uncut, effects)
     r2_direct = r_squared(direct.predict(held_out.features, held_out.actions), effects)
+    varies = effects.std(0) > 0
+    mean_coded, mean_uncut, mean_direct = (
+        float(r2s[varies].mean()) if varies.any() else 0.0 for r2s in (r2_coded, r2, r2_direct)
+    )
     return {
         "held_out": len(held_out),
-        "r2_through_codes": float(r2_coded.mean()),
+        "r2_through_codes": mean_coded,
         "r2_through_codes_by_axis": r2_coded.tolist(),
-        "r2": float(r2.mean()),
+        "r2": mean_uncut,
         "r2_by_axis": r2.tolist(),
-        "r2_direct": float(r2_direct.mean()),
+        "r2_direct": mean_direct,
         "r2_direct_by_axis": r2_direct.tolist(),
-        "share": float(r2_coded.mean() / max(r2_direct.mean(), 1e-9)),
+        "share": share_of(mean_coded, mean_direct),
         "mae": {name: np.abs(guess - effects).mean(0).tolist() for name, guess in predictors.items()},
         "object_symbols": _shares(model.object_symbols(held_out.features)),
         "action_symbols": _shares(model.action_symbols(held_out.actions)),
     }
+
+
+def share_of(through_codes: float, direct: float) -> float | None:
+    """Divide the R2 through the codes by that without a bottleneck; None if the latter explains nothing.
+
+    Args:
+        through_codes: R2 of the effect predicted through the binary codes.
+        direct: R2 of a network without a bottleneck on the same data.
+    """
+    return through_codes / direct if direct > 0 else None
 
 
 def r_squared(

@@ -8,9 +8,9 @@ import numpy as np
 
 
 def own_columns(rows: int = 60) -> dict[str, Any]:
-    """Arrays of 7 features, 5 action parameters and 2 effect axes."""
+    """Arrays of 7 features, 5 action parameters (the last from 0 to 1) and 2 effect axes."""
     rng = np.random.default_rng(0)
-    actions = rng.uniform(-1, 1, size=(rows, 5))
+    actions = rng.uniform(-1, 1, size=(rows, 5)) * [1, 1, 1, 1, 0.5] + [0, 0, 0, 0, 0.5]
     effects = 0.1 * np.sign(actions[:, :2])
     return {"features": rng.uniform(size=(rows, 7)), "actions": actions, "effects": effects}
 

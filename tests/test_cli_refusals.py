@@ -111,13 +111,13 @@ def test_missing_plan_file_is_refused(folder, capsys):
         (["plan", "task-01", "--time-limit", "-1"], "time-limit"),
         (
             ["explore", "--strategy", "luck"],
-            "no strategy 'luck'; valid: active, curiosity, disagreement, entropy, random",
+            "no strategy 'luck'; valid: active, disagreement, entropy, random",
         ),
         (["explore", "--min-predicted-effect", "-0.1"], "min-predicted-effect = -0.1 m must be at least 0"),
         (["explore", "--min-predicted-effect", "nan"], "min-predicted-effect = nan m must be at least 0"),
         (
             ["explore", *LEARN_TOY, "--min-predicted-effect", "0.1"],
-            "random predicts no effect that min-predicted-effect could compare; valid with it: curiosity",
+            "random predicts no effect that min-predicted-effect could compare; valid with it: disagreement",
         ),
         (["explore", "--regime", "big"], "no regime 'big'; valid: default, paper, quick"),
         (["explore", "--seed", "-1"], "seed = -1 must be at least 0"),

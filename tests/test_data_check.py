@@ -31,6 +31,7 @@ BAD_COLUMNS = [
     ({"actions": lambda c: put(c, (3, 4), np.inf)}, "actions[3, 4] is inf"),
     ({"effects": lambda c: put(c, (5, 1), -np.inf)}, "effects[5, 1] is -inf"),
     ({"effects": lambda c: put(c, (5, 1), 1e300)}, "effects[5, 1] is 1e+300"),
+    ({"effects": lambda c: put(c, (5, 1), 2e9)}, "effects[5, 1] is 2e+09; valid: finite numbers up to 1e+09"),
     ({"effects": lambda c: put(c, (slice(5, 8), 1), np.nan)}, "effects[5, 1] is nan (and 2 more like it)"),
     ({"features": lambda c: c[:, 0]}, "'features' has shape (60,); valid: (rows, columns)"),
     ({"features": lambda c: c[:, :0]}, "'features' has shape (60, 0)"),
@@ -210,8 +211,11 @@ def test_check_notes_what_may_not_be_meant(tmp_path, capsys):
     columns = own_columns()
     columns["features"][:, 0] *= 1e-4
     columns["effects"][:, 1] = 0.0
+    columns["effects"][:, 0] *= 1000
+    columns["actions"][:, 4] *= 2
     held = np.arange(60) % 2 == 0
-    write_data(tmp_path, {**columns, "held": held, "heights": held}, {"gripper_columns": [4]})
+    origin = {"gripper_columns": [4], "feature_name": ["a"], "robot": "pusher"}
+    write_data(tmp_path, {**columns, "held": held, "heights": held, "lost": np.ones(60)}, origin)
     assert neurosym("check", tmp_path) == 0
     notes = [line for line in capsys.readouterr().out.splitlines() if line.startswith("note:")]
     for said in (
@@ -219,13 +223,17 @@ def test_check_notes_what_may_not_be_meant(tmp_path, capsys):
         "features[:, 0] varies",
         "effects[:, 1] never",
         "'resting_effects'",
+        "actions[:, 4] leaves the range from 0 (closed) to 1 (open)",
+        "'lost' is true in every row",
+        "effects reach 100, but an outcome counts as promised within 0.05",
+        "the entry 'feature_name' of the origin is not read, but 'feature_names' is",
     ):
         assert sum(said in note for note in notes) == 1
-    assert len(notes) == 4
+    assert len(notes) == 8
 
 
 def test_check_refuses_what_is_not_there(tmp_path, capsys):
-    assert "interactions.npz is missing; `neurosym explore" in refusal(capsys, "check", tmp_path)
+    assert "or a script of yours (docs/data.md)" in refusal(capsys, "check", tmp_path)
     assert "no such file or folder" in refusal(capsys, "check", tmp_path / "none.npz")
 
 

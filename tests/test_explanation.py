@@ -106,11 +106,28 @@ def test_names_are_those_of_the_table_and_reasons_those_of_the_grounding():
 
 def test_every_mode_has_its_row_with_mean_spread_and_share():
     lift, away = said_of(explain(table()), "010").effects[:2]
-    assert (lift.ends, lift.share, lift.trials) == ("held", 0.8, 20)
+    assert (lift.ends, lift.share, lift.trials, lift.promised) == ("held", 0.8, 20, 15)
     assert lift.effect == "12 mm forward, 21 mm right, 203 mm up"
     assert lift.spread == "± 4, 3, 1 mm"
     assert away.operator == lift.operator
     assert away.ends == "at rest"
+
+
+def test_carrying_is_told_from_pushing_by_how_high_the_object_was():
+    first, *others = table().operators
+    (mode,) = first.modes
+    carried = msgspec.structs.replace(first, modes=(msgspec.structs.replace(mode, peak_height=0.12),))
+    placed = explain(msgspec.structs.replace(table(), operators=(carried, *others)))
+    assert (
+        said_of(placed, "000").effects[0].effect == "2 mm forward, 83 mm left, carried 120 mm high on the way"
+    )
+
+
+def test_effects_averaged_from_data_are_not_said_to_be_what_the_parameters_do():
+    assert "not what the distilled parameters do" in " ".join(
+        explain(msgspec.structs.replace(table(), measured="data")).summary
+    )
+    assert "not what the distilled" not in " ".join(explain(table()).summary)
 
 
 def naive_nearest(operators: OperatorTable, symbol: str) -> tuple[float, str]:

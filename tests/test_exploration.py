@@ -212,7 +212,7 @@ def test_a_checkpoint_with_other_weights_is_refused(strategy, damage, tmp_path):
 
 
 def test_unknown_strategies_and_no_workers_are_refused():
-    with pytest.raises(UnknownChoice, match="active, curiosity, disagreement, entropy, random"):
+    with pytest.raises(UnknownChoice, match="active, disagreement, entropy, random"):
         run(strategy="greed")
     with pytest.raises(InvalidValue, match="workers"):
         run(workers=0)
@@ -221,7 +221,7 @@ def test_unknown_strategies_and_no_workers_are_refused():
 @pytest.mark.parametrize("strategy", ["random", "active"])
 def test_strategies_that_predict_nothing_cannot_filter_by_it(strategy):
     config = replace(QUICK, min_predicted_effect=0.1)
-    with pytest.raises(InvalidValue, match="valid with it: curiosity, disagreement, entropy"):
+    with pytest.raises(InvalidValue, match="valid with it: disagreement, entropy"):
         run(strategy=strategy, config=config)
 
 

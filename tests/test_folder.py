@@ -76,6 +76,35 @@ def test_missing_folder_is_named(tmp_path):
         DomainFolder(tmp_path / "nowhere")
 
 
+def test_file_in_place_of_a_folder_is_named(tmp_path):
+    (tmp_path / "notes").touch()
+    with pytest.raises(FolderNotFound, match=r"notes is a file; name a domain folder"):
+        DomainFolder(tmp_path / "notes")
+
+
+def test_folder_in_place_of_a_file_is_refused_before_any_work(folder):
+    stage, calls = counting_stage(folder, seed=1)
+    (folder / "interactions.npz").mkdir()
+    with pytest.raises(InvalidFile, match=r"interactions\.npz cannot be used: it is a folder"):
+        folder.require("interactions.npz")
+    with pytest.raises(InvalidFile, match=r"interactions\.npz cannot be used: it is a folder"):
+        folder.perform(stage, again=True)
+    assert not calls
+
+
+def test_what_came_from_other_files_is_named_with_its_command(folder, capsys):
+    stage, _ = counting_stage(folder, seed=1)
+    folder.perform(stage, again=False)
+    assert folder.outdated(("interactions.npz",)) == []
+    (folder / "world.toml").write_text("another")
+    remark = "interactions.npz came from another world.toml; `neurosym explore` makes it anew"
+    assert folder.outdated(("interactions.npz",)) == [remark]
+    folder.perform(Stage("train", ("interactions.npz",), (), lambda: None), again=True)
+    assert f"note: {remark}" in capsys.readouterr().out
+    (folder / "interactions.npz").write_text("of a user's own")
+    assert folder.outdated(("interactions.npz",)) == []
+
+
 def test_missing_stage_is_named_with_its_command(folder):
     with pytest.raises(StageMissing, match=r"primitives\.json is missing; `neurosym distill"):
         folder.require("primitives.json")

@@ -17,7 +17,7 @@ from neurosym.model_config import Dimensions, ModelConfig
 from neurosym.recipes import RECIPES
 from neurosym.samples import samples_of
 from neurosym.strategies import has_high_effect
-from neurosym.training import assess, r_squared, split, train
+from neurosym.training import assess, r_squared, share_of, split, train
 from neurosym.training_config import REGIMES, TrainingConfig
 
 
@@ -155,6 +155,21 @@ def test_trivial_predictors_stand_beside_the_model():
     assert set(report["mae"]) == {"model", "always zero", "always mean", "per-axis median"}
     direct_r2 = r_squared(direct.predict(held_out.features, held_out.actions), held_out.effects)
     assert report["r2_direct_by_axis"] == pytest.approx(direct_r2.tolist(), rel=1e-4, abs=1e-5)
+
+
+def test_there_is_no_share_of_what_explains_nothing():
+    assert share_of(0.3, 0.6) == pytest.approx(0.5)
+    assert share_of(-0.2, -0.3) is None
+    assert share_of(0.1, 0.0) is None
+
+
+def test_axes_that_never_change_are_left_out_of_the_mean():
+    data = toy_data(300)
+    still = replace(data, effects=data.effects * np.array([1, 1, 0], dtype=np.float32))
+    kept, held_out = split(still, 0.2, seed=1)
+    model, direct = EffectModel(Dimensions(), SMALL).eval(), DirectModel(Dimensions(), BRIEF.direct).eval()
+    report = assess(model, direct, kept, held_out)
+    assert report["r2_direct"] == pytest.approx(np.mean(report["r2_direct_by_axis"][:2]))
 
 
 def test_r_squared_is_one_for_the_truth_and_zero_for_the_mean():

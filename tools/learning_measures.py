@@ -22,7 +22,7 @@ from neurosym.primitive_kinds import kind_of, kinds_found
 from neurosym.rehearsal import Rehearsals, rehearse
 from neurosym.strategies import has_high_effect
 from neurosym.symbols import all_symbols
-from neurosym.training import Trained, r_squared, train
+from neurosym.training import Trained, r_squared, share_of, train
 from neurosym.training_config import TrainingConfig
 from neurosym.world_file import read_world
 
@@ -114,7 +114,7 @@ def assess_on_test(trained: Trained, seen: Interactions, test: Interactions) -> 
         "r2_through_codes_by_axis": r2.tolist(),
         "r2_direct": float(r2_direct.mean()),
         "r2_direct_by_axis": r2_direct.tolist(),
-        "share": float(r2.mean() / r2_direct.mean()),
+        "share": share_of(float(r2.mean()), float(r2_direct.mean())),
         "mae": {name: np.abs(guess - effects)[high].mean(0).tolist() for name, guess in guesses.items()},
         "mae_unfiltered": {name: np.abs(guess - effects).mean(0).tolist() for name, guess in guesses.items()},
         "test_rows": len(high),

@@ -10,7 +10,8 @@ from neurosym.command_options import Folder
 from neurosym.console import say, say_next
 from neurosym.errors import InvalidFile, InvalidValue
 from neurosym.files import read_json, write_atomically
-from neurosym.folder import GROUNDING, PRIMITIVES, WORLD, DomainFolder
+from neurosym.folder import GROUNDING, INTERACTIONS, PRIMITIVES, WORLD, DomainFolder
+from neurosym.interactions import Interactions
 from neurosym.operators import OperatorTable
 
 if TYPE_CHECKING:
@@ -18,7 +19,7 @@ if TYPE_CHECKING:
     from neurosym.pddl.grounding import Grounding
     from neurosym.world import World
 
-_NO_WORLD = f"There is no {WORLD} here to say what features and parameters are: they are numbered."
+_NO_WORLD = f"There is no {WORLD} here to say what the parameters of actions are: they are plain numbers."
 _ASSUMED = f"What is in the domain is said for cells of 5 mm; there is no {GROUNDING} yet."
 _OTHER_TABLE = f"{GROUNDING} was compiled from another {PRIMITIVES}; compile-domain makes it fit."
 
@@ -42,12 +43,10 @@ def explain(
         say(f"wrote {output}")
     else:
         show_explanation(explanation)
-    compiled = (domain / GROUNDING).is_file()
-    say_next(
-        f"neurosym show {folder} --primitive {explanation.actions[0].symbol}"
-        if compiled
-        else f"neurosym compile-domain {folder}"
-    )
+    if (domain / GROUNDING).is_file():
+        say_next(f"neurosym show {folder} --primitive {explanation.actions[0].symbol}")
+    elif (domain / WORLD).is_file():
+        say_next(f"neurosym compile-domain {folder}")
     return 0
 
 
@@ -70,13 +69,14 @@ def explain_folder(domain: DomainFolder) -> "Explanation":
     try:
         explanation = explain_table(
             table,
-            feature_names=world.feature_names if world else (),
+            feature_names=world.feature_names if world else _names_in_data(domain),
             gripper=world.action_box.gripper.tolist() if world else (),
             why_left_out=grounding.why_left_out if grounding else None,
         )
     except InvalidValue as error:
         raise InvalidFile(path, str(error)) from error
-    remarks = [_NO_WORLD] * (world is None) + [remark] * bool(remark)
+    outdated = [f"{line}." for line in domain.outdated((PRIMITIVES,))]
+    remarks = [_NO_WORLD] * (world is None) + [remark] * bool(remark) + outdated
     return replace(explanation, summary=(*explanation.summary, *remarks))
 
 
@@ -84,6 +84,12 @@ def _world(domain: DomainFolder) -> "World | None":
     from neurosym.world_file import read_world
 
     return read_world(domain / WORLD)() if (domain / WORLD).exists() else None
+
+
+def _names_in_data(domain: DomainFolder) -> tuple[str, ...]:
+    """Return the names that data of a user's own give to features."""
+    path = domain / INTERACTIONS
+    return tuple(Interactions.load(path).origin.get("feature_names", ())) if path.is_file() else ()
 
 
 def _grounding(

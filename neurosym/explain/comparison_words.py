@@ -2,7 +2,7 @@
 
 from collections.abc import Collection, Mapping
 
-from neurosym.explain.action_words import displacement_in_words, distance_in_words
+from neurosym.explain.action_words import AXES, displacement_in_words, distance_in_words
 from neurosym.explain.likeness import Difference, Likeness, Sorting
 from neurosym.operators import Mode
 from neurosym.symbols import Symbol
@@ -28,13 +28,14 @@ def sorting_in_words(sorting: Sorting, count: int, axes: int) -> tuple[str, ...]
     within = distance_in_words(sorting.within, axes)
     pairs = ", ".join(f"{symbol} of {original}" for symbol, original in sorting.duplicates.items())
     idle = ", ".join(sorting.idle)
+    order = ", forward, left and up" if axes == AXES else ""
     return (
         f"Of {count} action symbols, {len(sorting.own)} {_do(sorting.own)} something of their own, "
         f"{len(sorting.duplicates)} {_are(sorting.duplicates)} duplicates{f' ({pairs})' if pairs else ''}, "
         f"{len(sorting.idle)} {_are(sorting.idle)} idle{f' ({idle})' if idle else ''}.",
         f"Duplicate: on average over the objects, it promises what another does to within {within}, and it "
         f"ends alike (held, at rest) on each category. Idle: it promises less than {within} of motion.",
-        "± is one standard deviation; an operator promises its most frequent end at rest or held.",
+        f"± is one standard deviation{order}; an operator promises its most frequent end at rest or held.",
     )
 
 

@@ -8,7 +8,13 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 from neurosym.errors import InvalidValue
-from neurosym.explain.action_words import action_in_words, displacement_in_words, spread_in_words
+from neurosym.explain.action_words import (
+    AXES,
+    action_in_words,
+    displacement_in_words,
+    distance_in_words,
+    spread_in_words,
+)
 from neurosym.explain.comparison_words import (
     ENDS,
     category_in_words,
@@ -18,7 +24,8 @@ from neurosym.explain.comparison_words import (
 )
 from neurosym.explain.likeness import Likenesses, Sorting
 from neurosym.explain.object_words import objects_in_words
-from neurosym.operators import Category, Mode, Operator, OperatorTable, Primitive
+from neurosym.naming import CARRIED
+from neurosym.operators import TOLERANCE, Category, Mode, Operator, OperatorTable, Primitive
 from neurosym.symbols import Symbol, all_symbols
 
 WhyLeftOut = Callable[[Operator], str | None]
@@ -34,6 +41,7 @@ class EffectRow:
     Attributes:
         operator: Name of the operator, as in the PDDL domain.
         trials: How many rehearsals there were, or rows of the data.
+        promised: How many of them ended within the tolerance of what the operator promises.
         share: Share of the rehearsals that ended so.
         ends: How the object ended.
         effect: Mean displacement as it ended, in words.
@@ -43,6 +51,7 @@ class EffectRow:
 
     operator: str
     trials: int
+    promised: int
     share: float
     ends: str
     effect: str
@@ -105,8 +114,8 @@ def explain(
     check_table(table)
     likenesses = Likenesses(table)
     sorting = likenesses.sort_out()
-    measured = f"Effects are means over {_trials(table)}."
-    summary = (*sorting_in_words(sorting, len(table.primitives), _axes(table)), measured, *_unused(table))
+    sorted_out = sorting_in_words(sorting, len(table.primitives), _axes(table))
+    summary = (*sorted_out, _measured(table), *_unused(table))
     actions = [
         _explain_action(table, p, likenesses, sorting, gripper, why_left_out) for p in table.primitives
     ]
@@ -133,6 +142,13 @@ def check_table(table: OperatorTable) -> None:
     vectors = [v for m in modes for v in (m.effect, m.spread, m.resting_effect, m.resting_spread)]
     if len({len(vector) for vector in vectors}) > 1:
         raise InvalidValue("its effects have different numbers of axes")
+
+
+def _measured(table: OperatorTable) -> str:
+    aside = ", and not what the distilled parameters do" if table.measured == "data" else ""
+    tolerance = distance_in_words(TOLERANCE, _axes(table))
+    means = f"Effects are means over {_trials(table)}{aside}"
+    return f"{means}; as promised is what ended within {tolerance} of them."
 
 
 def _unused(table: OperatorTable) -> tuple[str, ...]:
@@ -185,12 +201,20 @@ def _row(operator: Operator, mode: Mode, why_left_out: WhyLeftOut | None) -> Eff
     return EffectRow(
         operator=operator.name,
         trials=operator.trials,
+        promised=operator.successes,
         share=mode.share,
         ends=ENDS[mode.kind],
-        effect=displacement_in_words(mode.outcome),
+        effect=displacement_in_words(mode.outcome) + _carried(mode),
         spread=spread_in_words(mode.scatter) if mode.count > 1 else "seen once",
         domain="" if why_left_out is None else f"no: {reason}" if reason else "yes",
     )
+
+
+def _carried(mode: Mode) -> str:
+    """Say how high an object was carried that rests again."""
+    if mode.kind != "resting" or mode.peak_height <= CARRIED or len(mode.outcome) != AXES:
+        return ""
+    return f", carried {distance_in_words(mode.peak_height, AXES)} high on the way"
 
 
 def _verbs(table: OperatorTable, operators: Sequence[Operator]) -> str:

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from neurosym.console import console, say
 from neurosym.explain.explanation import EffectRow, Explanation, SymbolExplanation
 
-_COLUMNS = ("operator", "trials", "share", "ends", "effect", "spread")
+_COLUMNS = ("operator", "trials", "as promised", "share", "ends", "effect", "spread")
 _WIDEST = 110  # columns of running text
 _INDENT = "  "
 
@@ -50,7 +50,7 @@ def _effects(effects: Sequence[EffectRow]) -> tuple[list[str], list[list[str]]]:
     rows, before = [], ""
     for row in effects:
         is_first, before = row.operator != before, row.operator
-        cells = [row.operator, str(row.trials)] if is_first else ["", ""]
+        cells = [row.operator, str(row.trials), str(row.promised)] if is_first else [""] * 3
         cells += [f"{row.share:.0%}", row.ends, row.effect, row.spread]
         rows.append([*cells, row.domain if is_first else ""] if with_domain else cells)
     return [*_COLUMNS, "in the domain"] if with_domain else [*_COLUMNS], rows
@@ -67,7 +67,9 @@ def _say_effects(effects: Sequence[EffectRow]) -> None:
     before = ""
     for row in effects:
         if row.operator != before:
-            _say_wrapped(f"- {row.operator} ({row.trials} trials{_domain(row)})", _INDENT)
+            _say_wrapped(
+                f"- {row.operator} ({row.trials} trials, {row.promised} as promised{_domain(row)})", _INDENT
+            )
         before = row.operator
         _say_wrapped(f"{row.share:.0%} {row.ends}: {row.effect} ({row.spread})", 3 * _INDENT)
 
