@@ -30,8 +30,8 @@ def page(results: Mapping[str, Any]) -> str:
         "the codes over that of a network without a bottleneck on the same data.",
         _held(results["table1"]),
         f"R2 through the codes by axis, of *{ours}*. *Explained* is the R2 of the mean effect of each "
-        "action code, and of each pair of codes, on the test interactions themselves: what the object's bits add. "
-        "*Held* says how often objects of each code ended in the hand.",
+        "action code, and of each pair of codes, on the test interactions themselves: what the object's bits "
+        "add. *Held* says how often objects of each code ended in the hand.",
         _by_axis(results["table1"][ours]),
         "## More bits, and fewer",
         _bits(results, ours),
@@ -39,8 +39,8 @@ def page(results: Mapping[str, Any]) -> str:
         f"Our defaults on the data of *{ours}*, with one thing changed; the last row changes all.",
         _variants(results, ours),
         "## Table I: errors of prediction",
-        f"Mean absolute error [mm] on the {_test_rows(results['table1'][ours]):,} first test interactions whose "
-        "absolute displacements sum to 8 cm or more. *Always mean* and the median are those of the training "
+        f"Mean absolute error [mm] on the {_test_rows(results['table1'][ours]):,} first test interactions "
+        "whose absolute displacements sum to 8 cm or more. *Always mean* and the median are those of the training "
         "data of *random*. *active* learns from such interactions only, which helps here and costs it below.",
         _table1(results["table1"], "mae"),
         "The same on all test interactions, small effects included:",
