@@ -41,7 +41,8 @@ def page(results: Mapping[str, Any]) -> str:
         "## Table I: errors of prediction",
         f"Mean absolute error [mm] on the {_test_rows(results['table1'][ours]):,} first test interactions "
         "whose absolute displacements sum to 8 cm or more. *Always mean* and the median are those of the "
-        "training data of *random*. *active* learns from such interactions only, which helps here and costs it below.",
+        "training data of *random*. *active* learns from such interactions only, which helps here and costs "
+        "it below.",
         _table1(results["table1"], "mae"),
         "The same on all test interactions, small effects included:",
         _table1(results["table1"], "mae_unfiltered"),
