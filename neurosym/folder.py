@@ -110,10 +110,13 @@ class DomainFolder:
             command, besides = f"neurosym {COMMANDS[name]} {self.path}", ""
             if name == INTERACTIONS:
                 besides = ", or a script of yours (docs/data.md)"
-            if name == WORLD and (self.path / INTERACTIONS).exists():
+            if name == WORLD and self._has_own_data():
                 command, besides = f"{command} --world module:factory", " for the world of your data"
             raise StageMissing(path, command, besides)
         return path
+
+    def _has_own_data(self) -> bool:
+        return (self.path / INTERACTIONS).exists() and "explore" not in self.manifest().stages
 
     def problem_names(self) -> tuple[str, ...]:
         """List the problems of this folder."""
@@ -173,13 +176,13 @@ class DomainFolder:
             names: Files, relative to the folder.
         """
         remarks = []
-        for record in self.manifest().stages.values():
+        for stage, record in self.manifest().stages.items():
             made = {name: made for name, made in record.outputs.items() if name in names}
+            if not made or made != self._digests(tuple(made)):
+                continue
             now = self._digests(tuple(record.inputs))
-            changed = [name for name, then in record.inputs.items() if now.get(name) != then]
-            if made and changed and made.items() <= self._digests(tuple(made)).items():
-                files, others = " and ".join(made), " and ".join(changed)
-                command = COMMANDS[next(iter(made))]
+            if changed := [name for name, then in record.inputs.items() if now.get(name) != then]:
+                files, others, command = " and ".join(made), " and ".join(changed), stage.split()[0]
                 remarks.append(f"{files} came from another {others}; `neurosym {command}` makes it anew")
         return remarks
 

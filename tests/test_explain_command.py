@@ -67,7 +67,7 @@ def test_table_of_operators_alone_is_enough(tmp_path, capsys):
     said = capsys.readouterr().out
     assert "There is no world.toml here" in said
     assert "in the domain" not in said
-    assert f"next: neurosym compile-domain {tmp_path}" in said
+    assert "next:" not in said  # there is nothing to compile a domain with
 
 
 def test_without_a_grounding_the_reasons_are_those_of_the_usual_grid(folder):

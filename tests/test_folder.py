@@ -110,6 +110,15 @@ def test_missing_stage_is_named_with_its_command(folder):
         folder.require("primitives.json")
 
 
+def test_data_of_ones_own_need_a_world_of_ones_own(tmp_path):
+    folder = DomainFolder(tmp_path)
+    with pytest.raises(StageMissing, match=r"`neurosym init [^ ]*` writes it\.$"):
+        folder.require("world.toml")
+    (tmp_path / "interactions.npz").touch()
+    with pytest.raises(StageMissing, match=r"--world module:factory` writes it for the world of your data"):
+        folder.require("world.toml")
+
+
 def test_problem_is_found_by_name_or_path_and_else_the_valid_ones_are_named(folder):
     (folder / "problems").mkdir()
     (folder / "problems" / "task-01.pddl").touch()
