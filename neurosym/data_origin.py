@@ -12,7 +12,7 @@ from neurosym.mirror_check import column_problem
 from neurosym.world import Mirror
 
 GREATEST = 1e9
-"""Greatest number that networks of 32 bits can still learn from without squares overflowing."""
+"""Greatest number that is taken for data; far below where sums of squares overflow 32 bits."""
 
 READ = ("gripper_columns", "action_low", "action_high", "mirrors", "feature_names", "format")
 """Entries that are read of the origin of data of a user's own."""

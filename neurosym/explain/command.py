@@ -11,7 +11,6 @@ from neurosym.console import say, say_next
 from neurosym.errors import InvalidFile, InvalidValue
 from neurosym.files import read_json, write_atomically
 from neurosym.folder import GROUNDING, INTERACTIONS, PRIMITIVES, WORLD, DomainFolder
-from neurosym.interactions import Interactions
 from neurosym.operators import OperatorTable
 
 if TYPE_CHECKING:
@@ -88,6 +87,8 @@ def _world(domain: DomainFolder) -> "World | None":
 
 def _names_in_data(domain: DomainFolder) -> tuple[str, ...]:
     """Return the names that data of a user's own give to features."""
+    from neurosym.interactions import Interactions
+
     path = domain / INTERACTIONS
     return tuple(Interactions.load(path).origin.get("feature_names", ())) if path.is_file() else ()
 
