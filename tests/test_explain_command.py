@@ -2,6 +2,7 @@
 
 import pytest
 from command_line import neurosym, refusal
+from own_data import own_columns, write_data
 from tables import table
 from test_shipped_domain import FOLDER, GROUNDING
 
@@ -68,6 +69,15 @@ def test_table_of_operators_alone_is_enough(tmp_path, capsys):
     assert "There is no world.toml here" in said
     assert "in the domain" not in said
     assert "next:" not in said  # there is nothing to compile a domain with
+
+
+def test_features_are_called_as_data_of_ones_own_call_them(tmp_path, capsys):
+    write_json(tmp_path / "primitives.json", table())
+    columns = own_columns()
+    columns["features"] = columns["features"][:, :4]
+    write_data(tmp_path, columns, {"feature_names": ["mass", "grip", "age", "hue"]})
+    assert neurosym("explain", tmp_path) == 0
+    assert "mass 0.05 ± 0.01, grip 0.05 ± 0.01" in capsys.readouterr().out
 
 
 def test_without_a_grounding_the_reasons_are_those_of_the_usual_grid(folder):
