@@ -95,6 +95,16 @@ class Curiosity(ABC):
             candidates: Actions that could be performed on it.
         """
 
+    def pick(self, uncertainties: Float[np.ndarray, "C"], rng: np.random.Generator) -> int:
+        """Pick a candidate: the one of which least is known (Algorithm 1, line 10).
+
+        Args:
+            uncertainties: How little is known of each.
+            rng: Source of randomness, owned by the caller.
+        """
+        del rng
+        return int(np.argmax(uncertainties))
+
     @abstractmethod
     def expected_sizes(
         self, features: Float[np.ndarray, "F"], candidates: Float[np.ndarray, "C A"]
@@ -219,6 +229,20 @@ class Disagreement(Curiosity):
         """Compute the variance among the standardised predictions, averaged over the axes."""
         scale = self.networks[0].effect_std.numpy()
         return np.asarray((self._predictions(features, candidates) / scale).var(0).mean(1))
+
+    def pick(self, uncertainties: Float[np.ndarray, "C"], rng: np.random.Generator) -> int:
+        """Draw a candidate with a probability in proportion to the disagreement about it.
+
+        Until the networks learn again, the greatest disagreement is always about the same sort of action, of
+        which a few would do (Kirsch et al., 2023, Stochastic Batch Acquisition).
+
+        Args:
+            uncertainties: The variance of the predictions of each.
+            rng: Source of randomness, owned by the caller.
+        """
+        weights = uncertainties.astype(np.float64)
+        total = weights.sum()
+        return int(rng.choice(len(weights), p=weights / total if total > 0 else None))
 
     def expected_sizes(
         self, features: Float[np.ndarray, "F"], candidates: Float[np.ndarray, "C A"]

@@ -11,7 +11,7 @@ from torch import Tensor, nn
 
 from neurosym.effect_network import EffectNetwork, hidden_layers, inference, tensor
 from neurosym.model_config import Dimensions, DirectConfig
-from neurosym.network_inputs import with_gripper_states
+from neurosym.network_inputs import InputNorm, with_gripper_states
 
 
 class DirectModel(EffectNetwork):
@@ -22,7 +22,7 @@ class DirectModel(EffectNetwork):
         config: How it is built.
     """
 
-    FORMAT = "neurosym-direct-model-1"
+    FORMAT = "neurosym-direct-model-2"
     CONFIG = DirectConfig
     config: DirectConfig
 
@@ -31,7 +31,9 @@ class DirectModel(EffectNetwork):
         super().__init__(dimensions, config, outputs)
         inputs = dimensions.features + dimensions.actions
         layers = hidden_layers(inputs, config.hidden, config.dropout)
-        self.layers = nn.Sequential(nn.BatchNorm1d(inputs), *layers, nn.Linear(config.hidden, outputs))
+        columns = dimensions.gripper_columns if config.gripper_sharpness is not None else ()
+        norm = InputNorm(inputs, [dimensions.features + column for column in columns])
+        self.layers = nn.Sequential(norm, *layers, nn.Linear(config.hidden, outputs))
 
     def forward(self, features: Float[Tensor, "B F"], actions: Float[Tensor, "B A"]) -> Float[Tensor, "B O"]:
         """Predict the effect, and the peak height behind it if `config.peaks`; all standardised."""

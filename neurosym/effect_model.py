@@ -15,7 +15,7 @@ from torch import Tensor, nn
 
 from neurosym.effect_network import EffectNetwork, hidden_layers, inference, tensor
 from neurosym.model_config import Dimensions, ModelConfig
-from neurosym.network_inputs import with_gripper_states
+from neurosym.network_inputs import InputNorm, with_gripper_states
 from neurosym.symbols import Symbol, binarize, signs
 
 LOG_VARIANCE_FLOOR = -5.0
@@ -30,7 +30,7 @@ class EffectModel(EffectNetwork):
         config: How it is built.
     """
 
-    FORMAT = "neurosym-effect-model-2"
+    FORMAT = "neurosym-effect-model-3"
     CONFIG = ModelConfig
     config: ModelConfig
 
@@ -38,8 +38,9 @@ class EffectModel(EffectNetwork):
         super().__init__(dimensions, config)
         bits = config.object_bits + config.action_bits
         outputs = dimensions.effects * (2 if config.head == "gaussian" else 1)
-        self.object_encoder = _encoder(dimensions.features, config.object_bits, config)
-        self.action_encoder = _encoder(dimensions.actions, config.action_bits, config)
+        states = dimensions.gripper_columns if config.gripper_sharpness is not None else ()
+        self.object_encoder = _encoder(InputNorm(dimensions.features, ()), config.object_bits, config)
+        self.action_encoder = _encoder(InputNorm(dimensions.actions, states), config.action_bits, config)
         self.norm = nn.LayerNorm(bits) if config.layer_norm else nn.Identity()
         layers = hidden_layers(bits, config.hidden, config.dropout)
         self.decoder = nn.Sequential(*layers, nn.Linear(config.hidden, outputs))
@@ -154,6 +155,6 @@ def as_signs(embeddings: Float[Tensor, "B K"]) -> Float[Tensor, "B K"]:
     return torch.where(embeddings > 0, 1.0, -1.0)
 
 
-def _encoder(inputs: int, bits: int, config: ModelConfig) -> nn.Sequential:
-    layers = hidden_layers(inputs, config.hidden, config.dropout)
-    return nn.Sequential(nn.BatchNorm1d(inputs), *layers, nn.Linear(config.hidden, bits), nn.Tanh())
+def _encoder(norm: InputNorm, bits: int, config: ModelConfig) -> nn.Sequential:
+    layers = hidden_layers(norm.num_features, config.hidden, config.dropout)
+    return nn.Sequential(norm, *layers, nn.Linear(config.hidden, bits), nn.Tanh())

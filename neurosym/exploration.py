@@ -25,7 +25,7 @@ from neurosym.tensor_files import read_tensors, write_tensors
 from neurosym.workers import Perform, Task, WorldFactory, crew
 from neurosym.world import World
 
-FORMAT = "neurosym-exploration-2"
+FORMAT = "neurosym-exploration-3"
 INTERACTIONS_FILE = "interactions.partial.npz"
 STATE_FILE = "exploration.safetensors"
 
@@ -137,8 +137,9 @@ def choose_action(
     scores = curiosity.uncertainties(features, candidates)
     if config.min_predicted_effect > 0:
         eligible = curiosity.expected_sizes(features, candidates) >= config.min_predicted_effect
-        scores = np.where(eligible, scores, -np.inf) if eligible.any() else scores
-    return Task(scene, candidates[int(np.argmax(scores))])
+        if eligible.any():
+            candidates, scores = candidates[eligible], scores[eligible]
+    return Task(scene, candidates[curiosity.pick(scores, rng)])
 
 
 def origin_of_world(world: World) -> dict[str, Any]:

@@ -1,10 +1,10 @@
-"""What networks are shown of actions: grippers open or closed, and mirror images."""
+"""What networks are shown: inputs normalised, grippers open or closed, and mirror images."""
 
 from collections.abc import Sequence
 
 import torch
 from jaxtyping import Float
-from torch import Tensor
+from torch import Tensor, nn
 
 from neurosym.world import Mirror
 
@@ -30,6 +30,30 @@ def with_gripper_states(
         smooth = torch.sigmoid(sharpness * (actions[:, chosen] - 0.5))
         state = state + smooth - smooth.detach()
     return actions.index_copy(1, torch.tensor(chosen), state)
+
+
+class InputNorm(nn.BatchNorm1d):
+    """Batch normalisation of what a network is shown, except for states of 0 and 1, which become -1 and 1.
+
+    A state that hardly ever changes in the data would be divided by next to nothing, and the other state be
+    something that the network has never seen the like of.
+
+    Args:
+        inputs: How many inputs there are.
+        states: Which of them are states of 0 or 1.
+    """
+
+    is_state: Tensor
+
+    def __init__(self, inputs: int, states: Sequence[int]):
+        super().__init__(inputs)
+        is_state = torch.zeros(inputs, dtype=torch.bool)
+        is_state[list(states)] = True
+        self.register_buffer("is_state", is_state, persistent=False)
+
+    def forward(self, shown: Float[Tensor, "B I"]) -> Float[Tensor, "B I"]:
+        """Normalise the inputs."""
+        return torch.where(self.is_state, 2 * shown - 1, super().forward(shown))
 
 
 def reflected(

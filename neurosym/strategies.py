@@ -2,9 +2,9 @@
 
 `entropy`, also called `curiosity`, is the paper's (Algorithm 1): try what a Gaussian is least certain of. It
 is caught by what cannot be learned, such as whether a grasp will hold by a hair. `disagreement` asks several
-networks, and tries what they disagree about most (Pathak, Gandhi and Gupta, 2019): they come to agree about
-noise. `random` and `active` are the paper's baselines, which predict the effect itself and not a distribution
-over it.
+networks, and the more they disagree about an action, the likelier it is tried (Pathak, Gandhi and Gupta,
+2019): they come to agree about noise. `random` and `active` are the paper's baselines, which predict the
+effect itself and not a distribution over it.
 """
 
 from collections.abc import Callable

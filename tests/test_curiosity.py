@@ -24,7 +24,10 @@ def curious(about, mirrors=(), seed=0, config=BRIEF, dimensions=None, network=No
 
 def drawn(number, seed=7):
     """The scene and the candidates of an interaction."""
-    rng = np.random.default_rng([seed, number])
+    return drawn_with(np.random.default_rng([seed, number]))
+
+
+def drawn_with(rng):
     scene = make_world().sample_scene(rng, 1)
     return scene, make_world().action_box.sample(rng, CONFIG.candidates).astype(np.float32)
 
@@ -58,6 +61,14 @@ def naive_disagreement(curiosity, features, candidate):
 NAIVE = {"entropy": naive_entropy, "disagreement": naive_disagreement}
 
 
+def naive_pick(about, scores, rng):
+    """The most entropy, or a draw in proportion to the disagreement."""
+    if about == "entropy":
+        return max(range(len(scores)), key=scores.__getitem__)
+    left = rng.random() * sum(scores)
+    return next(number for number in range(len(scores)) if (left := left - scores[number]) < 0)
+
+
 @pytest.mark.parametrize("about", NAIVE)
 @pytest.mark.parametrize("learned", [False, True])
 def test_curiosity_chooses_what_a_naive_loop_over_the_candidates_chooses(about, learned):
@@ -66,10 +77,19 @@ def test_curiosity_chooses_what_a_naive_loop_over_the_candidates_chooses(about, 
         curiosity.learn(toy_data(), 1)
     for number in range(4):
         task = choose_action(make_world(), curiosity, CONFIG, 7, number)
-        scene, candidates = drawn(number)
+        rng = np.random.default_rng([7, number])
+        scene, candidates = drawn_with(rng)
         scores = [NAIVE[about](curiosity, scene.features, candidate) for candidate in candidates]
-        np.testing.assert_array_equal(task.action, candidates[int(np.argmax(scores))])
+        np.testing.assert_array_equal(task.action, candidates[naive_pick(about, scores, rng)])
         np.testing.assert_array_equal(task.scene.positions, scene.positions)
+
+
+def test_disagreement_of_networks_draws_in_proportion_and_never_what_they_agree_on():
+    disagreement, rng = curious("disagreement"), np.random.default_rng(0)
+    variances = np.array([0.0, 1e-7, 3e-7, 0.0, 6e-7], dtype=np.float32)
+    counts = np.bincount([disagreement.pick(variances, rng) for _ in range(20_000)], minlength=5)
+    np.testing.assert_allclose(counts / 20_000, [0, 0.1, 0.3, 0, 0.6], atol=0.01)
+    assert disagreement.pick(np.zeros(3), rng) in range(3)  # they agree on everything
 
 
 def test_without_curiosity_the_first_candidate_is_taken():

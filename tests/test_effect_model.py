@@ -29,7 +29,7 @@ def inputs(rows, seed=0, features=4, actions=12):
 def test_layers_are_those_of_the_paper():
     model = a_model()
     kinds = [type(layer).__name__ for layer in model.action_encoder]
-    assert kinds == ["BatchNorm1d", *["Linear", "ReLU", "Dropout"] * 3, "Linear", "Tanh"]
+    assert kinds == ["InputNorm", *["Linear", "ReLU", "Dropout"] * 3, "Linear", "Tanh"]
     assert [type(layer).__name__ for layer in model.decoder] == [*["Linear", "ReLU", "Dropout"] * 3, "Linear"]
     assert model.decoder[-1].out_features == 6
     assert isinstance(a_model(layer_norm=True).norm, torch.nn.LayerNorm)

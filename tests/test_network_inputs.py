@@ -5,8 +5,9 @@ import pytest
 import torch
 
 from neurosym.direct_model import DirectModel
-from neurosym.model_config import Dimensions, DirectConfig
-from neurosym.network_inputs import reflected, with_gripper_states
+from neurosym.effect_model import EffectModel
+from neurosym.model_config import Dimensions, DirectConfig, ModelConfig
+from neurosym.network_inputs import InputNorm, reflected, with_gripper_states
 from neurosym.world import Mirror
 
 MIRRORS = (Mirror(actions=(0, 4), effects=(0,)), Mirror(actions=(1, 4), effects=(1, 2)))
@@ -45,6 +46,46 @@ def test_backwards_a_gripper_is_a_sigmoid():
 def test_without_sharpness_or_grippers_actions_are_seen_as_they_are(columns, sharpness):
     actions, _ = samples()
     assert torch.equal(with_gripper_states(actions, columns, sharpness), actions)
+
+
+def test_inputs_are_normalised_and_states_become_minus_one_and_one():
+    shown, _ = samples()
+    shown = with_gripper_states(shown, (3, 5), 15.0)
+    norm, plain = InputNorm(6, (3, 5)), torch.nn.BatchNorm1d(6)
+    for layer in (norm, plain, norm.eval(), plain.eval()):  # in training, then with what was learned by it
+        seen = layer(shown)
+        if layer is norm:
+            torch.testing.assert_close(seen[:, [3, 5]], torch.where(shown[:, [3, 5]] == 1, 1.0, -1.0))
+            ours = seen
+        else:
+            torch.testing.assert_close(seen[:, [0, 1, 2, 4]], ours[:, [0, 1, 2, 4]])
+
+
+def test_state_that_never_was_is_not_far_from_all_that_were():
+    opened = torch.ones(200, 1)
+    norm = InputNorm(1, (0,))
+    for _ in range(100):
+        norm(opened)
+    assert norm.eval()(torch.zeros(1, 1)).item() == -1
+    careless = torch.nn.BatchNorm1d(1)
+    for _ in range(100):
+        careless(opened)
+    assert careless.eval()(torch.zeros(1, 1)).item() < -100
+
+
+def test_which_inputs_are_states_is_not_among_the_weights():
+    assert InputNorm(6, (3,)).state_dict().keys() == torch.nn.BatchNorm1d(6).state_dict().keys()
+
+
+@pytest.mark.parametrize("sharpness", [15.0, None])
+def test_networks_normalise_grippers_only_if_shown_their_values(sharpness):
+    networks = (
+        EffectModel(Dimensions(), ModelConfig(gripper_sharpness=sharpness)).action_encoder,
+        DirectModel(Dimensions(), DirectConfig(gripper_sharpness=sharpness)).layers,
+    )
+    for network, before in zip(networks, (0, Dimensions().features), strict=True):
+        states = [before + column for column in Dimensions().gripper_columns] if sharpness else []
+        assert torch.nonzero(network[0].is_state)[:, 0].tolist() == states
 
 
 def test_reflections_are_those_of_a_naive_loop_with_the_same_coins():

@@ -47,8 +47,8 @@ def sections(folder: DomainFolder) -> list[str]:
     return [
         "# The tabletop domain",
         "Learned by neurosym's own pipeline with the paper's budget: 10,000 interactions of a UR10, each the "
-        "one that five networks disagreed about most, with boxes, open-topped boxes, planks and rings of "
-        "random size. `tools/relearn_tabletop.py` writes "
+        "one drawn by how much five networks disagreed about it, with boxes, open-topped boxes, planks and "
+        "rings of random size. `tools/relearn_tabletop.py` writes "
         "this file from what it measured; nothing in this folder is edited by hand, and no problem was "
         "removed.",
         "## How it was made",
