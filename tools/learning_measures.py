@@ -34,6 +34,19 @@ NINETY = 1.6449
 """Half the width of the interval that holds 90 % of a Gaussian, in standard deviations."""
 
 
+TEACHER = (
+    "direct",
+    "direct_epochs",
+    "direct_batch",
+    "direct_rate",
+    "direct_weight_decay",
+    "clip_norm",
+    "mirrors",
+    "validation_share",
+)
+"""What of the training configuration makes the network without a bottleneck what it is."""
+
+
 @dataclass(frozen=True, slots=True)
 class Data:
     """Where the data of one strategy and seed lies.
@@ -170,8 +183,11 @@ def act_upon(data: Data, choice: str) -> dict[str, Any]:
 
 
 def variant(data: Data, config: TrainingConfig, model_config: ModelConfig) -> dict[str, Any]:
-    """Learn in another way, without acting."""
-    return learn(data, config, model_config)[1]
+    """Learn in another way, without acting; what teaches is the network that was kept, if it is the same."""
+    ours = TrainingConfig()
+    same = all(getattr(config, name) == getattr(ours, name) for name in TEACHER)
+    direct = DirectModel.load(data.kept("direct")) if same else None
+    return learn(data, config, model_config, direct)[1]
 
 
 def other_bits(data: Data, object_bits: int, action_bits: int) -> dict[str, Any]:
