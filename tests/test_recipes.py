@@ -139,9 +139,8 @@ def test_actions_that_lie_together_in_few_places_of_their_box_are_told_apart():
     assert trained.report["share"] > 0.7
     symbols = np.array(trained.model.action_symbols(data.actions))
     meant = {symbol: np.bincount(kinds[symbols == symbol]) for symbol in set(symbols.tolist())}
-    assert sum(counts.max() for counts in meant.values()) > 0.95 * len(
-        data
-    )  # of a kind: there are codes to spare
+    of_the_code_s_kind = sum(counts.max() for counts in meant.values())
+    assert of_the_code_s_kind > 0.95 * len(data)
     assert len({counts.argmax() for counts in meant.values()}) >= 5
 
 
