@@ -154,6 +154,7 @@ def other_jobs(work: Path, seed: int, steps: int) -> dict[str, Job]:
     if seed <= FEW_SEEDS:
         for bits in BITS:
             jobs[f"bits-{bits[0]}-{bits[1]}-{seed}-{steps}"] = partial(measures.other_bits, ours, *bits)
+        jobs[f"clustered-{seed}-{steps}"] = partial(measures.clustered, ours, (*BITS, (2, 3)))
         for name, (config, model_config) in VARIANTS.items():
             key = f"variant-{name.replace(' ', '_')}-{seed}-{steps}"
             jobs[key] = partial(measures.variant, ours, config, model_config)
@@ -225,6 +226,7 @@ def summarise(found: Mapping[str, Any], seeds: int, steps: int) -> dict[str, Any
             "lowest-error": dict(_by_seed(found, f"choice-{{}}-{steps}", seeds)),
         },
         "bits": {f"{o}+{a}": dict(_by_seed(found, f"bits-{o}-{a}-{{}}-{steps}", few)) for o, a in BITS},
+        "clustered": dict(_by_seed(found, f"clustered-{{}}-{steps}", few)),
         "variants": {
             name: dict(_by_seed(found, f"variant-{name.replace(' ', '_')}-{{}}-{steps}", few))
             for name in VARIANTS

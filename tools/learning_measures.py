@@ -5,6 +5,7 @@ once.
 """
 
 import time
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
@@ -12,6 +13,7 @@ from typing import Any
 import numpy as np
 
 from neurosym.choosing import choose
+from neurosym.coclustering import CoClustering, cocluster
 from neurosym.direct_model import DirectModel
 from neurosym.distillation import distill
 from neurosym.effect_model import EffectModel
@@ -30,6 +32,8 @@ TEST_ROWS = 2400
 """Interactions with a high effect in the test set."""
 REHEARSED = 60
 """Objects that each primitive is rehearsed on."""
+ROWS, COLUMNS = 2000, 64
+"""Actions and objects whose predicted effects are co-clustered."""
 NINETY = 1.6449
 """Half the width of the interval that holds 90 % of a Gaussian, in standard deviations."""
 
@@ -194,6 +198,30 @@ def other_bits(data: Data, object_bits: int, action_bits: int) -> dict[str, Any]
     """Learn with other numbers of bits, taught by the network that was kept."""
     direct = DirectModel.load(data.kept("direct"))
     return learn(data, None, ModelConfig(object_bits, action_bits), direct)[1]
+
+
+def clustered(data: Data, bits: Sequence[tuple[int, int]]) -> dict[str, Any]:
+    """Say what codes could keep at best of what the network that was kept predicts.
+
+    Its predictions for test actions on test objects are themselves co-clustered into as many kinds as there
+    are codes: an encoder sees only the action, or only the object, and cannot do better than the same of all.
+    """
+    test = Interactions.load(data.test / "interactions.npz")
+    rng = np.random.default_rng(data.seed)
+    actions, features = test.actions[rng.permutation(len(test))[:ROWS]], test.features[:COLUMNS]
+    direct = DirectModel.load(data.kept("direct"))
+    by_object = [direct.predict(np.tile(item, (len(actions), 1)), actions) for item in features]
+    table = np.stack(by_object, axis=1) / test.effects.std(0)  # (actions, objects, axes)
+    table -= table.mean((0, 1))
+    return {f"{o}+{a}": _kept(table, cocluster(table, 2**a, 2**o, rng)) for o, a in bits}
+
+
+def _kept(table: np.ndarray, found: CoClustering) -> float:
+    """Return the share of the variance that is between blocks, mean of the axes."""
+    rows, columns = (np.eye(labels.max() + 1)[labels] for labels in (found.rows, found.columns))
+    sums = np.einsum("rce,rk,cl->kle", table, rows, columns, optimize=True)
+    counts = np.maximum(np.outer(rows.sum(0), columns.sum(0)), 1)[:, :, None]
+    return float(((sums**2 / counts).sum((0, 1)) / (table**2).sum((0, 1))).mean())
 
 
 def _operators(rehearsals: Rehearsals, lift_height: float) -> list[dict[str, Any]]:
