@@ -1,6 +1,6 @@
 """How the effect model is trained, apart from the training itself, so that reading it does not load torch."""
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Literal
 
 from neurosym.errors import InvalidValue
@@ -37,11 +37,11 @@ class TrainingConfig:
         named_actions: How many more actions the teacher tells the meaning of, for the encoder to be fitted.
         named_objects: The same of objects.
         naming_starts: From how many starts each encoder is fitted to them; the best is kept.
-        naming_steps: Steps of each of these fits.
+        naming_steps: Steps of each of these fits; see `for_bits`.
         naming_batch: How many at a time.
         imagined_actions: Actions in a step of the end-to-end fit of the encoders.
         imagined_objects: Objects in it: each action is imagined on each object.
-        code_steps: Steps of the end-to-end fit.
+        code_steps: Steps of the end-to-end fit; see `for_bits`.
         code_rate: Greatest step size of Adam for the encoders; half of it in the end-to-end fit.
         decoder_learns_from: "imagined" fits the decoder of "taught" to actions as they come, "data" to
             those that were chosen.
@@ -97,7 +97,17 @@ class TrainingConfig:
         if self.recipe not in ("joint", "refit", "taught"):
             raise InvalidValue(f"recipe = {self.recipe!r} must be 'joint', 'refit' or 'taught'.")
 
+    def for_bits(self, action_bits: int) -> "TrainingConfig":
+        """Return the same with as many steps of the encoders again for each bit of actions beyond three.
 
+        Args:
+            action_bits: How many there are.
+        """
+        times = 1 + max(0, action_bits - _STEPS_ARE_FOR)
+        return replace(self, naming_steps=times * self.naming_steps, code_steps=times * self.code_steps)
+
+
+_STEPS_ARE_FOR = 3  # bits of action symbols
 _COUNTS = (
     "epochs",
     "batch",

@@ -224,6 +224,12 @@ _IMPOSSIBLE = [
 ]
 
 
+def test_encoders_take_more_steps_for_each_bit_of_action_symbols_beyond_three():
+    config = TrainingConfig(naming_steps=10, code_steps=20)
+    assert config.for_bits(3) == config.for_bits(2) == config
+    assert config.for_bits(6) == replace(config, naming_steps=40, code_steps=80)
+
+
 @pytest.mark.parametrize("option", _IMPOSSIBLE)
 def test_impossible_options_are_refused(option):
     with pytest.raises(InvalidValue, match=next(iter(option))):
