@@ -51,6 +51,10 @@ TEACHER = (
 """What of the training configuration makes the network without a bottleneck what it is."""
 
 
+FILTERED = "-filtered"
+"""What is added to the name of a strategy that chooses only among actions of a great predicted effect."""
+
+
 @dataclass(frozen=True, slots=True)
 class Data:
     """Where the data of one strategy and seed lies.
@@ -72,7 +76,8 @@ class Data:
     def load(self) -> Interactions:
         """Read the data."""
         data = Interactions.load(self.folder / "interactions.npz")[: self.steps]
-        return replace(data, origin={**data.origin, "strategy": self.strategy})
+        strategy = self.strategy.removesuffix(FILTERED)
+        return replace(data, origin={**data.origin, "strategy": strategy})
 
     def kept(self, which: str) -> Path:
         """Say where a network that learned from the data is kept."""
