@@ -93,7 +93,7 @@ def main(
     if not only_report:
         explore(work / "test", "random", TEST_SEED, TEST_STEPS, workers)
         for seed in range(1, seeds + 1):
-            for strategy in dict.fromkeys(EXPLORED[strategy] for strategy in of_seed(seed)):
+            for strategy in dict.fromkeys(EXPLORED[strategy] for strategy in of_seed(seed, seeds)):
                 explore(work / f"{strategy}-{seed}", strategy, seed, steps, workers)
         for few in jobs_in_turn(work, seeds, steps):
             perform(work / "jobs", few, workers, report)
@@ -121,9 +121,10 @@ def explore(folder: Path, strategy: str, seed: int, steps: int, workers: int) ->
     domain.perform(stage, again=True)
 
 
-def of_seed(seed: int) -> tuple[str, ...]:
-    """List the strategies that are tried with a seed."""
-    return tuple(strategy for strategy in STRATEGIES if strategy != FILTERED or seed <= FEW_SEEDS)
+def of_seed(seed: int, seeds: int) -> tuple[str, ...]:
+    """List the strategies that are tried with a seed; the short form leaves out the filter."""
+    has_filter = seeds > 1 and seed <= FEW_SEEDS
+    return tuple(strategy for strategy in STRATEGIES if strategy != FILTERED or has_filter)
 
 
 def data_of(work: Path, strategy: str, seed: int, steps: int) -> Data:
@@ -138,7 +139,7 @@ def jobs_in_turn(work: Path, seeds: int, steps: int) -> Iterator[dict[str, Job]]
         cells = {
             f"{strategy}-{seed}-{rows}": data_of(work, strategy, seed, rows)
             for seed in numbers
-            for strategy in (of_seed(seed) if rows == steps else CURVED)
+            for strategy in (of_seed(seed, seeds) if rows == steps else CURVED)
         }
         yield {f"learn-{name}": partial(measures.learn_and_keep, data) for name, data in cells.items()}
         yield {f"act-{name}": partial(measures.act_upon, data, CHOICES[0]) for name, data in cells.items()}
