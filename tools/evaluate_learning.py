@@ -36,7 +36,7 @@ from neurosym.strategies import DEFAULT_STRATEGY
 from neurosym.training_config import REGIMES, TrainingConfig
 
 RESULTS, WORK = Path("docs/results"), Path("evaluation")
-FILTERED, FILTER = f"entropy{measures.FILTERED}", 0.1
+FILTERED, FILTER = f"entropy{measures.FILTER_SUFFIX}", 0.1
 """Entropy among the candidates with this predicted effect only [m], as in the authors' code."""
 STRATEGIES = ("random", "active", "entropy", FILTERED, "disagreement")
 EXPLORED = {strategy: "random" if strategy == "active" else strategy for strategy in STRATEGIES}
@@ -111,7 +111,7 @@ def explore(folder: Path, strategy: str, seed: int, steps: int, workers: int) ->
     domain = DomainFolder(folder)
     stage = explore_stage(
         domain,
-        strategy=strategy.removesuffix(measures.FILTERED),
+        strategy=strategy.removesuffix(measures.FILTER_SUFFIX),
         steps=steps,
         seed=seed,
         regime="default",

@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 
 from neurosym.choosing import choose
-from neurosym.coclustering import CoClustering, cocluster
+from neurosym.coclustering import cocluster
 from neurosym.direct_model import DirectModel
 from neurosym.distillation import distill
 from neurosym.effect_model import EffectModel
@@ -51,7 +51,7 @@ TEACHER = (
 """What of the training configuration makes the network without a bottleneck what it is."""
 
 
-FILTERED = "-filtered"
+FILTER_SUFFIX = "-filtered"
 """What is added to the name of a strategy that chooses only among actions of a great predicted effect."""
 
 
@@ -76,7 +76,7 @@ class Data:
     def load(self) -> Interactions:
         """Read the data."""
         data = Interactions.load(self.folder / "interactions.npz")[: self.steps]
-        strategy = self.strategy.removesuffix(FILTERED)
+        strategy = self.strategy.removesuffix(FILTER_SUFFIX)
         return replace(data, origin={**data.origin, "strategy": strategy})
 
     def kept(self, which: str) -> Path:
@@ -206,27 +206,20 @@ def other_bits(data: Data, object_bits: int, action_bits: int) -> dict[str, Any]
 
 
 def clustered(data: Data, bits: Sequence[tuple[int, int]]) -> dict[str, Any]:
-    """Say what codes could keep at best of what the network that was kept predicts.
+    """Co-cluster what the network that was kept predicts of test actions on test objects into so many kinds.
 
-    Its predictions for test actions on test objects are themselves co-clustered into as many kinds as there
-    are codes: an encoder sees only the action, or only the object, and cannot do better than the same of all.
+    Returns the share of the variance that is between kinds, mean of the axes. It is no bound for codes, whose
+    R2 is that of what really happened.
     """
     test = Interactions.load(data.test / "interactions.npz")
     rng = np.random.default_rng(data.seed)
     actions, features = test.actions[rng.permutation(len(test))[:ROWS]], test.features[:COLUMNS]
     direct = DirectModel.load(data.kept("direct"))
     by_object = [direct.predict(np.tile(item, (len(actions), 1)), actions) for item in features]
-    table = np.stack(by_object, axis=1) / test.effects.std(0)  # (actions, objects, axes)
-    table -= table.mean((0, 1))
-    return {f"{o}+{a}": _kept(table, cocluster(table, 2**a, 2**o, rng)) for o, a in bits}
-
-
-def _kept(table: np.ndarray, found: CoClustering) -> float:
-    """Return the share of the variance that is between blocks, mean of the axes."""
-    rows, columns = (np.eye(labels.max() + 1)[labels] for labels in (found.rows, found.columns))
-    sums = np.einsum("rce,rk,cl->kle", table, rows, columns, optimize=True)
-    counts = np.maximum(np.outer(rows.sum(0), columns.sum(0)), 1)[:, :, None]
-    return float(((sums**2 / counts).sum((0, 1)) / (table**2).sum((0, 1))).mean())
+    table = np.stack(by_object, axis=1)  # (actions, objects, axes)
+    table = (table - table.mean((0, 1))) / table.std((0, 1))
+    axes = table.shape[2]  # each of variance 1
+    return {f"{o}+{a}": 1 - cocluster(table, 2**a, 2**o, rng).error / axes for o, a in bits}
 
 
 def _operators(rehearsals: Rehearsals, lift_height: float) -> list[dict[str, Any]]:
