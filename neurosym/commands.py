@@ -28,12 +28,14 @@ WorldName = Annotated[
 
 def init(folder: Folder, world: WorldName = "tabletop") -> int:
     """Make a new domain folder with a `world.toml` that holds every option of its world."""
+    from neurosym.stages import has_own_data
+
     if (folder / "world.toml").exists():
         raise InvalidValue(
             f"{folder / 'world.toml'} exists already; change it by hand, or name another folder."
         )
     _make_folder(folder, world)
-    say_next(f"neurosym explore {folder}")
+    say_next(f"neurosym {'train' if has_own_data(DomainFolder(folder)) else 'explore'} {folder}")
     return 0
 
 
@@ -170,12 +172,14 @@ def run(
     Interrupt it when you like: the same command goes on where it stopped, and does nothing twice.
     """
     from neurosym.pipeline import go_the_whole_way
-    from neurosym.stages import check_choices
+    from neurosym.stages import check_choices, check_steps
     from neurosym.world_file import read_world
 
     check_choices(strategy, regime, min_predicted_effect)
     if rehearsals < 1:
         raise InvalidValue(f"rehearsals = {rehearsals} must be at least 1.")
+    if folder.is_dir():
+        check_steps(DomainFolder(folder), steps)
     if not (folder / "world.toml").exists():
         _make_folder(folder, world or "tabletop")
     elif world and (found := read_world(folder / "world.toml").args[0]) != world:

@@ -17,6 +17,7 @@ from neurosym.data_origin import (
     mirror_problems,
     misspelt_entries,
     name_problems,
+    strategy_of,
 )
 from neurosym.model_config import Dimensions
 from neurosym.operators import TOLERANCE
@@ -73,7 +74,7 @@ def training_problems(columns: Columns, origin: Mapping[str, Any]) -> list[str]:
     """
     usable = {name: columns[name] for name in REQUIRED if _is_numeric(columns.get(name))}
     rows = min((len(column) for column in usable.values()), default=0)
-    problems = [problem] if rows and (problem := too_few(rows)) else []
+    problems = [problem] if rows and (problem := too_few(rows) or _too_few_of(usable, origin)) else []
     if rows < 2 or is_explored(origin):
         return problems
     for name in ("features", "actions"):
@@ -125,6 +126,11 @@ def warnings_about(columns: Columns, origin: Mapping[str, Any], given: tuple[str
     if columns["lost"].all():
         warnings.append("'lost' is true in every row, so that no effect counts as reached")
     greatest = float(np.abs(columns["effects"]).max())
+    if greatest <= TOLERANCE:
+        warnings.append(
+            f"effects reach {greatest:g} only, and every outcome counts as promised within {TOLERANCE:g} of "
+            "the mean, in their unit; give them in a smaller unit"
+        )
     if greatest > _FAR * TOLERANCE:
         warnings.append(
             f"effects reach {greatest:g}, but an outcome counts as promised within {TOLERANCE:g} of the "
@@ -144,18 +150,38 @@ def too_few(rows: int) -> str | None:
     return f"{rows} interactions are too few to train on; at least {LEAST_INTERACTIONS} are needed"
 
 
-def model_misfit(dimensions: Dimensions, columns: Columns) -> str | None:
+def _too_few_of(usable: Columns, origin: Mapping[str, Any]) -> str | None:
+    """Say that too few interactions are such that the strategy which explored learns from them."""
+    strategy = strategy_of(origin)
+    if strategy is None or "effects" not in usable:
+        return None
+    learned = strategy.learns_from(usable["effects"])
+    problem = too_few(int(learned.sum()))
+    return (
+        problem and f"of its {len(learned)} interactions, {origin['strategy']!r} learns from few: {problem}"
+    )
+
+
+def model_misfit(dimensions: Dimensions, columns: Columns, origin: Mapping[str, Any]) -> str | None:
     """Say that a model was trained on data of other dimensions, or return None.
 
     Args:
         dimensions: Those of the model.
         columns: The data.
+        origin: What they say of how they came about.
     """
     takes = (dimensions.features, dimensions.actions, dimensions.effects)
     has = _widths(columns)
     if takes == has:
-        return None
+        return _gripper_misfit(dimensions, origin)
     return f"it was trained on {_counted(takes)}, and the data have {_counted(has)}; train it again"
+
+
+def _gripper_misfit(dimensions: Dimensions, origin: Mapping[str, Any]) -> str | None:
+    takes, has = list(dimensions.gripper_columns), list(origin.get("gripper_columns", ()))
+    if sorted(takes) == sorted(has):
+        return None
+    return f"its gripper columns are {takes}, and those of the data {has}; train it again"
 
 
 def world_misfit(name: str, features: int, actions: int, columns: Columns) -> str | None:

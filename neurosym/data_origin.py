@@ -9,6 +9,7 @@ import numpy as np
 from jaxtyping import Bool, Float
 
 from neurosym.mirror_check import column_problem
+from neurosym.strategies import STRATEGIES, Strategy
 from neurosym.world import Mirror
 
 GREATEST = 1e9
@@ -18,9 +19,18 @@ READ = ("gripper_columns", "action_low", "action_high", "mirrors", "feature_name
 """Entries that are read of the origin of data of a user's own."""
 
 
+_OF_EXPLORATION = {"world", "strategy", "seed", "candidates", "block", "learning", "model"}
+"""Entries that `neurosym explore` always writes."""
+
+
 def is_explored(origin: Mapping[str, Any]) -> bool:
     """Say whether `neurosym explore` made a data set."""
-    return "world" in origin and "strategy" in origin
+    return origin.keys() >= _OF_EXPLORATION
+
+
+def strategy_of(origin: Mapping[str, Any]) -> Strategy | None:
+    """Return the strategy by which `neurosym explore` made a data set; None if it did not."""
+    return STRATEGIES.get(str(origin["strategy"])) if is_explored(origin) else None
 
 
 def misspelt_entries(origin: Mapping[str, Any]) -> list[str]:
@@ -43,7 +53,8 @@ def name_problems(origin: Mapping[str, Any], features: int | None) -> list[str]:
     if "feature_names" not in origin:
         return []
     names = origin["feature_names"]
-    if not _is_list_of(names, str) or len(set(names)) < len(names) or not all(names):
+    is_list = _is_list_of(names, str) and len(set(names)) == len(names)
+    if not is_list or not all(name and name.isprintable() for name in names):
         return [f"its origin has feature_names = {reprlib.repr(names)}; valid: a list of different names"]
     if features is not None and len(names) != features:
         return [f"its origin has {len(names)} feature_names; valid: {features}, one for each"]

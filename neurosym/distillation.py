@@ -5,7 +5,7 @@ parameters of actions until their embedding is the +-1 code of the symbol. It st
 that already have the symbol: some of every kind of outcome they had, since rare ones are worth knowing, too.
 """
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
@@ -18,15 +18,12 @@ from neurosym.effect_model import EffectModel
 from neurosym.effect_network import one_thread
 from neurosym.errors import InvalidValue
 from neurosym.interactions import Interactions
-from neurosym.operators import Primitive
-from neurosym.symbols import Symbol, all_symbols, signs
+from neurosym.operators import CONVERGED, Primitive
+from neurosym.symbols import all_symbols, signs
 from neurosym.world import ActionBox
 
 Progress = Callable[[int, int], None]
 """Called with the number of steps done and of those to do."""
-
-CONVERGED = 0.05
-"""Greatest mean squared error to the code of an action that counts as found."""
 
 _KINDS_OF_OUTCOME = 12
 _STREAM = 0x6469  # keeps distillation's draws apart from those of other stages
@@ -69,7 +66,7 @@ def distill(
 ) -> tuple[Primitive, ...]:
     """Find for each action symbol parameters whose embedding is its code: the candidates to choose from.
 
-    A symbol that no action of the data has is not used, and is left out; see `unreached`. If no candidate of
+    A symbol that no action of the data has is not used, and is left out. If no candidate of
     a symbol comes within `CONVERGED` of the code, the nearest one is returned.
 
     Args:
@@ -113,17 +110,6 @@ def _converged(rows: np.ndarray, errors: Float[np.ndarray, "N"]) -> list[int]:
     ordered: list[int] = rows[np.argsort(errors[rows], kind="stable")].tolist()
     within = [row for row in ordered if errors[row] < CONVERGED]
     return within or [row for row in ordered[:1] if np.isfinite(errors[row])]
-
-
-def unreached(model: EffectModel, primitives: Sequence[Primitive]) -> tuple[Symbol, ...]:
-    """List the action symbols that have no primitive.
-
-    Args:
-        model: Which symbols there are.
-        primitives: What was distilled from it.
-    """
-    reached = {primitive.symbol for primitive in primitives}
-    return tuple(symbol for symbol in all_symbols(model.config.action_bits) if symbol not in reached)
 
 
 def code_errors(

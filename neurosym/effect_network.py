@@ -7,6 +7,7 @@ from dataclasses import asdict
 from pathlib import Path
 from typing import Any, ClassVar, TypeVar
 
+import msgspec
 import numpy as np
 import torch
 from jaxtyping import Float
@@ -17,6 +18,9 @@ from neurosym.model_config import Dimensions, DirectConfig, ModelConfig
 from neurosym.tensor_files import read_tensors, write_tensors
 
 Network = TypeVar("Network", bound="EffectNetwork")
+
+_MISFITS = (KeyError, TypeError, ValueError, RuntimeError, InvalidValue, msgspec.ValidationError)
+"""What is raised where a description is foreign, or weights do not fit it."""
 
 
 class EffectNetwork(nn.Module):
@@ -75,13 +79,16 @@ class EffectNetwork(nn.Module):
         """
         weights, description = read_tensors(path, cls.FORMAT)
         try:
-            sizes = dict(description["dimensions"])
-            sizes["gripper_columns"] = tuple(sizes["gripper_columns"])
-            network = cls(Dimensions(**sizes), cls.CONFIG(**description["config"]))
+            dimensions = msgspec.convert(description["dimensions"], Dimensions)
+            network = cls(dimensions, msgspec.convert(description["config"], cls.CONFIG))
+            if msgspec.to_builtins(network.config) != description["config"]:
+                raise ValueError("it has other options")
             network.load_state_dict({name: torch.from_numpy(array) for name, array in weights.items()})
             network.trained_by = dict(description["trained_by"])
-        except (KeyError, TypeError, ValueError, RuntimeError, InvalidValue) as error:
+        except _MISFITS as error:
             raise InvalidFile(path, "its weights do not fit the configuration stored beside them") from error
+        if any((weights[name] < 0).any() for name in weights if name.endswith("running_var")):
+            raise InvalidFile(path, "it holds a variance below zero")
         return network.eval()
 
 

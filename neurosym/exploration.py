@@ -55,7 +55,9 @@ class ExplorationConfig:
             if getattr(self, name) < 1:
                 raise InvalidValue(f"{name} = {getattr(self, name)} must be at least 1.")
         if not 0 <= self.min_predicted_effect < np.inf:
-            raise InvalidValue(f"min_predicted_effect = {self.min_predicted_effect} m must be at least 0.")
+            raise InvalidValue(
+                f"min_predicted_effect = {self.min_predicted_effect} m must be at least 0, and finite."
+            )
 
 
 def explore(
@@ -227,25 +229,35 @@ class _Explorer:
         if not path.exists():
             return
         tensors, description = read_tensors(path, FORMAT)
-        _check_options(path, description.get("options", {}), self.origin)
-        rows = description.get("blocks", 0) * self.config.block
+        options, blocks = description.get("options"), description.get("blocks")
+        if not isinstance(options, dict) or type(blocks) is not int or blocks < 0:
+            raise InvalidFile(path, "it does not say how many blocks there are, or with which options")
+        _check_options(path, options, self.origin)
+        rows = blocks * self.config.block
         if rows > steps:
             raise InvalidValue(
                 f"{folder} already holds {rows} interactions; ask for at least as many steps, not {steps}."
             )
         if rows == 0:
             return
-        interactions = Interactions.load(folder / INTERACTIONS_FILE)
-        if len(interactions) < rows:
-            raise InvalidFile(
-                folder / INTERACTIONS_FILE, f"it holds fewer than the {rows} interactions of {path}"
-            )
-        self.interactions, self.blocks = interactions[:rows], description["blocks"]
+        self.interactions, self.blocks = self._interactions_of(path, rows), blocks
         if self.curiosity is not None:
             try:
                 self.curiosity.restore(tensors)
             except (KeyError, ValueError, RuntimeError) as error:
                 raise InvalidFile(path, "its weights do not fit the options stored beside them") from error
+
+    def _interactions_of(self, state: Path, rows: int) -> Interactions:
+        """Read the interactions that a state was learned from."""
+        path, begin_anew = state.with_name(INTERACTIONS_FILE), f"remove {STATE_FILE} to begin anew"
+        if not path.exists():
+            raise InvalidFile(state, f"{path} is missing, which goes with it; {begin_anew}")
+        found = Interactions.load(path)
+        if found.origin != self.origin:
+            raise InvalidFile(path, f"it is of another exploration than {state}; {begin_anew}")
+        if len(found) < rows:
+            raise InvalidFile(path, f"it holds fewer than the {rows} interactions of {state}; {begin_anew}")
+        return found[:rows]
 
 
 def _check_options(path: Path, stored: dict[str, Any], wanted: dict[str, Any]) -> None:

@@ -170,7 +170,7 @@ class DomainFolder:
         return True
 
     def outdated(self, names: tuple[str, ...]) -> list[str]:
-        """Say which of these files were made from others than those that are there now.
+        """Say which of these files were made from others than those that are there now, if any are.
 
         Args:
             names: Files, relative to the folder.
@@ -181,7 +181,7 @@ class DomainFolder:
             if not made or made != self._digests(tuple(made)):
                 continue
             now = self._digests(tuple(record.inputs))
-            if changed := [name for name, then in record.inputs.items() if now.get(name) != then]:
+            if changed := [name for name, digested in now.items() if digested != record.inputs[name]]:
                 files, others, command = " and ".join(made), " and ".join(changed), stage.split()[0]
                 remarks.append(f"{files} came from another {others}; `neurosym {command}` makes it anew")
         return remarks

@@ -91,9 +91,9 @@ def verb(mode: Mode) -> str:
         return "topple"
     if len(mode.resting_effect) != 3:
         return "act"
-    x, y, _ = mode.resting_effect
+    x, y, z = mode.resting_effect
     if np.hypot(x, y) < NO_EFFECT:
-        return "stay"
+        return "stay" if abs(z) < NO_EFFECT else "raise" if z > 0 else "lower"
     if mode.peak_height > CARRIED:
         return f"place-{_direction(x, y)}"
     return f"push-{_direction(x, y)}".replace("push-back", "pull")

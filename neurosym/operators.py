@@ -8,12 +8,13 @@ from typing import Literal
 
 import msgspec
 
-from neurosym.symbols import Symbol
+from neurosym.symbols import Symbol, all_symbols
 from neurosym.world import OutcomeKind
 
 Vector = tuple[float, float, float]
 Effect = tuple[float, ...]
 """A displacement: x, y and z [m] in every world, any number of axes in data of a user's own."""
+_MOST_BITS = 10  # of symbols whose unused codes are listed
 TOLERANCE = 0.05
 """How near an object must come to its goal, and an outcome to its promise [m] (section III-E)."""
 
@@ -58,6 +59,10 @@ class Mode(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
         return self.spread if self.kind == "held" else self.resting_spread
 
 
+CONVERGED = 0.05
+"""Greatest mean squared error to the code of an action that counts as found."""
+
+
 class Primitive(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     """An action symbol with its distilled parameters.
 
@@ -70,6 +75,11 @@ class Primitive(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     symbol: Symbol
     action: tuple[float, ...]
     code_error: float
+
+    @property
+    def has_converged(self) -> bool:
+        """Whether the action really encodes to the symbol."""
+        return self.code_error < CONVERGED
 
 
 class Category(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
@@ -142,6 +152,14 @@ class OperatorTable(msgspec.Struct, frozen=True, forbid_unknown_fields=True, omi
     def axes(self) -> int:
         """How many axes the effects have; 3 if there are none."""
         return next(iter(self._widths), 3)
+
+    @property
+    def unreached(self) -> tuple[Symbol, ...]:
+        """Action symbols without a primitive, where there are few enough to list: none encodes to them."""
+        found = {primitive.symbol for primitive in self.primitives}
+        bits = len(next(iter(found), ""))
+        codes = all_symbols(bits) if bits <= _MOST_BITS else ()
+        return tuple(code for code in codes if code not in found)
 
     @property
     def _widths(self) -> set[int]:

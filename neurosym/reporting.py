@@ -12,7 +12,7 @@ from neurosym.execution import Run
 from neurosym.files import read_json
 from neurosym.interactions import Interactions
 from neurosym.naming import NO_EFFECT, name_axes, names_of_features
-from neurosym.operators import Effect, Operator, OperatorTable
+from neurosym.operators import CONVERGED, Effect, Operator, OperatorTable
 
 
 class TrainingSummary(msgspec.Struct, frozen=True):
@@ -66,6 +66,14 @@ def show_operators(table: OperatorTable) -> None:
     columns = ["operator", trials, "as promised", "ends", *measures]
     title = "operators" if table.measured == "rehearsal" else "operators, averaged from the data"
     show_table(title, columns, [_operator_row(operator) for operator in table.operators])
+    if table.unreached:
+        say(f"no action was found that encodes to {', '.join(table.unreached)}")
+    for primitive in table.primitives:
+        if not primitive.has_converged:
+            say(
+                f"{primitive.symbol} is done by an action that hardly encodes to it: "
+                f"its mean squared error is {primitive.code_error:.2g}, and {CONVERGED} is the limit"
+            )
 
 
 def show_data(interactions: Interactions, path: Path) -> None:

@@ -9,12 +9,11 @@ import torch
 from jaxtyping import Float, Int
 from torch import Tensor
 
-from neurosym.data_origin import mirrors_of
+from neurosym.data_origin import mirrors_of, strategy_of
 from neurosym.effect_network import tensor
 from neurosym.interactions import Interactions
 from neurosym.model_config import Dimensions
 from neurosym.network_inputs import reflected
-from neurosym.strategies import STRATEGIES
 from neurosym.world import Mirror
 
 
@@ -83,7 +82,7 @@ def samples_of(interactions: Interactions, *, mirrors: bool = True) -> Samples:
         mirrors: Whether to make use of the mirrors that its origin names.
     """
     origin = interactions.origin
-    has_box = origin.get("strategy") in STRATEGIES and "action_low" in origin and "action_high" in origin
+    has_box = strategy_of(origin) is not None and "action_low" in origin and "action_high" in origin
     return Samples(
         features=tensor(interactions.features),
         actions=tensor(interactions.actions),

@@ -60,7 +60,7 @@ def explore_stage(
         from neurosym.curiosity import LearningConfig
         from neurosym.exploration import ExplorationConfig, explore
 
-        _check_steps(folder / INTERACTIONS, steps)
+        check_steps(folder, steps)
         factory = read_world(folder.require(WORLD))
         config = ExplorationConfig(
             min_predicted_effect=min_predicted_effect,
@@ -124,6 +124,8 @@ def distill_stage(
     """
     if objects < 1:
         raise InvalidValue(f"objects = {objects} must be at least 1.")
+    if workers < 1:
+        raise InvalidValue(f"workers = {workers} must be at least 1.")
     if choice not in CHOICES:
         raise UnknownChoice("choice", choice, CHOICES)
 
@@ -139,11 +141,14 @@ def distill_stage(
         direct = DirectModel.load(folder.require(DIRECT_MODEL))
         interactions = Interactions.load(folder.require(INTERACTIONS))
         for name, network in ((MODEL, model), (DIRECT_MODEL, direct)):
-            if problem := model_misfit(network.dimensions, interactions.columns):
+            if problem := model_misfit(network.dimensions, interactions.columns, interactions.origin):
                 raise InvalidFile(folder / name, problem)
         box = _box(folder / INTERACTIONS, interactions, factory)
         with progress_bar("distilling") as advance:
             candidates = distill(model, interactions, box, seed=seed, progress=advance)
+        if not candidates:
+            problem = "no action was found that encodes to its symbol; train again"
+            raise InvalidFile(folder / MODEL, problem)
         categorise = model.object_symbols
         with progress_bar("auditioning") as advance:
             primitives = choose(
@@ -268,14 +273,23 @@ def _box(path: Path, interactions: Interactions, factory: WorldFactory | None) -
     return world.action_box
 
 
-def _check_steps(path: Path, steps: int) -> None:
+def has_own_data(folder: DomainFolder) -> bool:
+    """Say whether the interactions in a folder are a user's own."""
+    path = folder / INTERACTIONS
+    return path.exists() and not is_explored(Interactions.load(path).origin)
+
+
+def check_steps(folder: DomainFolder, steps: int) -> None:
     """Refuse to replace interactions by fewer, or a user's own by any."""
+    path = folder / INTERACTIONS
     if steps <= 0 or not path.exists():
         return
-    found = Interactions.load(path)
-    if not is_explored(found.origin):
-        raise InvalidValue(f"{path} holds data which `neurosym explore` did not make; move it away first.")
-    if len(found) > steps:
+    if has_own_data(folder):
+        raise InvalidValue(
+            f"{path} holds data which `neurosym explore` did not make; move it away first, or learn from it: "
+            f"`neurosym train {folder.path}`."
+        )
+    if len(found := Interactions.load(path)) > steps:
         raise InvalidValue(
             f"{path} holds {len(found)} interactions already, more than {steps}; remove it, or ask for more."
         )

@@ -11,6 +11,7 @@ import numpy as np
 from jaxtyping import Float
 
 from neurosym.data_check import too_few
+from neurosym.data_origin import strategy_of
 from neurosym.direct_model import DirectModel
 from neurosym.effect_model import EffectModel
 from neurosym.errors import InvalidValue
@@ -19,7 +20,6 @@ from neurosym.interactions import Interactions
 from neurosym.model_config import Dimensions, ModelConfig
 from neurosym.recipes import RECIPES, fit_direct
 from neurosym.samples import Samples, dimensions_of, samples_of
-from neurosym.strategies import STRATEGIES
 from neurosym.training_config import TrainingConfig
 
 _DIRECT = 0x6469  # keeps the draws of the network without a bottleneck apart from those of restarts
@@ -70,7 +70,7 @@ def train(
         InvalidValue: If there are too few interactions to hold some out.
     """
     config, progress = config or TrainingConfig(), progress or _silent
-    strategy = STRATEGIES.get(str(interactions.origin.get("strategy")))
+    strategy = strategy_of(interactions.origin)
     model_config = model_config or ModelConfig()
     if strategy is not None:
         model_config = replace(model_config, head=strategy.head)

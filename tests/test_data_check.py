@@ -81,6 +81,7 @@ BAD_ORIGINS = [
     ({"action_low": [-1, -1, 0, -1, -1], "action_high": [1] * 5}, "outside of the action box"),
     ({"feature_names": ["a"]}, "1 feature_names; valid: 7"),
     ({"feature_names": ["a"] * 7}, "valid: a list of different names"),
+    ({"feature_names": ["\ud800", *"bcdefg"]}, "valid: a list of different names"),
     ({"format": "neurosym-interactions-9"}, "format 'neurosym-interactions-9'"),
 ]
 
@@ -237,10 +238,31 @@ def test_check_refuses_what_is_not_there(tmp_path, capsys):
     assert "no such file or folder" in refusal(capsys, "check", tmp_path / "none.npz")
 
 
+EXPLORED = {"world": "toy", "strategy": "random", "seed": 0} | dict.fromkeys(
+    ("candidates", "block", "learning", "model")
+)
+
+
 def test_explored_data_may_hold_a_column_fixed():
     columns = {**own_columns(), "features": np.ones((60, 7))}
     assert len(training_problems(columns, {})) == 7
-    assert training_problems(columns, {"world": "toy", "strategy": "random"}) == []
+    assert training_problems(columns, EXPLORED) == []
+
+
+def test_rows_that_the_strategy_does_not_learn_from_do_not_count():
+    columns = own_columns()
+    columns["effects"][LEAST_INTERACTIONS - 1 :] = 0.001
+    assert training_problems(columns, {}) == []
+    (said,) = training_problems(columns, {**EXPLORED, "strategy": "active"})
+    assert said.startswith("of its 60 interactions, 'active' learns from few: 19 interactions are too few")
+
+
+def test_effects_too_small_to_tell_apart_are_pointed_out(tmp_path, capsys):
+    columns = own_columns()
+    columns["effects"] *= 0.001
+    write_data(tmp_path, columns)
+    assert neurosym("check", tmp_path) == 0
+    assert "note: effects reach 0.0001 only, and every outcome counts" in capsys.readouterr().out
 
 
 def test_explored_data_have_no_problems(folder, capsys):

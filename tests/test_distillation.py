@@ -8,17 +8,16 @@ import torch
 from toy_learning import toy_data
 
 from neurosym.distillation import (
-    CONVERGED,
     DistillationConfig,
     code_errors,
     distill,
     draw_of_every_kind,
-    unreached,
 )
 from neurosym.effect_model import EffectModel
 from neurosym.errors import InvalidValue
 from neurosym.fitting import reproducible
 from neurosym.model_config import Dimensions, ModelConfig
+from neurosym.operators import CONVERGED, OperatorTable
 from neurosym.symbols import all_symbols
 from neurosym.toy_world import make_world
 
@@ -105,7 +104,8 @@ def test_symbols_of_no_action_are_left_out_and_can_be_listed():
     rows = np.array([symbol == min(used) for symbol in model.action_symbols(DATA.actions)])
     primitives = distill(model, DATA[rows], BOX, seed=0, config=FEW)
     assert {primitive.symbol for primitive in primitives} == {min(used)}
-    assert unreached(model, primitives) == tuple(s for s in all_symbols(3) if s != min(used))
+    table = OperatorTable((), primitives[:1], ())
+    assert table.unreached == tuple(s for s in all_symbols(3) if s != min(used))
 
 
 def test_the_same_seed_gives_the_same_primitives_and_the_model_is_untouched():

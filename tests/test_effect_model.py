@@ -11,6 +11,7 @@ from neurosym.effect_model import LOG_VARIANCE_FLOOR, EffectModel, as_signs
 from neurosym.errors import InvalidFile, InvalidValue
 from neurosym.model_config import Dimensions, ModelConfig
 from neurosym.symbols import all_symbols, signs
+from neurosym.tensor_files import read_tensors, write_tensors
 
 
 def a_model(seed=0, dimensions=None, **options):
@@ -181,6 +182,23 @@ def test_weights_of_another_shape_are_refused(tmp_path):
     path.write_bytes(content.replace(config, config.replace(b"128", b"127")))
     with pytest.raises(InvalidFile, match="do not fit"):
         EffectModel.load(path)
+
+
+def test_configuration_of_another_type_is_refused(tmp_path):
+    a_model().save(tmp_path / "m")
+    weights, description = read_tensors(tmp_path / "m", EffectModel.FORMAT)
+    description["config"]["gripper_sharpness"] = "a"
+    write_tensors(tmp_path / "m", EffectModel.FORMAT, weights, description)
+    with pytest.raises(InvalidFile, match="do not fit"):
+        EffectModel.load(tmp_path / "m")
+
+
+def test_variance_below_zero_is_refused(tmp_path):
+    model = a_model()
+    model.action_encoder[0].running_var[2] = -1.0
+    model.save(tmp_path / "m")
+    with pytest.raises(InvalidFile, match="a variance below zero"):
+        EffectModel.load(tmp_path / "m")
 
 
 def test_weights_that_are_not_finite_are_refused(tmp_path):

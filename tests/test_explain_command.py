@@ -92,6 +92,7 @@ def test_grounding_of_another_table_is_pointed_out(folder):
     write_json(folder / "primitives.json", table())
     explanation = explain_folder(DomainFolder(folder))
     assert "compiled from another primitives.json" in explanation.summary[-1]
+    assert not any(row.domain for action in explanation.actions for row in action.effects)
 
 
 @pytest.mark.parametrize("file", ["primitives.json", "grounding.json", "world.toml"])

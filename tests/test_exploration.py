@@ -177,6 +177,29 @@ def test_a_damaged_checkpoint_is_refused_by_name(file, tmp_path):
             run(checkpoint=tmp_path)
 
 
+def test_a_state_without_its_interactions_or_with_those_of_another_is_refused(tmp_path):
+    run(steps=40, checkpoint=tmp_path)
+    (tmp_path / "other").mkdir()
+    run(steps=40, checkpoint=tmp_path / "other", seed=4)
+    (tmp_path / "other" / INTERACTIONS_FILE).replace(tmp_path / INTERACTIONS_FILE)
+    with pytest.raises(InvalidFile, match="it is of another exploration"):
+        run(checkpoint=tmp_path)
+    (tmp_path / INTERACTIONS_FILE).unlink()
+    with pytest.raises(InvalidFile, match=f"{INTERACTIONS_FILE} is missing"):
+        run(checkpoint=tmp_path)
+
+
+@pytest.mark.parametrize(
+    "changes", [{"blocks": "x"}, {"blocks": None}, {"blocks": 1.5}, {"blocks": -1}, {"options": [1]}]
+)
+def test_a_state_that_does_not_say_what_it_is_is_refused(changes, tmp_path):
+    run(steps=40, checkpoint=tmp_path)
+    arrays, description = read_tensors(tmp_path / STATE_FILE, FORMAT)
+    write_tensors(tmp_path / STATE_FILE, FORMAT, arrays, description | changes)
+    with pytest.raises(InvalidFile, match="does not say"):
+        run(checkpoint=tmp_path)
+
+
 def without(*parts):
     return lambda arrays: {
         name: array for name, array in arrays.items() if not any(part in name for part in parts)

@@ -27,6 +27,8 @@ def a_mode(effect=(0.0, 0.0, 0.0), kind="resting", peak=0.0):
         ((-0.1, -0.08, 0.0), "pull-right"),
         ((0.1, 0.03, 0.0), "push-forward"),
         ((0.005, 0.005, 0.0), "stay"),
+        ((0.005, 0.005, 0.2), "raise"),
+        ((0.0, 0.0, -0.07), "lower"),
     ],
 )
 def test_pushes_are_named_by_direction(effect, expected):

@@ -7,15 +7,18 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+import torch
 from command_line import neurosym, refusal
 from own_data import own_columns, write_data
 from safetensors.numpy import save_file
 
+from neurosym.data_origin import strategy_of
 from neurosym.direct_model import DirectModel
 from neurosym.effect_model import EffectModel
 from neurosym.errors import InvalidFile
 from neurosym.files import read_json
 from neurosym.folder import DomainFolder
+from neurosym.interactions import Interactions
 from neurosym.model_config import Dimensions, DirectConfig, ModelConfig
 from neurosym.operators import OperatorTable
 from neurosym.stages import distill_stage
@@ -112,11 +115,55 @@ def test_own_data_along_three_axes_lack_nothing_but_a_world(folder, capsys):
     assert "Nothing was rehearsed" in (folder / "domain.pddl").read_text()
 
 
-def test_exploration_does_not_replace_data_of_ones_own(discs, capsys):
+@pytest.mark.parametrize("command", ["explore", "run"])
+def test_exploration_does_not_replace_data_of_ones_own(command, discs, capsys):
     (discs / "world.toml").write_text('world = "toy"\n')
     before = (discs / "interactions.npz").read_bytes()
-    assert "which `neurosym explore` did not make" in refusal(capsys, "explore", discs, "--steps", 3000)
+    said = refusal(capsys, command, discs, "--steps", 3000)
+    assert "which `neurosym explore` did not make; move it away first, or learn from it" in said
+    assert f"`neurosym train {discs}`" in said
     assert (discs / "interactions.npz").read_bytes() == before
+
+
+def test_data_of_ones_own_are_ones_own_whatever_they_call_their_world(tmp_path, capsys):
+    (tmp_path / "world.toml").write_text('world = "toy"\n')
+    path = write_data(tmp_path, own_columns(), {"world": "lab table", "strategy": ["active"], "robot": "arm"})
+    before = path.read_bytes()
+    assert "did not make" in refusal(capsys, "explore", tmp_path, "--steps", 100)
+    assert path.read_bytes() == before
+    assert strategy_of(Interactions.load(path).origin) is None
+
+
+def test_nothing_is_written_if_there_is_nothing_to_run(discs, capsys):
+    before = sorted(discs.iterdir())
+    assert "did not make" in refusal(capsys, "run", discs, "--steps", 3000)
+    assert sorted(discs.iterdir()) == before
+
+
+def test_world_for_data_of_ones_own_leads_to_training(discs, capsys):
+    assert neurosym("init", discs, "--world", "toy") == 0
+    assert f"next: neurosym train {discs}" in capsys.readouterr().out
+
+
+def test_model_that_reads_other_columns_as_grippers_is_refused(discs, capsys):
+    EffectModel(Dimensions(7, 5, 2, (1,)), ModelConfig(hidden=8)).save(discs / "effect_model.safetensors")
+    said = refusal(capsys, "distill", discs)
+    assert "its gripper columns are [1], and those of the data [4]; train it again" in said
+
+
+def test_symbols_that_hardly_any_action_encodes_to_are_told(discs, capsys):
+    model = EffectModel.load(discs / "effect_model.safetensors")
+    with torch.no_grad():
+        model.action_encoder[-2].weight.zero_()
+        model.action_encoder[-2].bias.fill_(-0.01)
+    model.save(discs / "effect_model.safetensors")
+    assert neurosym("distill", discs) == 0
+    said = capsys.readouterr().out
+    assert "no action was found that encodes to 001, 010, 011, 100, 101, 110, 111" in said
+    assert "000 is done by an action that hardly encodes to it: its mean squared error is 0.98" in said
+    assert neurosym("explain", discs) == 0
+    said = " ".join(capsys.readouterr().out.split())
+    assert "hardly encodes to the symbol: its error is 0.98, 0.05 at most" in said
 
 
 def test_data_that_do_not_fit_the_world_are_refused(discs, capsys):

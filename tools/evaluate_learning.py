@@ -8,6 +8,7 @@ learning.png), as far as they are known.
 import json
 import os
 import platform
+import sys
 import time
 from collections.abc import Callable, Iterator, Mapping
 from concurrent.futures import Future, ProcessPoolExecutor, as_completed
@@ -86,6 +87,9 @@ def main(
     only_report: Annotated[bool, tyro.conf.arg(help="Write the tables from what is there.")] = False,
 ) -> None:
     """Explore, do every job that was not done, and write the results."""
+    for name, value in (("seeds", seeds), ("steps", steps), ("workers", workers)):
+        if value < 1:
+            sys.exit(f"--{name} {value} must be at least 1.")
     begin = time.perf_counter()
     (work / "jobs").mkdir(parents=True, exist_ok=True)
     results.mkdir(parents=True, exist_ok=True)

@@ -221,8 +221,7 @@ def _is_of_a_kind(row: Mapping[str, Any]) -> bool:
 def _choices(choices: Mapping[str, BySeed]) -> str:
     rows = []
     for name, cells in choices.items():
-        operators = [row for c in cells.values() for row in c["operators"]]
-        kept = [row["share"] for row in operators if row["kind"] != "none"]
+        kept = [row["share"] for c in cells.values() for row in c["operators"] if _is_of_a_kind(row)]
         found = [sum(bool(pairs) for pairs in c["kinds"].values()) for c in cells.values()]
         errors = [max(c["code_errors"].values()) for c in cells.values()]
         seconds = [c["distillation_seconds"] for c in cells.values()]

@@ -42,7 +42,7 @@ def explain(
         say(f"wrote {output}")
     else:
         show_explanation(explanation)
-    if (domain / GROUNDING).is_file():
+    if (domain / GROUNDING).is_file() and (domain / WORLD).is_file():
         say_next(f"neurosym show {folder} --primitive {explanation.actions[0].symbol}")
     elif (domain / WORLD).is_file():
         say_next(f"neurosym compile-domain {folder}")
@@ -102,7 +102,7 @@ def _grounding(
 
     if (domain / GROUNDING).exists():
         grounding = Grounding.load(domain / GROUNDING)
-        return grounding, "" if grounding.operators == table else _OTHER_TABLE
+        return (grounding, "") if grounding.operators == table else (None, _OTHER_TABLE)
     axes = {len(mode.effect) for operator in table.operators for mode in operator.modes}
     if world is None or axes != {3}:
         return None, ""

@@ -25,13 +25,11 @@ from neurosym.explain.comparison_words import (
 from neurosym.explain.likeness import Likenesses, Sorting
 from neurosym.explain.object_words import objects_in_words
 from neurosym.naming import CARRIED
-from neurosym.operators import TOLERANCE, Category, Mode, Operator, OperatorTable, Primitive
-from neurosym.symbols import Symbol, all_symbols
+from neurosym.operators import CONVERGED, TOLERANCE, Category, Mode, Operator, OperatorTable, Primitive
+from neurosym.symbols import Symbol
 
 WhyLeftOut = Callable[[Operator], str | None]
 """Says why an operator is not in the PDDL domain; None if it is."""
-
-_MOST_BITS = 10  # of symbols whose unused codes are listed
 
 
 @dataclass(frozen=True, slots=True)
@@ -153,10 +151,10 @@ def _measured(table: OperatorTable) -> str:
 
 def _unused(table: OperatorTable) -> tuple[str, ...]:
     """Name the action codes that were never reached and the object codes that no object has."""
-    found, lines = _symbols(table), []
-    codes = all_symbols(len(found[0])) if len(found[0]) <= _MOST_BITS else ()
-    if missing := [code for code in codes if code not in found]:
-        lines.append(f"Action codes never reached, so that nothing was distilled: {', '.join(missing)}.")
+    lines = []
+    if table.unreached:
+        listed = ", ".join(table.unreached)
+        lines.append(f"Action codes never reached, so that nothing was distilled: {listed}.")
     if unseen := [category.name for category in table.categories if not category.share]:
         lines.append(f"Object codes that no sampled object has: {', '.join(unseen)}.")
     return tuple(lines)
@@ -174,6 +172,7 @@ def _explain_action(
     operators = [operator for operator in table.operators if operator.primitive == symbol]
     about = [
         *action_in_words(primitive.action, gripper),
+        *_error_in_words(primitive),
         *_held_in_words(operators, _trials(table)),
         *_never_tried(table, operators),
     ]
@@ -227,6 +226,14 @@ def _verbs(table: OperatorTable, operators: Sequence[Operator]) -> str:
         shares[verb] = shares.get(verb, 0.0) + weights[operator.category]
     ordered = sorted(shares.items(), key=lambda entry: (-entry[1], entry[0]))
     return ", ".join(f"{verb} ({share:.0%} of objects)" for verb, share in ordered) or "never tried"
+
+
+def _error_in_words(primitive: Primitive) -> tuple[str, ...]:
+    if primitive.has_converged:
+        return ()
+    return (
+        f"It hardly encodes to the symbol: its error is {primitive.code_error:.2g}, {CONVERGED} at most.",
+    )
 
 
 def _held_in_words(operators: Sequence[Operator], what: str) -> tuple[str, ...]:
