@@ -122,10 +122,9 @@ def distill_stage(
     Without a `world.toml`, nothing is rehearsed: effects are averaged from the data, whose origin, or else
     least and greatest values, are the action box.
     """
-    if objects < 1:
-        raise InvalidValue(f"objects = {objects} must be at least 1.")
-    if workers < 1:
-        raise InvalidValue(f"workers = {workers} must be at least 1.")
+    for name, value in (("objects", objects), ("workers", workers)):
+        if value < 1:
+            raise InvalidValue(f"{name} = {value} must be at least 1.")
     if choice not in CHOICES:
         raise UnknownChoice("choice", choice, CHOICES)
 
@@ -147,8 +146,7 @@ def distill_stage(
         with progress_bar("distilling") as advance:
             candidates = distill(model, interactions, box, seed=seed, progress=advance)
         if not candidates:
-            problem = "no action was found that encodes to its symbol; train again"
-            raise InvalidFile(folder / MODEL, problem)
+            raise InvalidFile(folder / MODEL, "no action encodes to its symbol; train again")
         categorise = model.object_symbols
         with progress_bar("auditioning") as advance:
             primitives = choose(
@@ -289,10 +287,9 @@ def check_steps(folder: DomainFolder, steps: int) -> None:
             f"{path} holds data which `neurosym explore` did not make; move it away first, or learn from it: "
             f"`neurosym train {folder.path}`."
         )
-    if len(found := Interactions.load(path)) > steps:
-        raise InvalidValue(
-            f"{path} holds {len(found)} interactions already, more than {steps}; remove it, or ask for more."
-        )
+    if (count := len(Interactions.load(path))) > steps:
+        said = f"{path} holds {count} interactions already, more than {steps}"
+        raise InvalidValue(f"{said}; remove it, or ask for more.")
 
 
 def _plain(value: Any) -> Any:
