@@ -22,7 +22,7 @@ demo: install
 	$(BIN)/python tools/demo.py
 
 test: install
-	$(BIN)/pytest -m "not evaluation"
+	$(BIN)/pytest -m "not evaluation" --numprocesses auto --dist loadfile
 
 lint: install
 	$(BIN)/ruff format --check .
