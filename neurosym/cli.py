@@ -7,7 +7,7 @@ answer is no (no plan, goal missed); 130 interrupted.
 import sys
 from collections.abc import Callable, Sequence
 
-from neurosym import commands, learning_commands
+from neurosym import commands, learning_commands, planning_commands
 from neurosym.console import error_console
 from neurosym.errors import NeurosymError
 from neurosym.explain.command import explain
@@ -21,10 +21,10 @@ COMMANDS: dict[str, Callable[..., int]] = {
     "check": learning_commands.check,
     "train": learning_commands.train,
     "distill": learning_commands.distill,
-    "compile-domain": commands.compile_domain,
-    "new-problem": commands.new_problem,
-    "plan": commands.plan,
-    "execute": commands.execute,
+    "compile-domain": planning_commands.compile_domain,
+    "new-problem": planning_commands.new_problem,
+    "plan": planning_commands.plan,
+    "execute": planning_commands.execute,
     "show": show,
     "explain": explain,
 }

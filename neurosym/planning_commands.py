@@ -1,0 +1,136 @@
+"""The commands that use a learned domain: compile it, make problems, plan, and execute."""
+
+from pathlib import Path
+from typing import Annotated
+
+from tyro.conf import Positional, UseAppendAction, arg
+
+from neurosym.command_options import NO_RESULT, Folder, ProblemName, Seed
+from neurosym.console import say, say_next
+from neurosym.errors import InvalidValue
+from neurosym.folder import DomainFolder
+
+
+def compile_domain(
+    folder: Folder, cell: Annotated[float, arg(help="Edge of a grid cell [m].")] = 0.005
+) -> int:
+    """Compile the PDDL domain: `primitives.json` -> `domain.pddl`, `domain-operators.pddl`, `grounding.json`.
+
+    Both domains say the same and take the same problems: `domain.pddl` moves one axis at a time and stays
+    small on fine grids; `domain-operators.pddl` has one action for each operator and reads best.
+    """
+    from neurosym.pddl.grounding import Grounding
+    from neurosym.stages import compile_stage
+
+    domain = DomainFolder(folder)
+    domain.perform(compile_stage(domain, cell=cell), again=True)
+    grounding = Grounding.load(domain / "grounding.json")
+    say(f"{len(grounding.live)} operators in {folder / 'domain.pddl'}; left out: {len(grounding.left_out)}")
+    for name, reason in grounding.left_out.items():
+        say(f"  {name}: {reason}")
+    say_next(f"neurosym new-problem {folder} --name task-01")
+    return 0
+
+
+def new_problem(
+    folder: Folder,
+    name: Annotated[str, arg(help="Name of the problem: a letter, then a-z, digits, hyphens.")] = "task-01",
+    objects: Annotated[int, arg(help="Objects on the table: item-01, item-02, ...")] = 1,
+    seed: Seed = 0,
+    goal: Annotated[
+        tuple[str, ...],
+        UseAppendAction,
+        arg(metavar="ITEM=X,Y[,Z]", help="A goal by hand, in the world frame [m], once for each object."),
+    ] = (),
+) -> int:
+    """Make a problem: a random scene, and a goal that a random action leads to (as in the paper) or yours."""
+    from neurosym.stages import problem_stage
+
+    domain = DomainFolder(folder)
+    goals = _parse_goals(goal) if goal else None
+    verb = "replaced" if (folder / f"problems/{name}.pddl").exists() else "wrote"
+    domain.perform(problem_stage(domain, name=name, objects=objects, seed=seed, goals=goals), again=True)
+    say(f"{verb} {folder / 'problems' / name}.pddl and its scene")
+    say_next(f"neurosym plan {folder} {name}")
+    return 0
+
+
+def plan(
+    folder: Folder,
+    problem: ProblemName,
+    planner: Annotated[str, arg(help="bfs, fast-downward or up-fast-downward.")] = "fast-downward",
+    time_limit: Annotated[float, arg(help="When to give up [s].")] = 60.0,
+    encoding: Annotated[str, arg(help="For PDDL planners: stepwise or operators.")] = "stepwise",
+) -> int:
+    """Plan for a problem; exit code 3 if there is no plan, with the reason.
+
+    `bfs` is the paper's breadth-first search over the effects that the network predicts, three deep. Any
+    other planner can be given DIR/domain.pddl and DIR/problems/PROBLEM.pddl, and its plan file executed.
+    """
+    from neurosym.files import read_json
+    from neurosym.plan_stages import PlanRecord, plan_files, plan_stage
+
+    domain = DomainFolder(folder)
+    name = domain.problem(problem)
+    if not time_limit > 0:
+        raise InvalidValue(f"time-limit = {time_limit} must be greater than 0 s.")
+    stage = plan_stage(domain, name, planner=planner, time_limit=time_limit, encoding=encoding)
+    domain.perform(stage, again=True)
+    plan_file, record_file = plan_files(name, planner)
+    record = read_json(domain / record_file, PlanRecord)
+    if not record.solved:
+        say(f"no plan for {name} ({record.status}, {record.seconds:.2f} s): {record.reason}")
+        return NO_RESULT
+    remark = f" ({record.reason})" if record.reason else ""
+    say(f"{len(record.steps)} step{'' if len(record.steps) == 1 else 's'} in {record.seconds:.2f} s{remark}:")
+    for operator, item in record.steps:
+        say(f"  ({operator} {item})")
+    say(f"wrote {folder / plan_file}")
+    say_next(f"neurosym execute {folder} {name} {folder / plan_file}")
+    return 0
+
+
+def execute(
+    folder: Folder,
+    problem: ProblemName,
+    plan_file: Annotated[Positional[Path], arg(metavar="PLAN", help="Any planner's plan, in IPC form.")],
+    gif: Annotated[Path | None, arg(help="Write an animated GIF of the run here.")] = None,
+    strip: Annotated[Path | None, arg(help="Write a PNG with a picture for each step here.")] = None,
+    gui: Annotated[bool, arg(help="Show the run live in a window instead.")] = False,
+) -> int:
+    """Run a plan in the simulator, each step beside its promise; exit code 3 if it misses."""
+    from neurosym.pictures import check_picture_path
+    from neurosym.plan_stages import execute_stage, load_run, run_file
+    from neurosym.reporting import show_run
+
+    domain = DomainFolder(folder)
+    name = domain.problem(problem)
+    if not plan_file.is_file():
+        raise InvalidValue(f"There is no plan file {plan_file}; `neurosym plan {folder} {name}` writes one.")
+    if gui and (gif or strip):
+        raise InvalidValue("Give --gui or files for pictures, not both.")
+    for picture, ending in ((gif, ".gif"), (strip, ".png")):
+        if picture:
+            check_picture_path(picture, [ending])
+    domain.perform(execute_stage(domain, name, plan_file, gif=gif, strip=strip, gui=gui), again=True)
+    run = load_run(domain, plan_file)
+    show_run(run)
+    for path in (folder / run_file(plan_file), gif, strip):
+        if path and path.exists():
+            say(f"wrote {path}")
+    return 0 if run.reached else NO_RESULT
+
+
+def _parse_goals(texts: tuple[str, ...]) -> dict[str, tuple[float, ...]]:
+    goals = dict(map(_parse_goal, texts))
+    if len(goals) < len(texts):
+        raise InvalidValue(f"An object has two goals in {' '.join(texts)}; give each object one.")
+    return goals
+
+
+def _parse_goal(text: str) -> tuple[str, tuple[float, ...]]:
+    name, _, numbers = text.partition("=")
+    try:
+        return name, tuple(float(number) for number in numbers.split(","))
+    except ValueError as error:
+        raise InvalidValue(f"The goal {text!r} cannot be read; write it as item-01=0.60,0.10.") from error
