@@ -17,6 +17,8 @@ Effect = tuple[float, ...]
 _MOST_BITS = 10  # of symbols whose unused codes are listed
 TOLERANCE = 0.05
 """How near an object must come to its goal, and an outcome to its promise [m] (section III-E)."""
+MIN_CHANCE = 0.1
+"""An outcome that is seen more rarely than this is not worth planning with."""
 
 
 class Mode(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
@@ -100,7 +102,7 @@ class Category(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     feature_spreads: tuple[float, ...]
 
 
-class Operator(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
+class Operator(msgspec.Struct, frozen=True, forbid_unknown_fields=True, omit_defaults=True):
     """What one primitive does to one category.
 
     Attributes:
@@ -109,6 +111,7 @@ class Operator(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
         primitive: Symbol of the primitive.
         trials: How many rehearsals there were, or rows of the data.
         modes: The outcomes seen, most frequent first.
+        promised: How it promises to end; None for the most frequent of ending at rest upright and held.
     """
 
     name: str
@@ -116,11 +119,13 @@ class Operator(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     primitive: Symbol
     trials: int
     modes: tuple[Mode, ...]
+    promised: OutcomeKind | None = None
 
     @property
     def promise(self) -> Mode | None:
-        """The mode the operator promises: the most frequent one that ends at rest upright or held."""
-        return next((mode for mode in self.modes if mode.kind in ("resting", "held")), None)
+        """The mode the operator promises; None if it never ends so."""
+        kinds = (self.promised,) if self.promised else ("resting", "held")
+        return next((mode for mode in self.modes if mode.kind in kinds), None)
 
     @property
     def successes(self) -> int:
@@ -134,7 +139,8 @@ class OperatorTable(msgspec.Struct, frozen=True, forbid_unknown_fields=True, omi
     Attributes:
         categories: In the order of their symbols.
         primitives: In the order of their symbols.
-        operators: By primitive, then category; pairs that were never tried are missing.
+        operators: By primitive, then category; pairs that were never tried are missing. In a grounding, those
+            that promise other outcomes than the likeliest come last.
         measured: What the modes were measured by: rehearsals of the distilled actions, or averages over the
             rows of the data whose action has the primitive's symbol, where there is no world to rehearse in.
     """

@@ -36,7 +36,7 @@ def table() -> OperatorTable:
         Operator("push-left-000-block", "00", "000", 20, (mode((0.0021, 0.0832, 0.0003)),)),
         Operator("push-left-000-tray", "11", "000", 20, (mode((0.0, 0.0611, 0.0), near=12),)),
         Operator("push-away-001-block", "00", "001", 20, (mode((0.0713, -0.0124, 0.0)),)),
-        Operator("push-away-001-tray", "11", "001", 20, (topples, mode((0.05, 0.0, 0.0), count=5, near=4))),
+        Operator("push-away-001-tray", "11", "001", 20, (topples, mode((0.05, 0.0, 0.0), count=5, near=1))),
         Operator("lift-010-block", "00", "010", 20, (lift, away)),
         Operator("pull-010-tray", "11", "010", 20, (mode((-0.0532, -0.0473, 0.0)),)),
         Operator("stay-111-block", "00", "111", 20, (away,)),

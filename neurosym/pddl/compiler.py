@@ -6,6 +6,7 @@ from collections.abc import Iterable
 from neurosym.errors import InvalidValue
 from neurosym.naming import counted_axes
 from neurosym.operators import OperatorTable
+from neurosym.outcomes import with_every_outcome
 from neurosym.pddl.grounding import FORMAT, Grounding
 from neurosym.problems import LEGAL_NAME
 from neurosym.world import Table
@@ -19,7 +20,7 @@ RESERVED_PREFIXES = ("finish-", "put-down-", "reach-")
 def compile_domain(
     table: OperatorTable, *, name: str, table_bounds: Table, lift_height: float, cell: float = CELL
 ) -> Grounding:
-    """Turn a table of operators into everything that planning needs.
+    """Turn a table of operators into everything that planning needs, an operator for each outcome.
 
     Args:
         table: What each primitive does to each category.
@@ -36,15 +37,16 @@ def compile_domain(
     widest = max(high - low for low, high in (table_bounds.x, table_bounds.y))
     if not (math.isfinite(cell) and widest / MAX_CELLS <= cell <= widest):
         raise InvalidValue(f"A cell of {cell} m will not do; valid: {widest / MAX_CELLS:g} to {widest:g} m.")
+    expanded = with_every_outcome(table)
     categories = [category.name for category in table.categories]
-    operators = [operator.name for operator in table.operators]
+    operators = [operator.name for operator in expanded.operators]
     _check_names([name, "movable", "object", "x-cell", "y-cell", "z-cell", *categories, *operators])
     if taken := [operator for operator in operators if operator.startswith(RESERVED_PREFIXES)]:
         raise InvalidValue(
             f"No operator can be called {taken[0]}; {', '.join(RESERVED_PREFIXES)} are reserved."
         )
     return Grounding(
-        format=FORMAT, name=name, cell=cell, table=table_bounds, lift_height=lift_height, operators=table
+        format=FORMAT, name=name, cell=cell, table=table_bounds, lift_height=lift_height, operators=expanded
     )
 
 

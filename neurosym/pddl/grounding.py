@@ -13,15 +13,13 @@ import msgspec
 from neurosym.errors import InvalidFile, UnknownChoice
 from neurosym.files import read_json, write_json
 from neurosym.naming import counted_axes
-from neurosym.operators import Category, Effect, Mode, Operator, OperatorTable, Primitive, Vector
+from neurosym.operators import MIN_CHANCE, Category, Effect, Mode, Operator, OperatorTable, Primitive, Vector
 from neurosym.symbols import Symbol
 from neurosym.world import Table
 
 FORMAT = "neurosym-grounding-1"
 MIN_TRIALS = 5
 """An operator with fewer rehearsals than this is not believed."""
-MIN_SUCCESS = 0.3
-"""An operator that keeps its promise more rarely than this is not worth planning with."""
 
 Cells = tuple[int, int, int]
 
@@ -77,7 +75,7 @@ class Grounding(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
         raise UnknownChoice("operator", name, (operator.name for operator in self.operators.operators))
 
     def operator_for(self, category: Symbol, primitive: Symbol) -> Operator | None:
-        """Return what a primitive does to a category, or None if that was never rehearsed."""
+        """Return what a primitive mostly does to a category, or None if that was never rehearsed."""
         for operator in self.operators.operators:
             if (operator.category, operator.primitive) == (category, primitive):
                 return operator
@@ -129,11 +127,11 @@ class Grounding(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
         toppled = sum(mode.count for mode in operator.modes if mode.kind == "toppled")
         if operator.trials < MIN_TRIALS:
             return f"fewer than {MIN_TRIALS} rehearsals"
-        if operator.successes < MIN_SUCCESS * operator.trials and 2 * toppled > operator.trials:
+        if operator.successes < MIN_CHANCE * operator.trials and 2 * toppled > operator.trials:
             return "topples more often than not"
         if operator.promise is None:
             return "never ends at rest or held"
-        if operator.successes < MIN_SUCCESS * operator.trials:
+        if operator.successes < MIN_CHANCE * operator.trials:
             return f"keeps its promise in {operator.successes} of {operator.trials} rehearsals only"
         if self.cells(operator) == (0, 0, 0):
             return "moves less than half a cell"

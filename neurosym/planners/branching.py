@@ -15,12 +15,14 @@ from neurosym.pddl.grounding import Grounding, at_rest, is_lift
 from neurosym.problems import Problem
 
 Names = tuple[tuple[str, ...], ...]
-"""Name of the operator for each object and primitive, M rows of P; empty where there is none."""
+"""Name of the operator for each object and choice, M rows of P; empty where there is none."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Branching:
-    """What each primitive is predicted to do to each object of a scene.
+    """What each choice is predicted to do to each object of a scene.
+
+    A choice is a primitive, or one of the outcomes that a primitive may have.
 
     Attributes:
         effects: Displacement at the end of the rise [m]; NaN where nothing is predicted.
@@ -48,11 +50,15 @@ def branching_of(problem: Problem, grounding: Grounding) -> tuple[Branching, Nam
 
     Args:
         problem: The problem whose M objects the table is for.
-        grounding: The learned domain; its P primitives are in the order of the table of operators.
+        grounding: The learned domain; its operators are in the order of the table of operators, and P is the
+            greatest number of live ones of a category.
     """
-    operators = _operators(problem, grounding, only_live=True)
-    effects = _table(operators, grounding.displacement)
-    return _branching(operators, effects)
+    live = {operator.name for operator in grounding.live}
+    usable = [operator for operator in grounding.operators.operators if operator.name in live]
+    rows = [[op for op in usable if op.category == item.category] for item in problem.objects]
+    width = max(map(len, rows))
+    operators = tuple((*row, *[None] * (width - len(row))) for row in rows)
+    return _branching(operators, _table(operators, grounding.displacement))
 
 
 def predicted_branching(
@@ -68,19 +74,17 @@ def predicted_branching(
         grounding: The learned domain; its P primitives are in the order of the table of operators.
         effects: Predicted displacements [m].
     """
-    operators = _operators(problem, grounding, only_live=False)
+    operators = _operators(problem, grounding)
     rehearsed = np.array([[operator is not None for operator in row] for row in operators])
     return _branching(operators, np.where(rehearsed[:, :, None], effects, np.nan))
 
 
-def _operators(
-    problem: Problem, grounding: Grounding, *, only_live: bool
-) -> tuple[tuple[Operator | None, ...], ...]:
-    """Find the operator of each object and primitive, M rows of P."""
+def _operators(problem: Problem, grounding: Grounding) -> tuple[tuple[Operator | None, ...], ...]:
+    """Find what each primitive mostly does to each object, M rows of P."""
     symbols = [primitive.symbol for primitive in grounding.operators.primitives]
-    usable = grounding.live if only_live else grounding.operators.operators
-    found = {(operator.category, operator.primitive): operator for operator in usable}
-    return tuple(tuple(found.get((item.category, symbol)) for symbol in symbols) for item in problem.objects)
+    return tuple(
+        tuple(grounding.operator_for(item.category, symbol) for symbol in symbols) for item in problem.objects
+    )
 
 
 def _branching(

@@ -94,5 +94,6 @@
   ; Left out:
   ; push-away-001-tray: topples more often than not.
   ; push-right-111-tray: fewer than 5 rehearsals.
+  ; stay-010-block: moves less than half a cell.
   ; stay-111-block: moves less than half a cell.
 )
