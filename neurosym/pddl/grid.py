@@ -8,6 +8,7 @@ shrunken ball of no more steps than were reckoned with ends within the tolerance
 """
 
 import math
+from collections.abc import Mapping
 from dataclasses import dataclass
 
 from neurosym.errors import InvalidValue
@@ -86,8 +87,9 @@ def goal_region(
 ) -> GoalRegion:
     """Find the cells from which the goal is met whatever the grid rounded on the way.
 
-    There is no promise between the table and where lifts end, so z is one interval around the height that an
-    object of this category can have nearest to the goal, and x and y get what is left of the ball: a disc.
+    Along z there are only the levels at which objects of this category can be: the table, and where lifts end.
+    Those are taken that leave most of the ball, and x and y get what the farthest of them leaves: a disc. If
+    not a single cell is left, the goal's own is taken at the nearest level, and a replay must tell.
 
     Args:
         item: The object, at rest.
@@ -104,13 +106,15 @@ def goal_region(
     anchor = grid.anchor(item.position)
     error_x, error_y, error_z = grounding.rounding()
     dx, dy, height = (end - start for end, start in zip(goal, item.position, strict=True))
-    level = min(_levels(item, grounding), key=lambda z: abs(z * grid.cell - height))
-    off = abs(level * grid.cell - height) + (error_z if level else 0.0)
-    radius = math.sqrt(max(tolerance**2 - off**2, 0.0))
+    misses = {z: abs(z * grid.cell - height) + (error_z if z else 0.0) for z in levels(item, grounding)}
+    chosen = _best_levels(misses, tolerance)
+    if not chosen:
+        return GoalRegion(xy=(), z=())
+    radius = math.sqrt(tolerance**2 - misses[chosen[-1]] ** 2)
     disc = _disc((dx / grid.cell, dy / grid.cell), radius, (steps * error_x, steps * error_y), grid.cell)
     xy = tuple((anchor[0] + x, anchor[1] + y) for x, y in disc)
     inside = tuple((x, y) for x, y in xy if 0 <= x <= grid.last[0] and 0 <= y <= grid.last[1])
-    return GoalRegion(xy=inside, z=_interval(height, off, grid) if off <= tolerance else ())
+    return GoalRegion(xy=inside, z=tuple(sorted(chosen)))
 
 
 def check_on_table(item: SceneObject, grounding: Grounding) -> None:
@@ -124,8 +128,8 @@ def check_on_table(item: SceneObject, grounding: Grounding) -> None:
         )
 
 
-def _levels(item: SceneObject, grounding: Grounding) -> tuple[int, ...]:
-    """Heights that an object of this category can have, in cells above where it rests."""
+def levels(item: SceneObject, grounding: Grounding) -> tuple[int, ...]:
+    """List the heights that an object of this category can have, in cells above where it rests."""
     lifts = (
         grounding.cells(operator)[2]
         for operator in grounding.live
@@ -134,15 +138,16 @@ def _levels(item: SceneObject, grounding: Grounding) -> tuple[int, ...]:
     return (0, *sorted(set(lifts)))
 
 
-def _interval(height: float, half_width: float, grid: Grid) -> tuple[int, ...]:
-    """Cells of z within a half-width of a height, but at least the one that is nearest."""
-    nearest = math.floor(height / grid.cell + 0.5)
-    indices = {
-        index
-        for index in range(grid.last[2] + 1)
-        if abs(index * grid.cell - height) <= half_width + 1e-9 or index == nearest
-    }
-    return tuple(sorted(indices))
+def _best_levels(misses: Mapping[int, float], tolerance: float) -> tuple[int, ...]:
+    """Choose the levels, nearest first, that leave the largest region: their number times the disc left.
+
+    Args:
+        misses: How far from the goal's height each level can be at most [m].
+        tolerance: Radius of the ball [m].
+    """
+    ordered = sorted((z for z in misses if misses[z] < tolerance), key=lambda z: (misses[z], z))
+    choices = [tuple(ordered[:count]) for count in range(1, len(ordered) + 1)]
+    return max(choices, key=lambda some: len(some) * (tolerance**2 - misses[some[-1]] ** 2), default=())
 
 
 def _disc(
