@@ -87,7 +87,7 @@ def goal_region(
 ) -> GoalRegion:
     """Find the cells from which the goal is met whatever the grid rounded on the way.
 
-    Along z there are only the levels at which objects of this category can be: the table, and where lifts end.
+    Along z there are only the levels that objects of this category can be at: the table, and where lifts end.
     Those are taken that leave most of the ball, and x and y get what the farthest of them leaves: a disc. If
     not a single cell is left, the goal's own is taken at the nearest level, and a replay must tell.
 
