@@ -11,6 +11,7 @@ from neurosym import commands, learning_commands, planning_commands
 from neurosym.console import error_console
 from neurosym.errors import NeurosymError
 from neurosym.explain.command import explain
+from neurosym.figures_command import figures
 from neurosym.show_command import show
 
 BAD_INPUT, INTERRUPTED = 2, 130
@@ -27,6 +28,7 @@ COMMANDS: dict[str, Callable[..., int]] = {
     "execute": planning_commands.execute,
     "show": show,
     "explain": explain,
+    "figures": figures,
 }
 """The commands, in the order in which a domain folder meets them after `run`, which does it all."""
 

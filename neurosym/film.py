@@ -150,6 +150,19 @@ def ignore(frame: Frame, phase: str) -> None:
     """Take no picture: the motion is seen in a window."""
 
 
+def caption_of(record: StepRecord, problem: Problem) -> str:
+    """Say what a step of a run did, in a line."""
+    caption = f"{record.operator} {record.object}: {record.happened}"
+    is_put_down = record.happened == "held" and not ends_in_the_air(record, problem)
+    return f"{caption}, put down" if is_put_down else caption
+
+
+def ends_in_the_air(record: StepRecord, problem: Problem) -> bool:
+    """Say whether the object of a step hangs from the hand at its end."""
+    resting_height = problem.object_named(record.object).position[2]
+    return record.happened == "held" and record.positions[record.object][2] >= resting_height + TOLERANCE
+
+
 class Film:
     """The pictures of a run, and where its steps end.
 
@@ -172,11 +185,7 @@ class Film:
 
     def end_step(self, record: StepRecord) -> None:
         """Note that the last picture shows the end of a step."""
-        caption = f"{record.operator} {record.object}: {record.happened}"
-        resting_height = self._problem.object_named(record.object).position[2]
-        if record.happened == "held" and record.positions[record.object][2] < resting_height + TOLERANCE:
-            caption += ", put down"
-        self._ends.append((len(self._frames) - 1, caption))
+        self._ends.append((len(self._frames) - 1, caption_of(record, self._problem)))
 
     def save(self, run: Run, gif: Path | None, strip: Path | None) -> None:
         """Write the pictures that were asked for; an empty plan has none."""

@@ -76,15 +76,14 @@ def _show_primitive(domain: DomainFolder, symbol: str, output: Path | None, gui:
     from neurosym.effect_model import EffectModel
     from neurosym.motions import primitive_motions
     from neurosym.pddl.grounding import Grounding
+    from neurosym.stills import rehearsal_options
     from neurosym.world_file import read_world
 
     world = read_world(domain.require(WORLD))()
     grounding = Grounding.load(domain.require(GROUNDING))
     grounding.primitive(symbol)
     categorise = EffectModel.load(domain.require(MODEL)).object_symbols
-    distilled = domain.manifest().stages.get("distill")
-    options = distilled.options if distilled else {}
-    objects, seed = options.get("objects", 100), options.get("seed", 0)
+    objects, seed = rehearsal_options(domain.manifest())
     motions = primitive_motions(world, grounding, symbol, categorise, objects=objects, seed=seed)
     _show_motions(domain, world, motions, f"primitive-{symbol}", output, gui)
     symbols = [primitive.symbol for primitive in grounding.operators.primitives]
