@@ -97,12 +97,14 @@ def _grounding(
     domain: DomainFolder, table: OperatorTable, world: "World | None"
 ) -> "tuple[Grounding | None, str]":
     """Return what knows which operators are in the domain, and a remark on how it knows."""
+    from neurosym.outcomes import with_every_outcome
     from neurosym.pddl.compiler import CELL
     from neurosym.pddl.grounding import FORMAT, Grounding
 
     if (domain / GROUNDING).exists():
         grounding = Grounding.load(domain / GROUNDING)
-        return (grounding, "") if grounding.operators == table else (None, _OTHER_TABLE)
+        fits = grounding.operators in (table, with_every_outcome(table))
+        return (grounding, "") if fits else (None, _OTHER_TABLE)
     axes = {len(mode.effect) for operator in table.operators for mode in operator.modes}
     if world is None or axes != {3}:
         return None, ""
