@@ -16,6 +16,8 @@ from neurosym.world import Scene, Table
 
 LEGAL_NAME = re.compile(r"[a-z][a-z0-9-]*")
 """What PDDL, and every planner we know, takes as a name."""
+NEAR_TABLE = 0.1
+"""How far off the table an object may stand and still be planned for, after a push or a nudge [m]."""
 
 
 class SceneObject(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
@@ -90,6 +92,20 @@ class Problem(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
         """Return where each object shall come to be [m], NaN for an object without a goal."""
         nowhere = (math.nan, math.nan, math.nan)
         return np.array([self.goals.get(name, nowhere) for name in self.object_names], dtype=float)
+
+    def room(self, table: Table) -> Float[np.ndarray, "2 M 2"]:
+        """Return the least and greatest x and y that each object's centre may have in a plan [m].
+
+        That is the table; for an object that stands a little off it, as far out as it stands.
+
+        Args:
+            table: Where objects may stand.
+        """
+        low, high = np.array([table.x, table.y]).T
+        spots = self.scene().positions[:, :2]
+        near = np.all((spots >= low - NEAR_TABLE) & (spots <= high + NEAR_TABLE), axis=1, keepdims=True)
+        lows, highs = np.minimum(low, spots), np.maximum(high, spots)
+        return np.stack([np.where(near, lows, low), np.where(near, highs, high)])
 
     def distances(self, positions: Float[np.ndarray, "M 3"]) -> dict[str, float]:
         """Measure how far each object with a goal is from it [m].

@@ -2,6 +2,7 @@
 
 import itertools
 
+import msgspec
 import numpy as np
 import pytest
 from tables import BOUNDS, grounding, problem
@@ -151,8 +152,36 @@ def test_operators_left_out_are_never_promised_but_may_be_predicted():
         ("push-left-000-tray", "pull-010-tray", ""),
     )
     assert np.isnan(table.effects[1, 2]).all()
+    assert (table.usable(0), table.usable(1)) == ((0, 1, 2), (0, 1))
     assert table.held.tolist() == [[False, False, True], [False] * 3]
     predicted, names = predicted_branching(problem(), grounding(), np.full((2, 4, 3), 0.07))
     assert names[0][3] == "stay-111-block"
     assert np.all(predicted.effects == 0.07)
     assert predicted.resting_effects[0, 2].tolist() == [0.0141, -0.0228, 0.0]
+
+
+def test_primitive_with_two_outcomes_is_two_choices_but_one_prediction():
+    learned = grounding()
+    lift = learned.operator_named("lift-010-block")
+    slips = msgspec.structs.replace(lift, name="slip-010-block", modes=lift.modes[1:])
+    slips = msgspec.structs.replace(
+        slips, modes=(msgspec.structs.replace(slips.modes[0], resting_effect=(0.04, 0.0, 0.0), count=10),)
+    )
+    table = msgspec.structs.replace(learned.operators, operators=(slips, *learned.operators.operators))
+    both = msgspec.structs.replace(learned, operators=table)
+    branching, names = branching_of(problem(), both)
+    assert names[0][2:] == ("lift-010-block", "slip-010-block")
+    assert branching.effects[0, 3].tolist() == [0.04, 0.0, 0.0]
+    assert branching.held[0].tolist() == [False, False, True, False]
+    _, names = predicted_branching(problem(), both, np.full((2, 4, 3), 0.07))
+    assert names[0][2] == "lift-010-block"
+
+
+def test_object_off_the_table_may_come_back_but_go_no_further():
+    off = Problem(
+        "p", (SceneObject("item-01", "00", (0.05,) * 4, (0.93, 0.0, 0.02)),), {"item-01": (0.8, 0.0, 0.02)}
+    )
+    for step, status in ((-0.1, PlanStatus.SOLVED), (0.01, PlanStatus.UNSOLVABLE)):
+        effects = np.array([[(step, 0.0, 0.0), (0.01, -0.01, 0.0)]])
+        table = Branching(effects, effects, np.zeros((1, 2), dtype=bool))
+        assert plan_bfs(off, table, (("op", "out"),), BOUNDS).status is status

@@ -4,7 +4,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from jaxtyping import Float
+from jaxtyping import Bool, Float
 
 from neurosym.operators import Operator
 from neurosym.pddl.grounding import Grounding, is_lift
@@ -39,6 +39,7 @@ def replay(steps: Sequence[PlanStep], problem: Problem, grounding: Grounding) ->
         grounding: The learned domain.
     """
     positions = [problem.scene().positions]
+    room, apart = problem.room(grounding.table), footprints_apart(problem)
     rests = np.ones(len(problem.objects), dtype=bool)
     held_by: PlanStep | None = None
     for number, step in enumerate(steps, start=1):
@@ -50,7 +51,7 @@ def replay(steps: Sequence[PlanStep], problem: Problem, grounding: Grounding) ->
         positions.append(_moved(positions[-1], moved, step, operator, grounding))
         held_by = step if is_lift(operator) and not step.puts_down else None
         rests[moved] = held_by is None
-        if reason := _place_problem(positions, moved, rests, problem, grounding):
+        if reason := _place_problem(positions[-1], moved, rests, room, apart, problem.object_names):
             return _failed(positions, number, step, reason)
     reason = _missed_goal(positions[-1], problem)
     return Replay(np.array(positions), True, not reason, reason)
@@ -90,30 +91,43 @@ def _moved(
     return after
 
 
+def footprints_apart(problem: Problem) -> Float[np.ndarray, "M M 2"]:
+    """Return how far apart the centres of two objects must be on x or y, not to stand in each other [m].
+
+    Footprints count as boxes along the axes. Of two that overlap at the start already nothing is asked.
+
+    Args:
+        problem: The problem.
+    """
+    sizes = np.array([item.features[:2] for item in problem.objects], dtype=float)
+    apart = (sizes[:, None] + sizes) / 2
+    spots = problem.scene().positions[:, :2]
+    apart[np.all(np.abs(spots[:, None] - spots) < apart, axis=-1)] = 0.0
+    return np.asarray(apart)
+
+
+def overlapping(
+    spot: Float[np.ndarray, "2"], others: Float[np.ndarray, "M 2"], apart: Float[np.ndarray, "M 2"]
+) -> Bool[np.ndarray, " M"]:
+    """Say which of some objects an object would stand in; see `footprints_apart`."""
+    return np.asarray(np.all(np.abs(others - spot) < apart, axis=-1))
+
+
 def _place_problem(
-    positions: Sequence[Float[np.ndarray, "M 3"]],
+    here: Float[np.ndarray, "M 3"],
     moved: int,
-    rests: np.ndarray,
-    problem: Problem,
-    grounding: Grounding,
+    rests: Bool[np.ndarray, " M"],
+    room: Float[np.ndarray, "2 M 2"],
+    apart: Float[np.ndarray, "M M 2"],
+    names: Sequence[str],
 ) -> str:
-    here = positions[-1]
-    name = problem.object_names[moved]
-    if not grounding.table.contains(here[moved]):
-        return f"{name} leaves the table at x = {here[moved][0]:.3f}, y = {here[moved][1]:.3f} m"
-    for other in range(len(here)):
-        if other == moved or not (rests[moved] and rests[other]):
-            continue
-        if _overlap(problem, here, moved, other) and not _overlap(problem, positions[0], moved, other):
-            return f"{name} ends where {problem.object_names[other]} is"
+    spot = here[moved, :2]
+    if not np.all((spot >= room[0, moved]) & (spot <= room[1, moved])):
+        return f"{names[moved]} leaves the table at x = {spot[0]:.3f}, y = {spot[1]:.3f} m"
+    if rests[moved]:
+        for other in np.flatnonzero(overlapping(spot, here[:, :2], apart[moved]) & rests):
+            return f"{names[moved]} ends where {names[int(other)]} is"
     return ""
-
-
-def _overlap(problem: Problem, positions: Float[np.ndarray, "M 3"], one: int, other: int) -> bool:
-    """Say whether the footprints of two objects overlap, as boxes along the axes."""
-    sizes = [problem.objects[index].features[:2] for index in (one, other)]
-    reach = (np.array(sizes[0]) + np.array(sizes[1])) / 2
-    return bool(np.all(np.abs(positions[one][:2] - positions[other][:2]) < reach))
 
 
 def _missed_goal(positions: Float[np.ndarray, "M 3"], problem: Problem) -> str:

@@ -66,11 +66,11 @@ def plan_bfs(
         time_limit: When to give up [s].
     """
     begin = time.perf_counter()
-    start, goals = problem.scene().positions, _goals(problem)
+    start, goals, room = problem.scene().positions, problem.goal_positions(), problem.room(table)
     if problem.is_met(start):
         return PlanResult(PlanStatus.SOLVED, (), 0.0, "the goal is met at the start")
     for length in range(1, depth + 1):
-        for level in _levels(start, branching, table, length):
+        for level in _levels(start, branching, room, length):
             if found := _first_goal(level, goals, problem.tolerance):
                 steps = _steps(*found, branching, names, problem.object_names)
                 return PlanResult(PlanStatus.SOLVED, steps, time.perf_counter() - begin)
@@ -115,27 +115,21 @@ def nearest_misses(
         table: Where objects may stand.
         depth: How many primitives there may be.
     """
-    nearest = problem.distances(problem.scene().positions)
+    nearest, room = problem.distances(problem.scene().positions), problem.room(table)
     for index, item in enumerate(problem.objects):
         if item.name not in nearest:
             continue
         start, goal = np.array([item.position]), np.array(problem.goals[item.name])
         for length in range(1, depth + 1):
-            for level in _levels(start, branching.of_object(index), table, length):
+            for level in _levels(start, branching.of_object(index), room[:, [index]], length):
                 ends = np.concatenate([level.lifted.reshape(-1, 3), level.settled.reshape(-1, 3)])
                 misses = np.linalg.norm(ends - goal, axis=-1)
                 nearest[item.name] = min(nearest[item.name], float(np.nanmin(misses, initial=np.inf)))
     return nearest
 
 
-def _goals(problem: Problem) -> Float[np.ndarray, "M 3"]:
-    """Goals in the order of the objects; NaN where there is none."""
-    none = (np.nan, np.nan, np.nan)
-    return np.array([problem.goals.get(name, none) for name in problem.object_names])
-
-
 def _levels(
-    start: Float[np.ndarray, "M 3"], branching: Branching, table: Table, length: int
+    start: Float[np.ndarray, "M 3"], branching: Branching, room: Float[np.ndarray, "2 M 2"], length: int
 ) -> Iterator[_Level]:
     """List all sequences of a length, in order, a chunk at a time."""
     choices = branching.held.size
@@ -143,11 +137,14 @@ def _levels(
     for low in range(0, total, CHUNK):
         numbers = np.arange(low, min(low + CHUNK, total))
         powers = choices ** np.arange(length - 2, -1, -1)
-        yield _expand(numbers[:, None] // powers % choices, start, branching, table)
+        yield _expand(numbers[:, None] // powers % choices, start, branching, room)
 
 
 def _expand(
-    digits: Int[np.ndarray, "n depth"], start: Float[np.ndarray, "M 3"], branching: Branching, table: Table
+    digits: Int[np.ndarray, "n depth"],
+    start: Float[np.ndarray, "M 3"],
+    branching: Branching,
+    room: Float[np.ndarray, "2 M 2"],
 ) -> _Level:
     objects, primitives = branching.held.shape
     before = np.repeat(start[None], len(digits), axis=0)  # (n, M, 3)
@@ -157,18 +154,19 @@ def _expand(
         lifted = before[rows, moved] + branching.effects[moved, primitive]
         before[rows, moved] += branching.settled[moved, primitive]
         # A NaN never goes away again, and so it marks the whole sequence as impossible.
-        before[~(_inside(lifted, table) & _inside(before[rows, moved], table))] = np.nan
+        possible = _inside(lifted, room[:, moved]) & _inside(before[rows, moved], room[:, moved])
+        before[~possible] = np.nan
     shape = (len(digits), objects, primitives, 3)
     lifted = np.broadcast_to(before[:, :, None] + branching.effects, shape).copy()
-    lifted[~_inside(lifted, table)] = np.nan
+    lifted[~_inside(lifted, room[:, :, None])] = np.nan
     settled = before[:, :, None] + branching.resting_effects
-    settled[~_inside(settled, table) | np.isnan(lifted[..., 0]) | ~branching.held] = np.nan
+    settled[~_inside(settled, room[:, :, None]) | np.isnan(lifted[..., 0]) | ~branching.held] = np.nan
     return _Level(digits, before, lifted, settled)
 
 
-def _inside(positions: Float[np.ndarray, "*n 3"], table: Table) -> Bool[np.ndarray, "*n"]:
-    low, high = np.array([table.x, table.y]).T
-    return np.asarray(np.all((positions[..., :2] >= low) & (positions[..., :2] <= high), axis=-1))
+def _inside(positions: Float[np.ndarray, "*n 3"], room: Float[np.ndarray, "2 *m"]) -> Bool[np.ndarray, "*n"]:
+    spots = positions[..., :2]
+    return np.asarray(np.all((spots >= room[0]) & (spots <= room[1]), axis=-1))
 
 
 def _first_goal(

@@ -44,6 +44,11 @@ class Branching:
         one = slice(index, index + 1)
         return Branching(self.effects[one], self.resting_effects[one], self.held[one])
 
+    def usable(self, index: int) -> tuple[int, ...]:
+        """Return the choices that predict something for an object."""
+        predicted = np.isfinite(self.effects[index]) & np.isfinite(self.settled[index])
+        return tuple(np.flatnonzero(predicted.all(axis=-1)).tolist())
+
 
 def branching_of(problem: Problem, grounding: Grounding) -> tuple[Branching, Names]:
     """Return what the live operators promise as a branching table, and the operators' names.
@@ -56,7 +61,7 @@ def branching_of(problem: Problem, grounding: Grounding) -> tuple[Branching, Nam
     live = {operator.name for operator in grounding.live}
     usable = [operator for operator in grounding.operators.operators if operator.name in live]
     rows = [[op for op in usable if op.category == item.category] for item in problem.objects]
-    width = max(map(len, rows))
+    width = max(1, *map(len, rows))
     operators = tuple((*row, *[None] * (width - len(row))) for row in rows)
     return _branching(operators, _table(operators, grounding.displacement))
 

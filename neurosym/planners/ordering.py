@@ -1,18 +1,24 @@
 """Putting the steps of a plan in another order: displacements commute, so the end stays the same.
 
 What changes is where the objects are on the way: one order leads an object off the table or into another, and
-the next does not.
+the next does not. What is left to do says where everything stands, so no set of steps is looked at twice.
 """
 
 from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from jaxtyping import Float
 
 from neurosym.pddl.grounding import Grounding, is_lift
 from neurosym.pddl.plan_text import PlanStep
-from neurosym.pddl.replay import Replay, replay
+from neurosym.pddl.replay import Replay, footprints_apart, overlapping, replay
 from neurosym.problems import Problem
 
-MAX_REPLAYS = 2000
+MOST_STATES = 20_000
 """How many beginnings of plans are tried."""
+_Block = tuple[PlanStep, ...]
+"""A step that an empty hand begins, and the put-down that ends it if it is a lift."""
 
 
 def mend(
@@ -33,19 +39,10 @@ def mend(
         return tuple(steps), given  # valid, or missing its goal in every order
     blocks = _blocks(steps)
     last = blocks.pop() if ends_held(steps, grounding) else ()
-    # Depth first: what has been ordered so far, and the blocks that are left.
-    waiting: list[tuple[tuple[PlanStep, ...], list[tuple[PlanStep, ...]]]] = [((), blocks)]
-    for _ in range(MAX_REPLAYS):
-        if not waiting:
-            break
-        done, left = waiting.pop()
-        ordered = done if left else done + last
-        checked = replay(ordered, problem, grounding)
-        if checked.valid and not left:
+    if blocks and (found := _Search(blocks, problem, grounding).run()) is not None:
+        ordered = (*found, *last)
+        if (checked := replay(ordered, problem, grounding)).valid:
             return ordered, checked
-        if checked.possible:
-            for index in reversed(range(len(left))):
-                waiting.append((done + left[index], left[:index] + left[index + 1 :]))
     return tuple(steps), given
 
 
@@ -54,12 +51,68 @@ def ends_held(steps: Sequence[PlanStep], grounding: Grounding) -> bool:
     return bool(steps) and not steps[-1].puts_down and is_lift(grounding.operator_named(steps[-1].base))
 
 
-def _blocks(steps: Sequence[PlanStep]) -> list[tuple[PlanStep, ...]]:
+def _blocks(steps: Sequence[PlanStep]) -> list[_Block]:
     """Cut a plan before every step that an empty hand begins: a put-down stays with its lift."""
-    blocks: list[tuple[PlanStep, ...]] = []
+    blocks: list[_Block] = []
     for step in steps:
         if step.puts_down and blocks:
             blocks[-1] += (step,)
         else:
             blocks.append((step,))
     return blocks
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class _Effect:
+    """What a block does: which object it moves, and by how much after each of its steps [m]."""
+
+    moved: int
+    shifts: tuple[Float[np.ndarray, "3"], ...]
+
+
+class _Search:
+    """Depth-first search among the orders of blocks, equal blocks counted."""
+
+    def __init__(self, blocks: Sequence[_Block], problem: Problem, grounding: Grounding) -> None:
+        self._kinds = list(dict.fromkeys(blocks))
+        self._counts = tuple(blocks.count(kind) for kind in self._kinds)
+        self._effects = [_effect(kind, problem, grounding) for kind in self._kinds]
+        self._start = problem.scene().positions
+        self._room, self._apart = problem.room(grounding.table), footprints_apart(problem)
+
+    def run(self) -> tuple[PlanStep, ...] | None:
+        """Return the steps in the first order that is possible, or None if there is none."""
+        seen = {self._counts}
+        waiting: list[tuple[tuple[int, ...], tuple[int, ...], Float[np.ndarray, "M 3"]]] = [
+            ((), self._counts, self._start)
+        ]
+        while waiting and len(seen) < MOST_STATES:
+            done, left, here = waiting.pop()
+            if not any(left):
+                return tuple(step for kind in done for step in self._kinds[kind])
+            for kind in reversed(range(len(left))):
+                fewer = (*left[:kind], left[kind] - 1, *left[kind + 1 :])
+                if left[kind] and fewer not in seen and (after := self._after(here, kind)) is not None:
+                    seen.add(fewer)
+                    waiting.append(((*done, kind), fewer, after))
+        return None
+
+    def _after(self, here: Float[np.ndarray, "M 3"], kind: int) -> Float[np.ndarray, "M 3"] | None:
+        """Return where the objects are after a block, or None if it is impossible."""
+        moved, shifts = self._effects[kind].moved, self._effects[kind].shifts
+        low, high = self._room[:, moved]
+        spots = [here[moved] + shift for shift in shifts]
+        if not all(np.all((spot[:2] >= low) & (spot[:2] <= high)) for spot in spots):
+            return None
+        after = here.copy()
+        after[moved] = spots[-1]
+        hit = overlapping(after[moved, :2], after[:, :2], self._apart[moved])
+        return None if hit.any() else after
+
+
+def _effect(block: _Block, problem: Problem, grounding: Grounding) -> _Effect:
+    operator = grounding.operator_named(block[0].base)
+    shifts = [np.array(grounding.displacement(operator))]
+    if len(block) > 1:
+        shifts.append(shifts[0] + np.array(grounding.put_down_displacement(operator)))
+    return _Effect(problem.object_names.index(block[0].object), tuple(shifts))

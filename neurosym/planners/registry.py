@@ -5,12 +5,14 @@ from neurosym.pddl.grounding import Grounding
 from neurosym.pddl.moves import Encoding
 from neurosym.planners.bfs import plan_bfs
 from neurosym.planners.branching import Branching, branching_of
+from neurosym.planners.counting import plan_counting
 from neurosym.planners.result import PlanResult
 from neurosym.planners.solve import plan_pddl
 from neurosym.problems import Problem
 
 PLANNERS = {
     "bfs": "breadth-first search over the effects that the model predicts, up to 3 primitives (the paper's)",
+    "counting": "the fewest primitives there can be, exactly, by counting how often each is done",
     "fast-downward": "Fast Downward on our own PDDL: the cheapest plan if it can be had soon",
     "up-fast-downward": "Fast Downward through unified-planning, several times slower on fine grids",
 }
@@ -46,4 +48,6 @@ def plan(
     if planner == "bfs":
         table, names = branching or branching_of(problem, grounding)
         return plan_bfs(problem, table, names, grounding.table, time_limit=time_limit)
+    if planner == "counting":
+        return plan_counting(problem, grounding, time_limit=time_limit)
     return plan_pddl(problem, grounding, planner, time_limit=time_limit, encoding=encoding)

@@ -1,0 +1,237 @@
+"""The exact planner: the fewest steps there can be, by counting instead of searching.
+
+Objects do not interact but by standing in each other's way, and where one comes to rest depends only on how
+often each primitive was done to it (see `count_vectors`). So the shortest plans of each object are listed and
+joined: at most one object ends held, and comes last. What stands in each other at the end, or has no order of
+steps that works, is replaced by the next shortest (conflict-based search). The first that fits has provably
+the fewest primitives, and costs the least among those.
+"""
+
+import heapq
+import math
+import time
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+from itertools import count
+
+import numpy as np
+
+from neurosym.pddl.grounding import Grounding
+from neurosym.pddl.moves import PUT_DOWN, cost
+from neurosym.pddl.plan_text import PlanStep
+from neurosym.pddl.replay import footprints_apart, overlapping
+from neurosym.planners.branching import Branching, Names, branching_of
+from neurosym.planners.count_vectors import Candidate, Choices, candidates
+from neurosym.planners.ordering import mend
+from neurosym.planners.result import PlanResult, PlanStatus
+from neurosym.problems import Problem
+
+MOST_JOINS = 2000
+"""How many ways to join the objects' plans are tried."""
+
+
+def plan_counting(problem: Problem, grounding: Grounding, *, time_limit: float = 60.0) -> PlanResult:
+    """Find a plan with the fewest primitives, and among those the cheapest.
+
+    Args:
+        problem: The problem.
+        grounding: The learned domain.
+        time_limit: When to give up [s].
+
+    Raises:
+        UnknownChoice: If an object is of a category that the domain does not have.
+    """
+    begin = time.perf_counter()
+    search = _Join(problem, grounding, begin + time_limit)
+    for number, steps in enumerate(search.plans(), start=1):
+        ordered, checked = mend(steps, problem, grounding)
+        seconds = time.perf_counter() - begin
+        if checked.valid:
+            return PlanResult(PlanStatus.SOLVED, ordered, seconds)
+        if number == MOST_JOINS:
+            reason = f"none of {number} plans was true when replayed; the last: {checked.reason}"
+            return PlanResult(PlanStatus.FAILED, (), seconds, reason)
+    seconds = time.perf_counter() - begin
+    if seconds > time_limit:
+        return PlanResult(PlanStatus.TIMEOUT, (), seconds, f"no plan in {time_limit:g} s")
+    return PlanResult(PlanStatus.UNSOLVABLE, (), seconds, "no number of steps suffices")
+
+
+def fewest_steps(problem: Problem, grounding: Grounding) -> int | None:
+    """Return the fewest primitives that can solve a problem, put-downs not counted; None if none do.
+
+    Each object stays on the table and one at most ends held; that objects can stand in each other's way, which
+    may take more, is left out, so no plan that replays well has fewer.
+
+    Args:
+        problem: The problem.
+        grounding: The learned domain.
+
+    Raises:
+        UnknownChoice: If an object is of a category that the domain does not have.
+    """
+    join = _Join(problem, grounding)
+    saved, total = [0], 0
+    must_be_held = 0
+    for name in problem.goals:
+        free, resting = join.candidate(name, False, 0), join.candidate(name, True, 0)
+        if free is None:
+            return None
+        if resting is None:
+            must_be_held += 1
+            total += len(free.moves)
+        else:
+            total += len(resting.moves)
+            saved.append(len(resting.moves) - len(free.moves))
+    if must_be_held > 1:
+        return None
+    return total - (0 if must_be_held else max(saved))
+
+
+def choices_of(
+    problem: Problem, branching: Branching, grounding: Grounding, names: Names
+) -> tuple[Choices, ...]:
+    """Return what can be done to each object, in the columns of a branching table that have a prediction.
+
+    Args:
+        problem: The problem.
+        branching: What each column does to each object.
+        grounding: The learned domain, for what steps cost and where the table ends.
+        names: Name of the operator for each object and column.
+    """
+    costs = {operator.name: cost(operator) for operator in grounding.operators.operators}
+    room, found = problem.room(grounding.table), []
+    for index, item in enumerate(problem.objects):
+        used = branching.usable(index)
+        found.append(
+            Choices(
+                settled=branching.settled[index, used],
+                lifted=branching.effects[index, used],
+                held=branching.held[index, used],
+                costs=np.array([costs[names[index][column]] for column in used], dtype=int),
+                start=np.array(item.position),
+                room=room[:, index],
+            )
+        )
+    return tuple(found)
+
+
+@dataclass(slots=True)
+class _Listed:
+    """Candidates that are made as they are asked for."""
+
+    source: Iterator[Candidate]
+    known: list[Candidate] = field(default_factory=list)
+
+    def at(self, index: int) -> Candidate | None:
+        while len(self.known) <= index:
+            following = next(self.source, None)
+            if following is None:
+                return None
+            self.known.append(following)
+        return self.known[index]
+
+
+_Pick = tuple[bool, int]
+"""Whether an object must end at rest, and which of its candidates is picked."""
+
+
+class _Join:
+    """Picks a candidate for each object with a goal, the fewest moves and then the cheapest first."""
+
+    def __init__(self, problem: Problem, grounding: Grounding, deadline: float = math.inf) -> None:
+        self._deadline = deadline
+        for item in problem.objects:
+            grounding.category(item.category)
+        branching, names = branching_of(problem, grounding)
+        self._problem, self._names = problem, list(problem.goals)
+        self._operators = {
+            item.name: [names[index][column] for column in branching.usable(index)]
+            for index, item in enumerate(problem.objects)
+        }
+        self._choices = dict(
+            zip(problem.object_names, choices_of(problem, branching, grounding, names), strict=True)
+        )
+        self._apart = footprints_apart(problem)
+        self._listed: dict[tuple[str, bool], _Listed] = {}
+
+    def candidate(self, name: str, at_rest: bool, index: int) -> Candidate | None:
+        """Return a candidate of an object, counted from the best, or None if there are not so many."""
+        key = (name, at_rest)
+        if key not in self._listed:
+            goal, tolerance = self._problem.goals[name], self._problem.tolerance
+            source = candidates(
+                self._choices[name], goal, tolerance, at_rest=at_rest, deadline=self._deadline
+            )
+            self._listed[key] = _Listed(source)
+        return self._listed[key].at(index)
+
+    def plans(self) -> Iterator[tuple[PlanStep, ...]]:
+        """List plans in which no two objects end in each other or in the hand; orders are not looked at."""
+        first: tuple[_Pick, ...] = tuple((False, 0) for _ in self._names)
+        seen, ticket = {first}, count()
+        waiting: list[tuple[int, int, int, tuple[_Pick, ...]]] = []
+
+        def push(picks: tuple[_Pick, ...]) -> None:
+            picked = self._picked(picks)
+            if picked is not None:
+                moves, costs = sum(len(one.moves) for one in picked), sum(one.cost for one in picked)
+                heapq.heappush(waiting, (moves, costs, next(ticket), picks))
+
+        push(first)
+        while waiting:
+            picks = heapq.heappop(waiting)[-1]
+            picked = self._picked(picks)
+            assert picked is not None, "only what can be picked waits"
+            conflict = self._conflict(picked)
+            if conflict is None:
+                yield self._steps(picked)
+                following = [_next(picks, index) for index in range(len(picks))]
+            else:
+                both_held, pair = conflict
+                following = [_next(picks, index, resting=both_held) for index in pair]
+            for one in following:
+                if one not in seen:
+                    seen.add(one)
+                    push(one)
+
+    def _picked(self, picks: tuple[_Pick, ...]) -> list[Candidate] | None:
+        found = [self.candidate(name, *pick) for name, pick in zip(self._names, picks, strict=True)]
+        kept = [one for one in found if one is not None]
+        return kept if len(kept) == len(found) else None
+
+    def _conflict(self, picked: list[Candidate]) -> tuple[bool, tuple[int, ...]] | None:
+        """Find who cannot have their picks together, and whether that is because of the hand."""
+        held = [index for index, one in enumerate(picked) if one.held]
+        if len(held) > 1:
+            return True, tuple(held[:2])
+        spots = self._problem.scene().positions[:, :2]
+        rows = [self._problem.object_names.index(name) for name in self._names]
+        for row, one in zip(rows, picked, strict=True):
+            spots[row] = one.end[:2] if not one.held else np.inf
+        for index, row in enumerate(rows):
+            if not picked[index].held and picked[index].moves:
+                hit = overlapping(spots[row], spots, self._apart[row])
+                if hit.any():
+                    other = int(np.flatnonzero(hit)[0])
+                    return False, (index, *((rows.index(other),) if other in rows else ()))
+        return None
+
+    def _steps(self, picked: list[Candidate]) -> tuple[PlanStep, ...]:
+        """Write the moves as steps, each lift with its put-down, and who is held in the end last."""
+        steps: list[PlanStep] = []
+        for name, one in sorted(zip(self._names, picked, strict=True), key=lambda pair: pair[1].held):
+            for move in one.moves:
+                operator = self._operators[name][move]
+                steps.append(PlanStep(operator, name))
+                if self._choices[name].held[move]:
+                    steps.append(PlanStep(PUT_DOWN + operator, name))
+            if one.held:
+                steps.pop()
+        return tuple(steps)
+
+
+def _next(picks: tuple[_Pick, ...], index: int, *, resting: bool = False) -> tuple[_Pick, ...]:
+    """Pick the next candidate of one object, or the first that ends at rest."""
+    at_rest, number = picks[index]
+    return (*picks[:index], (True, 0) if resting else (at_rest, number + 1), *picks[index + 1 :])
