@@ -58,14 +58,15 @@ def new_problem(
 def plan(
     folder: Folder,
     problem: ProblemName,
-    planner: Annotated[str, arg(help="bfs, fast-downward or up-fast-downward.")] = "fast-downward",
+    planner: Annotated[str, arg(help="bfs, counting, fast-downward or up-fast-downward.")] = "fast-downward",
     time_limit: Annotated[float, arg(help="When to give up [s].")] = 60.0,
     encoding: Annotated[str, arg(help="For PDDL planners: stepwise or operators.")] = "stepwise",
 ) -> int:
     """Plan for a problem; exit code 3 if there is no plan, with the reason.
 
-    `bfs` is the paper's breadth-first search over the effects that the network predicts, three deep. Any
-    other planner can be given DIR/domain.pddl and DIR/problems/PROBLEM.pddl, and its plan file executed.
+    `bfs` is the paper's breadth-first search over the effects that the network predicts, three deep;
+    `counting` finds the fewest primitives there can be. Any other planner can be given DIR/domain.pddl and
+    DIR/problems/PROBLEM.pddl, and its plan file executed.
     """
     from neurosym.files import read_json
     from neurosym.plan_stages import PlanRecord, plan_files, plan_stage

@@ -167,7 +167,7 @@ def test_primitive_with_two_outcomes_is_two_choices_but_one_prediction():
     slips = msgspec.structs.replace(
         slips, modes=(msgspec.structs.replace(slips.modes[0], resting_effect=(0.04, 0.0, 0.0), count=10),)
     )
-    table = msgspec.structs.replace(learned.operators, operators=(slips, *learned.operators.operators))
+    table = msgspec.structs.replace(learned.operators, operators=(*learned.operators.operators, slips))
     both = msgspec.structs.replace(learned, operators=table)
     branching, names = branching_of(problem(), both)
     assert names[0][2:] == ("lift-010-block", "slip-010-block")

@@ -60,8 +60,8 @@ def plan_counting(problem: Problem, grounding: Grounding, *, time_limit: float =
 def fewest_steps(problem: Problem, grounding: Grounding) -> int | None:
     """Return the fewest primitives that can solve a problem, put-downs not counted; None if none do.
 
-    Each object stays on the table and one at most ends held; that objects can stand in each other's way, which
-    may take more, is left out, so no plan that replays well has fewer.
+    Each object stays on the table, and at most one ends held. No plan that replays well has fewer; where
+    objects stand in each other's way it may need more.
 
     Args:
         problem: The problem.
