@@ -1,75 +1,41 @@
 """Execution: a plan runs in the world, and each step is compared with what its operator promised.
 
 A `put-down-...` step is the second half of the lift before it: the world performs both as one interaction,
-and only a lift that ends the plan is left in mid-air.
+and only a lift that ends the plan is left in mid-air. Where a planner is at hand, what is left of the plan is
+replayed from what is seen after every step; if it would miss the goal, a new plan is asked for.
 """
 
-import math
 from collections.abc import Callable, Sequence
-from typing import Literal
+from dataclasses import dataclass, field
 
 import msgspec
 import numpy as np
-from jaxtyping import Float
 
 from neurosym.errors import InvalidValue
-from neurosym.operators import TOLERANCE, Vector
+from neurosym.experience import Experience, believed_name, learned_name
+from neurosym.nudges import Nudger, nudged
 from neurosym.pddl.grounding import Grounding, is_lift
 from neurosym.pddl.plan_text import PlanStep
+from neurosym.pddl.replay import replay
+from neurosym.planners.result import PlanResult, PlanStatus
 from neurosym.problems import Problem
-from neurosym.world import Disturbance, FrameSink, Outcome, Scene, World
+from neurosym.run_record import (
+    Nudge,
+    Replanning,
+    Run,
+    StepRecord,
+    Steps,
+    record_refusal,
+    record_step,
+    vector,
+    why_missed,
+)
+from neurosym.world import FrameSink, Outcome, Scene, World
 
-StepOutcome = Literal["resting", "held", "toppled", "lost", "not performed"]
-
-
-class StepRecord(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
-    """One step of a plan: what was promised and what happened.
-
-    Attributes:
-        operator: Name of the operator.
-        object: Name of the object acted upon.
-        promised: How the object was to end, and None if the operator never promised anything.
-        promised_effect: How far it was to move [m].
-        happened: How it ended.
-        effect: How far it moved [m].
-        deviation: Distance between the two displacements [m].
-        as_promised: Whether it ended so, within the tolerance.
-        positions: Centre of every object after the step [m], by name.
-        touched: Names of the other objects that the robot itself touched.
-        disturbed: How other objects ended that ended elsewhere (moved, toppled, lost), by name.
-    """
-
-    operator: str
-    object: str
-    promised: StepOutcome | None
-    promised_effect: Vector | None
-    happened: StepOutcome
-    effect: Vector
-    deviation: float | None
-    as_promised: bool
-    positions: dict[str, Vector]
-    touched: tuple[str, ...] = ()
-    disturbed: dict[str, Disturbance] = {}
-
-
-class Run(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
-    """What became of a plan in the world.
-
-    Attributes:
-        problem: Name of the problem.
-        plan: The steps that were asked for, as operator and object.
-        steps: A record for each interaction that was performed.
-        reached: Whether every goal was met at the end.
-        distances: How far each object with a goal ended from it [m].
-        reason: Why the goal was not reached, or empty.
-    """
-
-    problem: str
-    plan: tuple[tuple[str, str], ...]
-    steps: tuple[StepRecord, ...]
-    reached: bool
-    distances: dict[str, float]
-    reason: str
+Replanner = Callable[[Problem, Grounding], PlanResult]
+"""Plans from where things are now, with what is now believed of them."""
+REPLANS = 10
+"""How many new plans a run may ask for."""
 
 
 def execute(
@@ -78,129 +44,194 @@ def execute(
     grounding: Grounding,
     plan: Sequence[PlanStep],
     *,
+    replanner: Replanner | None = None,
+    replans: int = REPLANS,
+    nudge_seed: int | None = None,
     on_frame: FrameSink | None = None,
     on_step: Callable[[StepRecord], None] | None = None,
 ) -> Run:
     """Run a plan in the world with the distilled parameters of its primitives.
 
-    The plan is followed to its end whatever the steps do, unless an object is lost or out of reach.
+    Without a replanner the plan is followed to its end whatever the steps do, unless an object is lost or out
+    of reach.
 
     Args:
         world: The world to act in.
         problem: The scene to start from and the goals to judge by.
         grounding: What the operators' names mean.
         plan: The steps, whichever planner they come from.
+        replanner: Plans anew where the plan would miss the goal from what is seen, if given.
+        replans: How many new plans may be asked for.
+        nudge_seed: Nudge an object once during the run, drawn from this seed, if given.
         on_frame: Called with pictures of the motion as it happens, if given.
         on_step: Called with each step's record as soon as it is done, if given.
     """
-    scene = problem.scene()
-    records: list[StepRecord] = []
-    for index, step in enumerate(plan):
-        if step.puts_down:
-            continue
-        is_last = index == len(plan) - 1
-        outcome = _perform(world, problem, grounding, step, scene, is_last, on_frame)
-        if outcome is None:
-            records.append(_not_performed(step, problem, scene))
+    nudger = None
+    if nudge_seed is not None:
+        nudger = Nudger(nudge_seed, sum(not step.puts_down for step in plan))
+    run = _Running(world, problem, grounding, list(plan), on_frame)
+    while run.goes_on:
+        if nudger and nudger.before_step == len(run.records) + 1 and not run.nudge:
+            run.be_nudged(nudger)
+        if replanner and len(run.replannings) < replans and (why := run.why_not_go_on()):
+            run.replan(replanner, why)
+        if not run.left:
             break
-        scene = outcome.end
-        records.append(_record(step, problem, grounding, outcome))
+        run.step()
         if on_step:
-            on_step(records[-1])
-        if outcome.lost:
-            break
-    reached = problem.is_met(scene.positions)
-    distances = problem.distances(scene.positions)
-    return Run(
-        problem=problem.name,
-        plan=tuple((step.operator, step.object) for step in plan),
-        steps=tuple(records),
-        reached=reached,
-        distances=distances,
-        reason="" if reached else _reason(records, distances, problem.tolerance),
-    )
+            on_step(run.records[-1])
+    return run.record(_named(plan))
 
 
-def _perform(
+@dataclass(slots=True)
+class _Running:
+    """A run while it goes on: where everything is, what is left to do, and what was done."""
+
+    world: World
+    problem: Problem
+    grounding: Grounding
+    left: list[PlanStep]
+    on_frame: FrameSink | None
+    scene: Scene = field(init=False)
+    experience: Experience = field(init=False)
+    records: list[StepRecord] = field(default_factory=list)
+    replannings: list[Replanning] = field(default_factory=list)
+    nudge: Nudge | None = None
+    goes_on: bool = True
+    _lifted: tuple[PlanStep, Scene] | None = None
+
+    def __post_init__(self) -> None:
+        self.scene = self.problem.scene()
+        self.experience = Experience(self.grounding)
+
+    def be_nudged(self, nudger: Nudger) -> None:
+        """Let somebody move an object, if there is room for that."""
+        self.nudge = nudger.nudge(self.problem, self.scene, self.world.table)
+        if self.nudge:
+            self.scene = nudged(self.scene, self.nudge, self.problem)
+
+    def why_not_go_on(self) -> str:
+        """Say why what is left of the plan would miss the goal by what is believed now, or nothing."""
+        seen = self._now()
+        if not self.left and seen.is_met(self.scene.positions):
+            return ""
+        believed, grounding = self.experience.believed(seen)
+        return replay([believed_name(step, grounding) for step in self.left], believed, grounding).reason
+
+    def replan(self, replanner: Replanner, why: str) -> None:
+        """Ask for a new plan, or else go on with the old one while nothing leaves the table."""
+        self._put_down()
+        result = replanner(*self.experience.believed(self._now()))
+        if result.status is not PlanStatus.SOLVED and self.experience.says_something:
+            self.experience = Experience(self.grounding)  # hope again for what did not come
+            result = replanner(self._now(), self.grounding)
+        new = [learned_name(step) for step in result.steps]
+        is_found = result.status is PlanStatus.SOLVED
+        self.replannings.append(
+            Replanning(len(self.records) + 1, why, _named(new), "" if is_found else result.reason)
+        )
+        if is_found:
+            self.left = new
+        elif not replay(self.left, self._now(), self.grounding).possible:
+            self.left = []
+
+    def step(self) -> None:
+        """Perform the next step of the plan, and put down what it lifts unless that ends the plan."""
+        step = self.left.pop(0)
+        put_down = bool(self.left) or not is_lift(self.grounding.operator_named(step.operator))
+        if self.left and self.left[0].puts_down:
+            self.left.pop(0)
+        before = self.scene
+        outcome = self._perform(step, before, put_down)
+        if outcome is None:
+            self.records.append(record_refusal(step, self.problem, self.scene))
+            self.goes_on = False
+            return
+        self._lifted = None if put_down or not outcome.held else (step, before)
+        self._take(step, outcome, put_down)
+
+    def record(self, plan: Steps) -> Run:
+        """Say what became of the run.
+
+        Args:
+            plan: The steps that were asked for.
+        """
+        distances = self.problem.distances(self.scene.positions)
+        reached = self.problem.is_met(self.scene.positions)
+        missed = why_missed(self.records, distances, self.problem.tolerance)
+        no_plan = self.replannings[-1].reason if self.replannings else ""
+        return Run(
+            problem=self.problem.name,
+            plan=plan,
+            steps=tuple(self.records),
+            reached=reached,
+            distances=distances,
+            reason="" if reached else "; ".join(filter(None, (missed, no_plan))),
+            nudge=self.nudge,
+            replannings=tuple(self.replannings),
+        )
+
+    def _put_down(self) -> None:
+        """Put down what the last step lifted: the same interaction, to its end."""
+        if self._lifted:
+            (step, before), self._lifted = self._lifted, None
+            self.records.pop()
+            outcome = self._perform(step, before, put_down=True)
+            assert outcome is not None, "what was performed once can be performed again"
+            self._take(step, outcome, put_down=True)
+
+    def _take(self, step: PlanStep, outcome: Outcome, put_down: bool) -> None:
+        self.scene = outcome.end
+        self.records.append(record_step(step, self.problem, self.grounding, outcome, put_down=put_down))
+        if not self._lifted:
+            self.experience.learn(step, outcome)
+        self.goes_on = not outcome.lost
+
+    def _perform(self, step: PlanStep, scene: Scene, put_down: bool) -> Outcome | None:
+        return perform(self.world, self.problem, self.grounding, step, scene, put_down, self.on_frame)
+
+    def _now(self) -> Problem:
+        """Return the problem as it stands now."""
+        rows = zip(self.problem.objects, self.scene.positions, self.scene.orientations, strict=True)
+        objects = tuple(
+            msgspec.structs.replace(item, position=vector(position), orientation=tuple(orientation.tolist()))
+            for item, position, orientation in rows
+        )
+        return msgspec.structs.replace(self.problem, objects=objects)
+
+
+def perform(
     world: World,
     problem: Problem,
     grounding: Grounding,
     step: PlanStep,
     scene: Scene,
-    is_last: bool,
-    on_frame: FrameSink | None,
+    put_down: bool,
+    on_frame: FrameSink | None = None,
 ) -> Outcome | None:
+    """Perform one step of a plan.
+
+    Args:
+        world: The world to act in.
+        problem: What the objects are called, and where pictures show their goals.
+        grounding: What the operator's name means.
+        step: The step.
+        scene: Where everything is.
+        put_down: Whether to put the object down if it is held.
+        on_frame: Called with pictures of the motion as it happens, if given.
+
+    Returns:
+        What happened; None if the object was out of the arm's reach.
+    """
     operator = grounding.operator_named(step.operator)
     action = np.array(grounding.primitive(operator.primitive).action)
-    ends_held = is_last and is_lift(operator)
     target = problem.object_names.index(step.object)
+    ghosts = problem.goal_positions()
     try:
-        return world.interact(
-            scene,
-            action,
-            target,
-            put_down=not ends_held,
-            on_frame=on_frame,
-            ghosts=problem.goal_positions(),
-        )
+        return world.interact(scene, action, target, put_down=put_down, on_frame=on_frame, ghosts=ghosts)
     except InvalidValue:  # the object has been moved out of the arm's reach
         return None
 
 
-def _record(step: PlanStep, problem: Problem, grounding: Grounding, outcome: Outcome) -> StepRecord:
-    operator = grounding.operator_named(step.operator)
-    effect = _vector(outcome.effect if outcome.held else outcome.resting_effect)
-    promised_effect = grounding.displacement(operator) if operator.promise else None
-    deviation = math.dist(effect, promised_effect) if promised_effect else None
-    kept = operator.promise is not None and operator.promise.kind == outcome.kind
-    return StepRecord(
-        operator=step.operator,
-        object=step.object,
-        promised=operator.promise.kind if operator.promise else None,
-        promised_effect=promised_effect,
-        happened=outcome.kind,
-        effect=effect,
-        deviation=deviation,
-        as_promised=kept and deviation is not None and deviation <= TOLERANCE,
-        positions=_named(problem, outcome.end),
-        touched=tuple(problem.object_names[index] for index in outcome.touched),
-        disturbed={problem.object_names[index]: how for index, how in outcome.disturbed},
-    )
-
-
-def _not_performed(step: PlanStep, problem: Problem, scene: Scene) -> StepRecord:
-    return StepRecord(
-        operator=step.operator,
-        object=step.object,
-        promised=None,
-        promised_effect=None,
-        happened="not performed",
-        effect=(0.0, 0.0, 0.0),
-        deviation=None,
-        as_promised=False,
-        positions=_named(problem, scene),
-    )
-
-
-def _reason(records: Sequence[StepRecord], distances: dict[str, float], tolerance: float) -> str:
-    name, distance = max(distances.items(), key=lambda item: item[1])
-    missed = f"{name} is {1000 * distance:.0f} mm from its goal ({1000 * tolerance:.0f} mm allowed)"
-    for number, record in enumerate(records, 1):
-        if record.happened == "not performed":
-            return f"{missed}; {record.object} was out of the arm's reach in step {number}"
-        if not record.as_promised:
-            apart = "" if record.deviation is None else f", {1000 * record.deviation:.0f} mm from the promise"
-            told = f"promised {record.promised}, ended {record.happened}{apart}"
-            return f"{missed}; step {number}, {record.operator}: {told}"
-    if not records:
-        return f"{missed}; the plan has no step"
-    return f"{missed}, though every step did as promised within {1000 * TOLERANCE:.0f} mm"
-
-
-def _named(problem: Problem, scene: Scene) -> dict[str, Vector]:
-    return {name: _vector(row) for name, row in zip(problem.object_names, scene.positions, strict=True)}
-
-
-def _vector(values: Float[np.ndarray, "3"]) -> Vector:
-    x, y, z = (float(value) for value in values)
-    return (x, y, z)
+def _named(steps: Sequence[PlanStep]) -> Steps:
+    return tuple((step.operator, step.object) for step in steps)

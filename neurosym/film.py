@@ -11,10 +11,10 @@ from jaxtyping import Float
 
 from neurosym.console import say
 from neurosym.errors import InvalidValue
-from neurosym.execution import Run, StepRecord
 from neurosym.operators import TOLERANCE
 from neurosym.pictures import save_gif, save_strip, shrink
 from neurosym.problems import Problem
+from neurosym.run_record import Run, StepRecord
 from neurosym.world import Frame, Outcome, Pictured, Scene, World
 
 BEFORE = "start"

@@ -6,7 +6,7 @@ from pathlib import Path
 import msgspec
 
 from neurosym.errors import InvalidFile, StageMissing, UnknownChoice
-from neurosym.execution import Run, execute
+from neurosym.execution import execute
 from neurosym.files import digest, read_json, write_atomically, write_json
 from neurosym.folder import GROUNDING, MODEL, WORLD, DomainFolder, Stage
 from neurosym.pddl.grounding import Grounding
@@ -15,6 +15,7 @@ from neurosym.pddl.plan_text import PlanStep, print_ground_plan, print_plan, rea
 from neurosym.pddl.replay import hand_problem
 from neurosym.planners import PLANNERS, Branching, PlanStatus, plan, predicted_branching
 from neurosym.problems import Problem
+from neurosym.run_record import Run
 from neurosym.world_file import read_world
 
 

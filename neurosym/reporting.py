@@ -8,11 +8,11 @@ import numpy as np
 
 from neurosym.console import say, show_table
 from neurosym.data_check import FLAGS
-from neurosym.execution import Run
 from neurosym.files import read_json
 from neurosym.interactions import Interactions
 from neurosym.naming import NO_EFFECT, name_axes, names_of_features
 from neurosym.operators import CONVERGED, Effect, Operator, OperatorTable
+from neurosym.run_record import Run
 
 
 class TrainingSummary(msgspec.Struct, frozen=True):

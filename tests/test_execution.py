@@ -4,11 +4,12 @@ import msgspec
 import pytest
 from toy_domain import LEFT, WORLD, grounding, problem
 
-from neurosym.execution import Run, execute
+from neurosym.execution import execute
 from neurosym.files import read_json, write_json
 from neurosym.operators import Primitive
 from neurosym.pddl.plan_text import PlanStep
 from neurosym.problems import Problem, SceneObject
+from neurosym.run_record import Run
 
 PUSH_LEFT = PlanStep("push-left-001-cube", "item-01")
 LIFT = PlanStep("lift-000-cube", "item-01")

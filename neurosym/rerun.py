@@ -1,0 +1,73 @@
+"""Running a record again: the same world, step by step, must give the same record, byte by byte."""
+
+from collections.abc import Callable
+
+import msgspec
+
+from neurosym.execution import perform
+from neurosym.nudges import nudged
+from neurosym.pddl.grounding import Grounding
+from neurosym.pddl.plan_text import PlanStep
+from neurosym.problems import Problem
+from neurosym.run_record import Run, StepRecord, record_refusal, record_step
+from neurosym.world import FrameSink, World
+
+
+def rerun(
+    world: World,
+    problem: Problem,
+    grounding: Grounding,
+    run: Run,
+    *,
+    on_frame: FrameSink | None = None,
+    on_step: Callable[[StepRecord], None] | None = None,
+) -> Run:
+    """Perform the steps of a record again, with the same nudge, and record what happens.
+
+    Args:
+        world: The world that the run was made in.
+        problem: The problem that it was made for.
+        grounding: The grounding that it was made with.
+        run: The record.
+        on_frame: Called with pictures of the motion as it happens, if given.
+        on_step: Called with each step's record as soon as it is done, if given.
+
+    Raises:
+        UnknownChoice: If the record names an operator that the grounding does not have.
+    """
+    scene, records = problem.scene(), []
+    for number, recorded in enumerate(run.steps, start=1):
+        if run.nudge and run.nudge.before_step == number:
+            scene = nudged(scene, run.nudge, problem)
+        step, put_down = PlanStep(recorded.operator, recorded.object), recorded.put_down
+        outcome = perform(world, problem, grounding, step, scene, put_down, on_frame)
+        if outcome is None:
+            records.append(record_refusal(step, problem, scene))
+        else:
+            scene = outcome.end
+            records.append(record_step(step, problem, grounding, outcome, put_down=put_down))
+        if on_step:
+            on_step(records[-1])
+    if run.nudge and run.nudge.before_step == len(run.steps) + 1:
+        scene = nudged(scene, run.nudge, problem)
+    return msgspec.structs.replace(
+        run,
+        steps=tuple(records),
+        reached=problem.is_met(scene.positions),
+        distances=problem.distances(scene.positions),
+    )
+
+
+def first_difference(recorded: Run, again: Run) -> str:
+    """Say where two records of the same steps differ first, or nothing if their bytes are the same.
+
+    Args:
+        recorded: The record.
+        again: What happened when it was run again.
+    """
+    if msgspec.json.encode(recorded) == msgspec.json.encode(again):
+        return ""
+    for number, (one, other) in enumerate(zip(recorded.steps, again.steps, strict=True), start=1):
+        if msgspec.json.encode(one) != msgspec.json.encode(other):
+            return f"step {number}, {one.operator} {one.object}"
+    return "where the objects ended"
