@@ -7,7 +7,7 @@ answer is no (no plan, goal missed); 130 interrupted.
 import sys
 from collections.abc import Callable, Sequence
 
-from neurosym import commands, learning_commands, planning_commands
+from neurosym import commands, learning_commands, planning_commands, run_commands
 from neurosym.console import error_console
 from neurosym.errors import NeurosymError
 from neurosym.explain.command import explain
@@ -25,7 +25,8 @@ COMMANDS: dict[str, Callable[..., int]] = {
     "compile-domain": planning_commands.compile_domain,
     "new-problem": planning_commands.new_problem,
     "plan": planning_commands.plan,
-    "execute": planning_commands.execute,
+    "execute": run_commands.execute,
+    "replay": run_commands.replay,
     "show": show,
     "explain": explain,
     "figures": figures,

@@ -142,7 +142,7 @@ class _Running:
         if self.left and self.left[0].puts_down:
             self.left.pop(0)
         before = self.scene
-        outcome = self._perform(step, before, put_down)
+        outcome = perform(self.world, self.problem, self.grounding, step, before, put_down, self.on_frame)
         if outcome is None:
             self.records.append(record_refusal(step, self.problem, self.scene))
             self.goes_on = False
@@ -176,7 +176,7 @@ class _Running:
         if self._lifted:
             (step, before), self._lifted = self._lifted, None
             self.records.pop()
-            outcome = self._perform(step, before, put_down=True)
+            outcome = perform(self.world, self.problem, self.grounding, step, before, put_down=True)
             assert outcome is not None, "what was performed once can be performed again"
             self._take(step, outcome, put_down=True)
 
@@ -186,9 +186,6 @@ class _Running:
         if not self._lifted:
             self.experience.learn(step, outcome)
         self.goes_on = not outcome.lost
-
-    def _perform(self, step: PlanStep, scene: Scene, put_down: bool) -> Outcome | None:
-        return perform(self.world, self.problem, self.grounding, step, scene, put_down, self.on_frame)
 
     def _now(self) -> Problem:
         """Return the problem as it stands now."""

@@ -6,7 +6,8 @@ from neurosym.console import say, say_next, show_table
 from neurosym.errors import InvalidValue
 from neurosym.files import read_json
 from neurosym.folder import DomainFolder, Stage
-from neurosym.plan_stages import PlanRecord, execute_stage, load_run, plan_files, plan_stage
+from neurosym.plan_stages import PlanRecord, plan_files, plan_stage
+from neurosym.run_stages import execute_stage, load_run
 from neurosym.stages import compile_stage, distill_stage, explore_stage, problem_stage, train_stage
 
 PLANNER = "fast-downward"

@@ -1,22 +1,17 @@
 """The stages that use a learned domain: from a problem to a plan, and from a plan to what became of it."""
 
 from collections.abc import Sequence
-from pathlib import Path
 
 import msgspec
 
-from neurosym.errors import InvalidFile, StageMissing, UnknownChoice
-from neurosym.execution import execute
-from neurosym.files import digest, read_json, write_atomically, write_json
-from neurosym.folder import GROUNDING, MODEL, WORLD, DomainFolder, Stage
+from neurosym.errors import StageMissing, UnknownChoice
+from neurosym.files import write_atomically, write_json
+from neurosym.folder import GROUNDING, MODEL, DomainFolder, Stage
 from neurosym.pddl.grounding import Grounding
 from neurosym.pddl.moves import Encoding
-from neurosym.pddl.plan_text import PlanStep, print_ground_plan, print_plan, read_plan
-from neurosym.pddl.replay import hand_problem
+from neurosym.pddl.plan_text import PlanStep, print_ground_plan, print_plan
 from neurosym.planners import PLANNERS, Branching, PlanStatus, plan, predicted_branching
 from neurosym.problems import Problem
-from neurosym.run_record import Run
-from neurosym.world_file import read_world
 
 
 class PlanRecord(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
@@ -117,56 +112,3 @@ def _branching(
     symbols = [primitive.symbol for primitive in grounding.operators.primitives]
     effects = EffectModel.load(folder.require(MODEL)).branching_table(problem.scene().features, symbols)
     return predicted_branching(problem, grounding, effects)
-
-
-def execute_stage(
-    folder: DomainFolder,
-    name: str,
-    plan_file: Path,
-    *,
-    gif: Path | None = None,
-    strip: Path | None = None,
-    gui: bool = False,
-) -> Stage:
-    """Execute a plan: problem, grounding, world and a plan -> `runs/PLAN.run.json`, and pictures."""
-    record_file = run_file(plan_file)
-
-    def work() -> None:
-        from neurosym.film import Film, hold_window, ignore, open_window
-
-        grounding = Grounding.load(folder.require(GROUNDING))
-        problem = load_problem(folder, name)
-        steps = read_plan(plan_file, grounding, problem)
-        if impossible := hand_problem(steps, grounding):
-            raise InvalidFile(plan_file, impossible)
-        world = read_world(folder.require(WORLD))()
-        if gui:
-            open_window(world)
-        film = Film(world, problem) if gif or strip else None
-        run = execute(
-            world,
-            problem,
-            grounding,
-            steps,
-            on_frame=film.add_frame if film else ignore if gui else None,
-            on_step=film.end_step if film else None,
-        )
-        (folder / "runs").mkdir(exist_ok=True)
-        write_json(folder / record_file, run)
-        if film:
-            film.save(run, gif, strip)
-        if gui:
-            hold_window()
-
-    inputs = (f"problems/{name}.scene.json", GROUNDING, WORLD)
-    return Stage(f"execute {plan_file.stem}", inputs, (record_file,), work, {"plan": digest(plan_file)})
-
-
-def run_file(plan_file: Path) -> str:
-    """Name the file that says what became of a plan, relative to the folder."""
-    return f"runs/{plan_file.stem}.run.json"
-
-
-def load_run(folder: DomainFolder, plan_file: Path) -> Run:
-    """Read what became of a plan."""
-    return read_json(folder / run_file(plan_file), Run)

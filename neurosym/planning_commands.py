@@ -1,9 +1,8 @@
 """The commands that use a learned domain: compile it, make problems, plan, and execute."""
 
-from pathlib import Path
 from typing import Annotated
 
-from tyro.conf import Positional, UseAppendAction, arg
+from tyro.conf import UseAppendAction, arg
 
 from neurosym.command_options import NO_RESULT, Folder, ProblemName, Seed
 from neurosym.console import say, say_next
@@ -89,37 +88,6 @@ def plan(
     say(f"wrote {folder / plan_file}")
     say_next(f"neurosym execute {folder} {name} {folder / plan_file}")
     return 0
-
-
-def execute(
-    folder: Folder,
-    problem: ProblemName,
-    plan_file: Annotated[Positional[Path], arg(metavar="PLAN", help="Any planner's plan, in IPC form.")],
-    gif: Annotated[Path | None, arg(help="Write an animated GIF of the run here.")] = None,
-    strip: Annotated[Path | None, arg(help="Write a PNG with a picture for each step here.")] = None,
-    gui: Annotated[bool, arg(help="Show the run live in a window instead.")] = False,
-) -> int:
-    """Run a plan in the simulator, each step beside its promise; exit code 3 if it misses."""
-    from neurosym.pictures import check_picture_path
-    from neurosym.plan_stages import execute_stage, load_run, run_file
-    from neurosym.reporting import show_run
-
-    domain = DomainFolder(folder)
-    name = domain.problem(problem)
-    if not plan_file.is_file():
-        raise InvalidValue(f"There is no plan file {plan_file}; `neurosym plan {folder} {name}` writes one.")
-    if gui and (gif or strip):
-        raise InvalidValue("Give --gui or files for pictures, not both.")
-    for picture, ending in ((gif, ".gif"), (strip, ".png")):
-        if picture:
-            check_picture_path(picture, [ending])
-    domain.perform(execute_stage(domain, name, plan_file, gif=gif, strip=strip, gui=gui), again=True)
-    run = load_run(domain, plan_file)
-    show_run(run)
-    for path in (folder / run_file(plan_file), gif, strip):
-        if path and path.exists():
-            say(f"wrote {path}")
-    return 0 if run.reached else NO_RESULT
 
 
 def _parse_goals(texts: tuple[str, ...]) -> dict[str, tuple[float, ...]]:

@@ -1,5 +1,6 @@
 """Tables for the command line: how well a model fits, what operators do, what became of plans."""
 
+import math
 from collections.abc import Sequence
 from pathlib import Path
 
@@ -137,6 +138,12 @@ def show_run(run: Run) -> None:
     show_table(f"run of {run.problem}", columns, rows)
     far = ", ".join(f"{name} {1000 * distance:.0f} mm" for name, distance in run.distances.items())
     say(f"goal {'reached' if run.reached else 'missed'}: {far} from it")
+    if run.nudge:
+        by = 1000 * math.hypot(*run.nudge.by)
+        say(f"before step {run.nudge.before_step} {run.nudge.object} was nudged by {by:.0f} mm")
+    for new in run.replannings:
+        found = f"{len(new.plan)} steps" if new.plan else new.reason or "nothing is left to do"
+        say(f"new plan before step {new.before_step}, for {new.why}: {found}")
     for number, step in enumerate(run.steps, 1):
         if step.touched:
             say(f"in step {number} the robot touched {', '.join(step.touched)}")

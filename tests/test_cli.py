@@ -88,7 +88,15 @@ def test_goal_set_by_hand_is_planned_and_reached(folder, capsys):
     assert "goal reached" in capsys.readouterr().out
     assert strip.read_bytes().startswith(b"\x89PNG")
     assert gif.read_bytes().startswith(b"GIF")
-    assert json.loads((folder / "runs/mine.fast-downward.run.json").read_text())["reached"]
+    record = folder / "runs/mine.fast-downward.run.json"
+    assert json.loads(record.read_text())["reached"]
+    assert neurosym("execute", folder, "mine", plan, "--disturb", "3") in (0, 3)
+    assert "was nudged by" in capsys.readouterr().out
+    assert neurosym("replay", folder, record) == 0
+    assert "byte for byte" in capsys.readouterr().out
+    record.write_text(record.read_text().replace('"touched": []', '"touched": ["item-01"]'))
+    assert neurosym("replay", folder, record) == 3
+    assert "something else happened" in capsys.readouterr().out
 
 
 def test_goal_out_of_reach_is_a_result_with_its_reason(folder, capsys):
@@ -103,7 +111,7 @@ def test_goal_out_of_reach_is_a_result_with_its_reason(folder, capsys):
 
 def test_plan_that_misses_the_goal_is_a_result(folder, capsys):
     (folder / "empty.plan").write_text("; nothing\n")
-    assert neurosym("execute", folder, "task-01", folder / "empty.plan") == 3
+    assert neurosym("execute", folder, "task-01", folder / "empty.plan", "--replans", "0") == 3
     assert "goal missed" in capsys.readouterr().out
 
 

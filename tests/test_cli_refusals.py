@@ -215,6 +215,26 @@ def test_picture_that_cannot_be_written_is_refused(folder, capsys):
         assert f"No picture can be written to {target}" in said
 
 
+def test_record_that_is_none_or_of_another_domain_is_refused(folder, capsys):
+    record = folder / "mine.run.json"
+    assert "there is no such file" in refusal(capsys, "replay", folder, record)
+    record.write_text("{}")
+    assert f"{record} cannot be used" in refusal(capsys, "replay", folder, record)
+    step = {"operator": "fly", "object": "item-01", "promised": None, "promised_effect": None}
+    step |= {"happened": "resting", "effect": [0, 0, 0], "deviation": None, "as_promised": False}
+    run = {"problem": "task-01", "plan": [], "steps": [step | {"positions": {}}], "reached": False}
+    record.write_text(json.dumps(run | {"distances": {}, "reason": ""}))
+    assert "no operator 'fly'" in refusal(capsys, "replay", folder, record)
+
+
+def test_numbers_and_planners_of_a_run_are_checked(folder, capsys):
+    (folder / "empty.plan").write_text("")
+    run = ("execute", folder, "task-01", folder / "empty.plan")
+    assert "replans = -1 must be at least 0" in refusal(capsys, *run, "--replans", "-1")
+    assert "disturb = -1 must be at least 0" in refusal(capsys, *run, "--disturb", "-1")
+    assert "no planner 'magic'" in refusal(capsys, *run, "--replanner", "magic")
+
+
 def test_folder_that_cannot_be_made_is_refused(folder, capsys):
     assert "Not a directory" in refusal(capsys, "init", folder / "world.toml" / "below")
 

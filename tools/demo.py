@@ -10,7 +10,8 @@ from pathlib import Path
 from neurosym.console import say, show_table
 from neurosym.files import read_json
 from neurosym.folder import DomainFolder
-from neurosym.plan_stages import PlanRecord, execute_stage, load_problem, load_run, plan_files, plan_stage
+from neurosym.plan_stages import PlanRecord, load_problem, plan_files, plan_stage
+from neurosym.run_stages import execute_stage, load_run
 from neurosym.stages import compile_stage
 
 SHIPPED = Path(__file__).parent.parent / "domains" / "tabletop"
@@ -71,7 +72,7 @@ def row_of(folder: DomainFolder, name: str, objects: int, planner: str) -> list[
         return [*row, "-", record.reason]
     plan_file = folder / plan_files(name, planner)[0]
     strip, gif = (DEMO / f"{name}.{planner}.{ending}" for ending in ("png", "gif"))
-    folder.perform(execute_stage(folder, name, plan_file, strip=strip, gif=gif), again=True)
+    folder.perform(execute_stage(folder, name, plan_file, showing=Showing(gif, strip)), again=True)
     run = load_run(folder, plan_file)
     return [*row, "yes" if run.reached else "no", run.reason]
 

@@ -11,8 +11,9 @@ from neurosym.files import read_json, write_atomically
 from neurosym.folder import PRIMITIVES, DomainFolder
 from neurosym.operators import Category, Operator, OperatorTable, Vector
 from neurosym.pddl.grounding import Grounding
-from neurosym.plan_stages import PlanRecord, execute_stage, load_problem, load_run, plan_files, plan_stage
+from neurosym.plan_stages import PlanRecord, load_problem, plan_files, plan_stage
 from neurosym.reporting import TrainingSummary
+from neurosym.run_stages import execute_stage, load_run
 from neurosym.stages import TRAINING
 
 FOLDER = Path("domains/tabletop")
