@@ -4,11 +4,11 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
-from neurosym.execution import Run
 from neurosym.files import read_json
 from neurosym.folder import DomainFolder
 from neurosym.plan_stages import load_problem
 from neurosym.problems import Problem
+from neurosym.run_record import Run
 
 MOST_STEPS = 6
 """How many steps an example has at most, so that its pictures fit into a row."""

@@ -6,13 +6,13 @@ import numpy as np
 from jaxtyping import Float
 
 from neurosym.errors import InvalidValue
-from neurosym.execution import Run, StepRecord
 from neurosym.film import Sparing, caption_of, ends_in_the_air, film_phases
 from neurosym.folder import Manifest
 from neurosym.motions import primitive_motions
 from neurosym.pddl.grounding import Grounding
 from neurosym.problems import Problem
 from neurosym.rehearsal import Categorise
+from neurosym.run_record import Run, StepRecord
 from neurosym.show import check_pictured, tell
 from neurosym.world import Frame, Outcome, Scene, World
 
