@@ -1,6 +1,6 @@
 """Making problems: tasks drawn from the world as the paper draws them, or goals given by hand."""
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 
 import numpy as np
 from jaxtyping import Float
@@ -9,7 +9,7 @@ from neurosym.errors import InvalidValue
 from neurosym.operators import TOLERANCE, Vector
 from neurosym.problems import Problem, SceneObject, check_goals
 from neurosym.symbols import Symbol
-from neurosym.world import Scene, World
+from neurosym.world import Outcome, Scene, World
 
 Categorise = Callable[[Float[np.ndarray, "N F"]], tuple[Symbol, ...]]
 _MOST_DRAWS = 1000
@@ -23,12 +23,14 @@ def draw_problem(
     name: str,
     objects: int,
     seed: int,
+    actions: int = 1,
     tolerance: float = TOLERANCE,
 ) -> Problem:
     """Draw a task as section III-E does: random scene, random action, and what results is the goal.
 
     Goals may be in mid-air. Draws whose start already meets the goal, or whose result lies off the table, are
-    thrown away and drawn again; the problem's provenance counts them.
+    thrown away and drawn again; the problem's provenance counts them. Several actions make harder tasks: each
+    begins where everything came to rest after the one before.
 
     Args:
         world: The world that the random action is performed in.
@@ -36,30 +38,48 @@ def draw_problem(
         name: Name of the problem.
         objects: How many objects.
         seed: Same seed, same problem.
+        actions: How many random actions lead to the goal.
         tolerance: How near each object must come to its goal [m].
 
     Raises:
         InvalidValue: If the objects do not fit, or no draw moves anything.
     """
-    if objects < 1:
-        raise InvalidValue(f"A problem needs at least one object, not {objects}.")
+    for kind, count in (("object", objects), ("action", actions)):
+        if count < 1:
+            raise InvalidValue(f"A problem needs at least one {kind}, not {count}.")
     for draw in range(_MOST_DRAWS):
         rng = np.random.default_rng([_TASKS, seed, draw])
         scene = world.sample_scene(rng, objects)
-        target = int(rng.integers(objects))
-        outcome = world.interact(scene, world.action_box.sample(rng, 1)[0], target)
-        goals = dict(zip(item_names(objects), map(_vector, outcome.lifted.positions), strict=True))
-        provenance = f"drawn with seed {seed}: one random action on {item_names(objects)[target]}"
+        outcomes = _act_at_random(world, scene, actions, rng)
+        goals = dict(zip(item_names(objects), map(_vector, outcomes[-1].lifted.positions), strict=True))
         problem = Problem(
             name=name,
-            objects=_items(outcome.start, categorise),
+            objects=_items(outcomes[0].start, categorise),
             goals=goals,
             tolerance=tolerance,
-            provenance=f"{provenance}; draw {draw + 1}, earlier ones met at the start or off the table",
+            provenance=f"drawn with seed {seed}: {_told(outcomes)}; draw {draw + 1}, earlier ones met at the "
+            "start or off the table",
         )
-        if all(map(world.table.contains, outcome.lifted.positions)) and not problem.is_met(scene.positions):
+        stays = all(world.table.contains(spot) for outcome in outcomes for spot in outcome.lifted.positions)
+        if stays and not problem.is_met(scene.positions):
             return problem
     raise InvalidValue(f"None of {_MOST_DRAWS} random actions moves an object by more than {tolerance} m.")
+
+
+def _act_at_random(world: World, scene: Scene, actions: int, rng: np.random.Generator) -> list[Outcome]:
+    """Perform random actions on random objects, one after another."""
+    outcomes: list[Outcome] = []
+    for _ in range(actions):
+        target = int(rng.integers(len(scene)))
+        outcomes.append(world.interact(scene, world.action_box.sample(rng, 1)[0], target))
+        scene = outcomes[-1].end
+    return outcomes
+
+
+def _told(outcomes: Sequence[Outcome]) -> str:
+    names = item_names(len(outcomes[0].start))
+    count = "one random action" if len(outcomes) == 1 else f"{len(outcomes)} random actions"
+    return f"{count} on {', '.join(names[outcome.target] for outcome in outcomes)}"
 
 
 def set_problem(

@@ -58,6 +58,18 @@ def test_world_in_which_nothing_moves_is_reported_not_searched_for_ever():
         draw_problem(stuck, categorise, name="task", objects=1, seed=0)
 
 
+def test_several_actions_make_a_task_in_which_each_begins_at_rest():
+    problem = draw_problem(WORLD, categorise, name="task", objects=3, actions=4, seed=5)
+    assert problem.provenance.startswith("drawn with seed 5: 4 random actions on item-0")
+    aloft = [
+        name for name, goal in problem.goals.items() if goal[2] > problem.object_named(name).position[2] + 0.1
+    ]
+    assert len(aloft) <= 1
+    assert all(WORLD.table.contains(goal) for goal in map(np.array, problem.goals.values()))
+    with pytest.raises(InvalidValue, match="at least one action, not 0"):
+        draw_problem(WORLD, categorise, name="task", objects=1, actions=0, seed=0)
+
+
 def test_goal_set_by_hand_rests_on_the_table_unless_it_says_otherwise():
     problem = set_problem(
         WORLD, categorise, {"item-01": (0.7, 0.1), "item-02": (0.6, 0.0, 0.2)}, name="t", objects=2, seed=0
