@@ -17,7 +17,10 @@ from neurosym.files import digest, read_json, write_json
 WORLD, INTERACTIONS = "world.toml", "interactions.npz"
 MODEL, DIRECT_MODEL = "effect_model.safetensors", "direct_model.safetensors"
 PRIMITIVES = "primitives.json"
-DOMAIN, OPERATORS_DOMAIN, GROUNDING = "domain.pddl", "domain-operators.pddl", "grounding.json"
+DOMAIN, OPERATORS_DOMAIN, NUMERIC_DOMAIN = "domain.pddl", "domain-operators.pddl", "domain-numeric.pddl"
+GROUNDING = "grounding.json"
+NUMERIC = ".numeric.pddl"
+"""What the file of a problem in the numeric encoding ends with; the other is NAME.pddl."""
 MANIFEST = "manifest.json"
 COMMANDS = {
     WORLD: "init",
@@ -27,6 +30,7 @@ COMMANDS = {
     PRIMITIVES: "distill",
     DOMAIN: "compile-domain",
     OPERATORS_DOMAIN: "compile-domain",
+    NUMERIC_DOMAIN: "compile-domain",
     GROUNDING: "compile-domain",
 }
 """Which command writes each file."""
@@ -120,7 +124,8 @@ class DomainFolder:
 
     def problem_names(self) -> tuple[str, ...]:
         """List the problems of this folder."""
-        return tuple(sorted(path.stem for path in (self.path / "problems").glob("*.pddl")))
+        files = (self.path / "problems").glob("*.pddl")
+        return tuple(sorted(path.stem for path in files if not path.match(f"*{NUMERIC}")))
 
     def problem(self, name: str) -> str:
         """Return a problem's name from what a user typed: the name, or the path of its file.
@@ -128,7 +133,7 @@ class DomainFolder:
         Raises:
             UnknownChoice: If there is no such problem here.
         """
-        stem = Path(name).name.removesuffix(".pddl").removesuffix(".scene.json")
+        stem = Path(name).name.removesuffix(".scene.json").removesuffix(NUMERIC).removesuffix(".pddl")
         known = self.problem_names()
         if stem not in known:
             raise UnknownChoice("problem", name, known)

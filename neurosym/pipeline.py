@@ -6,9 +6,10 @@ from neurosym.console import say, say_next, show_table
 from neurosym.errors import InvalidValue
 from neurosym.files import read_json
 from neurosym.folder import DomainFolder, Stage
+from neurosym.pddl_stages import compile_stage, problem_stage
 from neurosym.plan_stages import PlanRecord, plan_files, plan_stage
 from neurosym.run_stages import execute_stage, load_run
-from neurosym.stages import compile_stage, distill_stage, explore_stage, problem_stage, train_stage
+from neurosym.stages import distill_stage, explore_stage, train_stage
 
 PLANNER = "fast-downward"
 TIME_LIMIT = 60.0

@@ -13,13 +13,14 @@ from neurosym.folder import DomainFolder
 def compile_domain(
     folder: Folder, cell: Annotated[float, arg(help="Edge of a grid cell [m].")] = 0.005
 ) -> int:
-    """Compile the PDDL domain: `primitives.json` -> `domain.pddl`, `domain-operators.pddl`, `grounding.json`.
+    """Compile the PDDL domain: `primitives.json` -> `domain.pddl` and its like, and `grounding.json`.
 
-    Both domains say the same and take the same problems: `domain.pddl` moves one axis at a time and stays
-    small on fine grids; `domain-operators.pddl` has one action for each operator and reads best.
+    All domains say the same. `domain.pddl` moves one axis at a time and stays small on fine grids;
+    `domain-operators.pddl` has one action for each operator, reads best, and takes the same problems;
+    `domain-numeric.pddl` has numbers instead of a grid, and takes the problems NAME.numeric.pddl.
     """
     from neurosym.pddl.grounding import Grounding
-    from neurosym.stages import compile_stage
+    from neurosym.pddl_stages import compile_stage
 
     domain = DomainFolder(folder)
     domain.perform(compile_stage(domain, cell=cell), again=True)
@@ -43,7 +44,7 @@ def new_problem(
     ] = (),
 ) -> int:
     """Make a problem: a random scene, and a goal that a random action leads to (as in the paper) or yours."""
-    from neurosym.stages import problem_stage
+    from neurosym.pddl_stages import problem_stage
 
     domain = DomainFolder(folder)
     goals = _parse_goals(goal) if goal else None

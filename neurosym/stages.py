@@ -4,33 +4,25 @@ The command line performs one stage at a time; `neurosym run` performs all of th
 inputs, options or outputs have changed. What is slow to import is imported where it is used.
 """
 
-from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
-
-import numpy as np
 
 from neurosym.choosing import CHOICES, choose
 from neurosym.console import progress_bar
 from neurosym.data_check import model_misfit, training_problems, world_misfit
 from neurosym.data_origin import box_of, is_explored
 from neurosym.errors import InvalidFile, InvalidValue, UnknownChoice
-from neurosym.files import read_json, write_atomically, write_json
+from neurosym.files import write_json
 from neurosym.folder import (
     DIRECT_MODEL,
-    DOMAIN,
-    GROUNDING,
     INTERACTIONS,
     MODEL,
-    OPERATORS_DOMAIN,
     PRIMITIVES,
     WORLD,
     DomainFolder,
     Stage,
 )
 from neurosym.interactions import Interactions
-from neurosym.operators import OperatorTable
-from neurosym.problems import Problem
 from neurosym.strategies import own_name, strategy_named
 from neurosym.training_config import REGIMES, Regime
 from neurosym.workers import WorldFactory
@@ -174,70 +166,6 @@ def distill_stage(
     return Stage("distill", (WORLD, MODEL, DIRECT_MODEL, INTERACTIONS), (PRIMITIVES,), work, options)
 
 
-def compile_stage(folder: DomainFolder, *, cell: float) -> Stage:
-    """Compile the domain: `primitives.json` -> `domain.pddl`, `domain-operators.pddl`, `grounding.json`.
-
-    Problems that are there already are printed again, so that they fit the new domain.
-    """
-
-    def work() -> None:
-        from neurosym.pddl import compile_domain, domain_text, problem_text
-        from neurosym.pddl.compiler import check_axes
-
-        table = read_json(folder.require(PRIMITIVES), OperatorTable)
-        check_axes(table)
-        if not (folder / WORLD).exists():
-            raise InvalidValue(
-                f"{folder / WORLD} is missing: a domain also needs where objects may stand and how far the "
-                f"hand rises; `neurosym init {folder.path} --world module:factory` writes it."
-            )
-        world = read_world(folder / WORLD)()
-        grounding = compile_domain(
-            table, name=world.name, cell=cell, table_bounds=world.table, lift_height=world.lift_height
-        )
-        write_atomically(folder / DOMAIN, domain_text(grounding, "stepwise"))
-        write_atomically(folder / OPERATORS_DOMAIN, domain_text(grounding, "operators"))
-        grounding.save(folder / GROUNDING)
-        for scene in sorted((folder / "problems").glob("*.scene.json")):
-            problem = Problem.load(scene)
-            write_atomically(folder / f"problems/{problem.name}.pddl", problem_text(problem, grounding))
-
-    outputs = (DOMAIN, OPERATORS_DOMAIN, GROUNDING)
-    return Stage("compile-domain", (WORLD, PRIMITIVES), outputs, work, {"cell": cell})
-
-
-def problem_stage(
-    folder: DomainFolder,
-    *,
-    name: str,
-    objects: int,
-    seed: int,
-    goals: Mapping[str, tuple[float, ...]] | None = None,
-) -> Stage:
-    """Make a problem: world, model and grounding -> `problems/NAME.pddl` and `problems/NAME.scene.json`."""
-    text, scene = f"problems/{name}.pddl", f"problems/{name}.scene.json"
-
-    def work() -> None:
-        from neurosym.effect_model import EffectModel
-        from neurosym.pddl import Grounding, problem_text
-        from neurosym.tasks import draw_problem, set_problem
-
-        world = read_world(folder.require(WORLD))()
-        grounding = Grounding.load(folder.require(GROUNDING))
-        categorise = EffectModel.load(folder.require(MODEL)).object_symbols
-        if goals is None:
-            problem = draw_problem(world, categorise, name=name, objects=objects, seed=seed)
-        else:
-            problem = set_problem(world, categorise, goals, name=name, objects=objects, seed=seed)
-        printed = problem_text(problem, grounding)
-        (folder / "problems").mkdir(exist_ok=True)
-        write_atomically(folder / text, printed)
-        problem.save(folder / scene)
-
-    options = {"objects": objects, "seed": seed, "goals": _plain(goals)}
-    return Stage(f"new-problem {name}", (WORLD, MODEL, GROUNDING), (text, scene), work, options)
-
-
 def check_choices(strategy: str, regime: str, min_predicted_effect: float = 0.0) -> Regime:
     """Return a regime, or raise unless there are such a strategy and regime, and they can be combined."""
     strategy_named(strategy, min_predicted_effect)
@@ -290,11 +218,3 @@ def check_steps(folder: DomainFolder, steps: int) -> None:
     if (count := len(Interactions.load(path))) > steps:
         said = f"{path} holds {count} interactions already, more than {steps}"
         raise InvalidValue(f"{said}; remove it, or ask for more.")
-
-
-def _plain(value: Any) -> Any:
-    if isinstance(value, Mapping):
-        return {key: _plain(entry) for key, entry in value.items()}
-    if isinstance(value, tuple | list):
-        return [_plain(entry) for entry in value]
-    return value.item() if isinstance(value, np.generic) else value

@@ -107,7 +107,7 @@ def goal_region(
     error_x, error_y, error_z = grounding.rounding()
     dx, dy, height = (end - start for end, start in zip(goal, item.position, strict=True))
     misses = {z: abs(z * grid.cell - height) + (error_z if z else 0.0) for z in levels(item, grounding)}
-    chosen = _best_levels(misses, tolerance)
+    chosen = best_levels(misses, tolerance)
     if not chosen:
         return GoalRegion(xy=(), z=())
     radius = math.sqrt(tolerance**2 - misses[chosen[-1]] ** 2)
@@ -138,7 +138,7 @@ def levels(item: SceneObject, grounding: Grounding) -> tuple[int, ...]:
     return (0, *sorted(set(lifts)))
 
 
-def _best_levels(misses: Mapping[int, float], tolerance: float) -> tuple[int, ...]:
+def best_levels(misses: Mapping[int, float], tolerance: float) -> tuple[int, ...]:
     """Choose the levels, nearest first, that leave the largest region: their number times the disc left.
 
     Args:

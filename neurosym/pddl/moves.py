@@ -9,7 +9,7 @@ from neurosym.pddl.grid import AXES
 from neurosym.pddl.grounding import Cells, Grounding, is_lift
 
 Encoding = str
-ENCODINGS: tuple[Encoding, ...] = ("stepwise", "operators")
+ENCODINGS: tuple[Encoding, ...] = ("stepwise", "operators", "numeric")
 
 PUT_DOWN = "put-down-"
 """What the name of an operator is preceded by where the object it lifted is put down again."""
@@ -61,7 +61,9 @@ def moves_of(grounding: Grounding) -> tuple[Move, ...]:
 
 
 def parts_of(move: Move, encoding: Encoding) -> tuple[tuple[str, tuple[int, ...]], ...]:
-    """List the PDDL actions that a move consists of, each with its name and the axes that it moves."""
+    """List the PDDL actions that a move consists of, with its name and the axes of which it names cells."""
+    if encoding == "numeric":
+        return ((move.name, ()),)
     if encoding == "operators" or len(move.axes) < 2:
         return ((move.name, move.axes),)
     others = ((f"{FINISH}{move.name}-{AXES[axis]}", (axis,)) for axis in move.axes[1:])

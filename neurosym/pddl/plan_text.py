@@ -87,7 +87,7 @@ def print_ground_plan(
                 ]
                 here[axis] += move.cells[axis]
             lines.append(f"({' '.join(words)})")
-    for name in sorted(problem.goals):
+    for name in sorted(problem.goals) if encoding != "numeric" else ():
         spot = " ".join(grid.cell_name(axis, index) for axis, index in enumerate(cells[name]))
         lines.append(f"({REACH_GOAL} {name} {spot})")
     return "\n".join(lines) + "\n"

@@ -1,4 +1,4 @@
-"""Printing a problem as PDDL; the text serves both encodings of the domain."""
+"""Printing a problem as PDDL; one text serves both encodings on a grid, another the numeric one."""
 
 import math
 import re
@@ -6,7 +6,9 @@ import re
 from neurosym.errors import InvalidValue
 from neurosym.pddl.grid import AXES, Grid, check_on_table, goal_region, grid_of
 from neurosym.pddl.grounding import Grounding
-from neurosym.pddl.moves import shift_predicate, shifts_of
+from neurosym.pddl.moves import Encoding, shift_predicate, shifts_of
+from neurosym.pddl.numeric import STEPS as NUMERIC_STEPS
+from neurosym.pddl.numeric import numeric_problem_text
 from neurosym.problems import Problem, SceneObject
 
 STEPS = 1
@@ -16,13 +18,22 @@ More would be safer, but smaller goals make plans longer or impossible; a replay
 """
 
 
-def problem_text(problem: Problem, grounding: Grounding, *, steps: int = STEPS, margin: int = 0) -> str:
+def problem_text(
+    problem: Problem,
+    grounding: Grounding,
+    encoding: Encoding = "stepwise",
+    *,
+    steps: int = STEPS,
+    margin: int = 0,
+) -> str:
     """Print a problem.
 
     Args:
         problem: The problem.
         grounding: The learned domain.
-        steps: How many steps the rounding of is taken off the goal regions.
+        encoding: The encoding of the domain it is for; `stepwise` and `operators` share a text.
+        steps: How many steps the rounding of is taken off the goal regions. For `numeric` it is that of ten
+            times as many, which is still less.
         margin: How many cells at either edge of the table no step may end in.
 
     Raises:
@@ -32,6 +43,8 @@ def problem_text(problem: Problem, grounding: Grounding, *, steps: int = STEPS, 
     grid = grid_of(grounding)
     for item in problem.objects:
         _check_object(item, grounding)
+    if encoding == "numeric":
+        return numeric_problem_text(problem, grounding, steps=steps * NUMERIC_STEPS)
     sections = [
         _header(problem, grounding, steps),
         f"(define (problem {problem.name})\n  (:domain {grounding.name})",
@@ -50,7 +63,7 @@ def _check_object(item: SceneObject, grounding: Grounding) -> None:
     check_on_table(item, grounding)
     words = {"movable", "object", *(category.name for category in grounding.operators.categories)}
     words |= {operator.name for operator in grounding.operators.operators}
-    if item.name in words or re.fullmatch(r"[xyz]\d+", item.name):
+    if item.name in words or re.fullmatch(r"[xyz]\d*", item.name):
         raise InvalidValue(f"No object can be called {item.name}, the domain uses that; try item-01.")
 
 

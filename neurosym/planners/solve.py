@@ -149,7 +149,7 @@ def _solve(
     with tempfile.TemporaryDirectory(prefix="neurosym-pddl-") as name:
         domain, task = Path(name) / "domain.pddl", Path(name) / "problem.pddl"
         domain.write_text(domain_text(narrowed, encoding))
-        task.write_text(problem_text(problem, narrowed, steps=slack.steps, margin=slack.margin))
+        task.write_text(problem_text(problem, narrowed, encoding, steps=slack.steps, margin=slack.margin))
         answer = planner(domain, task, time_limit=time_limit)
         steps = parse_plan(answer.text, Path(name) / "plan", grounding, problem)
     return PlanResult(answer.status, steps, answer.seconds, answer.reason)

@@ -1,0 +1,96 @@
+"""What the encodings print alike: headers, comments, actions, and what they ask of the hand."""
+
+import textwrap
+
+from neurosym.operators import Effect
+from neurosym.pddl.grounding import Grounding
+from neurosym.pddl.moves import Encoding, Move
+
+
+def header(grounding: Grounding, encoding: Encoding, about: list[str]) -> str:
+    """Print the comment that a domain begins with.
+
+    Args:
+        grounding: The learned domain.
+        encoding: Name of the encoding.
+        about: What is to be said about the encoding, one sentence a line.
+    """
+    lines = [
+        f"Learned domain {grounding.name}, encoding {encoding}. Printed by neurosym; do not edit.",
+        *about,
+        "After a lift the hand is full: only the put-down of that lift applies.",
+        "Cost of a step: 1 + round(-100 ln((k + 1) / (n + 2))), k successes in n rehearsals.",
+    ]
+    if grounding.operators.measured == "data":
+        lines.append("Nothing was rehearsed: by rehearsals, rows of the data are meant.")
+    return comment(lines, "")
+
+
+def hand_before(move: Move) -> tuple[list[str], list[str]]:
+    """Say what the hand must be like for a move to begin, and what it no longer is from then on."""
+    if move.kind == "put-down":
+        holding = f"(held-by-{move.operator.name} ?o)"
+        return [holding], [f"(not {holding})"]
+    return ["(hand-empty)"], ["(not (hand-empty))"] if move.kind == "lift" else []
+
+
+def hand_after(move: Move) -> list[str]:
+    """Say what the hand is like once a move is done and was not before."""
+    held = f"(held-by-{move.operator.name} ?o)"
+    return {"rest": [], "lift": [held], "put-down": ["(hand-empty)"]}[move.kind]
+
+
+def held_predicates(moves: tuple[Move, ...]) -> list[str]:
+    """List the predicates that say which lift holds an object."""
+    return [f"(held-by-{move.operator.name} ?o - {move.category})" for move in moves if move.kind == "lift"]
+
+
+def action_text(name: str, parameters: str, before: list[str], after: list[str]) -> str:
+    """Print an action, with its preconditions and effects."""
+    return "\n".join(
+        [
+            f"  (:action {name}",
+            f"    :parameters ({parameters})",
+            f"    :precondition (and {' '.join(before)})",
+            f"    :effect (and {' '.join(after)}))",
+        ]
+    )
+
+
+def about_move(move: Move, grounding: Grounding) -> str:
+    """Print the comment above the actions of a move: what was seen, and which motion it is."""
+    operator, promise = move.operator, move.operator.promise
+    if move.kind == "put-down":
+        return comment([f"Put down what {operator.name} lifted."], "  ")
+    assert promise is not None
+    action = " ".join(f"{value:.4f}" for value in grounding.primitive(operator.primitive).action)
+    lines = [
+        f"Primitive {operator.primitive} on category {operator.category} ({move.category}); ends "
+        f"{'held' if move.kind == 'lift' else 'at rest'} in {promise.count} of {operator.trials} rehearsals "
+        f"({promise.share:.0%}).",
+        f"Effect {_vector(promise.outcome)} mm, spread {_vector(promise.scatter)} mm; "
+        f"{operator.successes} of {operator.trials} rehearsals as promised: cost {move.cost}.",
+        f"Action parameters: {action}",
+    ]
+    return comment(lines, "  ")
+
+
+def left_out(grounding: Grounding) -> str:
+    """Print the comment that a domain ends with: which operators it does not have, and why."""
+    lines = [f"{name}: {reason}." for name, reason in grounding.left_out.items()]
+    return comment(["Left out:", *lines] if lines else ["No operator is left out."], "  ") + "\n"
+
+
+def comment(lines: list[str], indent: str) -> str:
+    """Print a comment, wrapped."""
+    wrapped = [part for line in lines for part in textwrap.wrap(line, 106 - len(indent))]
+    return "\n".join(f"{indent}; {line}" for line in wrapped)
+
+
+def millimetres(value: float) -> str:
+    """Print a length [m] in mm."""
+    return f"{round(value * 1000, 1) + 0.0:g}"
+
+
+def _vector(vector: Effect) -> str:
+    return "(" + ", ".join(millimetres(value) for value in vector) + ")"
