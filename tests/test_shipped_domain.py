@@ -50,9 +50,12 @@ def test_files_are_those_that_the_record_tells_of():
 def test_text_is_what_the_compiler_prints_from_the_table():
     assert (FOLDER / "domain.pddl").read_text() == domain_text(GROUNDING, "stepwise")
     assert (FOLDER / "domain-operators.pddl").read_text() == domain_text(GROUNDING, "operators")
+    assert (FOLDER / "domain-numeric.pddl").read_text() == domain_text(GROUNDING, "numeric")
     for name in NAMES:
-        printed = problem_text(load_problem(FOLDER, name), GROUNDING)
-        assert (FOLDER / f"problems/{name}.pddl").read_text() == printed
+        problem = load_problem(FOLDER, name)
+        for ending, encoding in ((".pddl", "stepwise"), (".numeric.pddl", "numeric")):
+            printed = problem_text(problem, GROUNDING, encoding)
+            assert (FOLDER / f"problems/{name}{ending}").read_text() == printed
 
 
 def test_grounding_holds_the_table_that_was_rehearsed():

@@ -70,7 +70,7 @@ def _check_object(item: SceneObject, grounding: Grounding) -> None:
 def _header(problem: Problem, grounding: Grounding, steps: int) -> str:
     return "\n".join(
         [
-            f"; Problem {problem.name} of the learned domain {grounding.name}, for both of its encodings.",
+            f"; Problem {problem.name} of the learned domain {grounding.name}, for its encodings on a grid.",
             f"; How it came about: {' '.join(problem.provenance.split())}.",
             f"; A goal is met within {problem.tolerance * 1000:g} mm. goal-xy and goal-z list the cells from",
             "; which it is met whatever the grid rounds on the way, in plans of at most",

@@ -1,4 +1,4 @@
-; Problem errand of the learned domain tabletop, for both of its encodings.
+; Problem errand of the learned domain tabletop, for its encodings on a grid.
 ; How it came about: seed 7.
 ; A goal is met within 50 mm. goal-xy and goal-z list the cells from
 ; which it is met whatever the grid rounds on the way, in plans of at most
