@@ -117,11 +117,11 @@ def goal_region(
     return GoalRegion(xy=inside, z=tuple(sorted(chosen)))
 
 
-def check_on_table(item: SceneObject, grounding: Grounding) -> None:
-    """Raise `InvalidValue` unless an object stands on the table."""
+def check_on_table(item: SceneObject, grounding: Grounding, *, off: float = 0.0) -> None:
+    """Raise `InvalidValue` unless an object stands on the table, or no farther off it than so much [m]."""
     (x_low, x_high), (y_low, y_high) = grounding.table.x, grounding.table.y
     x, y, _ = item.position
-    if not (x_low <= x <= x_high and y_low <= y <= y_high):
+    if not (x_low - off <= x <= x_high + off and y_low - off <= y <= y_high + off):
         raise InvalidValue(
             f"{item.name} stands at x = {x:.3f}, y = {y:.3f} m, off the table; valid: x {x_low:g} to "
             f"{x_high:g}, y {y_low:g} to {y_high:g} m."

@@ -6,6 +6,7 @@ from neurosym.planners.branching import branching_of as branching_of
 from neurosym.planners.branching import predicted_branching as predicted_branching
 from neurosym.planners.counting import fewest_steps as fewest_steps
 from neurosym.planners.counting import plan_counting as plan_counting
+from neurosym.planners.reach import plan_nearest as plan_nearest
 from neurosym.planners.registry import PLANNERS as PLANNERS
 from neurosym.planners.registry import plan as plan
 from neurosym.planners.result import PlanResult as PlanResult

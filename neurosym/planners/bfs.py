@@ -77,55 +77,8 @@ def plan_bfs(
             if time.perf_counter() - begin > time_limit:
                 reason = f"no plan in {time_limit:g} s; {length - 1} primitives do not suffice"
                 return PlanResult(PlanStatus.TIMEOUT, (), time.perf_counter() - begin, reason)
-    reason = explain_miss(problem, branching, table, depth=depth)
-    reason = reason or f"each goal can be reached alone, but {depth} primitives do not reach all of them"
+    reason = f"{depth} primitives do not suffice"
     return PlanResult(PlanStatus.UNSOLVABLE, (), time.perf_counter() - begin, reason)
-
-
-def explain_miss(problem: Problem, branching: Branching, table: Table, *, depth: int = DEPTH) -> str:
-    """Say which goal is out of reach of so many primitives, and how near its object can get.
-
-    Empty if each object alone can reach its goal.
-
-    Args:
-        problem: Where the objects are and shall be.
-        branching: What each primitive does to each object.
-        table: Where objects may stand.
-        depth: How many primitives a plan may have.
-    """
-    misses = nearest_misses(problem, branching, table, depth=depth)
-    far = {name: miss for name, miss in misses.items() if miss > problem.tolerance}
-    if not far:
-        return ""
-    name = max(far, key=lambda key: far[key])
-    return (
-        f"{name} cannot reach its goal: {depth} primitives bring it to {far[name] * 1000:.0f} mm from it, "
-        f"{problem.tolerance * 1000:.0f} mm are allowed"
-    )
-
-
-def nearest_misses(
-    problem: Problem, branching: Branching, table: Table, *, depth: int = DEPTH
-) -> dict[str, float]:
-    """Find how near each object with a goal can get to it [m], if the others stay where they are.
-
-    Args:
-        problem: Where the objects are and shall be.
-        branching: What each primitive does to each object.
-        table: Where objects may stand.
-        depth: How many primitives there may be.
-    """
-    nearest, room = problem.distances(problem.scene().positions), problem.room(table)
-    for index, item in enumerate(problem.objects):
-        if item.name not in nearest:
-            continue
-        start, goal = np.array([item.position]), np.array(problem.goals[item.name])
-        for length in range(1, depth + 1):
-            for level in _levels(start, branching.of_object(index), room[:, [index]], length):
-                ends = np.concatenate([level.lifted.reshape(-1, 3), level.settled.reshape(-1, 3)])
-                misses = np.linalg.norm(ends - goal, axis=-1)
-                nearest[item.name] = min(nearest[item.name], float(np.nanmin(misses, initial=np.inf)))
-    return nearest
 
 
 def _levels(

@@ -8,7 +8,7 @@ The order matters only for staying on the table, and is looked for afterwards.
 import math
 import time
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import lru_cache
 
 import numpy as np
@@ -57,12 +57,14 @@ class Candidate:
         held: Whether the last of them is a lift without a put-down.
         cost: What they cost together.
         end: Where the object ends [m].
+        miss: How far from the goal that is, if farther than allowed [m].
     """
 
     moves: tuple[int, ...]
     held: bool
     cost: int
     end: Vector
+    miss: float = 0.0
 
 
 @lru_cache(maxsize=128)
@@ -138,6 +140,37 @@ def candidates(
         if time.perf_counter() > deadline:
             return
         length += 1
+
+
+def nearest(
+    choices: Choices, goal: Vector, *, depth: int, at_rest: bool = False, anywhere: bool = False
+) -> Candidate:
+    """Find how to bring an object as near to its goal as it comes, with the fewest moves among equals.
+
+    Args:
+        choices: What can be done to the object.
+        goal: Where its centre shall come to be [m].
+        depth: Most moves.
+        at_rest: Whether it may not end held.
+        anywhere: Whether it may leave its room; the moves are in no particular order then.
+    """
+    room = np.array([[-np.inf], [np.inf]]).repeat(2, axis=1) if anywhere else choices.room
+    free = replace(choices, room=room)
+    x, y, z = map(float, choices.start)
+    best = Candidate((), False, 0, (x, y, z), math.dist(choices.start, goal))
+    for length in range(1, depth + 1):
+        if not is_countable(choices, length):
+            break
+        for lift, places in ends(choices, length):
+            if lift is not None and at_rest:
+                continue
+            misses = np.linalg.norm(places - np.array(goal), axis=-1)
+            rows = np.flatnonzero((misses < best.miss - 1e-9) & free.is_inside(places))
+            for row in rows[np.argsort(misses[rows], kind="stable")]:
+                if found := in_order(free, length, int(row), lift):
+                    best = replace(found, miss=float(misses[row]))
+                    break
+    return best
 
 
 def in_order(choices: Choices, length: int, row: int, lift: int | None) -> Candidate | None:

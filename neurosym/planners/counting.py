@@ -21,7 +21,7 @@ from neurosym.pddl.moves import PUT_DOWN, cost
 from neurosym.pddl.plan_text import PlanStep
 from neurosym.pddl.replay import footprints_apart, overlapping
 from neurosym.planners.branching import Branching, Names, branching_of
-from neurosym.planners.count_vectors import Candidate, Choices, candidates
+from neurosym.planners.count_vectors import Candidate, Choices, candidates, nearest
 from neurosym.planners.ordering import mend
 from neurosym.planners.result import PlanResult, PlanStatus
 from neurosym.problems import Problem
@@ -42,7 +42,7 @@ def plan_counting(problem: Problem, grounding: Grounding, *, time_limit: float =
         UnknownChoice: If an object is of a category that the domain does not have.
     """
     begin = time.perf_counter()
-    search = _Join(problem, grounding, begin + time_limit)
+    search = Join(problem, grounding, deadline=begin + time_limit)
     for number, steps in enumerate(search.plans(), start=1):
         ordered, checked = mend(steps, problem, grounding)
         seconds = time.perf_counter() - begin
@@ -70,7 +70,7 @@ def fewest_steps(problem: Problem, grounding: Grounding) -> int | None:
     Raises:
         UnknownChoice: If an object is of a category that the domain does not have.
     """
-    join = _Join(problem, grounding)
+    join = Join(problem, grounding)
     saved, total = [0], 0
     must_be_held = 0
     for name in problem.goals:
@@ -136,11 +136,26 @@ _Pick = tuple[bool, int]
 """Whether an object must end at rest, and which of its candidates is picked."""
 
 
-class _Join:
+class Join:
     """Picks a candidate for each object with a goal, the fewest moves and then the cheapest first."""
 
-    def __init__(self, problem: Problem, grounding: Grounding, deadline: float = math.inf) -> None:
-        self._deadline = deadline
+    def __init__(
+        self,
+        problem: Problem,
+        grounding: Grounding,
+        *,
+        deadline: float = math.inf,
+        nearest_depth: int | None = None,
+    ) -> None:
+        """Look at what can be done to each object.
+
+        Args:
+            problem: The problem.
+            grounding: The learned domain.
+            deadline: When to stop, by `time.perf_counter()` [s].
+            nearest_depth: Where no candidate reaches a goal, take the nearest with so many moves, if given.
+        """
+        self._deadline, self._nearest_depth = deadline, nearest_depth
         for item in problem.objects:
             grounding.category(item.category)
         branching, names = branching_of(problem, grounding)
@@ -159,24 +174,31 @@ class _Join:
         """Return a candidate of an object, counted from the best, or None if there are not so many."""
         key = (name, at_rest)
         if key not in self._listed:
-            goal, tolerance = self._problem.goals[name], self._problem.tolerance
-            source = candidates(
-                self._choices[name], goal, tolerance, at_rest=at_rest, deadline=self._deadline
-            )
-            self._listed[key] = _Listed(source)
+            self._listed[key] = _Listed(self._candidates(name, at_rest))
         return self._listed[key].at(index)
+
+    def _candidates(self, name: str, at_rest: bool) -> Iterator[Candidate]:
+        choices, goal = self._choices[name], self._problem.goals[name]
+        found = candidates(choices, goal, self._problem.tolerance, at_rest=at_rest, deadline=self._deadline)
+        first = next(found, None)
+        if first is None and self._nearest_depth is not None:
+            first = nearest(choices, goal, depth=self._nearest_depth, at_rest=at_rest)
+        if first is not None:
+            yield first
+        yield from found
 
     def plans(self) -> Iterator[tuple[PlanStep, ...]]:
         """List plans in which no two objects end in each other or in the hand; orders are not looked at."""
         first: tuple[_Pick, ...] = tuple((False, 0) for _ in self._names)
         seen, ticket = {first}, count()
-        waiting: list[tuple[int, int, int, tuple[_Pick, ...]]] = []
+        waiting: list[tuple[float, int, int, int, tuple[_Pick, ...]]] = []
 
         def push(picks: tuple[_Pick, ...]) -> None:
             picked = self._picked(picks)
             if picked is not None:
-                moves, costs = sum(len(one.moves) for one in picked), sum(one.cost for one in picked)
-                heapq.heappush(waiting, (moves, costs, next(ticket), picks))
+                miss, moves = sum(one.miss for one in picked), sum(len(one.moves) for one in picked)
+                costs = sum(one.cost for one in picked)
+                heapq.heappush(waiting, (miss, moves, costs, next(ticket), picks))
 
         push(first)
         while waiting:

@@ -24,7 +24,7 @@ _Block = tuple[PlanStep, ...]
 def mend(
     steps: Sequence[PlanStep], problem: Problem, grounding: Grounding
 ) -> tuple[tuple[PlanStep, ...], Replay]:
-    """Find an order of the steps whose replay is right, beginning with the one given.
+    """Find an order of the steps in which all are possible, beginning with the one given.
 
     Args:
         steps: The plan.
@@ -32,7 +32,7 @@ def mend(
         grounding: The learned domain.
 
     Returns:
-        The first order that is right, or the one given if none is; and its replay.
+        The first order that is possible, or the one given if none is; and its replay.
     """
     given = replay(steps, problem, grounding)
     if given.possible:
@@ -41,7 +41,7 @@ def mend(
     last = blocks.pop() if ends_held(steps, grounding) else ()
     if blocks and (found := _Search(blocks, problem, grounding).run()) is not None:
         ordered = (*found, *last)
-        if (checked := replay(ordered, problem, grounding)).valid:
+        if (checked := replay(ordered, problem, grounding)).possible:
             return ordered, checked
     return tuple(steps), given
 

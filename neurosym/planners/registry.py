@@ -1,14 +1,18 @@
 """The planners by name, behind one call."""
 
+import dataclasses
+
 from neurosym.errors import UnknownChoice
+from neurosym.pddl.grid import check_on_table
 from neurosym.pddl.grounding import Grounding
 from neurosym.pddl.moves import Encoding
-from neurosym.planners.bfs import plan_bfs
+from neurosym.planners.bfs import DEPTH, plan_bfs
 from neurosym.planners.branching import Branching, branching_of
 from neurosym.planners.counting import plan_counting
-from neurosym.planners.result import PlanResult
+from neurosym.planners.reach import explain_no_plan
+from neurosym.planners.result import PlanResult, PlanStatus
 from neurosym.planners.solve import plan_pddl
-from neurosym.problems import Problem
+from neurosym.problems import NEAR_TABLE, Problem
 
 PLANNERS = {
     "bfs": "breadth-first search over the effects that the model predicts, up to 3 primitives (the paper's)",
@@ -17,6 +21,9 @@ PLANNERS = {
     "up-fast-downward": "Fast Downward through unified-planning, several times slower on fine grids",
 }
 """What each planner is, by the name that the command line knows it by."""
+
+SEARCHES = {"bfs": DEPTH, "counting": None}
+"""How many primitives our own planners look ahead."""
 
 
 def plan(
@@ -27,6 +34,7 @@ def plan(
     branching: tuple[Branching, tuple[tuple[str, ...], ...]] | None = None,
     time_limit: float = 60.0,
     encoding: Encoding = "stepwise",
+    whole: bool = False,
 ) -> PlanResult:
     """Plan with any of `PLANNERS`.
 
@@ -38,16 +46,24 @@ def plan(
             operators promise, if not given.
         time_limit: When to give up [s].
         encoding: For PDDL planners, the encoding of the domain.
+        whole: For PDDL planners, solve for all objects at once instead of one by one.
 
     Raises:
         UnknownChoice: If there is no such planner or encoding, or an object's category is unknown.
-        InvalidValue: If an object stands off the table.
+        InvalidValue: If an object stands farther off the table than a push may have left it.
     """
     if planner not in PLANNERS:
         raise UnknownChoice("planner", planner, PLANNERS)
+    for item in problem.objects:
+        check_on_table(item, grounding, off=NEAR_TABLE)
+    if planner not in SEARCHES:
+        return plan_pddl(problem, grounding, planner, time_limit=time_limit, encoding=encoding, whole=whole)
+    table = branching or branching_of(problem, grounding)
     if planner == "bfs":
-        table, names = branching or branching_of(problem, grounding)
-        return plan_bfs(problem, table, names, grounding.table, time_limit=time_limit)
-    if planner == "counting":
-        return plan_counting(problem, grounding, time_limit=time_limit)
-    return plan_pddl(problem, grounding, planner, time_limit=time_limit, encoding=encoding)
+        result = plan_bfs(problem, *table, grounding.table, time_limit=time_limit)
+    else:
+        result = plan_counting(problem, grounding, time_limit=time_limit)
+    if result.status is not PlanStatus.UNSOLVABLE:
+        return result
+    why = explain_no_plan(problem, grounding, branching=table, depth=SEARCHES[planner])
+    return dataclasses.replace(result, reason=why or result.reason)

@@ -7,9 +7,10 @@ from neurosym.pddl.plan_text import PlanStep
 
 
 class PlanStatus(Enum):
-    """How a search for a plan ended."""
+    """How a search for a plan ended; `NEAREST` is a plan that comes as near to the goal as can be."""
 
     SOLVED = "solved"
+    NEAREST = "nearest"
     UNSOLVABLE = "unsolvable"
     TIMEOUT = "timeout"
     FAILED = "failed"
@@ -21,7 +22,7 @@ class PlanResult:
 
     Attributes:
         status: How the search ended.
-        steps: The plan; empty unless solved.
+        steps: The plan; empty unless solved or nearest.
         seconds: How long it took [s].
         reason: Why there is no plan, or what is to be said about the one found.
     """

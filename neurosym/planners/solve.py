@@ -3,38 +3,51 @@
 Objects do not interact in our domains. So a problem with several goals is solved one object at a time, which
 is cheap and makes every plan the cheapest, and the plans are put one after another; one that ends with its
 object held comes last. A replay with exact displacements then says whether the plan is true. If it is not,
-its steps are put in another order, and if that does not help, it is planned again with smaller goal regions.
+its steps are put in another order, and if that does not help, it is planned again with smaller goal regions,
+and then on a finer grid.
 """
 
 import dataclasses
 import tempfile
 import time
+from collections import Counter
 from collections.abc import Callable
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 import msgspec
+import numpy as np
+from jaxtyping import Float
 
 from neurosym.errors import UnknownChoice
 from neurosym.pddl.domain import domain_text
 from neurosym.pddl.grounding import Grounding
 from neurosym.pddl.moves import Encoding
-from neurosym.pddl.plan_text import PlanStep, parse_plan
+from neurosym.pddl.plan_text import parse_plan
 from neurosym.pddl.problem import STEPS, problem_text
-from neurosym.planners.bfs import explain_miss
-from neurosym.planners.branching import branching_of
+from neurosym.pddl.replay import replay
+from neurosym.planners.counting import fewest_steps, plan_counting
 from neurosym.planners.fast_downward import plan_fast_downward
 from neurosym.planners.ordering import ends_held, mend
+from neurosym.planners.reach import explain_hand, explain_no_plan
 from neurosym.planners.result import PlannerAnswer, PlanResult, PlanStatus
 from neurosym.planners.unified_planning import plan_unified_planning
 from neurosym.problems import Problem
+from neurosym.world import Table
 
 PddlPlanner = Callable[..., PlannerAnswer]
 PDDL_PLANNERS: dict[str, PddlPlanner] = {
     "fast-downward": plan_fast_downward,
     "up-fast-downward": plan_unified_planning,
 }
-ATTEMPTS = 3
-"""How often a problem is solved before its replay must be right."""
+ATTEMPTS = 4
+"""How often a problem is solved before its replay must be right; the later half on a finer grid."""
+FINER = 3
+"""How many times finer that grid is."""
+NARROWER = 4
+"""By how much goals are narrowed if objects would end in each other."""
+WORKERS = 2
+"""How many objects are planned for at the same time."""
 
 
 @dataclasses.dataclass(frozen=True, slots=True)
@@ -42,12 +55,17 @@ class _Slack:
     """How far plans must keep from the edge of what is allowed.
 
     Attributes:
-        steps: How many steps the rounding of is taken off the goal regions.
+        steps: How many steps with an object the rounding of is taken off its goal region.
         margin: How many cells at the edges of the table are not used.
+        finer: How many times finer the grid is than that of the domain.
     """
 
     steps: int
-    margin: int
+    margin: int = 0
+    finer: int = 1
+
+
+_Solve = Callable[[Problem, _Slack], PlanResult]
 
 
 def plan_pddl(
@@ -57,6 +75,7 @@ def plan_pddl(
     *,
     time_limit: float = 60.0,
     encoding: Encoding = "stepwise",
+    whole: bool = False,
 ) -> PlanResult:
     """Solve a problem with a PDDL planner, and believe the plan only if its exact replay is right.
 
@@ -66,6 +85,7 @@ def plan_pddl(
         planner: Name of the planner, a key of `PDDL_PLANNERS`.
         time_limit: When to give up [s].
         encoding: The encoding of the domain.
+        whole: Solve for all objects at once instead of one by one.
 
     Raises:
         UnknownChoice: If there is no such planner or encoding, or an object's category is unknown.
@@ -76,62 +96,98 @@ def plan_pddl(
     begin = time.perf_counter()
     if problem.is_met(problem.scene().positions):
         return PlanResult(PlanStatus.SOLVED, (), 0.0, "the goal is met at the start")
-    if len(in_the_air := _in_the_air(problem)) > 1:
-        reason = f"{' and '.join(in_the_air)} would have to be held at the end, and there is one hand"
+    if reason := explain_hand(problem):
         return PlanResult(PlanStatus.UNSOLVABLE, (), 0.0, reason)
 
     def solve(task: Problem, slack: _Slack) -> PlanResult:
         left = time_limit - (time.perf_counter() - begin)
+        if left <= 0:
+            return PlanResult(PlanStatus.TIMEOUT, (), 0.0, f"no plan in {time_limit:g} s")
         return _solve(task, grounding, PDDL_PLANNERS[planner], left, encoding, slack)
 
-    result = _plan_and_replay(problem, grounding, solve)
+    result = (_believed if whole else _one_by_one)(problem, grounding, solve)
     return dataclasses.replace(result, seconds=time.perf_counter() - begin)
 
 
-def _in_the_air(problem: Problem) -> list[str]:
-    """List the objects whose goal is too high, or too low, to be met at rest."""
-    items = ((name, problem.object_named(name), goal) for name, goal in problem.goals.items())
-    return [name for name, item, goal in items if abs(goal[2] - item.position[2]) > problem.tolerance]
-
-
-def _plan_and_replay(
-    problem: Problem, grounding: Grounding, solve: Callable[[Problem, _Slack], PlanResult]
-) -> PlanResult:
-    slack, said = _Slack(STEPS, 0), ""
-    for attempt in range(1, ATTEMPTS + 1):
-        result = _plan_once(problem, grounding, solve, slack)
-        if result.status is PlanStatus.UNSOLVABLE and slack.steps:
-            # The regions may have been shrunk too far: what has no plan without that has none at all.
-            result = _plan_once(problem, grounding, solve, _Slack(0, slack.margin))
+def _one_by_one(problem: Problem, grounding: Grounding, solve: _Solve) -> PlanResult:
+    """Solve a problem one object at a time; whole, if the hand would have to hold two in the end."""
+    result, joined = _joined(problem, grounding, solve), problem
+    if result.status is not PlanStatus.SOLVED:
+        return result
+    steps, checked = mend(result.steps, problem, grounding)
+    if not checked.valid and (apart := _kept_apart(problem, grounding)):
+        result, joined = _joined(apart, grounding, solve), apart
         if result.status is not PlanStatus.SOLVED:
-            return _explained(result, problem, grounding)
+            return result
         steps, checked = mend(result.steps, problem, grounding)
-        if checked.valid:
-            return dataclasses.replace(result, steps=steps, reason=said)
-        said = f"attempt {attempt + 1}, after a replay that said: {checked.reason}"
-        slack = _Slack(max(2 * slack.steps, len(steps)), slack.margin + 1)
-    reason = f"no plan was true when replayed, in {ATTEMPTS} attempts; the last: {checked.reason}"
+    if checked.valid:
+        said = "" if joined is problem else "goals were narrowed, for objects would have ended in each other"
+        return dataclasses.replace(result, steps=steps, reason=said or result.reason)
+    reason = f"no plan was true when replayed; the last: {checked.reason}"
     return PlanResult(PlanStatus.FAILED, (), 0.0, reason)
 
 
-def _plan_once(
-    problem: Problem, grounding: Grounding, solve: Callable[[Problem, _Slack], PlanResult], slack: _Slack
-) -> PlanResult:
-    """Solve a problem one object at a time, or whole if the hand would have to hold two in the end."""
-    if len(problem.goals) == 1:
-        return solve(problem, slack)
-    plans: list[tuple[PlanStep, ...]] = []
-    for name, goal in problem.goals.items():
-        alone = msgspec.structs.replace(problem, objects=(problem.object_named(name),), goals={name: goal})
-        result = solve(alone, slack)
-        if result.status is not PlanStatus.SOLVED:
-            return result
-        plans.append(result.steps)
-    held = [plan for plan in plans if ends_held(plan, grounding)]
+def _joined(problem: Problem, grounding: Grounding, solve: _Solve) -> PlanResult:
+    """Put the plans for the objects one after another, the one that ends with its object held last."""
+    tasks = [
+        msgspec.structs.replace(problem, objects=(problem.object_named(name),), goals={name: goal})
+        for name, goal in problem.goals.items()
+    ]
+    plans: list[PlanResult] = []
+    with ThreadPoolExecutor(WORKERS) as pool:
+        for result in pool.map(lambda task: _believed(task, grounding, solve), tasks):
+            if result.status is not PlanStatus.SOLVED:
+                pool.shutdown(wait=False, cancel_futures=True)
+                return result
+            plans.append(result)
+    held = [plan for plan in plans if ends_held(plan.steps, grounding)]
     if len(held) > 1:
-        return solve(problem, slack)
-    resting = [plan for plan in plans if not ends_held(plan, grounding)]
-    return PlanResult(PlanStatus.SOLVED, tuple(step for plan in [*resting, *held] for step in plan), 0.0)
+        return _believed(problem, grounding, solve)
+    resting = [plan for plan in plans if not ends_held(plan.steps, grounding)]
+    steps = tuple(step for plan in [*resting, *held] for step in plan.steps)
+    return PlanResult(PlanStatus.SOLVED, steps, 0.0, next((plan.reason for plan in plans if plan.reason), ""))
+
+
+def _kept_apart(problem: Problem, grounding: Grounding) -> Problem | None:
+    """Narrow the goals to where the objects do not end in each other, if there are plans to such places."""
+    found = plan_counting(problem, grounding, time_limit=1.0)
+    if found.status is not PlanStatus.SOLVED:
+        return None
+    ends = replay(found.steps, problem, grounding).positions[-1]
+    goals = {name: ends[problem.object_names.index(name)].tolist() for name in problem.goals}
+    return msgspec.structs.replace(
+        problem,
+        goals={name: (x, y, z) for name, (x, y, z) in goals.items()},
+        tolerance=max(problem.tolerance / NARROWER, 1.5 * grounding.cell),
+    )
+
+
+def _believed(problem: Problem, grounding: Grounding, solve: _Solve) -> PlanResult:
+    """Solve a problem until the replay of the plan is right; each time with more slack, and then finer."""
+    slack, said = _Slack(STEPS), ""
+    for attempt in range(1, ATTEMPTS + 1):
+        result = solve(problem, slack)
+        if result.status is PlanStatus.UNSOLVABLE and (slack.steps or slack.margin):
+            # What has no plan in a smaller region may have one in the whole.
+            result = solve(problem, _Slack(0, 0, slack.finer))
+        if result.status is PlanStatus.UNSOLVABLE:
+            if said == "" and fewest_steps(problem, grounding) is None:
+                return _explained(result, problem, grounding)
+            wrong, longest = "that there is none on so coarse a grid", 0
+        elif result.status is not PlanStatus.SOLVED:
+            return result
+        else:
+            steps, checked = mend(result.steps, problem, grounding)
+            if checked.valid:
+                return dataclasses.replace(result, steps=steps, reason=said)
+            wrong = checked.reason
+            longest = max(Counter(step.object for step in steps).values())
+        said = f"attempt {attempt + 1}, after a replay that said: {wrong}"
+        finer = FINER if attempt >= ATTEMPTS // 2 else 1
+        steps_reckoned = STEPS if finer > slack.finer else 2 * slack.steps
+        slack = _Slack(max(steps_reckoned, longest), slack.margin + 1, finer)
+    reason = f"no plan was true when replayed, in {ATTEMPTS} attempts; the last: {wrong}"
+    return PlanResult(PlanStatus.FAILED, (), 0.0, reason)
 
 
 def _solve(
@@ -145,7 +201,7 @@ def _solve(
     """Print domain and problem, call the planner, and read what it wrote."""
     if problem.is_met(problem.scene().positions):
         return PlanResult(PlanStatus.SOLVED, (), 0.0)
-    narrowed = grounding.narrowed({item.category for item in problem.objects})
+    narrowed = _fitted(grounding, problem, slack.finer)
     with tempfile.TemporaryDirectory(prefix="neurosym-pddl-") as name:
         domain, task = Path(name) / "domain.pddl", Path(name) / "problem.pddl"
         domain.write_text(domain_text(narrowed, encoding))
@@ -155,10 +211,24 @@ def _solve(
     return PlanResult(answer.status, steps, answer.seconds, answer.reason)
 
 
+def _fitted(grounding: Grounding, problem: Problem, finer: int) -> Grounding:
+    """Keep only what the problem needs, on a finer grid, with a table that reaches to where objects stand."""
+    categories = {item.category for item in problem.objects}
+    kept = tuple(operator for operator in grounding.live if operator.category in categories)
+    (x_low, y_low), (x_high, y_high) = (edge.tolist() for edge in _edges(problem.room(grounding.table)))
+    return msgspec.structs.replace(
+        grounding,
+        cell=grounding.cell / finer,
+        table=Table(x=(x_low, x_high), y=(y_low, y_high)),
+        operators=msgspec.structs.replace(grounding.operators, operators=kept),
+    )
+
+
+def _edges(room: Float[np.ndarray, "2 M 2"]) -> tuple[Float[np.ndarray, "2"], Float[np.ndarray, "2"]]:
+    return room[0].min(axis=0), room[1].max(axis=0)
+
+
 def _explained(result: PlanResult, problem: Problem, grounding: Grounding) -> PlanResult:
     """Add to a result without a plan which goal is out of reach, if it was proved that there is none."""
-    if result.status is not PlanStatus.UNSOLVABLE:
-        return result
-    branching, _ = branching_of(problem, grounding)
-    miss = explain_miss(problem, branching, grounding.table)
-    return dataclasses.replace(result, reason="; ".join(filter(None, (result.reason, miss))))
+    why = explain_no_plan(problem, grounding)
+    return dataclasses.replace(result, reason="; ".join(filter(None, (result.reason, why))))

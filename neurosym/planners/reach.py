@@ -1,0 +1,136 @@
+"""No plan is an answer: which goal cannot be met, why, and how near its object can come.
+
+Counting (see `count_vectors`) says it exactly: a goal may be out of every primitive's reach, on the table or
+anywhere; to be had only by leaving the table; too many primitives away for a planner that looks only so deep;
+or in the air together with another, while there is one hand.
+"""
+
+import time
+from dataclasses import dataclass
+
+from neurosym.operators import Vector
+from neurosym.pddl.grounding import Grounding
+from neurosym.planners.branching import Branching, Names, branching_of
+from neurosym.planners.count_vectors import Choices, candidates, nearest
+from neurosym.planners.counting import Join, choices_of
+from neurosym.planners.ordering import mend
+from neurosym.planners.result import PlanResult, PlanStatus
+from neurosym.problems import Problem
+
+DEPTH = 8
+"""How many primitives with an object are looked at for how near it can come."""
+
+
+def explain_no_plan(
+    problem: Problem,
+    grounding: Grounding,
+    *,
+    branching: tuple[Branching, Names] | None = None,
+    depth: int | None = None,
+) -> str:
+    """Say which goals cannot be met, and why; empty if nothing is known to stand against a plan.
+
+    Args:
+        problem: The problem.
+        grounding: The learned domain.
+        branching: What is predicted for each object, and the operators' names; what the live operators
+            promise, if not given.
+        depth: How many primitives the planner looks ahead, if it is limited.
+    """
+    table, names = branching or branching_of(problem, grounding)
+    rows = zip(problem.objects, choices_of(problem, table, grounding, names), strict=True)
+    found = {
+        item.name: _Reach(item.name, choices, problem.goals[item.name], problem.tolerance)
+        for item, choices in rows
+        if item.name in problem.goals
+    }
+    fewest = {name: reach.fewest() for name, reach in found.items()}
+    if out := [reach.explain() for name, reach in found.items() if fewest[name] is None]:
+        return "; ".join(out)
+    if hand := explain_hand(problem):
+        return hand
+    needed = {name: count for name, count in fewest.items() if count}
+    if depth is None or sum(needed.values()) <= depth:
+        return ""
+    if deep := [f"{name} {count}" for name, count in needed.items() if count > depth]:
+        return f"too deep: {_listed(deep)} primitives away from the goal, and only {depth} are looked at"
+    return (
+        f"too deep: each goal can be reached alone, but together they take {sum(needed.values())} primitives "
+        f"({_listed([f'{name} {count}' for name, count in needed.items()])}), and only {depth} are looked at"
+    )
+
+
+def explain_hand(problem: Problem) -> str:
+    """Say which objects would have to be held at the end, if it is more than one.
+
+    An object whose goal is farther above or below it than the tolerance cannot meet it at rest.
+    """
+    items = ((name, problem.object_named(name), goal) for name, goal in problem.goals.items())
+    names = [name for name, item, goal in items if abs(goal[2] - item.position[2]) > problem.tolerance]
+    if len(names) < 2:
+        return ""
+    return f"{_listed(names)} would have to be held at the end, and there is one hand"
+
+
+def plan_nearest(problem: Problem, grounding: Grounding, *, time_limit: float = 60.0) -> PlanResult:
+    """Plan to the goals, where they can be reached, and else as near to them as objects come.
+
+    Args:
+        problem: The problem.
+        grounding: The learned domain.
+        time_limit: When to give up [s].
+
+    Returns:
+        A plan that is solved, or nearest and says how far objects stay from their goals.
+
+    Raises:
+        UnknownChoice: If an object is of a category that the domain does not have.
+    """
+    begin = time.perf_counter()
+    for steps in Join(problem, grounding, deadline=begin + time_limit, nearest_depth=DEPTH).plans():
+        ordered, checked = mend(steps, problem, grounding)
+        seconds = time.perf_counter() - begin
+        if checked.valid:
+            return PlanResult(PlanStatus.SOLVED, ordered, seconds)
+        if checked.possible:
+            misses = problem.distances(checked.positions[-1]).items()
+            far = [f"{name} {miss * 1000:.0f} mm" for name, miss in misses if miss > problem.tolerance]
+            reason = f"at the end, {_listed(far)} from its goal" if len(far) == 1 else ""
+            reason = reason or f"at the end, {_listed(far)} from their goals"
+            return PlanResult(PlanStatus.NEAREST, ordered, seconds, reason)
+        if seconds > time_limit:
+            break
+    seconds = time.perf_counter() - begin
+    return PlanResult(PlanStatus.TIMEOUT, (), seconds, f"no plan to the nearest point in {time_limit:g} s")
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class _Reach:
+    """One object and its goal."""
+
+    name: str
+    choices: Choices
+    goal: Vector
+    tolerance: float
+
+    def fewest(self) -> int | None:
+        """Return how many primitives bring the object to its goal, or None if none do."""
+        found = next(candidates(self.choices, self.goal, self.tolerance), None)
+        return None if found is None else len(found.moves)
+
+    def explain(self) -> str:
+        """Say why the goal cannot be met."""
+        on_table = nearest(self.choices, self.goal, depth=DEPTH).miss
+        allowed = f"{on_table * 1000:.0f} mm from it, {self.tolerance * 1000:.0f} mm are allowed"
+        if nearest(self.choices, self.goal, depth=DEPTH, anywhere=True).miss <= self.tolerance:
+            return (
+                f"{self.name} cannot reach its goal without leaving the table: on it, it comes to {allowed}"
+            )
+        return (
+            f"{self.name} cannot reach its goal: out of every primitive's reach, up to {DEPTH} primitives "
+            f"bring it to {allowed}"
+        )
+
+
+def _listed(words: list[str]) -> str:
+    return " and ".join(words)
