@@ -4,7 +4,7 @@ VENV ?= .venv
 PYTHON ?= $(firstword $(shell command -v python3.11) $(shell command -v python3))
 BIN := $(VENV)/bin
 
-.PHONY: install demo test lint evaluate evaluate-world evaluate-learning clean
+.PHONY: install demo test lint evaluate evaluate-world evaluate-learning tutorial clean
 
 install: $(VENV)/.installed
 
@@ -43,6 +43,10 @@ SEEDS ?= 5
 STEPS ?= 5120
 evaluate-learning: install
 	$(BIN)/python tools/evaluate_learning.py --seeds $(SEEDS) --steps $(STEPS)
+
+# Runs docs/tutorial.ipynb and stores what its cells say: some minutes.
+tutorial: install
+	$(BIN)/python tools/run_tutorial.py
 
 clean:
 	rm -rf $(VENV) demo
