@@ -1,29 +1,57 @@
 """The stages that use a learned domain: from a problem to a plan, and from a plan to what became of it."""
 
+import dataclasses
 from collections.abc import Sequence
 
 import msgspec
 
-from neurosym.errors import StageMissing, UnknownChoice
+from neurosym.errors import InvalidValue, StageMissing, UnknownChoice
 from neurosym.files import write_atomically, write_json
 from neurosym.folder import GROUNDING, MODEL, DomainFolder, Stage
+from neurosym.pddl.grid import check_on_table
 from neurosym.pddl.grounding import Grounding
 from neurosym.pddl.moves import Encoding
 from neurosym.pddl.plan_text import PlanStep, print_ground_plan, print_plan
-from neurosym.planners import PLANNERS, Branching, PlanStatus, plan, predicted_branching
+from neurosym.pddl.replay import expected_success
+from neurosym.planners import (
+    PLANNERS,
+    Branching,
+    PlanResult,
+    PlanStatus,
+    alternatives,
+    plan,
+    plan_nearest,
+    predicted_branching,
+)
 from neurosym.problems import Problem
 
 
-class PlanRecord(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
+class PlannedSteps(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
+    """One more plan for a problem.
+
+    Attributes:
+        file: Its file, relative to the folder.
+        steps: Operator and object of each step.
+        chance: The chance that all steps go as promised.
+    """
+
+    file: str
+    steps: tuple[tuple[str, str], ...]
+    chance: float
+
+
+class PlanRecord(msgspec.Struct, frozen=True, forbid_unknown_fields=True, omit_defaults=True):
     """How planning went.
 
     Attributes:
         problem: Name of the problem.
         planner: Name of the planner.
         status: One of `PlanStatus`.
-        steps: Operator and object of each step; empty unless solved.
+        steps: Operator and object of each step; empty unless solved or nearest.
         seconds: How long it took [s].
         reason: Why there is no plan, or what is to be said about the one found.
+        chance: The chance that all steps go as promised; None without a plan.
+        alternatives: The next-best plans, if they were asked for.
     """
 
     problem: str
@@ -32,6 +60,8 @@ class PlanRecord(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     steps: tuple[tuple[str, str], ...]
     seconds: float
     reason: str
+    chance: float | None = None
+    alternatives: tuple[PlannedSteps, ...] = ()
 
     @property
     def solved(self) -> bool:
@@ -63,38 +93,112 @@ def plan_files(problem: str, planner: str) -> tuple[str, str]:
 
 
 def plan_stage(
-    folder: DomainFolder, name: str, *, planner: str, time_limit: float, encoding: Encoding = "stepwise"
+    folder: DomainFolder,
+    name: str,
+    *,
+    planner: str,
+    time_limit: float,
+    encoding: Encoding = "stepwise",
+    whole: bool = False,
+    unit_costs: bool = False,
+    nearest: bool = False,
+    more: int = 0,
 ) -> Stage:
-    """Plan: problem and grounding (and model, for BFS) -> `plans/NAME.PLANNER.plan` and `.json`."""
+    """Plan: problem and grounding (and model, for BFS) -> `plans/NAME.PLANNER.plan` and `.json`.
+
+    Args:
+        folder: The domain folder.
+        name: Name of the problem.
+        planner: Name of the planner.
+        time_limit: When to give up [s].
+        encoding: For PDDL planners, the encoding of the domain.
+        whole: For PDDL planners, plan for all objects at once.
+        unit_costs: Whether every step costs the same.
+        nearest: Whether to plan to the nearest points that can be reached, if there is no plan to the goals.
+        more: How many of the next-best plans to write, too: `plans/NAME.PLANNER-alt-1.plan` and so on.
+
+    Raises:
+        UnknownChoice: If there is no such planner.
+        InvalidValue: If fewer than no plans are asked for.
+    """
     if planner not in PLANNERS:
         raise UnknownChoice("planner", planner, PLANNERS)
+    if more < 0:
+        raise InvalidValue(f"alternatives = {more} must be at least 0.")
     plan_file, record_file = plan_files(name, planner)
     inputs = (f"problems/{name}.scene.json", GROUNDING, *((MODEL,) if planner == "bfs" else ()))
 
     def work() -> None:
         grounding = Grounding.load(folder.require(GROUNDING))
         problem = load_problem(folder, name)
+        for item in problem.objects:
+            check_on_table(item, grounding)
         branching = _branching(folder, problem, grounding) if planner == "bfs" else None
         result = plan(
-            problem, grounding, planner, branching=branching, time_limit=time_limit, encoding=encoding
+            problem,
+            grounding,
+            planner,
+            branching=branching,
+            time_limit=time_limit,
+            encoding=encoding,
+            whole=whole,
+            costs=not unit_costs,
         )
+        if nearest and result.status is PlanStatus.UNSOLVABLE:
+            result = _nearest(result, problem, grounding, time_limit)
+        others: tuple[tuple[PlanStep, ...], ...] = ()
+        if more and result.status is PlanStatus.SOLVED:
+            others = alternatives(problem, grounding, more, besides=result.steps, time_limit=time_limit)
+        (folder / "plans").mkdir(exist_ok=True)
+        for stale in folder.path.glob(f"plans/{name}.{planner}-alt-*.plan"):
+            stale.unlink()
+        written: list[PlannedSteps] = []
+        for number, steps in enumerate(others, start=1):
+            file = f"plans/{name}.{planner}-alt-{number}.plan"
+            write_atomically(folder / file, _plan_text(steps, problem, grounding, encoding))
+            written.append(PlannedSteps(file, _named(steps), _chance(steps, grounding)))
         record = PlanRecord(
             problem=name,
             planner=planner,
             status=result.status.value,
-            steps=tuple((step.operator, step.object) for step in result.steps),
+            steps=_named(result.steps),
             seconds=round(result.seconds, 3),
             reason=result.reason,
+            chance=_chance(result.steps, grounding) if result.has_plan else None,
+            alternatives=tuple(written),
         )
-        (folder / "plans").mkdir(exist_ok=True)
         if record.solved:
             write_atomically(folder / plan_file, _plan_text(result.steps, problem, grounding, encoding))
+        elif result.has_plan:
+            write_atomically(folder / plan_file, print_plan(result.steps, result.reason))
         else:
             (folder / plan_file).unlink(missing_ok=True)
         write_json(folder / record_file, record)
 
-    options = {"time_limit": time_limit, "encoding": encoding}
+    asked = {"whole": whole, "unit_costs": unit_costs, "nearest": nearest, "alternatives": more}
+    options = {
+        "time_limit": time_limit,
+        "encoding": encoding,
+        **{key: asked[key] for key in asked if asked[key]},
+    }
     return Stage(f"plan {name} {planner}", inputs, (plan_file, record_file), work, options)
+
+
+def _nearest(none: PlanResult, problem: Problem, grounding: Grounding, time_limit: float) -> PlanResult:
+    """Plan as near to the goal as can be, and keep saying why the planner had no plan."""
+    found = plan_nearest(problem, grounding, time_limit=time_limit)
+    if not found.has_plan:
+        return none
+    said = found.reason if found.status is PlanStatus.NEAREST else "by counting"
+    return dataclasses.replace(found, reason=f"{said}; {none.reason}")
+
+
+def _named(steps: Sequence[PlanStep]) -> tuple[tuple[str, str], ...]:
+    return tuple((step.operator, step.object) for step in steps)
+
+
+def _chance(steps: Sequence[PlanStep], grounding: Grounding) -> float:
+    return round(expected_success(steps, grounding), 4)
 
 
 def _plan_text(steps: Sequence[PlanStep], problem: Problem, grounding: Grounding, encoding: Encoding) -> str:

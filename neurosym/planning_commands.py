@@ -61,6 +61,16 @@ def plan(
     planner: Annotated[str, arg(help="bfs, counting, fast-downward or up-fast-downward.")] = "fast-downward",
     time_limit: Annotated[float, arg(help="When to give up [s].")] = 60.0,
     encoding: Annotated[str, arg(help="For PDDL planners: stepwise or operators.")] = "stepwise",
+    whole: Annotated[bool, arg(help="For PDDL planners: all objects at once instead of one by one.")] = False,
+    unit_costs: Annotated[
+        bool, arg(help="Every step costs the same, instead of the more the rarer it goes well.")
+    ] = False,
+    nearest: Annotated[
+        bool, arg(help="If there is no plan, plan as near to the goal as objects come (exit code 3).")
+    ] = False,
+    alternatives: Annotated[
+        int, arg(metavar="K", help="Also write the K next-best plans: cheapest, of other steps.")
+    ] = 0,
 ) -> int:
     """Plan for a problem; exit code 3 if there is no plan, with the reason.
 
@@ -75,20 +85,46 @@ def plan(
     name = domain.problem(problem)
     if not time_limit > 0:
         raise InvalidValue(f"time-limit = {time_limit} must be greater than 0 s.")
-    stage = plan_stage(domain, name, planner=planner, time_limit=time_limit, encoding=encoding)
+    stage = plan_stage(
+        domain,
+        name,
+        planner=planner,
+        time_limit=time_limit,
+        encoding=encoding,
+        whole=whole,
+        unit_costs=unit_costs,
+        nearest=nearest,
+        more=alternatives,
+    )
     domain.perform(stage, again=True)
     plan_file, record_file = plan_files(name, planner)
     record = read_json(domain / record_file, PlanRecord)
     if not record.solved:
         say(f"no plan for {name} ({record.status}, {record.seconds:.2f} s): {record.reason}")
-        return NO_RESULT
-    remark = f" ({record.reason})" if record.reason else ""
-    say(f"{len(record.steps)} step{'' if len(record.steps) == 1 else 's'} in {record.seconds:.2f} s{remark}:")
-    for operator, item in record.steps:
-        say(f"  ({operator} {item})")
+        if not record.steps:
+            return NO_RESULT
+        say("as near as it comes:")
+    else:
+        remark = f" ({record.reason})" if record.reason else ""
+        count = f"{len(record.steps)} step{'' if len(record.steps) == 1 else 's'}"
+        say(
+            f"{count} in {record.seconds:.2f} s{remark}, {record.chance or 0.0:.0%} likely to go as promised:"
+        )
+    _say_steps(record.steps)
     say(f"wrote {folder / plan_file}")
+    for other in record.alternatives:
+        say(f"or, {other.chance:.0%} likely, {folder / other.file}:")
+        _say_steps(other.steps)
+    if len(record.alternatives) < alternatives and record.solved:
+        found = len(record.alternatives)
+        say(f"there is no more than {found} other plan{'' if found == 1 else 's'} of hardly more steps")
     say_next(f"neurosym execute {folder} {name} {folder / plan_file}")
-    return 0
+    return 0 if record.solved else NO_RESULT
+
+
+def _say_steps(steps: tuple[tuple[str, str], ...]) -> None:
+    for operator, item in steps:
+        say(f"  ({operator} {item})")
 
 
 def _parse_goals(texts: tuple[str, ...]) -> dict[str, tuple[float, ...]]:

@@ -79,7 +79,7 @@ def test_nearest_is_the_nearest_of_all_sequences():
                 distances.append(checked.positions[-1][0])
     best = min(float(np.linalg.norm(np.array(goal) - place)) for place in distances)
     end = replay(found.steps, task, learned).positions[-1][0]
-    assert float(np.linalg.norm(end - goal)) == pytest.approx(best)
+    assert float(np.linalg.norm(end - goal)) == pytest.approx(best, abs=0.005)
     assert found.reason == f"at the end, item-01 {best * 1000:.0f} mm from its goal"
     assert len(found.steps) <= DEPTH
 

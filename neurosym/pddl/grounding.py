@@ -24,7 +24,7 @@ MIN_TRIALS = 5
 Cells = tuple[int, int, int]
 
 
-class Grounding(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
+class Grounding(msgspec.Struct, frozen=True, forbid_unknown_fields=True, omit_defaults=True):
     """Everything that planning, replay and execution know of a learned domain.
 
     Attributes:
@@ -34,6 +34,7 @@ class Grounding(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
         table: Where objects may stand [m].
         lift_height: How far the hand rises after the last waypoint [m].
         operators: The table of operators.
+        unit_costs: Whether every step costs the same, instead of the more the rarer it goes well.
     """
 
     format: str
@@ -42,6 +43,7 @@ class Grounding(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     table: Table
     lift_height: float
     operators: OperatorTable
+    unit_costs: bool = False
 
     def __post_init__(self) -> None:
         if self.operators.axes != 3:

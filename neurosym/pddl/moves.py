@@ -53,7 +53,7 @@ def moves_of(grounding: Grounding) -> tuple[Move, ...]:
         category = grounding.category(operator.category).name
         kind: Literal["rest", "lift"] = "lift" if is_lift(operator) else "rest"
         cells = grounding.cells(operator)
-        moves.append(Move(operator.name, category, cells, cost(operator), kind, operator))
+        moves.append(Move(operator.name, category, cells, step_cost(operator, grounding), kind, operator))
         if kind == "lift":
             back = grounding.put_down_cells(operator)
             moves.append(Move(PUT_DOWN + operator.name, category, back, 0, "put-down", operator))
@@ -70,9 +70,19 @@ def parts_of(move: Move, encoding: Encoding) -> tuple[tuple[str, tuple[int, ...]
     return ((move.name, move.axes[:1]), *others)
 
 
+def chance(operator: Operator) -> float:
+    """Return the chance that a step goes as promised: (k + 1) / (n + 2), k successes in n rehearsals."""
+    return (operator.successes + 1) / (operator.trials + 2)
+
+
 def cost(operator: Operator) -> int:
     """Return what a step costs: 1 + round(-100 ln((k + 1) / (n + 2))), k successes in n rehearsals."""
-    return 1 + round(-100 * math.log((operator.successes + 1) / (operator.trials + 2)))
+    return 1 + round(-100 * math.log(chance(operator)))
+
+
+def step_cost(operator: Operator, grounding: Grounding) -> int:
+    """Return what a step costs in a domain: as much as any other if the domain has unit costs."""
+    return 1 if grounding.unit_costs else cost(operator)
 
 
 def shift_predicate(axis: int, cells: int) -> str:

@@ -19,7 +19,9 @@ def header(grounding: Grounding, encoding: Encoding, about: list[str]) -> str:
         f"Learned domain {grounding.name}, encoding {encoding}. Printed by neurosym; do not edit.",
         *about,
         "After a lift the hand is full: only the put-down of that lift applies.",
-        "Cost of a step: 1 + round(-100 ln((k + 1) / (n + 2))), k successes in n rehearsals.",
+        "Cost of a step: 1."
+        if grounding.unit_costs
+        else "Cost of a step: 1 + round(-100 ln((k + 1) / (n + 2))), k successes in n rehearsals.",
     ]
     if grounding.operators.measured == "data":
         lines.append("Nothing was rehearsed: by rehearsals, rows of the data are meant.")

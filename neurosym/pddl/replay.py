@@ -1,5 +1,6 @@
 """Replaying a plan with the exact displacements that its operators promise, before it is believed."""
 
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 
@@ -8,6 +9,7 @@ from jaxtyping import Bool, Float
 
 from neurosym.operators import Operator
 from neurosym.pddl.grounding import Grounding, is_lift
+from neurosym.pddl.moves import chance
 from neurosym.pddl.plan_text import PlanStep
 from neurosym.problems import Problem
 
@@ -89,6 +91,17 @@ def _moved(
     after = positions.copy()
     after[moved] += by(operator)
     return after
+
+
+def expected_success(steps: Sequence[PlanStep], grounding: Grounding) -> float:
+    """Return the chance that all steps of a plan keep their promise, if they fail independently.
+
+    Args:
+        steps: The plan; a put-down belongs to its lift.
+        grounding: The learned domain.
+    """
+    chances = (chance(grounding.operator_named(step.base)) for step in steps if not step.puts_down)
+    return math.prod(chances, start=1.0)
 
 
 def footprints_apart(problem: Problem) -> Float[np.ndarray, "M M 2"]:

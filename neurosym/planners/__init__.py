@@ -1,5 +1,6 @@
 """Planners, interchangeable: each takes a problem and returns a result."""
 
+from neurosym.planners.alternatives import alternatives as alternatives
 from neurosym.planners.bfs import plan_bfs as plan_bfs
 from neurosym.planners.branching import Branching as Branching
 from neurosym.planners.branching import branching_of as branching_of

@@ -143,9 +143,15 @@ def candidates(
 
 
 def nearest(
-    choices: Choices, goal: Vector, *, depth: int, at_rest: bool = False, anywhere: bool = False
+    choices: Choices,
+    goal: Vector,
+    *,
+    depth: int,
+    at_rest: bool = False,
+    anywhere: bool = False,
+    gain: float = 1e-9,
 ) -> Candidate:
-    """Find how to bring an object as near to its goal as it comes, with the fewest moves among equals.
+    """Find how to bring an object as near to its goal as it comes.
 
     Args:
         choices: What can be done to the object.
@@ -153,6 +159,7 @@ def nearest(
         depth: Most moves.
         at_rest: Whether it may not end held.
         anywhere: Whether it may leave its room; the moves are in no particular order then.
+        gain: How much nearer more moves must bring it to be worth it [m].
     """
     room = np.array([[-np.inf], [np.inf]]).repeat(2, axis=1) if anywhere else choices.room
     free = replace(choices, room=room)
@@ -165,7 +172,7 @@ def nearest(
             if lift is not None and at_rest:
                 continue
             misses = np.linalg.norm(places - np.array(goal), axis=-1)
-            rows = np.flatnonzero((misses < best.miss - 1e-9) & free.is_inside(places))
+            rows = np.flatnonzero((misses < best.miss - gain) & free.is_inside(places))
             for row in rows[np.argsort(misses[rows], kind="stable")]:
                 if found := in_order(free, length, int(row), lift):
                     best = replace(found, miss=float(misses[row]))

@@ -10,14 +10,14 @@ the fewest primitives, and costs the least among those.
 import heapq
 import math
 import time
-from collections.abc import Iterator
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass, field
 from itertools import count
 
 import numpy as np
 
 from neurosym.pddl.grounding import Grounding
-from neurosym.pddl.moves import PUT_DOWN, cost
+from neurosym.pddl.moves import PUT_DOWN, step_cost
 from neurosym.pddl.plan_text import PlanStep
 from neurosym.pddl.replay import footprints_apart, overlapping
 from neurosym.planners.branching import Branching, Names, branching_of
@@ -26,8 +26,12 @@ from neurosym.planners.ordering import mend
 from neurosym.planners.result import PlanResult, PlanStatus
 from neurosym.problems import Problem
 
+Listing = Callable[[Choices, str, bool], Iterable[Candidate]]
+"""Lists candidates: what can be done to an object, its name, and whether it may not end held."""
 MOST_JOINS = 2000
 """How many ways to join the objects' plans are tried."""
+GAIN = 0.005
+"""How much nearer to a goal out of reach more primitives must bring an object to be done [m]."""
 
 
 def plan_counting(problem: Problem, grounding: Grounding, *, time_limit: float = 60.0) -> PlanResult:
@@ -99,7 +103,7 @@ def choices_of(
         grounding: The learned domain, for what steps cost and where the table ends.
         names: Name of the operator for each object and column.
     """
-    costs = {operator.name: cost(operator) for operator in grounding.operators.operators}
+    costs = {operator.name: step_cost(operator, grounding) for operator in grounding.operators.operators}
     room, found = problem.room(grounding.table), []
     for index, item in enumerate(problem.objects):
         used = branching.usable(index)
@@ -146,6 +150,8 @@ class Join:
         *,
         deadline: float = math.inf,
         nearest_depth: int | None = None,
+        listing: Listing | None = None,
+        by_cost: bool = False,
     ) -> None:
         """Look at what can be done to each object.
 
@@ -154,8 +160,11 @@ class Join:
             grounding: The learned domain.
             deadline: When to stop, by `time.perf_counter()` [s].
             nearest_depth: Where no candidate reaches a goal, take the nearest with so many moves, if given.
+            listing: Lists the candidates of an object in place of `candidates`, if given.
+            by_cost: Whether the cheapest plans come first, and not those with the fewest primitives.
         """
         self._deadline, self._nearest_depth = deadline, nearest_depth
+        self._listing, self._by_cost = listing, by_cost
         for item in problem.objects:
             grounding.category(item.category)
         branching, names = branching_of(problem, grounding)
@@ -179,10 +188,13 @@ class Join:
 
     def _candidates(self, name: str, at_rest: bool) -> Iterator[Candidate]:
         choices, goal = self._choices[name], self._problem.goals[name]
+        if self._listing:
+            yield from self._listing(choices, name, at_rest)
+            return
         found = candidates(choices, goal, self._problem.tolerance, at_rest=at_rest, deadline=self._deadline)
         first = next(found, None)
         if first is None and self._nearest_depth is not None:
-            first = nearest(choices, goal, depth=self._nearest_depth, at_rest=at_rest)
+            first = nearest(choices, goal, depth=self._nearest_depth, at_rest=at_rest, gain=GAIN)
         if first is not None:
             yield first
         yield from found
@@ -198,7 +210,8 @@ class Join:
             if picked is not None:
                 miss, moves = sum(one.miss for one in picked), sum(len(one.moves) for one in picked)
                 costs = sum(one.cost for one in picked)
-                heapq.heappush(waiting, (miss, moves, costs, next(ticket), picks))
+                order = (costs, moves) if self._by_cost else (moves, costs)
+                heapq.heappush(waiting, (miss, *order, next(ticket), picks))
 
         push(first)
         while waiting:

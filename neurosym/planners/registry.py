@@ -2,6 +2,8 @@
 
 import dataclasses
 
+import msgspec
+
 from neurosym.errors import UnknownChoice
 from neurosym.pddl.grid import check_on_table
 from neurosym.pddl.grounding import Grounding
@@ -35,6 +37,7 @@ def plan(
     time_limit: float = 60.0,
     encoding: Encoding = "stepwise",
     whole: bool = False,
+    costs: bool = True,
 ) -> PlanResult:
     """Plan with any of `PLANNERS`.
 
@@ -47,6 +50,7 @@ def plan(
         time_limit: When to give up [s].
         encoding: For PDDL planners, the encoding of the domain.
         whole: For PDDL planners, solve for all objects at once instead of one by one.
+        costs: Whether steps cost the more the rarer they keep their promise; otherwise each costs 1.
 
     Raises:
         UnknownChoice: If there is no such planner or encoding, or an object's category is unknown.
@@ -56,6 +60,8 @@ def plan(
         raise UnknownChoice("planner", planner, PLANNERS)
     for item in problem.objects:
         check_on_table(item, grounding, off=NEAR_TABLE)
+    if not costs:
+        grounding = msgspec.structs.replace(grounding, unit_costs=True)
     if planner not in SEARCHES:
         return plan_pddl(problem, grounding, planner, time_limit=time_limit, encoding=encoding, whole=whole)
     table = branching or branching_of(problem, grounding)

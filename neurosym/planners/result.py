@@ -32,6 +32,11 @@ class PlanResult:
     seconds: float
     reason: str = ""
 
+    @property
+    def has_plan(self) -> bool:
+        """Whether there is a plan, be it to the goal or only as near to it as can be."""
+        return self.status in (PlanStatus.SOLVED, PlanStatus.NEAREST)
+
 
 @dataclass(frozen=True, slots=True)
 class PlannerAnswer:
