@@ -16,7 +16,7 @@ from neurosym.problems import Problem
 
 @pytest.fixture
 def bare(tmp_path: Path) -> Path:
-    """A folder with the toy world's grounding and four problems: easy, far, two in the air, and a loose goal."""
+    """A folder with the toy world's grounding and four problems, of all kinds."""
     learned = toy_domain.grounding()
     (tmp_path / "problems").mkdir()
     learned.save(tmp_path / "grounding.json")
