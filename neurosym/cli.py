@@ -8,6 +8,7 @@ import sys
 from collections.abc import Callable, Sequence
 
 from neurosym import commands, learning_commands, planning_commands, run_commands
+from neurosym.comparison_command import compare
 from neurosym.console import error_console
 from neurosym.errors import NeurosymError
 from neurosym.explain.command import explain
@@ -27,6 +28,7 @@ COMMANDS: dict[str, Callable[..., int]] = {
     "plan": planning_commands.plan,
     "execute": run_commands.execute,
     "replay": run_commands.replay,
+    "compare": compare,
     "show": show,
     "explain": explain,
     "figures": figures,

@@ -15,7 +15,7 @@ from concurrent.futures import Future, ProcessPoolExecutor
 from concurrent.futures.process import BrokenProcessPool
 from contextlib import contextmanager
 from dataclasses import dataclass
-from typing import TypeVar
+from typing import Any, TypeVar
 
 from jaxtyping import Float
 from numpy import ndarray
@@ -76,7 +76,7 @@ def crew(world_factory: WorldFactory, workers: int) -> Iterator[Perform]:
         world = world_factory()
         yield lambda tasks: (perform_task(world, task) for task in tasks)
         return
-    pool = _start_pool(world_factory, workers)
+    pool = start_pool(workers, _start_worker, (world_factory,))
     try:
         yield lambda tasks: _outcomes(pool, tasks, workers * AHEAD)
     finally:
@@ -119,10 +119,21 @@ def in_order(
         yield result(waiting.popleft())
 
 
-def _start_pool(world_factory: WorldFactory, workers: int) -> ProcessPoolExecutor:
-    """Start the processes while Ctrl-C is ignored, which they inherit; the parent ends them."""
+def start_pool(
+    workers: int, initializer: Callable[..., None], arguments: tuple[Any, ...]
+) -> ProcessPoolExecutor:
+    """Start processes that ignore Ctrl-C, which the parent ends them at, and that end with it.
+
+    Args:
+        workers: How many.
+        initializer: What each does first; must survive pickling.
+        arguments: What it is given.
+    """
     pool = ProcessPoolExecutor(
-        workers, multiprocessing.get_context("spawn"), initializer=_start_worker, initargs=(world_factory,)
+        workers,
+        multiprocessing.get_context("spawn"),
+        initializer=_start_process,
+        initargs=(initializer, arguments),
     )
     in_main_thread = threading.current_thread() is threading.main_thread()
     before = signal.signal(signal.SIGINT, signal.SIG_IGN) if in_main_thread else None
@@ -148,10 +159,14 @@ def _outcomes(pool: ProcessPoolExecutor, tasks: Iterable[Task], ahead: int) -> I
 _world_here: World | None = None
 
 
-def _start_worker(world_factory: WorldFactory) -> None:
-    global _world_here
+def _start_process(initializer: Callable[..., None], arguments: tuple[Any, ...]) -> None:
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     threading.Thread(target=_end_with_parent, daemon=True).start()
+    initializer(*arguments)
+
+
+def _start_worker(world_factory: WorldFactory) -> None:
+    global _world_here
     _world_here = world_factory()
 
 
