@@ -4,7 +4,7 @@ VENV ?= .venv
 PYTHON ?= $(firstword $(shell command -v python3.11) $(shell command -v python3))
 BIN := $(VENV)/bin
 
-.PHONY: install demo test lint evaluate evaluate-world evaluate-learning tutorial clean
+.PHONY: install demo test lint evaluate evaluate-world evaluate-learning evaluate-planning tutorial clean
 
 install: $(VENV)/.installed
 
@@ -43,6 +43,11 @@ SEEDS ?= 5
 STEPS ?= 5120
 evaluate-learning: install
 	$(BIN)/python tools/evaluate_learning.py --seeds $(SEEDS) --steps $(STEPS)
+
+# Every figure of docs/planning.md, into docs/results/; goes on where it was interrupted. SEEDS=1 is the short form.
+evaluate-planning: STEPS := 2560
+evaluate-planning: install
+	$(BIN)/python tools/evaluate_planning.py --seeds $(SEEDS) --steps $(STEPS)
 
 # Runs docs/tutorial.ipynb and stores what its cells say: some minutes.
 tutorial: install

@@ -64,6 +64,10 @@ class Order(msgspec.Struct, frozen=True):
 class Bench:
     """A domain folder, loaded to draw tasks from and to compare planners in.
 
+    Attributes:
+        categorise: Gives objects their symbols.
+        setting: What planners are compared in.
+
     Args:
         folder: The domain folder, with a world, a model and a grounding.
     """
@@ -74,7 +78,7 @@ class Bench:
         grounding = Grounding.load(folder.require(GROUNDING))
         model = EffectModel.load(folder.require(MODEL))
         symbols = [primitive.symbol for primitive in grounding.operators.primitives]
-        self._categorise: Callable[[Float[ndarray, "N F"]], tuple[Symbol, ...]] = model.object_symbols
+        self.categorise: Callable[[Float[ndarray, "N F"]], tuple[Symbol, ...]] = model.object_symbols
         self.setting = Setting(
             world=read_world(folder.require(WORLD))(),
             grounding=grounding,
@@ -92,7 +96,7 @@ class Bench:
             tolerance: How near they must come [m].
         """
         name = f"drawn-{seed:05d}"
-        drawn = draw_problem(self.setting.world, self._categorise, name=name, objects=objects, seed=seed)
+        drawn = draw_problem(self.setting.world, self.categorise, name=name, objects=objects, seed=seed)
         return msgspec.structs.replace(drawn, tolerance=tolerance)
 
 

@@ -5,17 +5,12 @@ be interrupted and goes on where it was. The results go to docs/results/ (learni
 learning.png), as far as they are known.
 """
 
-import json
 import os
-import platform
 import sys
 import time
-from collections.abc import Callable, Iterator, Mapping
-from concurrent.futures import Future, ProcessPoolExecutor, as_completed
+from collections.abc import Iterator, Mapping
 from dataclasses import replace
 from functools import partial
-from importlib.metadata import version
-from multiprocessing import get_context
 from pathlib import Path
 from typing import Annotated, Any
 
@@ -24,10 +19,11 @@ import tyro
 from learning_curves import draw
 from learning_measures import Data
 from learning_tables import page
+from resumable_jobs import Job, as_text, load_jobs, machine, perform
 
 from neurosym.choosing import CHOICES
 from neurosym.commands import init
-from neurosym.console import progress_bar, say
+from neurosym.console import say
 from neurosym.files import write_atomically
 from neurosym.folder import INTERACTIONS, WORLD, DomainFolder
 from neurosym.interactions import Interactions
@@ -74,8 +70,6 @@ VARIANTS: Mapping[str, tuple[TrainingConfig, ModelConfig]] = {
     "everything as printed": (PRINTED, REGIMES["paper"].model),
 }
 """What is changed against our defaults, one at a time; then all of it."""
-
-Job = Callable[[], dict[str, Any]]
 
 
 def main(
@@ -166,37 +160,10 @@ def other_jobs(work: Path, seed: int, steps: int) -> dict[str, Job]:
     return jobs
 
 
-def perform(folder: Path, jobs: Mapping[str, Job], workers: int, report: Callable[[], None]) -> None:
-    """Do the jobs that were not done, some at once, each to a file of its own.
-
-    Args:
-        folder: Where the files go.
-        jobs: The jobs by name.
-        workers: How many at once.
-        report: Called after each.
-    """
-    left = {name: job for name, job in jobs.items() if not (folder / f"{name}.json").exists()}
-    if not left:
-        return
-    pool = ProcessPoolExecutor(min(workers, len(left)), mp_context=get_context("spawn"))
-    with pool, progress_bar("measuring") as advance:
-        running: dict[Future[dict[str, Any]], str] = {pool.submit(job): name for name, job in left.items()}
-        try:
-            for done, future in enumerate(as_completed(running), 1):
-                name = running[future]
-                write_atomically(folder / f"{name}.json", _text(future.result()))
-                report()
-                advance(done, len(left))
-        except BaseException:
-            pool.shutdown(wait=False, cancel_futures=True)
-            raise
-
-
 def write_results(work: Path, results: Path, seeds: int, steps: int) -> None:
     """Write JSON, Markdown and PNG from the jobs that are done."""
-    found = {path.stem: json.loads(path.read_text()) for path in sorted((work / "jobs").glob("*.json"))}
-    summary = summarise(found, seeds, steps)
-    write_atomically(results / "learning.json", _text(summary))
+    summary = summarise(load_jobs(work / "jobs"), seeds, steps)
+    write_atomically(results / "learning.json", as_text(summary))
     write_atomically(results / "learning.md", page(summary))
     draw(summary, results / "learning.png")
 
@@ -213,7 +180,7 @@ def summarise(found: Mapping[str, Any], seeds: int, steps: int) -> dict[str, Any
         "steps": steps,
         "missing": sum(name not in found for jobs in jobs_in_turn(Path(), seeds, steps) for name in jobs),
         "default_strategy": DEFAULT_STRATEGY,
-        "machine": _machine(),
+        "machine": machine("torch", "numpy", "pybullet"),
         "through_code_share": [figures["share"] for figures in ours.values()],
         "r2_direct": [figures["r2_direct"] for figures in ours.values()],
         "table1": learned,
@@ -254,16 +221,6 @@ def _by_seed(found: Mapping[str, Any], name: str, seeds: int) -> Iterator[tuple[
     for seed in range(1, seeds + 1):
         if (key := name.format(seed)) in found:
             yield str(seed), found[key]
-
-
-def _machine() -> dict[str, str]:
-    names = ("torch", "numpy", "pybullet")
-    versions = {name: version(name) for name in names}
-    return {"cpus": str(os.cpu_count()), "python": platform.python_version(), **versions}
-
-
-def _text(values: Any) -> str:
-    return json.dumps(values, indent=1) + "\n"
 
 
 if __name__ == "__main__":
