@@ -14,12 +14,13 @@ import numpy as np
 from jaxtyping import Float
 
 from neurosym.errors import InvalidValue, UnknownChoice
-from neurosym.execution import Run, execute
+from neurosym.execution import Replanner, execute
 from neurosym.pddl.grounding import Grounding, at_rest, is_lift
 from neurosym.pddl.plan_text import PlanStep
 from neurosym.pddl.replay import Replay, replay
 from neurosym.planners import PLANNERS, PlanResult, PlanStatus, plan, predicted_branching
 from neurosym.problems import Problem
+from neurosym.run_summary import Execution, summarise_run
 from neurosym.world import World
 
 Predict = Callable[[Float[np.ndarray, "M F"]], Float[np.ndarray, "M P 3"]]
@@ -27,7 +28,6 @@ Predict = Callable[[Float[np.ndarray, "M F"]], Float[np.ndarray, "M P 3"]]
 NETWORK_BFS, OPERATORS_BFS = "bfs", "bfs-operators"
 COMPARED = {**PLANNERS, OPERATORS_BFS: "the same search over what the operators promise"}
 """The planners that can be compared."""
-Replanner = Callable[[Problem, Grounding], PlanResult]
 NOT_VALID = Literal["", "impossible", "elsewhere"]
 
 
@@ -44,34 +44,6 @@ class Setting:
     world: World
     grounding: Grounding
     predict: Predict
-
-
-class Execution(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
-    """What became of a plan in the world, in short.
-
-    Attributes:
-        reached: Whether every goal was met at the end.
-        reason: Why not, or empty.
-        kind: The same in a few words, to be counted.
-        distances: How far each object with a goal ended from it [m].
-        interactions: How many primitives were performed.
-        kept: In how many of them the object ended as promised.
-        replans: How often it was planned again.
-        touched: In how many the robot touched another object.
-        disturbed: How many other objects were moved, toppled or lost in them.
-        off_table: Names of the objects that were off the table after any of them.
-    """
-
-    reached: bool
-    reason: str
-    kind: str
-    distances: dict[str, float]
-    interactions: int
-    kept: int
-    replans: int
-    touched: int
-    disturbed: int
-    off_table: tuple[str, ...]
 
 
 class Attempt(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
@@ -195,6 +167,7 @@ def _attempt(setting: Setting, problem: Problem, name: str, *, time_limit: float
     if result.status is not PlanStatus.SOLVED:
         return Attempt(result.status.value, result.reason, seconds=round(result.seconds, 4))
     replayed = replay(steps, problem, setting.grounding)
+    blind, replanned = _follow(setting, problem, steps, solve) if executed else (None, None)
     return Attempt(
         status=result.status.value,
         reason=result.reason,
@@ -206,8 +179,8 @@ def _attempt(setting: Setting, problem: Problem, name: str, *, time_limit: float
         promised_miss=_worst(problem, replayed.positions[-1]) if replayed.possible else None,
         predicted_miss=_worst(problem, predicted_end(setting, problem, steps)),
         left_out=any(step.base in setting.grounding.left_out for step in steps),
-        open_loop=_follow(setting, problem, steps) if executed else None,
-        replanned=_follow(setting, problem, steps, solve) if executed else None,
+        open_loop=blind,
+        replanned=replanned,
     )
 
 
@@ -246,69 +219,11 @@ def _invalid(replayed: Replay) -> NOT_VALID:
 
 
 def _follow(
-    setting: Setting, problem: Problem, steps: Sequence[PlanStep], solve: Replanner | None = None
-) -> Execution | None:
-    """Execute a plan, blindly or with replanning."""
-    answers: list[PlanStatus] = []
-    if solve:
-        return None
-
-    def replanner(rest: Problem, grounding: Grounding) -> PlanResult:
-        assert solve is not None, "asked for with replanning only"
-        result = solve(rest, grounding)
-        answers.append(result.status)
-        return result
-
-    run = execute(setting.world, problem, setting.grounding, steps)
-    stuck = bool(answers) and answers[-1] is not PlanStatus.SOLVED
-    return shortened(run, setting.grounding, stuck=stuck)
-
-
-def shortened(run: Run, grounding: Grounding, *, stuck: bool = False) -> Execution:
-    """Keep of a run what is counted.
-
-    Args:
-        run: The run.
-        grounding: The learned domain, which knows the table.
-        stuck: Whether the planner found no way on when it was asked last.
-    """
-    places = ((name, place) for record in run.steps for name, place in record.positions.items())
-    off = {name for name, place in places if not grounding.table.contains(np.array(place))}
-    return Execution(
-        reached=run.reached,
-        reason=run.reason,
-        kind="" if run.reached else failure(run, stuck=stuck),
-        distances={name: round(distance, 6) for name, distance in run.distances.items()},
-        interactions=sum(record.happened != "not performed" for record in run.steps),
-        kept=sum(record.as_promised for record in run.steps),
-        replans=0,
-        touched=sum(bool(record.touched) for record in run.steps),
-        disturbed=sum(len(record.disturbed) for record in run.steps),
-        off_table=tuple(sorted(off)),
-    )
-
-
-def failure(run: Run, *, stuck: bool = False) -> str:
-    """Say in a few words why a run missed its goal: the worst thing that happened in it.
-
-    Args:
-        run: A run that did not reach its goal.
-        stuck: Whether the planner found no way on when it was asked last.
-    """
-    ends = {record.happened for record in run.steps}
-    bystanders = {how for record in run.steps for how in record.disturbed.values()}
-    if "lost" in ends | bystanders:
-        return "an object fell off the table"
-    if "not performed" in ends:
-        return "out of the arm's reach"
-    if "toppled" in ends | bystanders:
-        return "an object toppled"
-    if stuck:
-        return "no plan from where things ended"
-    if bystanders:
-        return "another object was moved"
-    if any(record.promised == "held" and record.happened != "held" for record in run.steps):
-        return "a grasp failed"
-    if not all(record.as_promised for record in run.steps):
-        return "an object went elsewhere"
-    return "small errors added up"
+    setting: Setting, problem: Problem, steps: Sequence[PlanStep], solve: Replanner
+) -> tuple[Execution, Execution]:
+    """Execute a plan, blindly and with replanning."""
+    world, grounding = setting.world, setting.grounding
+    replanned = execute(world, problem, grounding, steps, replanner=solve)
+    # A run in which nothing was planned anew is the one that follows the plan blindly.
+    blind = execute(world, problem, grounding, steps) if replanned.replannings else replanned
+    return summarise_run(blind, grounding), summarise_run(replanned, grounding)

@@ -9,12 +9,13 @@ import pytest
 from command_line import neurosym, refusal
 from toy_domain import WORLD, grounding, problem
 
-from neurosym.comparison import Attempt, Execution, Setting, TaskRecord, compare, failure
+from neurosym.comparison import Attempt, Setting, TaskRecord, compare
 from neurosym.comparison_summary import summarise, why_not_found
 from neurosym.comparison_tasks import Bench, Order, compare_tasks
-from neurosym.execution import Run, StepRecord
 from neurosym.folder import DomainFolder
 from neurosym.problems import Problem
+from neurosym.run_record import Replanning, Run, StepRecord
+from neurosym.run_summary import Execution, failure
 
 BOTH = ("bfs", "fast-downward")
 TRUE_EFFECTS = np.array([(0.0, 0.0, 0.2), (0.0, 0.08, 0.0), (0.08, 0.0, 0.0)])  # lift, left, forward
@@ -37,9 +38,10 @@ def records(folder: Path, name: str = "task-*.json") -> dict[str, object]:
     return {path.name: without_seconds(json.loads(path.read_bytes())) for path in folder.rglob(name)}
 
 
-def run_with(*steps: StepRecord, missed: float = 0.1) -> Run:
+def run_with(*steps: StepRecord, stuck: bool) -> Run:
     plan = tuple((step.operator, step.object) for step in steps)
-    return Run("errand", plan, steps, False, {"item-01": missed}, "it missed")
+    answers = (Replanning(2, "it would miss", (), "no plan" if stuck else ""),)
+    return Run("errand", plan, steps, False, {"item-01": 0.1}, "it missed", replannings=answers)
 
 
 def step(happened: str, **changes: object) -> StepRecord:
@@ -126,7 +128,7 @@ def test_category_that_was_never_rehearsed_is_a_result():
     ],
 )
 def test_failure_is_named_by_the_worst_that_happened(steps, stuck, kind):
-    assert failure(run_with(*steps), stuck=stuck) == kind
+    assert failure(run_with(*steps, stuck=stuck)) == kind
 
 
 def test_command_writes_records_counts_and_a_picture_and_does_nothing_twice(folder, capsys):

@@ -18,7 +18,7 @@ import planning_jobs as jobs
 import planning_measures as measures
 import planning_tally as tally
 import tyro
-from planning_jobs import COMPARED, SIZES, TOLERANCES, Size
+from planning_jobs import COMPARED, SIZES, Size
 from planning_pictures import draw_scaling, draw_table3
 from planning_tables import page
 from planning_tasks import DIFFICULTIES
@@ -146,10 +146,7 @@ def table3(found: Mapping[str, Any], work: Path, size: Size, tolerance: float) -
         seeds = ["1"] if strategy == "shipped" else [str(seed) for seed in range(1, size.seeds + 1)]
         table[strategy] = {
             kind: tally.table3_cell(
-                {
-                    seed: _drawn(found, work, size, _domain(strategy, seed), tolerance, kind)
-                    for seed in seeds
-                },
+                {seed: _drawn(found, work, size, _domain(strategy, seed), tolerance, kind) for seed in seeds},
                 COMPARED,
             )
             for kind in SIZES

@@ -15,7 +15,7 @@ from neurosym.planners import PLANNERS
 
 SHIPPED = Path("domains/tabletop")
 STRATEGIES = {"curiosity": "disagreement", "random": "random", "active": "active", "entropy": "entropy"}
-"""What is compared in Table III, and what `neurosym explore` calls it; entropy is the paper's own curiosity."""
+"""What Table III compares, and what `neurosym explore` calls it; entropy is the paper's own curiosity."""
 BLOCK = 10
 """Tasks in one job."""
 SIZES = {"single": 1, "double": 2}
@@ -164,9 +164,7 @@ def disturbed_jobs(work: Path, size: Size) -> dict[str, Job]:
 
 def costless_jobs(work: Path, size: Size) -> dict[str, Job]:
     """List the jobs that plan without costs in the shipped domain."""
-    return _on_drawn(
-        work, f"costless-{stamp(SHIPPED)}", size.tasks, partial(measures.without_costs, SHIPPED)
-    )
+    return _on_drawn(work, f"costless-{stamp(SHIPPED)}", size.tasks, partial(measures.without_costs, SHIPPED))
 
 
 def symbolic_jobs(size: Size) -> dict[str, Job]:
@@ -190,9 +188,7 @@ def cells() -> list[tuple[int, str]]:
 def scaling_tasks(size: Size) -> dict[str, Job]:
     """List the jobs that draw the tasks of each cell, with other seeds than the symbolic tasks have."""
     seeds = range(_SCALING_SEEDS, _SCALING_SEEDS + size.scaling)
-    return {
-        cell_name(size, *cell): partial(measures.draw_scaling, SHIPPED, *cell, seeds) for cell in cells()
-    }
+    return {cell_name(size, *cell): partial(measures.draw_scaling, SHIPPED, *cell, seeds) for cell in cells()}
 
 
 def scaling_jobs(work: Path, size: Size) -> dict[str, Job]:

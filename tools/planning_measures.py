@@ -21,7 +21,7 @@ import numpy as np
 from planning_tasks import draw_symbolic
 
 from neurosym.commands import init
-from neurosym.comparison import compare, planner_of, shortened
+from neurosym.comparison import compare, planner_of
 from neurosym.comparison_tasks import Bench
 from neurosym.execution import execute
 from neurosym.folder import MODEL, PRIMITIVES, WORLD, DomainFolder
@@ -32,6 +32,7 @@ from neurosym.pipeline import CELL
 from neurosym.planners import PlanStatus, branching_of, plan, plan_bfs
 from neurosym.planners.counting import fewest_steps
 from neurosym.problems import Problem
+from neurosym.run_summary import summarise_run
 from neurosym.stages import compile_stage, distill_stage, explore_stage, train_stage
 
 PLANNER = "fast-downward"
@@ -108,7 +109,11 @@ def disturbed(folder: Path, drawn: Path) -> list[Any]:
     solve = planner_of(setting, PLANNER, time_limit=TIME_LIMIT)
     for task in _tasks(bench, drawn, TOLERANCE):
         result = solve(task, setting.grounding)
-        entry: dict[str, Any] = {"task": task.name, "solvable": result.status is PlanStatus.SOLVED, "status": result.status.value}
+        entry: dict[str, Any] = {
+            "task": task.name,
+            "solvable": result.status is PlanStatus.SOLVED,
+            "status": result.status.value,
+        }
         if entry["solvable"]:
             run = execute(
                 setting.world,
@@ -119,7 +124,7 @@ def disturbed(folder: Path, drawn: Path) -> list[Any]:
                 nudge_seed=int(task.name.rpartition("-")[2]),
             )
             entry["nudge"] = msgspec.to_builtins(run.nudge)
-            entry["run"] = msgspec.to_builtins(shortened(run, setting.grounding))
+            entry["run"] = msgspec.to_builtins(summarise_run(run, setting.grounding))
         found.append(entry)
     return found
 
@@ -136,13 +141,13 @@ def without_costs(folder: Path, drawn: Path) -> list[Any]:
             run = execute(setting.world, task, setting.grounding, result.steps)
             entry["valid"] = replay(result.steps, task, setting.grounding).valid
             entry["primitives"] = sum(not step.puts_down for step in result.steps)
-            entry["run"] = msgspec.to_builtins(shortened(run, setting.grounding))
+            entry["run"] = msgspec.to_builtins(summarise_run(run, setting.grounding))
         found.append(entry)
     return found
 
 
 def flattened(grounding: Grounding) -> Grounding:
-    """Keep the live operators, and have each promise the same with the same certainty, so that all cost alike."""
+    """Keep the live operators, and let each be as sure of its promise as any other: all cost alike."""
     table = grounding.operators
     operators = tuple(
         msgspec.structs.replace(

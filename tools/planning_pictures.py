@@ -75,6 +75,8 @@ def draw_scaling(scaling: Mapping[str, Any], path: Path) -> None:
             axis.set_xticks([1, 2, 4, 8, 16], ["1", "2", "4", "8", "16"])
             axis.grid(alpha=0.3)
     if scaling["contenders"]:
-        figure.legend(*axes[0][0].get_legend_handles_labels(), loc="outside lower center", ncols=3, fontsize=9)
+        figure.legend(
+            *axes[0][0].get_legend_handles_labels(), loc="outside lower center", ncols=3, fontsize=9
+        )
     figure.savefig(path, dpi=110, metadata={"Software": None})
     plt.close(figure)

@@ -20,17 +20,17 @@ def page(results: Mapping[str, Any]) -> str:
     sections = [
         "# Planning, measured",
         f"By `{results['command']}`, which wrote this page, `planning.json` and `planning.png`; "
-        f"[scaling.md](scaling.md) is about size. Machine: {versions}. Means ± standard deviations over seeds; "
-        f"docs/planning.md says what is what.{unfinished}",
+        f"[scaling.md](scaling.md) is about size. Machine: {versions}. Means ± standard deviations over "
+        f"seeds; docs/planning.md says what is what.{unfinished}",
         "## Table III: goals reached",
         f"{size['tasks']} tasks with one and {size['tasks']} with two objects, drawn as the paper draws them "
-        "(section III-E: random scene, random action, its result is the goal, mid-air included), the same for "
-        "every domain; every object must end within 50 mm. No task is met at the start. Shares of all tasks, "
-        "those without a plan included. *bfs* is the paper's search, 3 deep, over what the network predicts; "
-        "*valid* means that the rehearsed operators promise that the plan ends at the goal. *Blindly*: the "
-        "plan is followed to its end. *Replanning*: whoever made the plan makes another when it would miss by "
-        f"what is seen. *shipped* is `domains/tabletop` (10,000 interactions); the others had "
-        f"{size['steps']:,}, and *curiosity* is what `neurosym explore` does by default.",
+        "(section III-E: random scene, random action, its result is the goal, mid-air included), the same "
+        "for every domain; every object must end within 50 mm. No task is met at the start. Shares of all "
+        "tasks, those without a plan included. *bfs* is the paper's search, 3 deep, over what the network "
+        "predicts; *valid* means that the rehearsed operators promise that the plan ends at the goal. "
+        "*Blindly*: the plan is followed to its end. *Replanning*: whoever made the plan makes another when "
+        f"it would miss by what is seen. *shipped* is `domains/tabletop` (10,000 interactions); the others "
+        f"had {size['steps']:,}, and *curiosity* is what `neurosym explore` does by default.",
         _table3(results["table3"]),
         "![Shares of the goals that were reached](planning.png)",
         _paper(results["paper"]),
@@ -40,19 +40,19 @@ def page(results: Mapping[str, Any]) -> str:
         "In the shipped domain, at 50 mm; numbers of tasks.",
         *(f"**{kind}**\n\n{_reasons(reasons)}" for kind, reasons in results["reasons"].items()),
         "## Off the table, and into others",
-        "In the runs of the shipped domain. *Touched* and *moved* are shares of the interactions in which the "
-        "robot touched another object, and of other objects that ended elsewhere; *off the table* of runs.",
+        "In the runs of the shipped domain. *Touched* and *moved* are shares of the interactions in which "
+        "the robot touched another object, and of other objects that ended elsewhere; *off the table* of runs.",
         _collisions(results["collisions"]),
         "## Plans that are true in the model",
         "Symbolic tasks in the shipped domain: goals that 1 to 3 (easy) or 5 to 8 (hard) random operators an "
         "object lead to without leaving the table or colliding. *Valid*: share of Fast Downward's plans that "
-        "the exact replay confirms. *When BFS solves*: share of the tasks solved by breadth-first search over "
-        "the same operators, 3 deep, that Fast Downward solves, too; *when counting solves* the same for the "
-        "exact planner at any depth. *Shortest*: share of its plans with the fewest primitives there can be; "
-        "it minimises cost, and what is reliable may be longer.",
+        "the exact replay confirms. *When BFS solves*: share of the tasks solved by breadth-first search "
+        "over the same operators, 3 deep, that Fast Downward solves, too; *when counting solves* the same "
+        "for the exact planner at any depth. *Shortest*: share of its plans with the fewest primitives there "
+        "can be; it minimises cost, and what is reliable may be longer.",
         _symbolic(results),
-        "The paper's search over the network on the same tasks: how often it finds a plan 3 deep, how many of "
-        "these plans the operators confirm, and of how many of Fast Downward's plans the network, too, "
+        "The paper's search over the network on the same tasks: how often it finds a plan 3 deep, how many "
+        "of these plans the operators confirm, and of how many of Fast Downward's plans the network, too, "
         "predicts that they end at the goal.",
         _network(results["symbolic"]),
         "## Reliable, not only short",
@@ -158,7 +158,9 @@ def _network(symbolic: Mapping[str, Any]) -> str:
         for size, cell in symbolic.items()
     ]
     columns = ["objects", "tasks", "found by bfs", "of these valid by the operators"]
-    return markdown([*columns, "of these solved by Fast Downward", "its plans that the network confirms"], rows)
+    return markdown(
+        [*columns, "of these solved by Fast Downward", "its plans that the network confirms"], rows
+    )
 
 
 def _costs(kinds: Mapping[str, Any]) -> str:
@@ -174,8 +176,13 @@ def _costs(kinds: Mapping[str, Any]) -> str:
 
 def _disturbed(kinds: Mapping[str, Any]) -> str:
     rows = [
-        [kind, *(str(cell[name]) for name in ("tasks", "without_plan", "nudged", "reached"))]
-        + [_share(cell["share"]), str(cell["replans"]), _counts(cell["missed"])]
+        [
+            kind,
+            *(str(cell[name]) for name in ("tasks", "without_plan", "nudged", "reached")),
+            _share(cell["share"]),
+            str(cell["replans"]),
+            _counts(cell["missed"]),
+        ]
         for kind, cell in kinds.items()
         if cell["tasks"]
     ]

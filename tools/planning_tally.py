@@ -7,8 +7,9 @@ from typing import Any
 import msgspec
 import numpy as np
 
-from neurosym.comparison import Execution, TaskRecord
+from neurosym.comparison import TaskRecord
 from neurosym.comparison_summary import summarise
+from neurosym.run_summary import Execution
 
 MEASURES = ("found", "valid", "reached", "reached_with_replanning")
 Entries = Sequence[Mapping[str, Any]]
