@@ -41,7 +41,7 @@ def page(results: Mapping[str, Any]) -> str:
         *(f"**{kind}**\n\n{_reasons(reasons)}" for kind, reasons in results["reasons"].items()),
         "## Off the table, and into others",
         "In the runs of the shipped domain. *Touched* and *moved* are shares of the interactions in which "
-        "the robot touched another object, and of other objects that ended elsewhere; *off the table* of runs.",
+        "the robot touched another object, and of other objects that ended elsewhere; *off the table*: runs.",
         _collisions(results["collisions"]),
         "## Plans that are true in the model",
         "Symbolic tasks in the shipped domain: goals that 1 to 3 (easy) or 5 to 8 (hard) random operators an "
