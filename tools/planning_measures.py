@@ -28,12 +28,13 @@ from neurosym.folder import MODEL, PRIMITIVES, WORLD, DomainFolder
 from neurosym.operators import TOLERANCE
 from neurosym.pddl.grounding import Grounding
 from neurosym.pddl.replay import replay
+from neurosym.pddl_stages import compile_stage
 from neurosym.pipeline import CELL
 from neurosym.planners import PlanStatus, branching_of, plan, plan_bfs
 from neurosym.planners.counting import fewest_steps
 from neurosym.problems import Problem
 from neurosym.run_summary import summarise_run
-from neurosym.stages import compile_stage, distill_stage, explore_stage, train_stage
+from neurosym.stages import distill_stage, explore_stage, train_stage
 
 PLANNER = "fast-downward"
 TIME_LIMIT = 30.0  # of one plan for a drawn task [s]
