@@ -13,6 +13,7 @@ from neurosym.console import error_console
 from neurosym.errors import NeurosymError
 from neurosym.explain.command import explain
 from neurosym.figures_command import figures
+from neurosym.report.command import report
 from neurosym.show_command import show
 
 BAD_INPUT, INTERRUPTED = 2, 130
@@ -32,6 +33,7 @@ COMMANDS: dict[str, Callable[..., int]] = {
     "show": show,
     "explain": explain,
     "figures": figures,
+    "report": report,
 }
 """The commands, in the order in which a domain folder meets them after `run`, which does it all."""
 

@@ -38,20 +38,24 @@ def show_training(path: Path) -> None:
         InvalidFile: If it is no training report.
     """
     report = read_json(path, TrainingSummary)
-    names = name_axes(max(map(len, report.mae.values()), default=3))
-    is_in_space = len(names) == 3
-    rows = [
-        [name, *(f"{1000 * error:.1f}" if is_in_space else f"{error:.3g}" for error in errors)]
-        for name, errors in report.mae.items()
-    ]
-    axes = [f"{axis} [mm]" if is_in_space else axis for axis in names]
-    show_table(f"mean absolute error, {report.held_out} held-out interactions", ["predictor", *axes], rows)
+    show_table(f"mean absolute error, {report.held_out} held-out interactions", *error_table(report))
     say(
         f"R2 through the bits {report.r2_through_codes:.2f}, of a network without a bottleneck "
         f"{report.r2_direct:.2f}: {_share(report)}"
     )
     used = f"{len(report.action_symbols)} for actions, {len(report.object_symbols)} for objects"
     say(f"symbols used in the held-out interactions: {used}")
+
+
+def error_table(report: TrainingSummary) -> tuple[list[str], list[list[str]]]:
+    """Return headings and rows of the errors of each predictor, in mm if the axes are x, y and z."""
+    names = name_axes(max(map(len, report.mae.values()), default=3))
+    is_in_space = len(names) == 3
+    rows = [
+        [name, *(f"{1000 * error:.1f}" if is_in_space else f"{error:.3g}" for error in errors)]
+        for name, errors in report.mae.items()
+    ]
+    return ["predictor", *(f"{axis} [mm]" if is_in_space else axis for axis in names)], rows
 
 
 def _share(report: TrainingSummary) -> str:

@@ -1,15 +1,19 @@
 """Stills: the few pictures that tell what a primitive or a run does, as in the paper's Figures 3 and 4."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
+import msgspec
 import numpy as np
-from jaxtyping import Float
 
 from neurosym.errors import InvalidValue
+from neurosym.execution import perform
 from neurosym.film import Sparing, caption_of, ends_in_the_air, film_phases
 from neurosym.folder import Manifest
 from neurosym.motions import primitive_motions
+from neurosym.nudges import nudged
 from neurosym.pddl.grounding import Grounding
+from neurosym.pddl.plan_text import PlanStep
 from neurosym.problems import Problem
 from neurosym.rehearsal import Categorise
 from neurosym.run_record import Run, StepRecord
@@ -38,7 +42,7 @@ class Stills:
 def primitive_stills(
     world: World, grounding: Grounding, symbol: str, categorise: Categorise, *, objects: int, seed: int
 ) -> Stills:
-    """Perform a primitive where its promise weighs most, and keep the start and the end of each phase.
+    """Perform a primitive as it mostly turns out, and keep the start and the end of each phase.
 
     Args:
         world: The world to act in.
@@ -55,8 +59,8 @@ def primitive_stills(
     motions = primitive_motions(world, grounding, symbol, categorise, objects=objects, seed=seed)
     if not motions:
         raise InvalidValue(f"Rehearsal sampled no object that the primitive {symbol} was tried on.")
-    weights = _weights(grounding)
-    motion = max(motions, key=lambda motion: weights.get(motion.title, 0.0))
+    weights = _weights(grounding, symbol)
+    motion = max(motions, key=lambda motion: weights.get(motion.title, (0.0, 0.0)))
     take = film_phases(world, motion.scene, motion.action)
     return Stills(f"{motion.title}: {tell(take.outcome)}", take.frames, take.phases)
 
@@ -72,13 +76,19 @@ def rehearsal_options(manifest: Manifest) -> tuple[int, int]:
     return options.get("objects", 100), options.get("seed", 0)
 
 
-def _weights(grounding: Grounding) -> dict[str, float]:
-    """Say of how many of all objects each operator keeps its promise, as a share."""
-    shares = {category.symbol: category.share for category in grounding.operators.categories}
-    return {
-        operator.name: shares[operator.category] * operator.successes / max(1, operator.trials)
-        for operator in grounding.operators.operators
-    }
+def _weights(grounding: Grounding, symbol: str) -> dict[str, tuple[float, float]]:
+    """Say for which share of all objects operators with the same verb keep their promises, and each alone."""
+    categories = {category.symbol: category for category in grounding.operators.categories}
+    kept: dict[str, tuple[str, float]] = {}
+    by_verb: dict[str, float] = {}
+    for operator in grounding.operators.operators:
+        if operator.primitive == symbol:
+            category = categories[operator.category]
+            verb = operator.name.removesuffix(f"-{symbol}-{category.name}")
+            share = category.share * operator.successes / max(1, operator.trials)
+            kept[operator.name] = (verb, share)
+            by_verb[verb] = by_verb.get(verb, 0.0) + share
+    return {name: (by_verb[verb], share) for name, (verb, share) in kept.items()}
 
 
 def run_stills(world: World, problem: Problem, grounding: Grounding, run: Run) -> Stills:
@@ -97,57 +107,58 @@ def run_stills(world: World, problem: Problem, grounding: Grounding, run: Run) -
         InvalidValue: If it goes another way this time, or the world draws no pictures.
         UnknownChoice: If an operator or an object is unknown here.
     """
-    scene = problem.scene()
+    scene, performed = problem.scene(), [step for step in run.steps if step.happened != "not performed"]
+    _check_objects(problem, performed)
     frames = [check_pictured(world).picture(scene, problem.goal_positions())]
     captions = [f"{problem.name}: start, goal transparent"]
-    performed = [record for record in run.steps if record.happened != "not performed"]
-    for record in performed:
-        if not {record.object, *problem.object_names} <= record.positions.keys() & {*problem.object_names}:
-            raise InvalidValue(f"The run is not of the objects of {problem.name}.")
+    start = {item.name: item.position for item in problem.objects}
     for number, record in enumerate(performed, 1):
-        ghosts = problem.scene().positions if number == len(performed) else None
-        frame, outcome = _perform(world, problem, grounding, record, scene, ghosts)
-        scene = outcome.end
+        if run.nudge and run.nudge.before_step == number:
+            scene = nudged(scene, run.nudge, problem)
+            captions[-1] += f"; then {run.nudge.object} was nudged"
+        haunted = msgspec.structs.replace(problem, goals=start if number == len(performed) else {})
+        frame, scene = _perform(world, haunted, grounding, record, scene)
         _check_same(problem, record, scene, number)
         frames.append(frame)
         captions.append(f"{number}. {caption_of(record, problem)}")
     captions[-1] += ", goal reached" if run.reached else ", goal missed"
-    return Stills(problem.name, tuple(frames), tuple(captions))
+    told = f"{problem.name}: goal {'reached' if run.reached else 'missed'}, {len(performed)} steps"
+    return Stills(told, tuple(frames), tuple(captions))
 
 
 def _perform(
-    world: World,
-    problem: Problem,
-    grounding: Grounding,
-    record: StepRecord,
-    scene: Scene,
-    ghosts: Float[np.ndarray, "M 3"] | None,
-) -> tuple[Frame, Outcome]:
-    action = np.array(grounding.primitive(grounding.operator_named(record.operator).primitive).action)
-    target = problem.object_names.index(record.object)
+    world: World, problem: Problem, grounding: Grounding, record: StepRecord, scene: Scene
+) -> tuple[Frame, Scene]:
+    """Perform a step again, and return its last picture and where everything is then.
+
+    A world that is `Sparing` performs it twice: the same interaction has as many pictures again, and only the
+    last of them is drawn.
+    """
+    step, put_down = PlanStep(record.operator, record.object), not ends_in_the_air(record, problem)
     frames: list[Frame] = []
 
-    def perform() -> Outcome:
-        return world.interact(
-            scene,
-            action,
-            target,
-            put_down=not ends_in_the_air(record, problem),
-            on_frame=lambda frame, _: frames.append(frame),
-            ghosts=ghosts,
+    def attempt() -> Outcome | None:
+        return perform(
+            world, problem, grounding, step, scene, put_down, lambda frame, _: frames.append(frame)
         )
 
-    if isinstance(world, Sparing):  # the same interaction has the same pictures again
+    if isinstance(world, Sparing):
         world.wanted_pictures = ()
-        perform()
+        attempt()
         world.wanted_pictures = (len(frames) - 1,)
-        outcome = perform()
+        outcome = attempt()
         world.wanted_pictures = None
     else:
-        outcome = perform()
+        outcome = attempt()
     if not frames:
         raise InvalidValue(f"The {world.name} world draws no pictures of motions; have it call `on_frame`.")
-    return frames[-1], outcome
+    return frames[-1], outcome.end if outcome else scene
+
+
+def _check_objects(problem: Problem, records: Sequence[StepRecord]) -> None:
+    names = {*problem.object_names}
+    if any(record.object not in names or record.positions.keys() != names for record in records):
+        raise InvalidValue(f"The run is not of the objects of {problem.name}.")
 
 
 def _check_same(problem: Problem, record: StepRecord, scene: Scene, number: int) -> None:

@@ -1,0 +1,175 @@
+"""The page: gathered from what a domain folder holds, and written as one HTML file."""
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING
+
+from neurosym.errors import InvalidValue, UnknownChoice
+from neurosym.examples import runs_of, telling_examples
+from neurosym.files import read_json
+from neurosym.folder import (
+    GROUNDING,
+    INTERACTIONS,
+    MODEL,
+    PRIMITIVES,
+    WORLD,
+    DomainFolder,
+    Stage,
+    versions,
+)
+from neurosym.operators import OperatorTable
+from neurosym.pddl.grounding import Grounding
+from neurosym.report.charts import Chart
+from neurosym.report.exploration import Explored, explored
+from neurosym.report.learning import Learned, curve_charts, learned
+from neurosym.report.operators import OperatorRow, operator_rows
+from neurosym.report.plans import PlannerSummary, PlanRow, plan_rows, summaries
+from neurosym.report.stages import Shown, primitive_stage, run_stage, shown
+
+if TYPE_CHECKING:
+    from neurosym.explain.explanation import Explanation
+
+EXAMPLES = 6
+"""How many runs are shown in pictures."""
+
+Progress = Callable[[int, int], None]
+"""Called with the number of pictures made and of those wanted."""
+
+
+@dataclass(frozen=True, slots=True)
+class Page:
+    """What stands on the page; what is missing is empty or None.
+
+    Attributes:
+        name: Name of the domain folder.
+        path: The domain folder as it was named, for the commands that the page tells.
+        explanation: What the symbols mean.
+        pictures: A strip for each action symbol.
+        without_picture: Why an action symbol has none, or why none has.
+        data: What was explored.
+        learned: How well the model predicts.
+        curves: The learning curve.
+        operators: The table of operators.
+        compiled: Whether there is a domain.
+        measured: What the operators were measured by.
+        plans: The plans and their runs.
+        planners: The same, counted by planner.
+        examples: Pictures of runs.
+        unlike: Runs that go another way when they are performed again.
+        texts: The PDDL files, by name.
+        versions: Versions of the packages that decide the outcome.
+    """
+
+    name: str
+    path: str
+    explanation: "Explanation | None"
+    pictures: dict[str, Shown]
+    without_picture: dict[str, str]
+    data: Explored | None
+    learned: Learned | None
+    curves: tuple[Chart, ...]
+    operators: tuple[OperatorRow, ...]
+    compiled: bool
+    measured: str
+    plans: tuple[PlanRow, ...]
+    planners: tuple[PlannerSummary, ...]
+    examples: tuple[Shown, ...]
+    unlike: tuple[str, ...]
+    texts: dict[str, str]
+    versions: dict[str, str] = field(default_factory=versions)
+
+
+def gather(folder: DomainFolder, progress: Progress) -> Page:
+    """Read a domain folder, and make the pictures that are not there yet.
+
+    Args:
+        folder: The domain folder.
+        progress: Called after each picture.
+
+    Raises:
+        InvalidFile: If a file is damaged.
+    """
+    from neurosym.explain.command import explain_folder
+    from neurosym.interactions import Interactions
+
+    has = {name: (folder / name).is_file() for name in (INTERACTIONS, PRIMITIVES, GROUNDING)}
+    table = read_json(folder / PRIMITIVES, OperatorTable) if has[PRIMITIVES] else None
+    grounding = Grounding.load(folder / GROUNDING) if has[GROUNDING] else None
+    interactions = Interactions.load(folder / INTERACTIONS) if has[INTERACTIONS] else None
+    plans = plan_rows(folder)
+    explanation = explain_folder(folder) if table else None
+    texts = {path.name: path.read_text(errors="replace") for path in sorted(folder.path.glob("domain*.pddl"))}
+    report, curves = learned(folder), curve_charts(folder)
+    pictures, without_picture, examples, unlike = _pictures(folder, grounding, progress)
+    return Page(
+        name=folder.path.resolve().name,
+        path=str(folder.path),
+        explanation=explanation,
+        pictures=pictures,
+        without_picture=without_picture,
+        data=explored(interactions) if interactions and len(interactions) else None,
+        learned=report,
+        curves=curves,
+        operators=operator_rows(table, grounding) if table else (),
+        compiled=grounding is not None,
+        measured=table.measured if table else "",
+        plans=plans,
+        planners=summaries(plans),
+        examples=examples,
+        unlike=unlike,
+        texts=texts,
+    )
+
+
+def _pictures(
+    folder: DomainFolder, grounding: Grounding | None, progress: Progress
+) -> tuple[dict[str, Shown], dict[str, str], tuple[Shown, ...], tuple[str, ...]]:
+    """Make the strips of primitives and of example runs, as far as there is what they need."""
+    if grounding is None or not (folder / WORLD).is_file():
+        return {}, {}, (), ()
+    symbols = [p.symbol for p in grounding.operators.primitives] if (folder / MODEL).is_file() else []
+    chosen = telling_examples(runs_of(folder))[:EXAMPLES]
+    stages = [
+        *(primitive_stage(folder, symbol) for symbol in symbols),
+        *(run_stage(folder, example) for example in chosen),
+    ]
+    made = list(_made(folder, stages, progress))
+    primitives = dict(zip(symbols, made, strict=False))
+    runs = dict(zip([example.name for example in chosen], made[len(symbols) :], strict=True))
+    return (
+        {symbol: strip for symbol, strip in primitives.items() if isinstance(strip, Shown)},
+        {symbol: reason for symbol, reason in primitives.items() if isinstance(reason, str)},
+        tuple(strip for strip in runs.values() if isinstance(strip, Shown)),
+        tuple(f"{name}: {reason}" for name, reason in runs.items() if isinstance(reason, str)),
+    )
+
+
+def _made(folder: DomainFolder, stages: Sequence[Stage], progress: Progress) -> list[Shown | str]:
+    """Return what each stage shows, or why it cannot."""
+    made: list[Shown | str] = []
+    for stage in stages:
+        try:
+            folder.perform(stage, again=False)
+            made.append(shown(folder, stage))
+        except (InvalidValue, UnknownChoice) as error:
+            made.append(str(error))
+        progress(len(made), len(stages))
+    return made
+
+
+def render(page: Page) -> str:
+    """Write a page as HTML; whatever comes from files is escaped.
+
+    Args:
+        page: What stands on it.
+    """
+    from jinja2 import Environment, PackageLoader, StrictUndefined
+
+    environment = Environment(
+        loader=PackageLoader("neurosym.report"),
+        autoescape=True,
+        undefined=StrictUndefined,
+        trim_blocks=True,
+        lstrip_blocks=True,
+    )
+    return environment.get_template("page.html").render(page=page)

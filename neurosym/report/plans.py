@@ -1,0 +1,105 @@
+"""Plans and what became of them, for the page."""
+
+from dataclasses import dataclass
+
+from neurosym.examples import runs_of
+from neurosym.files import read_json
+from neurosym.folder import DomainFolder
+from neurosym.plan_stages import PlanRecord, load_problem
+
+
+@dataclass(frozen=True, slots=True)
+class PlanRow:
+    """What a planner made of a problem.
+
+    Attributes:
+        problem: Name of the problem.
+        objects: How many objects it has.
+        planner: Name of the planner.
+        status: Whether there is a plan, and if not, why.
+        steps: How many steps the plan has; None without one.
+        seconds: How long planning took [s]; None if only the run is known.
+        reached: Whether its run reached the goal; None without a run.
+        reason: What is to be said about it.
+    """
+
+    problem: str
+    objects: int
+    planner: str
+    status: str
+    steps: int | None
+    seconds: float | None
+    reached: bool | None
+    reason: str
+
+
+def plan_rows(folder: DomainFolder) -> tuple[PlanRow, ...]:
+    """List the plans of a folder, by problem and planner, with their runs.
+
+    Args:
+        folder: The domain folder.
+
+    Raises:
+        InvalidFile: If a plan's record, a run or a problem is damaged.
+    """
+    runs = {example.name: example for example in runs_of(folder)}
+    known = folder.problem_names()
+    rows = []
+    for path in sorted((folder / "plans").glob("*.json")):
+        record = read_json(path, PlanRecord)
+        if record.problem not in known:
+            continue
+        example = runs.pop(path.stem, None) if record.solved else None
+        rows.append(
+            PlanRow(
+                problem=record.problem,
+                objects=len(load_problem(folder, record.problem).objects),
+                planner=record.planner,
+                status=record.status,
+                steps=len(record.steps) if record.solved else None,
+                seconds=record.seconds,
+                reached=example.run.reached if example else None,
+                reason=(example.run.reason if example else "") or record.reason,
+            )
+        )
+    for example in runs.values():
+        rows.append(
+            PlanRow(
+                problem=example.problem.name,
+                objects=len(example.problem.objects),
+                planner=example.planner,
+                status="given",
+                steps=len(example.run.plan),
+                seconds=None,
+                reached=example.run.reached,
+                reason=example.run.reason,
+            )
+        )
+    return tuple(sorted(rows, key=lambda row: (row.problem, row.planner)))
+
+
+@dataclass(frozen=True, slots=True)
+class PlannerSummary:
+    """What a planner made of all problems: found and reached are shares of `problems` and `runs`."""
+
+    planner: str
+    problems: int
+    found: int
+    runs: int
+    reached: int
+
+
+def summaries(rows: tuple[PlanRow, ...]) -> tuple[PlannerSummary, ...]:
+    """Count for each planner the plans it found and the runs that reached their goals."""
+    planners = sorted({row.planner for row in rows})
+    return tuple(_summary(planner, [row for row in rows if row.planner == planner]) for planner in planners)
+
+
+def _summary(planner: str, rows: list[PlanRow]) -> PlannerSummary:
+    return PlannerSummary(
+        planner=planner,
+        problems=len(rows),
+        found=sum(row.steps is not None for row in rows),
+        runs=sum(row.reached is not None for row in rows),
+        reached=sum(row.reached is True for row in rows),
+    )
