@@ -26,15 +26,19 @@ _SCALING_SEEDS = 10_000
 CONTENDERS: dict[str, tuple[str, dict[str, Any]]] = {
     "BFS over operators, 3 deep": ("bfs", {}),
     "stepwise, object by object": ("fast-downward", {"encoding": "stepwise"}),
-    "stepwise, whole": ("fast-downward", {"encoding": "stepwise", "whole": True}),
-    "operators, object by object": ("fast-downward", {"encoding": "operators"}),
-    "operators, whole": ("fast-downward", {"encoding": "operators", "whole": True}),
-    "numeric with Kairos, object by object": ("kairos", {"encoding": "numeric"}),
-    "numeric with Kairos, whole": ("kairos", {"encoding": "numeric", "whole": True}),
-    "numeric with ENHSP, object by object": ("enhsp", {"encoding": "numeric"}),
+    "stepwise, object by object, no costs": ("fast-downward", {"encoding": "stepwise", "costs": False}),
+    "stepwise, whole, no costs": ("fast-downward", {"encoding": "stepwise", "whole": True, "costs": False}),
+    "operators, object by object, no costs": ("fast-downward", {"encoding": "operators", "costs": False}),
+    "operators, whole, no costs": ("fast-downward", {"encoding": "operators", "whole": True, "costs": False}),
+    "numeric with Kairos, object by object, no costs": ("kairos", {"encoding": "numeric", "costs": False}),
+    "numeric with Kairos, whole, no costs": (
+        "kairos",
+        {"encoding": "numeric", "whole": True, "costs": False},
+    ),
+    "numeric with ENHSP, object by object, no costs": ("enhsp", {"encoding": "numeric", "costs": False}),
     "counting": ("counting", {}),
 }
-"""Who is tried at scale: the planner, and what it is asked for."""
+"""Who is tried at scale: the planner, and what it is asked for; without costs, all operators cost alike."""
 
 Turn = tuple[str, dict[str, Job]]
 """What jobs are about, and the jobs by name."""

@@ -11,7 +11,7 @@ import subprocess
 import sys
 import tempfile
 import time
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from functools import cache
 from pathlib import Path
 from typing import Any
@@ -23,6 +23,7 @@ from planning_tasks import draw_symbolic
 from neurosym.commands import init
 from neurosym.comparison import compare, planner_of
 from neurosym.comparison_tasks import Bench
+from neurosym.errors import NeurosymError
 from neurosym.execution import execute
 from neurosym.folder import MODEL, PRIMITIVES, WORLD, DomainFolder
 from neurosym.operators import TOLERANCE
@@ -30,7 +31,7 @@ from neurosym.pddl.grounding import Grounding
 from neurosym.pddl.replay import replay
 from neurosym.pddl_stages import compile_stage
 from neurosym.pipeline import CELL
-from neurosym.planners import PlanStatus, branching_of, plan, plan_bfs
+from neurosym.planners import PlanResult, PlanStatus, branching_of, plan, plan_bfs
 from neurosym.planners.counting import fewest_steps
 from neurosym.problems import Problem
 from neurosym.run_summary import summarise_run
@@ -170,9 +171,11 @@ def draw_scaling(folder: Path, objects: int, difficulty: str, seeds: Sequence[in
     return [{"task": msgspec.to_builtins(t), "fewest": f} for t, f in zip(tasks, fewest, strict=True)]
 
 
-def scaling(grounding_file: Path, drawn: Path, planner: str, options: dict[str, Any]) -> dict[str, Any]:
+def scaling(grounding_file: Path, drawn: Path, planner: str, options: Mapping[str, Any]) -> dict[str, Any]:
     """Let one planner plan for symbolic tasks, in a process of its own so that its memory can be told."""
     grounding, rows = Grounding.load(grounding_file), []
+    asked = {name: value for name, value in options.items() if name != "costs"}
+    planned_in = grounding if options.get("costs", True) else flattened(grounding)
     before = _memory(resource.RUSAGE_SELF)
     for entry in msgspec.json.decode(drawn.read_bytes()):
         if sum(row["status"] == PlanStatus.TIMEOUT.value for row in rows) >= GIVE_UP:
@@ -180,7 +183,10 @@ def scaling(grounding_file: Path, drawn: Path, planner: str, options: dict[str, 
             continue
         task = msgspec.convert(entry["task"], Problem)
         begin = time.perf_counter()
-        result = plan(task, grounding, planner, time_limit=CAP, **options)
+        try:
+            result = plan(task, planned_in, planner, time_limit=CAP, **asked)
+        except NeurosymError as error:  # a planner that is not installed
+            result = PlanResult(PlanStatus.FAILED, (), 0.0, str(error))
         seconds = time.perf_counter() - begin
         row = {"status": result.status.value, "seconds": seconds, "fewest": entry["fewest"]}
         if result.status is PlanStatus.SOLVED:

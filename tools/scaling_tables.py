@@ -24,8 +24,9 @@ def scaling_page(results: Mapping[str, Any]) -> str:
         f"one after another; *whole*: one problem. {cap:g} s at most; after two time-outs in a cell, its "
         "other tasks are not tried. BFS is allowed 3 primitives, which hard goals and many objects exceed.",
         "![Seconds and steps against objects](scaling.png)",
-        "*Fewest*: primitives over the fewest there can be, counted exactly. *Memory*: of the largest "
-        "process, Python's own included.",
+        "*Over the fewest*: primitives beyond the fewest there can be, counted exactly. With its costs, Fast "
+        "Downward asks for what is reliable, which takes more steps; *no costs*: all operators cost alike. "
+        "*Memory*: of the largest process, Python's own included.",
         *(
             f"## {difficulty.capitalize()} goals\n\n{_table(scaling['contenders'], difficulty)}"
             for difficulty in ("easy", "hard")
