@@ -77,6 +77,17 @@ def test_goals_that_need_no_hand_are_met_even_if_lifting_were_cheaper_for_each()
     assert [step.operator for step in found.steps][:3] == [lift.name, f"put-down-{lift.name}", lift.name]
 
 
+def test_objects_with_one_goal_are_brought_beside_each_other():
+    """The cheapest plans for each would end in each other, and no order of steps helps."""
+    spot = (0.57, 0.06, 0.025)
+    task = Problem(
+        "p", (item("item-01", 0.4, 0.0), item("item-02", 0.4, 0.12)), {"item-01": spot, "item-02": spot}
+    )
+    found = plan_pddl(task, grounding())
+    assert found.status is PlanStatus.SOLVED, found.reason
+    assert replay(found.steps, task, grounding()).valid
+
+
 def test_goal_met_at_the_start_needs_no_step():
     task = Problem("p", (item("item-01", 0.5, 0.0),), {"item-01": (0.51, 0.0, 0.025)})
     assert (plan_pddl(task, grounding()).status, plan_pddl(task, grounding()).steps) == (
@@ -116,6 +127,8 @@ def test_plan_whose_replay_is_wrong_is_planned_again_and_given_up_in_the_end(mon
     gave_up = plan_pddl(task, grounding(), "scripted")
     assert gave_up.status is PlanStatus.FAILED
     assert "no plan was true when replayed, in 4 attempts" in gave_up.reason
+    cells = [text.count("x-cell") and text.split(" - x-cell")[0].count(" x") for text in asked[-4:]]
+    assert cells[2] == cells[3] > 2.9 * cells[1]  # the later half is solved on a finer grid
 
 
 def test_time_out_is_a_result():

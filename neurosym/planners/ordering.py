@@ -82,6 +82,8 @@ class _Search:
 
     def run(self) -> tuple[PlanStep, ...] | None:
         """Return the steps in the first order that is possible, or None if there is none."""
+        if self._ends_overlap():
+            return None
         seen = {self._counts}
         waiting: list[tuple[tuple[int, ...], tuple[int, ...], Float[np.ndarray, "M 3"]]] = [
             ((), self._counts, self._start)
@@ -96,6 +98,15 @@ class _Search:
                     seen.add(fewer)
                     waiting.append(((*done, kind), fewer, after))
         return None
+
+    def _ends_overlap(self) -> bool:
+        """Say whether an object that is moved ends in another, which no order can help."""
+        end = self._start.copy()
+        for count, effect in zip(self._counts, self._effects, strict=True):
+            end[effect.moved] += count * effect.shifts[-1]
+        moved = {effect.moved for effect in self._effects}
+        hits = (overlapping(end[one, :2], end[:, :2], self._apart[one]) for one in moved)
+        return any(hit.any() for hit in hits)
 
     def _after(self, here: Float[np.ndarray, "M 3"], kind: int) -> Float[np.ndarray, "M 3"] | None:
         """Return where the objects are after a block, or None if it is impossible."""

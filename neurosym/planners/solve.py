@@ -44,8 +44,8 @@ ATTEMPTS = 4
 """How often a problem is solved before its replay must be right; the later half on a finer grid."""
 FINER = 3
 """How many times finer that grid is."""
-NARROWER = 4
-"""By how much goals are narrowed if objects would end in each other."""
+NARROWER = (4, 12)
+"""By how much goals are narrowed, one after the other, if objects would stand in each other's way."""
 WORKERS = 2
 """How many objects are planned for at the same time."""
 
@@ -111,18 +111,22 @@ def plan_pddl(
 
 def _one_by_one(problem: Problem, grounding: Grounding, solve: _Solve) -> PlanResult:
     """Solve a problem one object at a time; whole, if the hand would have to hold two in the end."""
-    result, joined = _joined(problem, grounding, solve), problem
+    result = _joined(problem, grounding, solve)
     if result.status is not PlanStatus.SOLVED:
         return result
     steps, checked = mend(result.steps, problem, grounding)
-    if not checked.valid and (apart := _kept_apart(problem, grounding)):
-        result, joined = _joined(apart, grounding, solve), apart
-        if result.status is not PlanStatus.SOLVED:
+    if checked.valid:
+        return dataclasses.replace(result, steps=steps)
+    aims = plan_counting(problem, grounding, time_limit=1.0)
+    for narrower in NARROWER if aims.status is PlanStatus.SOLVED else ():
+        ends = replay(aims.steps, problem, grounding).positions[-1]
+        result = _joined(_narrowed(problem, ends, problem.tolerance / narrower), grounding, solve)
+        if result.status is PlanStatus.TIMEOUT:
             return result
         steps, checked = mend(result.steps, problem, grounding)
-    if checked.valid:
-        said = "" if joined is problem else "goals were narrowed, for objects would have ended in each other"
-        return dataclasses.replace(result, steps=steps, reason=said or result.reason)
+        if checked.valid:
+            said = "goals were narrowed, for objects would have stood in each other's way"
+            return dataclasses.replace(result, steps=steps, reason=said)
     reason = f"no plan was true when replayed; the last: {checked.reason}"
     return PlanResult(PlanStatus.FAILED, (), 0.0, reason)
 
@@ -148,18 +152,15 @@ def _joined(problem: Problem, grounding: Grounding, solve: _Solve) -> PlanResult
     return PlanResult(PlanStatus.SOLVED, steps, 0.0, next((plan.reason for plan in plans if plan.reason), ""))
 
 
-def _kept_apart(problem: Problem, grounding: Grounding) -> Problem | None:
-    """Narrow the goals to where the objects do not end in each other, if there are plans to such places."""
-    found = plan_counting(problem, grounding, time_limit=1.0)
-    if found.status is not PlanStatus.SOLVED:
-        return None
-    ends = replay(found.steps, problem, grounding).positions[-1]
-    goals = {name: ends[problem.object_names.index(name)].tolist() for name in problem.goals}
-    return msgspec.structs.replace(
-        problem,
-        goals={name: (x, y, z) for name, (x, y, z) in goals.items()},
-        tolerance=max(problem.tolerance / NARROWER, 1.5 * grounding.cell),
-    )
+def _narrowed(problem: Problem, ends: Float[np.ndarray, "M 3"], radius: float) -> Problem:
+    """Make the goals balls of a radius that hold these ends and lie within what is allowed."""
+    aims = {}
+    for name, goal in problem.goals.items():
+        away = ends[problem.object_names.index(name)] - np.array(goal)
+        shrunk = min(1.0, (problem.tolerance - radius) / max(float(np.linalg.norm(away)), radius))
+        x, y, z = (np.array(goal) + shrunk * away).tolist()
+        aims[name] = (x, y, z)
+    return msgspec.structs.replace(problem, goals=aims, tolerance=radius)
 
 
 def _believed(problem: Problem, grounding: Grounding, solve: _Solve) -> PlanResult:
