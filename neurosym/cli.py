@@ -13,6 +13,7 @@ from neurosym.console import error_console
 from neurosym.errors import NeurosymError
 from neurosym.explain.command import explain
 from neurosym.figures_command import figures
+from neurosym.planners_command import planners
 from neurosym.report.command import report
 from neurosym.show_command import show
 
@@ -27,6 +28,7 @@ COMMANDS: dict[str, Callable[..., int]] = {
     "compile-domain": planning_commands.compile_domain,
     "new-problem": planning_commands.new_problem,
     "plan": planning_commands.plan,
+    "planners": planners,
     "execute": run_commands.execute,
     "replay": run_commands.replay,
     "compare": compare,

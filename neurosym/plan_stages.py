@@ -14,6 +14,7 @@ from neurosym.pddl.moves import Encoding
 from neurosym.pddl.plan_text import PlanStep, print_ground_plan, print_plan
 from neurosym.pddl.replay import expected_success
 from neurosym.planners import (
+    PDDL_PLANNERS,
     PLANNERS,
     Branching,
     PlanResult,
@@ -98,7 +99,7 @@ def plan_stage(
     *,
     planner: str,
     time_limit: float,
-    encoding: Encoding = "stepwise",
+    encoding: Encoding | None = None,
     whole: bool = False,
     unit_costs: bool = False,
     nearest: bool = False,
@@ -111,20 +112,23 @@ def plan_stage(
         name: Name of the problem.
         planner: Name of the planner.
         time_limit: When to give up [s].
-        encoding: For PDDL planners, the encoding of the domain.
+        encoding: For PDDL planners, the encoding of the domain, if not the usual one.
         whole: For PDDL planners, plan for all objects at once.
         unit_costs: Whether every step costs the same.
         nearest: Whether to plan to the nearest points that can be reached, if there is no plan to the goals.
         more: How many of the next-best plans to write, too: `plans/NAME.PLANNER-alt-1.plan` and so on.
 
     Raises:
-        UnknownChoice: If there is no such planner.
+        UnknownChoice: If there is no such planner, or it does not take the encoding.
         InvalidValue: If fewer than no plans are asked for.
     """
     if planner not in PLANNERS:
         raise UnknownChoice("planner", planner, PLANNERS)
     if more < 0:
         raise InvalidValue(f"alternatives = {more} must be at least 0.")
+    printed = "stepwise"
+    if planner in PDDL_PLANNERS:
+        printed = PDDL_PLANNERS[planner].encoding_for(planner, encoding)
     plan_file, record_file = plan_files(name, planner)
     inputs = (f"problems/{name}.scene.json", GROUNDING, *((MODEL,) if planner == "bfs" else ()))
 
@@ -155,7 +159,7 @@ def plan_stage(
         written: list[PlannedSteps] = []
         for number, steps in enumerate(others, start=1):
             file = f"plans/{name}.{planner}-alt-{number}.plan"
-            write_atomically(folder / file, _plan_text(steps, problem, grounding, encoding))
+            write_atomically(folder / file, _plan_text(steps, problem, grounding, printed))
             written.append(PlannedSteps(file, _named(steps), _chance(steps, grounding)))
         record = PlanRecord(
             problem=name,
@@ -168,7 +172,7 @@ def plan_stage(
             alternatives=tuple(written),
         )
         if record.solved:
-            write_atomically(folder / plan_file, _plan_text(result.steps, problem, grounding, encoding))
+            write_atomically(folder / plan_file, _plan_text(result.steps, problem, grounding, printed))
         elif result.has_plan:
             write_atomically(folder / plan_file, print_plan(result.steps, result.reason))
         else:

@@ -58,9 +58,11 @@ def new_problem(
 def plan(
     folder: Folder,
     problem: ProblemName,
-    planner: Annotated[str, arg(help="bfs, counting, fast-downward or up-fast-downward.")] = "fast-downward",
+    planner: Annotated[str, arg(help="One of those that `neurosym planners` lists.")] = "fast-downward",
     time_limit: Annotated[float, arg(help="When to give up [s].")] = 60.0,
-    encoding: Annotated[str, arg(help="For PDDL planners: stepwise or operators.")] = "stepwise",
+    encoding: Annotated[
+        str | None, arg(help="For PDDL planners: stepwise, operators or numeric, instead of the usual.")
+    ] = None,
     whole: Annotated[bool, arg(help="For PDDL planners: all objects at once instead of one by one.")] = False,
     unit_costs: Annotated[
         bool, arg(help="Every step costs the same, instead of the more the rarer it goes well.")

@@ -13,6 +13,7 @@ from neurosym.pddl.plan_text import PlanStep
 from neurosym.pddl.replay import replay
 from neurosym.planners import PLANNERS, PlanStatus, plan, plan_pddl
 from neurosym.planners import solve as solve_module
+from neurosym.planners.catalogue import PddlPlanner
 from neurosym.planners.result import PlannerAnswer
 from neurosym.problems import Problem
 
@@ -117,7 +118,7 @@ def test_plan_whose_replay_is_wrong_is_planned_again_and_given_up_in_the_end(mon
         asked.append(task.read_text())
         return answers[min(len(asked), len(answers)) - 1]
 
-    monkeypatch.setitem(solve_module.PDDL_PLANNERS, "scripted", scripted)
+    monkeypatch.setitem(solve_module.PDDL_PLANNERS, "scripted", PddlPlanner("", scripted))
     task = Problem("p", (item("item-01", 0.5, 0.0),), {"item-01": (0.571, -0.012, 0.025)})
     found = plan_pddl(task, grounding(), "scripted")
     assert (found.status, len(asked)) == (PlanStatus.SOLVED, 2)

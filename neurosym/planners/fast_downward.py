@@ -13,8 +13,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
-from neurosym.errors import NeurosymError
-from neurosym.planners.process import Finished, run_limited
+from neurosym.planners.process import Finished, read_text, run_limited
+from neurosym.planners.programs import PlannerMissing
 from neurosym.planners.result import PlannerAnswer, PlanStatus
 
 LAMA_FIRST = (
@@ -49,13 +49,6 @@ PORTFOLIO = (
 _UNSOLVABLE = (10, 11)
 _OUT_OF_TIME = (21, 23, 24)
 _OUT_OF_MEMORY = (20, 22)
-
-
-class PlannerMissing(NeurosymError):
-    """Fast Downward is not installed."""
-
-    def __init__(self) -> None:
-        super().__init__("Fast Downward is not installed; `pip install up-fast-downward` brings it.")
 
 
 def plan_fast_downward(
@@ -107,7 +100,8 @@ def _search(
         limit = min(left * search.share, search.at_most)
         status, reason = _judge(run_limited(command, folder, limit, stdin=folder / "output.sas"))
         if status is PlanStatus.SOLVED:
-            return status, "", plan.read_text()
+            text = read_text(plan)
+            return (status, "", text) if text else (PlanStatus.FAILED, "Fast Downward wrote no plan", "")
         if status is PlanStatus.UNSOLVABLE:
             break
     return status, reason, ""
@@ -133,4 +127,4 @@ def _programs() -> Path:
         folder = Path(place) / "downward" / "builds" / "release" / "bin"
         if (folder / "downward").is_file():
             return folder
-    raise PlannerMissing
+    raise PlannerMissing("Fast Downward", "`pip install up-fast-downward` brings it")

@@ -10,6 +10,7 @@ from neurosym.pddl.grounding import Grounding
 from neurosym.pddl.moves import Encoding
 from neurosym.planners.bfs import DEPTH, plan_bfs
 from neurosym.planners.branching import Branching, branching_of
+from neurosym.planners.catalogue import PDDL_PLANNERS
 from neurosym.planners.counting import plan_counting
 from neurosym.planners.reach import explain_no_plan
 from neurosym.planners.result import PlanResult, PlanStatus
@@ -19,8 +20,7 @@ from neurosym.problems import NEAR_TABLE, Problem
 PLANNERS = {
     "bfs": "breadth-first search over the effects that the model predicts, up to 3 primitives (the paper's)",
     "counting": "the fewest primitives there can be, exactly, by counting how often each is done",
-    "fast-downward": "Fast Downward on our own PDDL: the cheapest plan if it can be had soon",
-    "up-fast-downward": "Fast Downward through unified-planning, several times slower on fine grids",
+    **{name: planner.about for name, planner in PDDL_PLANNERS.items()},
 }
 """What each planner is, by the name that the command line knows it by."""
 
@@ -35,7 +35,7 @@ def plan(
     *,
     branching: tuple[Branching, tuple[tuple[str, ...], ...]] | None = None,
     time_limit: float = 60.0,
-    encoding: Encoding = "stepwise",
+    encoding: Encoding | None = None,
     whole: bool = False,
     costs: bool = True,
 ) -> PlanResult:
@@ -48,12 +48,15 @@ def plan(
         branching: For `bfs`, what each primitive does to each object, and the operators' names; what the
             operators promise, if not given.
         time_limit: When to give up [s].
-        encoding: For PDDL planners, the encoding of the domain.
+        encoding: For PDDL planners, the encoding of the domain; the one that the planner does best with, if
+            not given.
         whole: For PDDL planners, solve for all objects at once instead of one by one.
         costs: Whether steps cost the more the rarer they keep their promise; otherwise each costs 1.
 
     Raises:
-        UnknownChoice: If there is no such planner or encoding, or an object's category is unknown.
+        UnknownChoice: If there is no such planner, or it does not take the encoding, or an object's category
+            is unknown.
+        PlannerMissing: If the planner is not installed.
         InvalidValue: If an object stands farther off the table than a push may have left it.
     """
     if planner not in PLANNERS:

@@ -9,6 +9,7 @@ and then on a finer grid.
 
 import dataclasses
 import tempfile
+import textwrap
 import time
 from collections import Counter
 from collections.abc import Callable
@@ -19,27 +20,21 @@ import msgspec
 import numpy as np
 from jaxtyping import Float
 
-from neurosym.errors import UnknownChoice
+from neurosym.errors import InvalidPlan, UnknownChoice
 from neurosym.pddl.domain import domain_text
 from neurosym.pddl.grounding import Grounding
 from neurosym.pddl.moves import Encoding
 from neurosym.pddl.plan_text import parse_plan
 from neurosym.pddl.problem import STEPS, problem_text
 from neurosym.pddl.replay import replay
+from neurosym.planners.catalogue import PDDL_PLANNERS, PddlPlanner
 from neurosym.planners.counting import fewest_steps, plan_counting
-from neurosym.planners.fast_downward import plan_fast_downward
 from neurosym.planners.ordering import ends_held, mend
 from neurosym.planners.reach import explain_hand, explain_no_plan
-from neurosym.planners.result import PlannerAnswer, PlanResult, PlanStatus
-from neurosym.planners.unified_planning import plan_unified_planning
+from neurosym.planners.result import PlanResult, PlanStatus
 from neurosym.problems import Problem
 from neurosym.world import Table
 
-PddlPlanner = Callable[..., PlannerAnswer]
-PDDL_PLANNERS: dict[str, PddlPlanner] = {
-    "fast-downward": plan_fast_downward,
-    "up-fast-downward": plan_unified_planning,
-}
 ATTEMPTS = 4
 """How often a problem is solved before its replay must be right; the later half on a finer grid."""
 FINER = 3
@@ -74,7 +69,7 @@ def plan_pddl(
     planner: str = "fast-downward",
     *,
     time_limit: float = 60.0,
-    encoding: Encoding = "stepwise",
+    encoding: Encoding | None = None,
     whole: bool = False,
 ) -> PlanResult:
     """Solve a problem with a PDDL planner, and believe the plan only if its exact replay is right.
@@ -84,15 +79,20 @@ def plan_pddl(
         grounding: The learned domain.
         planner: Name of the planner, a key of `PDDL_PLANNERS`.
         time_limit: When to give up [s].
-        encoding: The encoding of the domain.
+        encoding: The encoding of the domain; the one that the planner does best with, if not given.
         whole: Solve for all objects at once instead of one by one.
 
     Raises:
-        UnknownChoice: If there is no such planner or encoding, or an object's category is unknown.
+        UnknownChoice: If there is no such planner, or it does not take the encoding, or an object's category
+            is unknown.
+        PlannerMissing: If the planner is not installed.
         InvalidValue: If an object stands off the table, or its name means something else in the domain.
     """
     if planner not in PDDL_PLANNERS:
         raise UnknownChoice("planner", planner, PDDL_PLANNERS)
+    tool = PDDL_PLANNERS[planner]
+    chosen = tool.encoding_for(planner, encoding)
+    tool.check_installed(planner)
     begin = time.perf_counter()
     if problem.is_met(problem.scene().positions):
         return PlanResult(PlanStatus.SOLVED, (), 0.0, "the goal is met at the start")
@@ -103,7 +103,7 @@ def plan_pddl(
         left = time_limit - (time.perf_counter() - begin)
         if left <= 0:
             return PlanResult(PlanStatus.TIMEOUT, (), 0.0, f"no plan in {time_limit:g} s")
-        return _solve(task, grounding, PDDL_PLANNERS[planner], left, encoding, slack)
+        return _solve(task, grounding, tool, left, chosen, slack)
 
     result = (_believed if whole else _one_by_one)(problem, grounding, solve)
     return dataclasses.replace(result, seconds=time.perf_counter() - begin)
@@ -202,24 +202,28 @@ def _solve(
     """Print domain and problem, call the planner, and read what it wrote."""
     if problem.is_met(problem.scene().positions):
         return PlanResult(PlanStatus.SOLVED, (), 0.0)
-    narrowed = _fitted(grounding, problem, slack.finer)
+    narrowed = _fitted(grounding, problem, max(grounding.cell, planner.cell) / slack.finer)
     with tempfile.TemporaryDirectory(prefix="neurosym-pddl-") as name:
         domain, task = Path(name) / "domain.pddl", Path(name) / "problem.pddl"
         domain.write_text(domain_text(narrowed, encoding))
         task.write_text(problem_text(problem, narrowed, encoding, steps=slack.steps, margin=slack.margin))
-        answer = planner(domain, task, time_limit=time_limit)
-        steps = parse_plan(answer.text, Path(name) / "plan", grounding, problem)
+        answer = planner.solve(domain, task, time_limit=time_limit)
+    try:
+        steps = parse_plan(answer.text, Path("its plan"), grounding, problem)
+    except InvalidPlan as error:
+        reason = f"what the planner wrote cannot be read: {textwrap.shorten(str(error), 200)}"
+        return PlanResult(PlanStatus.FAILED, (), answer.seconds, reason)
     return PlanResult(answer.status, steps, answer.seconds, answer.reason)
 
 
-def _fitted(grounding: Grounding, problem: Problem, finer: int) -> Grounding:
-    """Keep only what the problem needs, on a finer grid, with a table that reaches to where objects stand."""
+def _fitted(grounding: Grounding, problem: Problem, cell: float) -> Grounding:
+    """Keep only what the problem needs, on another grid, with a table that reaches to where objects stand."""
     categories = {item.category for item in problem.objects}
     kept = tuple(operator for operator in grounding.live if operator.category in categories)
     (x_low, y_low), (x_high, y_high) = (edge.tolist() for edge in _edges(problem.room(grounding.table)))
     return msgspec.structs.replace(
         grounding,
-        cell=grounding.cell / finer,
+        cell=cell,
         table=Table(x=(x_low, x_high), y=(y_low, y_high)),
         operators=msgspec.structs.replace(grounding.operators, operators=kept),
     )

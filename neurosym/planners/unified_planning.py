@@ -10,7 +10,7 @@ import tempfile
 import time
 from pathlib import Path
 
-from neurosym.planners.process import Finished, run_limited
+from neurosym.planners.process import Finished, read_text, run_limited
 from neurosym.planners.result import PlannerAnswer, PlanStatus
 
 _EXIT = {PlanStatus.SOLVED: 0, PlanStatus.UNSOLVABLE: 10, PlanStatus.TIMEOUT: 21, PlanStatus.FAILED: 3}
@@ -35,7 +35,7 @@ def plan_unified_planning(
         package = str(Path(__file__).resolve().parents[2])
         finished = run_limited(command, Path(name), time_limit, environment={"PYTHONPATH": package})
         status, reason = _judge(finished)
-        text = plan.read_text() if status is PlanStatus.SOLVED else ""
+        text = read_text(plan) if status is PlanStatus.SOLVED else ""
     return PlannerAnswer(status, text, time.perf_counter() - begin, reason)
 
 
