@@ -105,7 +105,7 @@ def test_missing_plan_file_is_refused(folder, capsys):
         (["new-problem", "--name", "Bad Name"], "'Bad Name' is not a legal name"),
         (["new-problem", "--objects", "0"], "at least one object"),
         (["new-problem", "--objects", "500"], "500 objects do not fit"),
-        (["plan", "task-01", "--planner", "magic"], "no planner 'magic'; valid: bfs, counting"),
+        (["plan", "task-01", "--planner", "magic"], "no planner 'magic'; valid: aries, bfs, counting"),
         (["plan", "task-01", "--encoding", "runes"], "'runes'; valid: operators, stepwise"),
         (["plan", "task-99"], "no problem 'task-99'; valid: task-01, task-02"),
         (["plan", "task-01", "--time-limit", "-1"], "time-limit"),
