@@ -11,6 +11,7 @@ from neurosym import commands, learning_commands, planning_commands, run_command
 from neurosym.comparison_command import compare
 from neurosym.console import error_console
 from neurosym.errors import NeurosymError
+from neurosym.evaluation_command import evaluate
 from neurosym.explain.command import explain
 from neurosym.figures_command import figures
 from neurosym.planners_command import planners
@@ -36,6 +37,7 @@ COMMANDS: dict[str, Callable[..., int]] = {
     "explain": explain,
     "figures": figures,
     "report": report,
+    "evaluate": evaluate,
 }
 """The commands, in the order in which a domain folder meets them after `run`, which does it all."""
 

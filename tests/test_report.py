@@ -10,6 +10,7 @@ import pytest
 from command_line import neurosym, refusal
 from toy_learning import BRIEF, SMALL
 
+from neurosym.comparison_summary import Comparison, Tally
 from neurosym.files import read_json, write_json
 from neurosym.folder import DomainFolder
 from neurosym.interactions import Interactions
@@ -110,12 +111,18 @@ def test_hostile_texts_are_shown_and_not_obeyed(reported, tmp_path):
     path = next((folder / "plans").glob("*.json"))
     record = read_json(path, PlanRecord)
     write_json(path, PlanRecord(record.problem, EVIL, "failed", (), 0.0, EVIL))
+    place = folder / "comparison/1-objects-50-mm"
+    place.mkdir(parents=True)
+    tally = Tally(7, 6, 5, 4, 1.5, 0.25, 3, 2, {}, {}, {}, {})
+    write_json(place / "comparison.json", Comparison(10, 1, 2, {EVIL: tally}))
     text = render(gather(DomainFolder(folder), lambda *_: None))
     page = checked(text)
     assert "script" not in page.tags
     assert "i" not in page.tags
     assert all(image["src"].startswith("data:image/webp;base64,") for image in page.images)
-    assert text.count(escape(EVIL)) >= 4
+    assert text.count(escape(EVIL)) >= 5
+    figures = (7, 6, 5, 4, "1.50", "0.250")
+    assert "".join(f'<td class="number">{figure}</td>' for figure in figures) in text
 
 
 def test_what_is_missing_is_said_with_its_command(tmp_path, capsys):

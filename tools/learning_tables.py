@@ -5,6 +5,8 @@ from typing import Any
 
 import numpy as np
 
+from neurosym.evaluation import kinds_table
+from neurosym.markdown import markdown_table, mean_and_spread
 from neurosym.primitive_kinds import KINDS
 
 BySeed = Mapping[str, Mapping[str, Any]]
@@ -86,7 +88,7 @@ def _held(table: Mapping[str, BySeed]) -> str:
     ]
     columns = ["data of", "seeds", "R2 through codes", "R2 without bottleneck", "share"]
     rare = ["rarest action code, test", "rarest, training data"]
-    return _table([*columns, *rare], rows)
+    return markdown_table([*columns, *rare], rows)
 
 
 def _shares(cells: BySeed) -> str:
@@ -114,7 +116,7 @@ def _by_axis(cells: BySeed) -> str:
         for seed, c in cells.items()
     ]
     explained = ["explained by action codes", "by action and object codes"]
-    return _table(["seed", "x", "y", "z", "share", *explained, "held, by object code"], rows)
+    return markdown_table(["seed", "x", "y", "z", "share", *explained, "held, by object code"], rows)
 
 
 def _bits(results: Mapping[str, Any], ours: str) -> str:
@@ -130,7 +132,7 @@ def _bits(results: Mapping[str, Any], ours: str) -> str:
         for bits, cells in sorted(by_bits.items())
     ]
     columns = ["object + action bits", "seeds", "R2 through codes", "share", "share that clustering keeps"]
-    return _table(columns, rows)
+    return markdown_table(columns, rows)
 
 
 def _variants(results: Mapping[str, Any], ours: str) -> str:
@@ -145,7 +147,7 @@ def _variants(results: Mapping[str, Any], ours: str) -> str:
         for name, cells in {"ours": few, **results["variants"]}.items()
     ]
     columns = ["", "seeds", "R2 through codes", "R2 without bottleneck", "action codes above 3 %"]
-    return _table(columns, rows)
+    return markdown_table(columns, rows)
 
 
 def _table1(table: Mapping[str, BySeed], which: str) -> str:
@@ -162,7 +164,7 @@ def _table1(table: Mapping[str, BySeed], which: str) -> str:
         [name, str(len(some)), *_errors(some, which, name)]
         for name in ("always zero", "always mean", "per-axis median")
     ]
-    return _table(["", "seeds", "x", "y", "z"], rows)
+    return markdown_table(["", "seeds", "x", "y", "z"], rows)
 
 
 def _errors(cells: BySeed, which: str, name: str) -> list[str]:
@@ -176,22 +178,11 @@ def _calibration(table: Mapping[str, BySeed]) -> str:
         for strategy, cells in table.items()
         if cells and all("nll" in c for c in cells.values())
     ]
-    return _table(["", "seeds", "NLL", "of one Gaussian for all", "within 90 % interval"], rows)
+    return markdown_table(["", "seeds", "NLL", "of one Gaussian for all", "within 90 % interval"], rows)
 
 
 def _table2(table: Mapping[str, Mapping[str, Sequence[str]]]) -> str:
-    rows = [
-        [
-            kind,
-            *(
-                f"{sum(kind in found for found in seeds.values())} of {len(seeds)}"
-                for seeds in table.values()
-            ),
-        ]
-        for kind in KINDS
-    ]
-    rows.append(["kinds, by seed", *(", ".join(str(len(f)) for f in s.values()) for s in table.values())])
-    return _table(["", *table], rows)
+    return markdown_table(*kinds_table(table, "seed"))
 
 
 def _rehearsed(table: Mapping[str, BySeed]) -> str:
@@ -206,7 +197,7 @@ def _rehearsed(table: Mapping[str, BySeed]) -> str:
                 shares = [row["share"] for row in of_kind]
                 rows.append([strategy, kind, _spread(shares), _spread(widest, 1), within])
     columns = ["", "kind", "share of rehearsals", "spread, worst axis [mm]", "operators within the limit"]
-    return _table(columns, rows)
+    return markdown_table(columns, rows)
 
 
 def _most_spread(kind: str) -> float:
@@ -228,13 +219,13 @@ def _choices(choices: Mapping[str, BySeed]) -> str:
         row = [_spread(found, 1), str(len(kept)), _spread(kept), _spread(errors, 4), _spread(seconds, 1)]
         rows.append([name, str(len(cells)), *row])
     columns = ["choice", "seeds", "kinds found", "operators of some kind", "share that turned out so"]
-    return _table([*columns, "worst code error", "distillation [s]"], rows)
+    return markdown_table([*columns, "worst code error", "distillation [s]"], rows)
 
 
 def _went(table: Mapping[str, BySeed]) -> str:
     names = list(dict.fromkeys(name for cells in table.values() for c in cells.values() for name in c))
     rows = [[strategy, str(len(cells)), *_spread_of(cells, names)] for strategy, cells in table.items()]
-    return _table(["", "seeds", *names], rows)
+    return markdown_table(["", "seeds", *names], rows)
 
 
 def _curves(curves: Mapping[str, Mapping[str, Mapping[str, BySeed]]]) -> str:
@@ -252,7 +243,7 @@ def _curves(curves: Mapping[str, Mapping[str, Mapping[str, BySeed]]]) -> str:
         if jobs["learn"]
     ]
     columns = ["", "interactions", "seeds", "R2 through codes", "R2 without bottleneck"]
-    return _table([*columns, "error, high effects [mm]", "kinds found"], rows)
+    return markdown_table([*columns, "error, high effects [mm]", "kinds found"], rows)
 
 
 def _spread_of(cells: BySeed, names: Iterable[str]) -> list[str]:
@@ -260,11 +251,4 @@ def _spread_of(cells: BySeed, names: Iterable[str]) -> list[str]:
 
 
 def _spread(values: Sequence[float], digits: int = 3) -> str:
-    if not values:
-        return _NOT_YET
-    return f"{np.mean(values):.{digits}f} ± {np.std(values):.{digits}f}"
-
-
-def _table(columns: Sequence[str], rows: Sequence[Sequence[str]]) -> str:
-    lines = [columns, ["---"] * len(columns), *rows]
-    return "\n".join(f"| {' | '.join(line)} |" for line in lines)
+    return mean_and_spread(values, digits) if values else _NOT_YET

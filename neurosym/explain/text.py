@@ -5,6 +5,7 @@ from collections.abc import Sequence
 
 from neurosym.console import console, say
 from neurosym.explain.explanation import EffectRow, Explanation, SymbolExplanation
+from neurosym.markdown import markdown_table
 
 _COLUMNS = ("operator", "trials", "as promised", "share", "ends", "effect", "spread")
 _WIDEST = 110  # columns of running text
@@ -35,7 +36,7 @@ def explanation_page(explanation: Explanation, title: str) -> str:
     for kind, symbols in _parts(explanation):
         blocks.append(f"## {kind} symbols")
         for symbol in symbols:
-            table = _markdown_table(*_effects(symbol.effects)) if symbol.effects else ""
+            table = markdown_table(*_effects(symbol.effects)) if symbol.effects else ""
             blocks += [f"### {symbol.symbol}: {symbol.title}", symbol.about, table, symbol.compared]
     return "\n\n".join(filter(None, blocks)) + "\n"
 
@@ -54,12 +55,6 @@ def _effects(effects: Sequence[EffectRow]) -> tuple[list[str], list[list[str]]]:
         cells += [f"{row.share:.0%}", row.ends, row.effect, row.spread]
         rows.append([*cells, row.domain if is_first else ""] if with_domain else cells)
     return [*_COLUMNS, "in the domain"] if with_domain else [*_COLUMNS], rows
-
-
-def _markdown_table(columns: Sequence[str], rows: Sequence[Sequence[str]]) -> str:
-    lines = [columns, ["---"] * len(columns), *rows]
-    escaped = [[cell.replace("|", "\\|") for cell in line] for line in lines]
-    return "\n".join(f"| {' | '.join(line)} |" for line in escaped)
 
 
 def _say_effects(effects: Sequence[EffectRow]) -> None:

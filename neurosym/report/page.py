@@ -4,7 +4,9 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
+from neurosym.comparison_summary import Comparison
 from neurosym.errors import InvalidValue, UnknownChoice
+from neurosym.evaluation import comparisons_of
 from neurosym.examples import runs_of, telling_examples
 from neurosym.files import read_json
 from neurosym.folder import (
@@ -56,6 +58,7 @@ class Page:
         planners: The same, counted by planner.
         examples: Pictures of runs.
         unlike: Runs that go another way when they are performed again.
+        comparisons: How planners did, by the kind of task.
         texts: The PDDL files, by name.
         versions: Versions of the packages that decide the outcome.
     """
@@ -75,6 +78,7 @@ class Page:
     planners: tuple[PlannerSummary, ...]
     examples: tuple[Shown, ...]
     unlike: tuple[str, ...]
+    comparisons: dict[str, Comparison]
     texts: dict[str, str]
     versions: dict[str, str] = field(default_factory=versions)
 
@@ -117,6 +121,7 @@ def gather(folder: DomainFolder, progress: Progress) -> Page:
         planners=summaries(plans),
         examples=examples,
         unlike=unlike,
+        comparisons=comparisons_of(folder.path),
         texts=texts,
     )
 
