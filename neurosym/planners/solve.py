@@ -13,7 +13,7 @@ import textwrap
 import time
 from collections import Counter
 from collections.abc import Callable
-from concurrent.futures import ThreadPoolExecutor
+from functools import partial
 from pathlib import Path
 
 import msgspec
@@ -32,6 +32,7 @@ from neurosym.planners.counting import fewest_steps, plan_counting
 from neurosym.planners.ordering import ends_held, mend
 from neurosym.planners.reach import explain_hand, explain_no_plan
 from neurosym.planners.result import PlanResult, PlanStatus
+from neurosym.planners.together import plan_together
 from neurosym.problems import Problem
 from neurosym.world import Table
 
@@ -41,8 +42,6 @@ FINER = 3
 """How many times finer that grid is."""
 NARROWER = (4, 12)
 """By how much goals are narrowed, one after the other, if objects would stand in each other's way."""
-WORKERS = 2
-"""How many objects are planned for at the same time."""
 
 
 @dataclasses.dataclass(frozen=True, slots=True)
@@ -137,13 +136,9 @@ def _joined(problem: Problem, grounding: Grounding, solve: _Solve) -> PlanResult
         msgspec.structs.replace(problem, objects=(problem.object_named(name),), goals={name: goal})
         for name, goal in problem.goals.items()
     ]
-    plans: list[PlanResult] = []
-    with ThreadPoolExecutor(WORKERS) as pool:
-        for result in pool.map(lambda task: _believed(task, grounding, solve), tasks):
-            if result.status is not PlanStatus.SOLVED:
-                pool.shutdown(wait=False, cancel_futures=True)
-                return result
-            plans.append(result)
+    plans = plan_together([partial(_believed, task, grounding, solve) for task in tasks])
+    if plans[-1].status is not PlanStatus.SOLVED:
+        return plans[-1]
     held = [plan for plan in plans if ends_held(plan.steps, grounding)]
     if len(held) > 1:
         return _believed(problem, grounding, solve)

@@ -1,0 +1,54 @@
+"""Planning for several objects at the same time, until one of them has no plan."""
+
+import threading
+import time
+from collections.abc import Callable, Sequence
+from concurrent.futures import Future, ThreadPoolExecutor
+from contextlib import suppress
+from pathlib import Path
+
+from neurosym.planners.process import kill_tree
+from neurosym.planners.result import PlanResult, PlanStatus
+
+WORKERS = 2
+"""How many objects are planned for at the same time."""
+
+
+def plan_together(tasks: Sequence[Callable[[], PlanResult]]) -> tuple[PlanResult, ...]:
+    """Make several plans at the same time; the results up to the first without a plan, in order.
+
+    What still runs then, or when the user interrupts, is ended with all its processes.
+
+    Args:
+        tasks: Each makes a plan.
+    """
+    threads: set[int] = set()
+
+    def run(task: Callable[[], PlanResult]) -> PlanResult:
+        threads.add(threading.get_native_id())
+        return task()
+
+    pool = ThreadPoolExecutor(WORKERS)
+    futures = [pool.submit(run, task) for task in tasks]
+    results: list[PlanResult] = []
+    try:
+        for future in futures:
+            results.append(future.result())
+            if results[-1].status is not PlanStatus.SOLVED:
+                break
+    finally:
+        _end(futures, threads)
+        pool.shutdown()
+    return tuple(results)
+
+
+def _end(futures: Sequence[Future[PlanResult]], threads: set[int]) -> None:
+    """Kill what threads have started, again until they give up: a portfolio starts its next search."""
+    for future in futures:
+        future.cancel()
+    while not all(future.done() for future in futures):
+        for thread in tuple(threads):
+            with suppress(OSError):
+                for child in Path(f"/proc/self/task/{thread}/children").read_text().split():
+                    kill_tree(int(child))
+        time.sleep(0.02)
