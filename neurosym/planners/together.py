@@ -1,5 +1,7 @@
 """Planning for several objects at the same time, until one of them has no plan."""
 
+import os
+import signal
 import threading
 import time
 from collections.abc import Callable, Sequence
@@ -7,7 +9,6 @@ from concurrent.futures import Future, ThreadPoolExecutor
 from contextlib import suppress
 from pathlib import Path
 
-from neurosym.planners.process import kill_tree
 from neurosym.planners.result import PlanResult, PlanStatus
 
 WORKERS = 2
@@ -43,12 +44,15 @@ def plan_together(tasks: Sequence[Callable[[], PlanResult]]) -> tuple[PlanResult
 
 
 def _end(futures: Sequence[Future[PlanResult]], threads: set[int]) -> None:
-    """Kill what threads have started, again until they give up: a portfolio starts its next search."""
+    """Kill what threads have started, again until they give up: a portfolio starts its next search.
+
+    Whoever started a process also ends what that left behind.
+    """
     for future in futures:
         future.cancel()
     while not all(future.done() for future in futures):
         for thread in tuple(threads):
             with suppress(OSError):
                 for child in Path(f"/proc/self/task/{thread}/children").read_text().split():
-                    kill_tree(int(child))
+                    os.kill(int(child), signal.SIGKILL)
         time.sleep(0.02)
