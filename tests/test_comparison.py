@@ -198,7 +198,6 @@ def test_task_is_the_same_scene_and_goal_at_any_tolerance(folder):
         (["--tolerance", "nan"], "tolerance = nan must be a number greater than 0."),
         (["--objects", "0"], "objects = 0 at least 1"),
         (["--workers", "0"], "workers = 0 must be at least 1"),
-        (["--objects", "300", "--tasks", "1"], "300"),
     ],
 )
 def test_impossible_requests_are_refused_in_one_sentence(folder, capsys, options, sentence):

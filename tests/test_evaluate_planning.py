@@ -195,3 +195,16 @@ def test_symbolic_task_can_be_solved_and_none_of_its_objects_is_at_its_goal(eval
     assert task == planning_tasks.draw_symbolic(bench, objects, "hard", 3)
     assert min(task.distances(task.scene().positions).values()) > 0.05
     assert fewest_steps(task, bench.setting.grounding)
+
+
+def test_published_pages_tell_what_was_measured(evaluation):
+    from planning_tables import page
+    from scaling_tables import scaling_page
+
+    results = ROOT / "docs/results"
+    if not (results / "planning.json").exists():
+        pytest.skip("nothing is published yet")
+    summary = json.loads((results / "planning.json").read_text())
+    assert page(summary) == (results / "planning.md").read_text()
+    assert scaling_page(summary) == (results / "scaling.md").read_text()
+    assert summary["scaling"] == json.loads((results / "scaling.json").read_text())
