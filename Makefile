@@ -4,7 +4,7 @@ VENV ?= .venv
 PYTHON ?= $(firstword $(shell command -v python3.11) $(shell command -v python3))
 BIN := $(VENV)/bin
 
-.PHONY: install demo test lint evaluate evaluate-world evaluate-learning evaluate-planning tutorial clean
+.PHONY: install demo test lint evaluate evaluate-world evaluate-learning evaluate-planning evaluate-planners tutorial clean
 
 install: $(VENV)/.installed
 
@@ -52,6 +52,11 @@ evaluate-planning: install
 # Runs docs/tutorial.ipynb and stores what its cells say: some minutes.
 tutorial: install
 	$(BIN)/python tools/run_tutorial.py
+
+# Which planner takes which encoding, into docs/results/planners.*; installs the planners first. ENHSP needs Java.
+evaluate-planners: install
+	$(BIN)/pip install --quiet --constraint constraints.txt --editable '.[dev,planners]'
+	$(BIN)/python tools/planner_matrix.py
 
 clean:
 	rm -rf $(VENV) demo
