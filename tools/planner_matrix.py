@@ -7,6 +7,7 @@ that the run can be interrupted and goes on where it was.
 """
 
 import hashlib
+import os
 import sys
 import tempfile
 from collections.abc import Mapping, Sequence
@@ -183,7 +184,7 @@ def _write(
         "time_limit": time_limit,
         "problems": list(tasks),
         "missing": cells - len(found),
-        "machine": machine() | {name: _version(name) for name in PACKAGES},
+        "machine": machine() | {"load": f"{os.getloadavg()[0]:.0f}"} | {n: _version(n) for n in PACKAGES},
         "cells": {name: found[name] for name in sorted(found)},
     }
     write_atomically(results / "planners.json", as_text(values))

@@ -93,9 +93,10 @@ PDDL_PLANNERS: dict[str, PddlPlanner] = {
     "lama-first": _fast_downward("Fast Downward's LAMA, the first plan it finds", LAMA_FIRST),
     "lmcut": _fast_downward("Fast Downward's A* with landmark cuts: the cheapest plan", "astar(lmcut())"),
     "up-fast-downward": _unified(
-        "Fast Downward through unified-planning, several times slower on fine grids",
+        "Fast Downward through unified-planning, several times slower",
         "fast-downward",
         "up_fast_downward",
+        COARSE,
     ),
     "up-fast-downward-opt": _unified(
         "Fast Downward through unified-planning, A* with landmark cuts",
