@@ -63,6 +63,7 @@ def problem_stage(
     name: str,
     objects: int,
     seed: int,
+    actions: int = 1,
     goals: Mapping[str, tuple[float, ...]] | None = None,
 ) -> Stage:
     """Make a problem: world, model and grounding -> `problems/NAME.pddl`, `.numeric.pddl`, `.scene.json`."""
@@ -76,7 +77,7 @@ def problem_stage(
         grounding = Grounding.load(folder.require(GROUNDING))
         categorise = EffectModel.load(folder.require(MODEL)).object_symbols
         if goals is None:
-            problem = draw_problem(world, categorise, name=name, objects=objects, seed=seed)
+            problem = draw_problem(world, categorise, name=name, objects=objects, actions=actions, seed=seed)
         else:
             problem = set_problem(world, categorise, goals, name=name, objects=objects, seed=seed)
         printed = _printed(problem, grounding)
@@ -85,7 +86,7 @@ def problem_stage(
             write_atomically(folder / file, text)
         problem.save(folder / scene)
 
-    options = {"objects": objects, "seed": seed, "goals": _plain(goals)}
+    options = {"objects": objects, "actions": actions, "seed": seed, "goals": _plain(goals)}
     outputs = (*_problem_files(name), scene)
     return Stage(f"new-problem {name}", (WORLD, MODEL, GROUNDING), outputs, work, options)
 

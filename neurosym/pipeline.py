@@ -68,8 +68,9 @@ def go_the_whole_way(
     rows = [_try_problem(folder, number, seed) for number in range(1, problems + 1)]
     while problems and len(rows) < MOST_PROBLEMS and not any(row.executed for row in rows):
         rows.append(_try_problem(folder, len(rows) + 1, seed))
-    columns = ["problem", "objects", "plan", "steps", "seconds", "goal", "why not"]
-    show_table(f"{len(rows)} problems drawn from the world", columns, [row.cells for row in rows])
+    if rows:
+        columns = ["problem", "objects", "plan", "steps", "seconds", "goal", "why not"]
+        show_table(f"{len(rows)} problems drawn from the world", columns, [row.cells for row in rows])
     say(f"everything lies in {folder.path}; {folder / 'domain.pddl'} is the domain")
     say_next(f"neurosym plan {folder.path} task-01 --planner bfs")
 

@@ -36,6 +36,7 @@ def new_problem(
     folder: Folder,
     name: Annotated[str, arg(help="Name of the problem: a letter, then a-z, digits, hyphens.")] = "task-01",
     objects: Annotated[int, arg(help="Objects on the table: item-01, item-02, ...")] = 1,
+    actions: Annotated[int, arg(help="Random actions that lead to the goal, one after another.")] = 1,
     seed: Seed = 0,
     goal: Annotated[
         tuple[str, ...],
@@ -43,13 +44,16 @@ def new_problem(
         arg(metavar="ITEM=X,Y[,Z]", help="A goal by hand, in the world frame [m], once for each object."),
     ] = (),
 ) -> int:
-    """Make a problem: a random scene, and a goal that a random action leads to (as in the paper) or yours."""
+    """Make a problem: a random scene, and a goal that random actions lead to (one in the paper) or yours."""
     from neurosym.pddl_stages import problem_stage
 
     domain = DomainFolder(folder)
+    if goal and actions != 1:
+        raise InvalidValue("Give --actions or goals by hand, not both.")
     goals = _parse_goals(goal) if goal else None
     verb = "replaced" if (folder / f"problems/{name}.pddl").exists() else "wrote"
-    domain.perform(problem_stage(domain, name=name, objects=objects, seed=seed, goals=goals), again=True)
+    stage = problem_stage(domain, name=name, objects=objects, actions=actions, seed=seed, goals=goals)
+    domain.perform(stage, again=True)
     say(f"{verb} {folder / 'problems' / name}.pddl and its scene")
     say_next(f"neurosym plan {folder} {name}")
     return 0

@@ -1,4 +1,4 @@
-; Problem task-03 of the learned domain tabletop, for both of its encodings.
+; Problem task-03 of the learned domain tabletop, for its encodings on a grid.
 ; How it came about: drawn with seed 4: one random action on item-01; draw 3, earlier ones met at the start or off the table.
 ; A goal is met within 50 mm. goal-xy and goal-z list the cells from
 ; which it is met whatever the grid rounds on the way, in plans of at most
