@@ -12,9 +12,9 @@
     (= (x item-01) 1786) (= (y item-01) 3250) (= (z item-01) 0))
   (:goal (and
     ; item-01 shall come to (0.4756, 0.0588, 0.2666) m, 232 mm from where it starts
-    (<= (x item-01) 1710) (>= (x item-01) 801)
-    (<= (+ (x item-01) (y item-01)) 5486) (>= (+ (x item-01) (y item-01)) 4200)
-    (<= (y item-01) 4042) (>= (y item-01) 3134)
-    (<= (y item-01) (+ (x item-01) 2976)) (<= (+ (x item-01) 1690) (y item-01))
-    (>= (z item-01) 2207) (<= (z item-01) 2207)))
+    (<= (x item-01) 1659) (>= (x item-01) 852)
+    (<= (+ (x item-01) (y item-01)) 5414) (>= (+ (x item-01) (y item-01)) 4272)
+    (<= (y item-01) 3991) (>= (y item-01) 3184)
+    (<= (y item-01) (+ (x item-01) 2904)) (<= (+ (x item-01) 1762) (y item-01))
+    (>= (z item-01) 2002) (<= (z item-01) 2366)))
   (:metric minimize (total-cost)))

@@ -12,9 +12,9 @@
     (= (x item-01) 2769) (= (y item-01) 4197) (= (z item-01) 0))
   (:goal (and
     ; item-01 shall come to (0.6664, 0.0750, 0.2117) m, 209 mm from where it starts
-    (<= (x item-01) 3164) (>= (x item-01) 3165)
-    (<= (+ (x item-01) (y item-01)) 6913) (>= (+ (x item-01) (y item-01)) 6914)
-    (<= (y item-01) 3749) (>= (y item-01) 3750)
-    (<= (y item-01) (+ (x item-01) 584)) (<= (+ (x item-01) 585) (y item-01))
-    (>= (z item-01) 1) (<= (z item-01) 1)))
+    (<= (x item-01) 3577) (>= (x item-01) 2751)
+    (<= (+ (x item-01) (y item-01)) 7498) (>= (+ (x item-01) (y item-01)) 6329)
+    (<= (y item-01) 4162) (>= (y item-01) 3336)
+    (<= (y item-01) (+ (x item-01) 1169)) (<= (x item-01) (y item-01))
+    (>= (z item-01) 2020) (<= (z item-01) 2211)))
   (:metric minimize (total-cost)))

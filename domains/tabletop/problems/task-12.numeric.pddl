@@ -19,7 +19,7 @@
     (<= (+ (x item-01) (y item-01)) 7757) (>= (+ (x item-01) (y item-01)) 6576)
     (<= (y item-01) 2924) (>= (y item-01) 2089)
     (<= (+ (y item-01) 1562) (x item-01)) (<= (x item-01) (+ (y item-01) 2743))
-    (>= (z item-01) 2207) (<= (z item-01) 2207)
+    (>= (z item-01) 2002) (<= (z item-01) 2207)
     ; item-02 shall come to (0.5516, -0.0293, 0.0493) m, 0 mm from where it starts
     (<= (x item-02) 2470) (>= (x item-02) 1560)
     (<= (+ (x item-02) (y item-02)) 5366) (>= (+ (x item-02) (y item-02)) 4079)

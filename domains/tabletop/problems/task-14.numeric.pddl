@@ -22,7 +22,7 @@
     (<= (+ (x item-01) (y item-01)) 3342) (>= (+ (x item-01) (y item-01)) 2171)
     (<= (y item-01) 778) (>= (+ (y item-01) 50) 0)
     (<= (+ (y item-01) 1443) (x item-01)) (<= (x item-01) (+ (y item-01) 2614))
-    (>= (z item-01) 2207) (<= (z item-01) 2207)
+    (>= (z item-01) 2002) (<= (z item-01) 2207)
     ; item-02 shall come to (0.5744, 0.1284, 0.0162) m, 0 mm from where it starts
     (<= (x item-02) 2699) (>= (x item-02) 1789)
     (<= (+ (x item-02) (y item-02)) 7172) (>= (+ (x item-02) (y item-02)) 5884)
