@@ -208,3 +208,27 @@ def test_published_pages_tell_what_was_measured(evaluation):
     assert page(summary) == (results / "planning.md").read_text()
     assert scaling_page(summary) == (results / "scaling.md").read_text()
     assert summary["scaling"] == json.loads((results / "scaling.json").read_text())
+
+
+def test_records_go_into_an_archive_and_come_back(evaluation, tmp_path):
+    there, back = tmp_path / "there", tmp_path / "back"
+    there.mkdir()
+    back.mkdir()
+    (there / "table3-random-2-0123abcd-50mm-1-000-10.json").write_text("[1]\n")
+    (there / "other.json").write_text("[2]\n")
+    (back / "other.json").write_text("[3]\n")
+    evaluation.pack(there, tmp_path / "a.zip")
+    evaluation.pack(there, tmp_path / "b.zip")
+    assert (tmp_path / "a.zip").read_bytes() == (tmp_path / "b.zip").read_bytes()
+    evaluation.unpack(tmp_path / "a.zip", back)
+    evaluation.unpack(tmp_path / "none.zip", back)
+    assert (back / "other.json").read_text() == "[3]\n"
+    assert (back / "table3-random-2-0123abcd-50mm-1-000-10.json").read_text() == "[1]\n"
+
+
+def test_domain_that_is_not_there_any_more_is_known_by_its_records(evaluation, tmp_path):
+    jobs = evaluation.jobs
+    assert "-none-" in jobs.table3_prefix(tmp_path, "random-2", 0.05) + "-"
+    (tmp_path / "jobs").mkdir()
+    (tmp_path / "jobs" / "table3-random-2-0123abcd-50mm-1-000-10.json").write_text("[]")
+    assert jobs.table3_prefix(tmp_path, "random-2", 0.05) == "table3-random-2-0123abcd-50mm"

@@ -22,7 +22,7 @@ from planning_jobs import COMPARED, SIZES, Size
 from planning_pictures import draw_scaling, draw_table3
 from planning_tables import page
 from planning_tasks import DIFFICULTIES
-from resumable_jobs import as_text, load_jobs, machine, perform
+from resumable_jobs import as_text, load_jobs, machine, pack, perform, unpack
 from scaling_tables import scaling_page
 
 from neurosym.comparison import TaskRecord
@@ -30,6 +30,8 @@ from neurosym.console import say
 from neurosym.files import write_atomically
 
 RESULTS, WORK = Path("docs/results"), Path("evaluation/planning")
+RECORDS = "planning-records.zip"
+"""What every job found, so that another machine can go on from there, or count anew."""
 REPORT_EVERY = 60.0
 """Seconds between two reports while jobs are being done."""
 PAPER = {"single": {"curiosity": 0.82, "active": 0.56, "random": 0.13}}
@@ -58,6 +60,7 @@ def main(
     begin = time.perf_counter()
     (work / "jobs").mkdir(parents=True, exist_ok=True)
     results.mkdir(parents=True, exist_ok=True)
+    unpack(results / RECORDS, work / "jobs")
     report = partial(write_results, work, results, size)
     report()
     now_and_then = sparing(report, REPORT_EVERY)
@@ -97,6 +100,7 @@ def write_results(work: Path, results: Path, size: Size) -> None:
     matrix = results / "planners.json"
     planners = json.loads(matrix.read_text()) if matrix.exists() else None
     summary = summarise(load_jobs(work / "jobs"), work, size, planners)
+    pack(work / "jobs", results / RECORDS)
     for name, values, text in (
         ("planning", summary, page(summary)),
         ("scaling", summary["scaling"], scaling_page(summary)),

@@ -1,8 +1,10 @@
 """Jobs of an evaluation: each writes a file of its own, so that an interrupted run goes on where it was."""
 
+import io
 import json
 import os
 import platform
+import zipfile
 from collections.abc import Callable, Mapping
 from concurrent.futures import Future, ProcessPoolExecutor, as_completed
 from concurrent.futures.process import BrokenProcessPool
@@ -73,6 +75,35 @@ def as_text(values: Any) -> str:
 def load_jobs(folder: Path) -> dict[str, Any]:
     """Read what the jobs found that are done, by name."""
     return {path.stem: json.loads(path.read_text()) for path in sorted(folder.glob("*.json"))}
+
+
+def pack(folder: Path, archive: Path) -> None:
+    """Put the files of all jobs that are done into an archive; the same files give the same bytes.
+
+    Args:
+        folder: Where the files are.
+        archive: A zip file.
+    """
+    content = io.BytesIO()
+    with zipfile.ZipFile(content, "w", zipfile.ZIP_DEFLATED, compresslevel=9) as packed:
+        for path in sorted(folder.glob("*.json")):
+            packed.writestr(zipfile.ZipInfo(path.name), path.read_bytes(), zipfile.ZIP_DEFLATED)
+    write_atomically(archive, content.getvalue())
+
+
+def unpack(archive: Path, folder: Path) -> None:
+    """Take from an archive what is not in the folder yet.
+
+    Args:
+        archive: A zip file that `pack` wrote, if there is one.
+        folder: Where the files go.
+    """
+    if archive.exists():
+        with zipfile.ZipFile(archive) as packed:
+            for name in packed.namelist():
+                path = folder / Path(name).name
+                if not path.exists():
+                    write_atomically(path, packed.read(name))
 
 
 def machine(*packages: str) -> dict[str, str]:
