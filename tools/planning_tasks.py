@@ -1,29 +1,33 @@
-"""Symbolic tasks for `evaluate_planning.py`: goals that random operators lead to, so that a plan exists."""
+"""Symbolic tasks for `evaluate_planning.py`: goals some steps away, for which a plan is known."""
 
 import msgspec
 import numpy as np
 
 from neurosym.comparison_tasks import Bench
 from neurosym.errors import InvalidValue
-from neurosym.operators import TOLERANCE, Vector
+from neurosym.operators import TOLERANCE, Operator, Vector
 from neurosym.pddl.grounding import Grounding, is_lift
-from neurosym.pddl.moves import PUT_DOWN
 from neurosym.pddl.plan_text import PlanStep
 from neurosym.pddl.replay import replay
+from neurosym.planners import PlanStatus, plan
+from neurosym.planners.counting import fewest_steps
 from neurosym.problems import Problem, SceneObject
 from neurosym.tasks import item_names
-from neurosym.world import Scene, World
 
 DIFFICULTIES = {"easy": (1, 3), "hard": (5, 8)}
-"""Least and greatest number of steps that lead each object to its goal."""
+"""Least and greatest number of primitives in the shortest plan for each object alone."""
 CROWD, SMALL = 4, 0.075
 """Where more objects than this are to find room, none is wider [m]."""
+STRAY = 0.03
+"""How much chance there is in walking away from the start [m]."""
+KNOWN = 3.0
+"""How long a plan is looked for by counting [s]."""
 _STREAM = 0x73796D62  # keeps this randomness apart from any other
-_TRIES, _PLACES = 400, 4000
+_TRIES, _OBJECT_TRIES = 50, 2000
 
 
 def draw_symbolic(bench: Bench, objects: int, difficulty: str, seed: int) -> Problem:
-    """Draw a scene, and goals that random live operators lead to without leaving the table or colliding.
+    """Draw a scene, and goals that live operators lead to without leaving the table or colliding.
 
     No object is at its goal at the start, and none but the last may end held.
 
@@ -32,81 +36,93 @@ def draw_symbolic(bench: Bench, objects: int, difficulty: str, seed: int) -> Pro
         objects: How many objects.
         difficulty: One of `DIFFICULTIES`.
         seed: Same seed, same task.
+
+    Raises:
+        InvalidValue: If no such task is found.
     """
-    low, high = DIFFICULTIES[difficulty]
+    steps = DIFFICULTIES[difficulty]
     for attempt in range(_TRIES):
-        rng = np.random.default_rng([_STREAM, objects, low, seed, attempt])
-        scene = _scene(bench.setting.world, rng, objects)
-        start = _problem(bench, scene, f"{difficulty}-{objects:02d}-{seed:05d}")
-        walk = rng.permutation(np.repeat(np.arange(objects), rng.integers(low, high + 1, size=objects)))
-        end = _walked(start, bench.setting.grounding, [start.object_names[index] for index in walk], rng)
-        if end is not None:
-            goals = {item.name: item.position for item in end.objects}
-            task = msgspec.structs.replace(start, goals=goals)
-            if min(task.distances(scene.positions).values()) > TOLERANCE:
+        rng = np.random.default_rng([_STREAM, objects, steps[0], seed, attempt])
+        items: list[SceneObject] = []
+        ends: list[SceneObject] = []
+        for name in item_names(objects):
+            found = _draw_object(bench, name, steps, items, ends, objects, rng)
+            if found is None:
+                break
+            items.append(found[0])
+            ends.append(found[1])
+        else:
+            goals = {end.name: end.position for end in ends}
+            task = Problem(
+                f"{difficulty}-{objects:02d}-{seed:05d}", tuple(items), goals, provenance="live operators"
+            )
+            known = plan(task, bench.setting.grounding, "counting", time_limit=KNOWN)
+            if known.status is PlanStatus.SOLVED:
                 return task
     raise InvalidValue(f"No task of {objects} objects was found in {_TRIES} draws.")
 
 
-def _scene(world: World, rng: np.random.Generator, objects: int) -> Scene:
-    """Draw a scene; a crowded one object by object, small ones that do not overlap."""
-    if objects <= CROWD:
-        return world.sample_scene(rng, objects)
-    found: list[Scene] = []
-    for _ in range(_PLACES):
-        one = world.sample_scene(rng, 1)
-        if one.features[0, :2].max() <= SMALL and not any(_overlap(one, other) for other in found):
-            found.append(one)
-        if len(found) == objects:
-            parts = ((s.features, s.positions, s.orientations) for s in found)
-            return Scene(*(np.concatenate(part) for part in zip(*parts, strict=True)))
-    raise InvalidValue(f"{objects} objects find no room.")
-
-
-def _overlap(one: Scene, other: Scene) -> bool:
-    reach = (one.features[0, :2] + other.features[0, :2]) / 2
-    return bool(np.all(np.abs(one.positions[0, :2] - other.positions[0, :2]) < reach))
-
-
-def _problem(bench: Bench, scene: Scene, name: str) -> Problem:
-    rows = zip(
-        item_names(len(scene)),
-        bench.categorise(scene.features),
-        scene.features.tolist(),
-        scene.positions.tolist(),
-        strict=True,
-    )
-    items = tuple(SceneObject(item, kind, tuple(size), _vector(place)) for item, kind, size, place in rows)
-    return Problem(name, items, {item.name: item.position for item in items}, provenance="random operators")
+def _draw_object(
+    bench: Bench,
+    name: str,
+    steps: tuple[int, int],
+    items: list[SceneObject],
+    ends: list[SceneObject],
+    objects: int,
+    rng: np.random.Generator,
+) -> tuple[SceneObject, SceneObject] | None:
+    """Draw an object and where it shall end, beside those that are there; None if there is no room."""
+    grounding = bench.setting.grounding
+    for _ in range(_OBJECT_TRIES):
+        scene = bench.setting.world.sample_scene(rng, 1)
+        if objects > CROWD and scene.features[0, :2].max() > SMALL:
+            continue
+        (category,) = bench.categorise(scene.features)
+        item = SceneObject(name, category, tuple(scene.features[0].tolist()), _vector(scene.positions[0]))
+        if any(_overlap(item, other) for other in (*items, *ends)):
+            continue
+        count = int(rng.integers(steps[0], steps[1] + 1))
+        end = _walked(item, count, grounding, rng, may_be_held=len(items) == objects - 1)
+        if any(_overlap(end, other) for other in (*items, *ends)):
+            continue
+        alone = Problem("alone", (item,), {name: end.position})
+        if max(alone.distances(scene.positions).values()) <= TOLERANCE:
+            continue
+        fewest = fewest_steps(alone, grounding)
+        if fewest is not None and steps[0] <= fewest <= steps[1]:
+            return item, end
+    return None
 
 
 def _walked(
-    problem: Problem, grounding: Grounding, walk: list[str], rng: np.random.Generator
-) -> Problem | None:
-    """Apply a random operator to each object in turn; None if an object can go nowhere."""
-    live = sorted(grounding.live, key=lambda operator: operator.name)
-    for number, name in enumerate(walk, 1):
-        item = problem.object_named(name)
-        usable = [operator for operator in live if operator.category == item.category]
-        for index in rng.permutation(len(usable)):
-            steps = [PlanStep(usable[index].name, name)]
-            if is_lift(usable[index]) and number < len(walk):
-                steps.append(PlanStep(PUT_DOWN + usable[index].name, name))
-            moved = replay(steps, problem, grounding)
-            if moved.possible:
-                problem = _moved(problem, moved.positions[-1])
-                break
-        else:
-            return None
-    return problem
+    item: SceneObject, count: int, grounding: Grounding, rng: np.random.Generator, *, may_be_held: bool
+) -> SceneObject:
+    """Apply live operators to an object, mostly such that lead away from where it starts."""
+    live = [operator for operator in grounding.live if operator.category == item.category]
+    here = item
+    for number in range(1, count + 1):
+        usable = [operator for operator in live if not is_lift(operator) or (may_be_held and number == count)]
+        moved = [end for operator in usable if (end := _after(here, operator, grounding))]
+        away = [np.linalg.norm(np.subtract(end.position, item.position)) for end in moved]
+        if not moved:
+            break
+        here = moved[int(np.argmax(np.array(away) + rng.normal(0.0, STRAY, len(moved))))]
+    return here
 
 
-def _moved(problem: Problem, positions: np.ndarray) -> Problem:
-    rows = zip(problem.objects, positions.tolist(), strict=True)
-    items = tuple(msgspec.structs.replace(item, position=_vector(place)) for item, place in rows)
-    return msgspec.structs.replace(problem, objects=items)
+def _after(item: SceneObject, operator: Operator, grounding: Grounding) -> SceneObject | None:
+    alone = Problem("alone", (item,), {item.name: item.position})
+    moved = replay([PlanStep(operator.name, item.name)], alone, grounding)
+    if not moved.possible:
+        return None
+    return msgspec.structs.replace(item, position=_vector(moved.positions[-1][0]))
 
 
-def _vector(values: list[float]) -> Vector:
-    x, y, z = values
+def _overlap(one: SceneObject, other: SceneObject) -> bool:
+    reach = (np.array(one.features[:2]) + np.array(other.features[:2])) / 2
+    return bool(np.all(np.abs(np.subtract(one.position[:2], other.position[:2])) < reach))
+
+
+def _vector(values: np.ndarray) -> Vector:
+    x, y, z = (float(value) for value in values)
     return (x, y, z)

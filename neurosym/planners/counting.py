@@ -52,6 +52,8 @@ def plan_counting(problem: Problem, grounding: Grounding, *, time_limit: float =
         seconds = time.perf_counter() - begin
         if checked.valid:
             return PlanResult(PlanStatus.SOLVED, ordered, seconds)
+        if seconds > time_limit:
+            break
         if number == MOST_JOINS:
             reason = f"none of {number} plans was true when replayed; the last: {checked.reason}"
             return PlanResult(PlanStatus.FAILED, (), seconds, reason)

@@ -5,20 +5,23 @@ the next does not. What is left to do says where everything stands, so no set of
 """
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 import numpy as np
-from jaxtyping import Float
+from jaxtyping import Bool, Float
 
 from neurosym.pddl.grounding import Grounding, is_lift
 from neurosym.pddl.plan_text import PlanStep
-from neurosym.pddl.replay import Replay, footprints_apart, overlapping, replay
+from neurosym.pddl.replay import Replay, footprints_apart, replay
 from neurosym.problems import Problem
 
-MOST_STATES = 20_000
+MOST_STATES = 2_000
 """How many beginnings of plans are tried."""
+MOST_TURNS = 100
+"""How many orders of the objects are tried."""
 _Block = tuple[PlanStep, ...]
 """A step that an empty hand begins, and the put-down that ends it if it is a lift."""
+_Order = tuple[int, ...]
+"""Kinds of blocks, one after another."""
 
 
 def mend(
@@ -62,68 +65,97 @@ def _blocks(steps: Sequence[PlanStep]) -> list[_Block]:
     return blocks
 
 
-@dataclass(frozen=True, slots=True, eq=False)
-class _Effect:
-    """What a block does: which object it moves, and by how much after each of its steps [m]."""
-
-    moved: int
-    shifts: tuple[Float[np.ndarray, "3"], ...]
-
-
 class _Search:
-    """Depth-first search among the orders of blocks, equal blocks counted."""
+    """Search among the orders of blocks, equal blocks counted."""
 
     def __init__(self, blocks: Sequence[_Block], problem: Problem, grounding: Grounding) -> None:
         self._kinds = list(dict.fromkeys(blocks))
         self._counts = tuple(blocks.count(kind) for kind in self._kinds)
-        self._effects = [_effect(kind, problem, grounding) for kind in self._kinds]
+        self._moved = np.array([problem.object_names.index(kind[0].object) for kind in self._kinds])
+        shifts = [_shifts(kind, grounding) for kind in self._kinds]
+        self._first, self._last = (np.array(each) for each in zip(*shifts, strict=True))  # (K, 3)
         self._start = problem.scene().positions
-        self._room, self._apart = problem.room(grounding.table), footprints_apart(problem)
+        self._room = problem.room(grounding.table)[:, self._moved]  # (2, K, 2)
+        self._apart = footprints_apart(problem)[self._moved]  # (K, M, 2)
 
     def run(self) -> tuple[PlanStep, ...] | None:
-        """Return the steps in the first order that is possible, or None if there is none."""
+        """Return the steps in the first order that is found to be possible, or None if none is."""
         if self._ends_overlap():
             return None
-        seen = {self._counts}
-        waiting: list[tuple[tuple[int, ...], tuple[int, ...], Float[np.ndarray, "M 3"]]] = [
-            ((), self._counts, self._start)
-        ]
+        done = self._one_after_another()
+        if done is None:
+            done, _ = self._ordered(self._counts, self._start)
+        return None if done is None else tuple(step for kind in done for step in self._kinds[kind])
+
+    def _one_after_another(self) -> _Order | None:
+        """Move one object after another; who is in the way of another goes before it, or after."""
+        rng, order = np.random.default_rng(0), list(dict.fromkeys(self._moved.tolist()))
+        for _ in range(MOST_TURNS):
+            here = self._start.copy()
+            done: _Order = ()
+            for moved in order:
+                counts = tuple(np.where(self._moved == moved, self._counts, 0).tolist())
+                path, blockers = self._ordered(counts, here)
+                if path is None:
+                    break
+                here[moved] += np.array(counts) @ self._last
+                done += path
+            else:
+                return done
+            movable = [other for other in order if other in blockers and other != moved]
+            if not movable:
+                return None
+            other = movable[int(rng.integers(len(movable)))]
+            was_before = order.index(other) < order.index(moved)
+            first, then = (moved, other) if was_before else (other, moved)
+            order.remove(first)
+            order.insert(order.index(then), first)
+        return None
+
+    def _ordered(
+        self, counts: tuple[int, ...], start: Float[np.ndarray, "M 3"]
+    ) -> tuple[_Order | None, set[int]]:
+        """Order so many blocks of each kind, depth first; else say which objects were in the way."""
+        seen, blockers = {counts}, set[int]()
+        waiting: list[tuple[_Order, tuple[int, ...], Float[np.ndarray, "M 3"]]] = [((), counts, start)]
         while waiting and len(seen) < MOST_STATES:
             done, left, here = waiting.pop()
             if not any(left):
-                return tuple(step for kind in done for step in self._kinds[kind])
-            for kind in reversed(range(len(left))):
+                return done, blockers
+            wanted = np.flatnonzero(left)
+            stay, hit = self._stay(here, wanted), self._hit(here[self._moved] + self._last, here)[wanted]
+            blockers |= set(np.flatnonzero(hit[stay].any(axis=0)).tolist())
+            for kind in reversed(wanted[stay & ~hit.any(axis=1)].tolist()):
                 fewer = (*left[:kind], left[kind] - 1, *left[kind + 1 :])
-                if left[kind] and fewer not in seen and (after := self._after(here, kind)) is not None:
+                if fewer not in seen:
                     seen.add(fewer)
+                    after = here.copy()
+                    after[self._moved[kind]] += self._last[kind]
                     waiting.append(((*done, kind), fewer, after))
-        return None
+        return None, blockers
 
     def _ends_overlap(self) -> bool:
         """Say whether an object that is moved ends in another, which no order can help."""
         end = self._start.copy()
-        for count, effect in zip(self._counts, self._effects, strict=True):
-            end[effect.moved] += count * effect.shifts[-1]
-        moved = {effect.moved for effect in self._effects}
-        hits = (overlapping(end[one, :2], end[:, :2], self._apart[one]) for one in moved)
-        return any(hit.any() for hit in hits)
+        np.add.at(end, self._moved, np.array(self._counts)[:, None] * self._last)
+        return bool(self._hit(end[self._moved], end).any())
 
-    def _after(self, here: Float[np.ndarray, "M 3"], kind: int) -> Float[np.ndarray, "M 3"] | None:
-        """Return where the objects are after a block, or None if it is impossible."""
-        moved, shifts = self._effects[kind].moved, self._effects[kind].shifts
-        low, high = self._room[:, moved]
-        spots = [here[moved] + shift for shift in shifts]
-        if not all(np.all((spot[:2] >= low) & (spot[:2] <= high)) for spot in spots):
-            return None
-        after = here.copy()
-        after[moved] = spots[-1]
-        hit = overlapping(after[moved, :2], after[:, :2], self._apart[moved])
-        return None if hit.any() else after
+    def _stay(self, here: Float[np.ndarray, "M 3"], kinds: np.ndarray) -> Bool[np.ndarray, " K"]:
+        """Say which kinds of blocks keep their object on the table."""
+        low, high = self._room[:, kinds]
+        start = here[self._moved[kinds]]
+        spots = np.stack([start + self._first[kinds], start + self._last[kinds]])[..., :2]  # (2, K, 2)
+        return np.asarray(np.all((spots >= low) & (spots <= high), axis=(0, 2)))
+
+    def _hit(
+        self, spots: Float[np.ndarray, "K 3"], here: Float[np.ndarray, "M 3"]
+    ) -> Bool[np.ndarray, "K M"]:
+        """Say in which others the object of each kind of block would stand at a spot."""
+        return np.asarray(np.all(np.abs(here[:, :2] - spots[:, None, :2]) < self._apart, axis=-1))
 
 
-def _effect(block: _Block, problem: Problem, grounding: Grounding) -> _Effect:
+def _shifts(block: _Block, grounding: Grounding) -> tuple[Float[np.ndarray, "3"], Float[np.ndarray, "3"]]:
+    """Return by how much a block moves its object, after its first step and in all [m]."""
     operator = grounding.operator_named(block[0].base)
-    shifts = [np.array(grounding.displacement(operator))]
-    if len(block) > 1:
-        shifts.append(shifts[0] + np.array(grounding.put_down_displacement(operator)))
-    return _Effect(problem.object_names.index(block[0].object), tuple(shifts))
+    first = np.array(grounding.displacement(operator))
+    return first, first + np.array(grounding.put_down_displacement(operator)) if len(block) > 1 else first

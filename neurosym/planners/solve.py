@@ -122,6 +122,8 @@ def _one_by_one(problem: Problem, grounding: Grounding, solve: _Solve) -> PlanRe
         result = _joined(_narrowed(problem, ends, problem.tolerance / narrower), grounding, solve)
         if result.status is PlanStatus.TIMEOUT:
             return result
+        if result.status is not PlanStatus.SOLVED:
+            continue
         steps, checked = mend(result.steps, problem, grounding)
         if checked.valid:
             said = "goals were narrowed, for objects would have stood in each other's way"
