@@ -106,7 +106,7 @@ def test_a_killed_run_resumes_to_the_same_bytes_and_leaves_no_workers(strategy, 
     script.write_text(KILLED.format(tests=os.path.dirname(__file__)))  # noqa: PTH120 (a string is wanted)
     process = subprocess.Popen([sys.executable, script, tmp_path, strategy], stderr=subprocess.DEVNULL)
     try:
-        assert _becomes_true(state.exists, 30)
+        assert _becomes_true(state.exists, 120)
         children = _children(process.pid)
     finally:
         process.kill()

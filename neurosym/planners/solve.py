@@ -1,10 +1,7 @@
 """From a problem to a plan that is believed: print PDDL, call a planner, read the plan, replay it.
 
-Objects do not interact in our domains. So a problem with several goals is solved one object at a time, which
-is cheap and makes every plan the cheapest, and the plans are put one after another; one that ends with its
-object held comes last. A replay with exact displacements then says whether the plan is true. If it is not,
-its steps are put in another order, and if that does not help, it is planned again with smaller goal regions,
-and then on a finer grid.
+A replay with exact displacements says whether the plan is true. If it is not, its steps are put in another
+order, and if that does not help, it is planned again with smaller goal regions, and then on a finer grid.
 """
 
 import dataclasses
@@ -26,13 +23,12 @@ from neurosym.pddl.grounding import Grounding
 from neurosym.pddl.moves import Encoding
 from neurosym.pddl.plan_text import parse_plan
 from neurosym.pddl.problem import STEPS, problem_text
-from neurosym.pddl.replay import replay
 from neurosym.planners.catalogue import PDDL_PLANNERS, PddlPlanner
-from neurosym.planners.counting import fewest_steps, plan_counting
-from neurosym.planners.ordering import ends_held, mend
+from neurosym.planners.counting import fewest_steps
+from neurosym.planners.one_by_one import plan_one_by_one
+from neurosym.planners.ordering import mend
 from neurosym.planners.reach import explain_hand, explain_no_plan
 from neurosym.planners.result import PlanResult, PlanStatus
-from neurosym.planners.together import plan_together
 from neurosym.problems import Problem
 from neurosym.world import Table
 
@@ -40,8 +36,6 @@ ATTEMPTS = 4
 """How often a problem is solved before its replay must be right; the later half on a finer grid."""
 FINER = 3
 """How many times finer that grid is."""
-NARROWER = (4, 12)
-"""By how much goals are narrowed, one after the other, if objects would stand in each other's way."""
 
 
 @dataclasses.dataclass(frozen=True, slots=True)
@@ -104,60 +98,9 @@ def plan_pddl(
             return PlanResult(PlanStatus.TIMEOUT, (), 0.0, f"no plan in {time_limit:g} s")
         return _solve(task, grounding, tool, left, chosen, slack)
 
-    result = (_believed if whole else _one_by_one)(problem, grounding, solve)
+    believed = partial(_believed, grounding=grounding, solve=solve)
+    result = believed(problem) if whole else plan_one_by_one(problem, grounding, believed)
     return dataclasses.replace(result, seconds=time.perf_counter() - begin)
-
-
-def _one_by_one(problem: Problem, grounding: Grounding, solve: _Solve) -> PlanResult:
-    """Solve a problem one object at a time; whole, if the hand would have to hold two in the end."""
-    result = _joined(problem, grounding, solve)
-    if result.status is not PlanStatus.SOLVED:
-        return result
-    steps, checked = mend(result.steps, problem, grounding)
-    if checked.valid:
-        return dataclasses.replace(result, steps=steps)
-    aims = plan_counting(problem, grounding, time_limit=1.0)
-    for narrower in NARROWER if aims.status is PlanStatus.SOLVED else ():
-        ends = replay(aims.steps, problem, grounding).positions[-1]
-        result = _joined(_narrowed(problem, ends, problem.tolerance / narrower), grounding, solve)
-        if result.status is PlanStatus.TIMEOUT:
-            return result
-        if result.status is not PlanStatus.SOLVED:
-            continue
-        steps, checked = mend(result.steps, problem, grounding)
-        if checked.valid:
-            said = "goals were narrowed, for objects would have stood in each other's way"
-            return dataclasses.replace(result, steps=steps, reason=said)
-    reason = f"no plan was true when replayed; the last: {checked.reason}"
-    return PlanResult(PlanStatus.FAILED, (), 0.0, reason)
-
-
-def _joined(problem: Problem, grounding: Grounding, solve: _Solve) -> PlanResult:
-    """Put the plans for the objects one after another, the one that ends with its object held last."""
-    tasks = [
-        msgspec.structs.replace(problem, objects=(problem.object_named(name),), goals={name: goal})
-        for name, goal in problem.goals.items()
-    ]
-    plans = plan_together([partial(_believed, task, grounding, solve) for task in tasks])
-    if plans[-1].status is not PlanStatus.SOLVED:
-        return plans[-1]
-    held = [plan for plan in plans if ends_held(plan.steps, grounding)]
-    if len(held) > 1:
-        return _believed(problem, grounding, solve)
-    resting = [plan for plan in plans if not ends_held(plan.steps, grounding)]
-    steps = tuple(step for plan in [*resting, *held] for step in plan.steps)
-    return PlanResult(PlanStatus.SOLVED, steps, 0.0, next((plan.reason for plan in plans if plan.reason), ""))
-
-
-def _narrowed(problem: Problem, ends: Float[np.ndarray, "M 3"], radius: float) -> Problem:
-    """Make the goals balls of a radius that hold these ends and lie within what is allowed."""
-    aims = {}
-    for name, goal in problem.goals.items():
-        away = ends[problem.object_names.index(name)] - np.array(goal)
-        shrunk = min(1.0, (problem.tolerance - radius) / max(float(np.linalg.norm(away)), radius))
-        x, y, z = (np.array(goal) + shrunk * away).tolist()
-        aims[name] = (x, y, z)
-    return msgspec.structs.replace(problem, goals=aims, tolerance=radius)
 
 
 def _believed(problem: Problem, grounding: Grounding, solve: _Solve) -> PlanResult:

@@ -1,0 +1,119 @@
+"""Planning for one object after another, and putting the plans together.
+
+Objects do not interact but by standing in each other's way. So each gets a plan of its own, which is cheap
+and makes every plan the cheapest; one that ends with its object held comes last. Where objects would end in
+each other, or no order of the steps leads past one, those in conflict are planned for again, with goals
+narrowed to where the exact planner, which looks at all objects together, would have them end.
+"""
+
+from collections import Counter
+from collections.abc import Callable, Collection, Mapping
+from functools import partial
+
+import msgspec
+import numpy as np
+from jaxtyping import Float
+
+from neurosym.operators import Vector
+from neurosym.pddl.grounding import Grounding
+from neurosym.pddl.plan_text import PlanStep
+from neurosym.pddl.replay import footprints_apart, overlapping, replay
+from neurosym.planners.counting import plan_counting
+from neurosym.planners.ordering import ends_held, mend
+from neurosym.planners.result import PlanResult, PlanStatus
+from neurosym.planners.together import plan_together
+from neurosym.problems import Problem
+
+NARROWER = (3, 6)
+"""By how much the goal of an object in conflict is narrowed, the first time and then."""
+TIME_TO_COUNT = 3.0
+"""How long the exact planner looks for where objects could end [s]."""
+
+
+def plan_one_by_one(
+    problem: Problem, grounding: Grounding, believed: Callable[[Problem], PlanResult]
+) -> PlanResult:
+    """Solve a problem one object at a time; whole, if the hand would have to hold two in the end.
+
+    Args:
+        problem: The problem.
+        grounding: The learned domain.
+        believed: Solves a problem such that the replay of the plan is right.
+    """
+    wanted = {name: _alone(problem, name, goal, problem.tolerance) for name, goal in problem.goals.items()}
+    narrowed: Counter[str] = Counter()
+    plans: dict[str, PlanResult] = {}
+    aims: Float[np.ndarray, "M 3"] | None = None
+    while True:
+        results = plan_together([partial(believed, task) for task in wanted.values()])
+        if results[-1].status is not PlanStatus.SOLVED:
+            return results[-1]
+        plans |= zip(wanted, results, strict=True)
+        if sum(ends_held(plan.steps, grounding) for plan in plans.values()) > 1:
+            return believed(problem)
+        steps, checked = mend(_joined(plans, problem, grounding), problem, grounding)
+        if checked.valid:
+            return PlanResult(PlanStatus.SOLVED, steps, 0.0, _remark(plans, narrowed))
+        aims = _aims(problem, grounding) if aims is None else aims
+        conflict = _in_conflict(steps, checked.reason, problem, grounding)
+        narrowed.update(conflict)
+        if aims is None or max(narrowed.values()) > len(NARROWER):
+            reason = f"no plan was true when replayed; the last: {checked.reason}"
+            return PlanResult(PlanStatus.FAILED, (), 0.0, reason)
+        wanted = {
+            name: _narrowed(problem, name, aims, problem.tolerance / NARROWER[narrowed[name] - 1])
+            for name in conflict
+        }
+
+
+def _joined(plans: Mapping[str, PlanResult], problem: Problem, grounding: Grounding) -> tuple[PlanStep, ...]:
+    """Put the plans one after another, the one that ends with its object held last."""
+    ordered = sorted(problem.goals, key=lambda name: ends_held(plans[name].steps, grounding))
+    return tuple(step for name in ordered for step in plans[name].steps)
+
+
+def _remark(plans: Mapping[str, PlanResult], narrowed: Collection[str]) -> str:
+    if narrowed:
+        names = ", ".join(sorted(narrowed))
+        return f"goals were narrowed ({names}), for objects would have stood in each other's way"
+    return next((plan.reason for plan in plans.values() if plan.reason), "")
+
+
+def _aims(problem: Problem, grounding: Grounding) -> Float[np.ndarray, "M 3"] | None:
+    """Return where objects can end together [m], or None if the exact planner finds no plan in time."""
+    found = plan_counting(problem, grounding, time_limit=TIME_TO_COUNT)
+    if found.status is not PlanStatus.SOLVED:
+        return None
+    return np.asarray(replay(found.steps, problem, grounding).positions[-1])
+
+
+def _in_conflict(
+    steps: tuple[PlanStep, ...], reason: str, problem: Problem, grounding: Grounding
+) -> list[str]:
+    """Name the objects with goals that end in another; if there are none, those that the reason tells of."""
+    ends = problem.scene().positions
+    for step in steps:
+        operator = grounding.operator_named(step.base)
+        by = grounding.put_down_displacement if step.puts_down else grounding.displacement
+        ends[problem.object_names.index(step.object)] += by(operator)
+    apart = footprints_apart(problem)
+    hits = [overlapping(ends[row, :2], ends[:, :2], apart[row]).any() for row in range(len(ends))]
+    ending = [
+        name for name, hit in zip(problem.object_names, hits, strict=True) if hit and name in problem.goals
+    ]
+    told = [name for name in problem.goals if name in reason]
+    return ending or told or list(problem.goals)
+
+
+def _narrowed(problem: Problem, name: str, aims: Float[np.ndarray, "M 3"], radius: float) -> Problem:
+    """Make the goal of an object a ball of a radius that holds its aim and lies within what is allowed."""
+    goal = np.array(problem.goals[name])
+    away = aims[problem.object_names.index(name)] - goal
+    shrunk = min(1.0, (problem.tolerance - radius) / max(float(np.linalg.norm(away)), radius))
+    x, y, z = (goal + shrunk * away).tolist()
+    return _alone(problem, name, (x, y, z), radius)
+
+
+def _alone(problem: Problem, name: str, goal: Vector, tolerance: float) -> Problem:
+    item = problem.object_named(name)
+    return msgspec.structs.replace(problem, objects=(item,), goals={name: goal}, tolerance=tolerance)
