@@ -12,7 +12,7 @@ from neurosym.files import read_json
 from neurosym.folder import DomainFolder
 from neurosym.pddl_stages import compile_stage
 from neurosym.plan_stages import PlanRecord, load_problem, plan_files, plan_stage
-from neurosym.run_stages import execute_stage, load_run
+from neurosym.run_stages import Showing, execute_stage, load_run
 
 SHIPPED = Path(__file__).parent.parent / "domains" / "tabletop"
 DEMO = Path("demo")
