@@ -8,12 +8,14 @@ import pytest
 from tables import grounding, item, problem
 
 from neurosym.errors import UnknownChoice
+from neurosym.pddl import Grounding
 from neurosym.pddl.moves import cost
 from neurosym.pddl.plan_text import PlanStep
 from neurosym.pddl.replay import replay
-from neurosym.planners import PLANNERS, PlanStatus, plan, plan_pddl
+from neurosym.planners import PLANNERS, PlanResult, PlanStatus, plan, plan_pddl
 from neurosym.planners import solve as solve_module
 from neurosym.planners.catalogue import PddlPlanner
+from neurosym.planners.one_by_one import plan_one_by_one
 from neurosym.planners.result import PlannerAnswer
 from neurosym.problems import Problem
 
@@ -155,3 +157,20 @@ def test_encodings_agree_on_the_cost():
         for name in ("stepwise", "operators")
     }
     assert len(costs) == 1
+
+
+def test_objects_in_each_others_way_are_planned_for_without_costs_in_the_end(monkeypatch: pytest.MonkeyPatch):
+    asked = []
+
+    def one_by_one(task: Problem, learned: Grounding, believed):
+        asked.append(learned.unit_costs)
+        if not learned.unit_costs:
+            return PlanResult(PlanStatus.FAILED, (), 0.0, "they collide")
+        return plan_one_by_one(task, learned, believed)
+
+    monkeypatch.setattr(solve_module, "plan_one_by_one", one_by_one)
+    result = plan(problem(), grounding())
+    assert asked == [False, True]
+    assert result.status is PlanStatus.SOLVED
+    assert result.reason == "not the most reliable: they collide"
+    assert replay(result.steps, problem(), grounding()).valid

@@ -92,14 +92,24 @@ def plan_pddl(
     if reason := explain_hand(problem):
         return PlanResult(PlanStatus.UNSOLVABLE, (), 0.0, reason)
 
-    def solve(task: Problem, slack: _Slack) -> PlanResult:
-        left = time_limit - (time.perf_counter() - begin)
-        if left <= 0:
-            return PlanResult(PlanStatus.TIMEOUT, (), 0.0, f"no plan in {time_limit:g} s")
-        return _solve(task, grounding, tool, left, chosen, slack)
+    at_once = whole or len(problem.goals) == 1
 
-    believed = partial(_believed, grounding=grounding, solve=solve)
-    result = believed(problem) if whole else plan_one_by_one(problem, grounding, believed)
+    def attempt(learned: Grounding) -> PlanResult:
+        def solve(task: Problem, slack: _Slack) -> PlanResult:
+            left = time_limit - (time.perf_counter() - begin)
+            if left <= 0:
+                return PlanResult(PlanStatus.TIMEOUT, (), 0.0, f"no plan in {time_limit:g} s")
+            return _solve(task, learned, tool, left, chosen, slack)
+
+        believed = partial(_believed, grounding=learned, solve=solve)
+        return believed(problem) if at_once else plan_one_by_one(problem, learned, believed)
+
+    result = attempt(grounding)
+    if result.status is PlanStatus.FAILED and not at_once and not grounding.unit_costs:
+        # The most reliable plans are long, and long ones stand in each other's way; shorter ones may not.
+        shorter = attempt(msgspec.structs.replace(grounding, unit_costs=True))
+        if shorter.status is PlanStatus.SOLVED:
+            result = dataclasses.replace(shorter, reason=f"not the most reliable: {result.reason}")
     return dataclasses.replace(result, seconds=time.perf_counter() - begin)
 
 
