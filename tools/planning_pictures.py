@@ -26,7 +26,7 @@ def draw_table3(results: Mapping[str, Any], path: Path) -> None:
         path: The PNG.
     """
     table, paper = results["table3"], results["paper"]
-    figure, axes = plt.subplots(1, 2, figsize=(13, 4.2), layout="constrained", sharey=True)
+    figure, axes = plt.subplots(1, 2, figsize=(13, 4.6), layout="constrained", sharey=True)
     for axis, kind in zip(axes, ("single", "double"), strict=True):
         places = np.arange(len(table))
         for number, (planner, measure, words, colour) in enumerate(BARS):
@@ -43,7 +43,7 @@ def draw_table3(results: Mapping[str, Any], path: Path) -> None:
         axis.set_xticks(places, list(table))
         axis.grid(axis="y", alpha=0.3)
     axes[0].set_ylabel("goals reached [%]")
-    axes[1].legend(fontsize=8, loc="upper right")
+    figure.legend(*axes[0].get_legend_handles_labels(), loc="outside lower center", ncols=5, fontsize=9)
     figure.savefig(path, dpi=110, metadata={"Software": None})
     plt.close(figure)
 

@@ -18,8 +18,8 @@ def scaling_page(results: Mapping[str, Any]) -> str:
     sections = [
         "# Planning at scale, measured",
         f"By `{results['command']}`, which wrote this page, `scaling.json` and `scaling.png`.{unfinished} "
-        f"{tasks} symbolic tasks in each cell, in the shipped domain with cells of 5 mm: goals that 1 to 3 "
-        "(easy) or 5 to 8 (hard) random operators an object lead to without leaving the table or colliding; "
+        f"{tasks} symbolic tasks in each cell, in the shipped domain with cells of 5 mm: goals that are "
+        "1 to 3 (easy) or 5 to 8 (hard) primitives away for each object alone, by the shortest plan; "
         "above 4 objects, none is wider than 75 mm. *Object by object*: a problem for each object, plans put "
         f"one after another; *whole*: one problem. {cap:g} s at most; after two time-outs in a cell, its "
         "other tasks are not tried. BFS is allowed 3 primitives, which hard goals and many objects exceed.",
