@@ -16,7 +16,7 @@ from jaxtyping import Float
 from neurosym.errors import InvalidValue, UnknownChoice
 from neurosym.execution import Replanner, execute
 from neurosym.pddl.grounding import Grounding, at_rest, is_lift
-from neurosym.pddl.plan_text import PlanStep
+from neurosym.pddl.plan_text import PlanStep, named_steps
 from neurosym.pddl.replay import Replay, replay
 from neurosym.planners import PLANNERS, PlanResult, PlanStatus, plan, predicted_branching
 from neurosym.problems import Problem
@@ -171,7 +171,7 @@ def _attempt(setting: Setting, problem: Problem, name: str, *, time_limit: float
     return Attempt(
         status=result.status.value,
         reason=result.reason,
-        steps=tuple((step.operator, step.object) for step in steps),
+        steps=named_steps(steps),
         seconds=round(result.seconds, 4),
         primitives=sum(not step.puts_down for step in steps),
         invalid=_invalid(replayed),

@@ -14,8 +14,9 @@ import numpy as np
 from neurosym.errors import InvalidValue
 from neurosym.experience import Experience, believed_name, learned_name
 from neurosym.nudges import Nudger, nudged
+from neurosym.operators import vector
 from neurosym.pddl.grounding import Grounding, is_lift
-from neurosym.pddl.plan_text import PlanStep
+from neurosym.pddl.plan_text import PlanStep, Steps, named_steps
 from neurosym.pddl.replay import replay
 from neurosym.planners.result import PlanResult, PlanStatus
 from neurosym.problems import Problem
@@ -24,10 +25,8 @@ from neurosym.run_record import (
     Replanning,
     Run,
     StepRecord,
-    Steps,
     record_refusal,
     record_step,
-    vector,
     why_missed,
 )
 from neurosym.world import FrameSink, Outcome, Scene, World
@@ -80,7 +79,7 @@ def execute(
         run.step()
         if on_step:
             on_step(run.records[-1])
-    return run.record(_named(plan))
+    return run.record(named_steps(plan))
 
 
 @dataclass(slots=True)
@@ -128,7 +127,7 @@ class _Running:
         new = [learned_name(step) for step in result.steps]
         is_found = result.status is PlanStatus.SOLVED
         self.replannings.append(
-            Replanning(len(self.records) + 1, why, _named(new), "" if is_found else result.reason)
+            Replanning(len(self.records) + 1, why, named_steps(new), "" if is_found else result.reason)
         )
         if is_found:
             self.left = new
@@ -228,7 +227,3 @@ def perform(
         return world.interact(scene, action, target, put_down=put_down, on_frame=on_frame, ghosts=ghosts)
     except InvalidValue:  # the object has been moved out of the arm's reach
         return None
-
-
-def _named(steps: Sequence[PlanStep]) -> Steps:
-    return tuple((step.operator, step.object) for step in steps)

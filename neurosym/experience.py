@@ -10,12 +10,11 @@ from dataclasses import dataclass, field
 
 import msgspec
 
-from neurosym.operators import Mode, Operator
+from neurosym.operators import Mode, Operator, vector
 from neurosym.pddl.grounding import Grounding
 from neurosym.pddl.moves import PUT_DOWN
 from neurosym.pddl.plan_text import PlanStep
 from neurosym.problems import Problem, SceneObject
-from neurosym.run_record import vector
 from neurosym.symbols import Symbol
 from neurosym.world import Outcome, OutcomeKind
 

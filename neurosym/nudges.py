@@ -5,8 +5,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from neurosym.operators import vector
 from neurosym.problems import Problem
-from neurosym.run_record import Nudge, vector
+from neurosym.run_record import Nudge
 from neurosym.world import Scene, Table
 
 LEAST, MOST = 0.03, 0.08

@@ -7,6 +7,8 @@ compares observations against. It is stored in `primitives.json`.
 from typing import Literal
 
 import msgspec
+import numpy as np
+from jaxtyping import Float
 
 from neurosym.symbols import Symbol, all_symbols
 from neurosym.world import OutcomeKind
@@ -15,6 +17,14 @@ Vector = tuple[float, float, float]
 Effect = tuple[float, ...]
 """A displacement: x, y and z [m] in every world, any number of axes in data of a user's own."""
 _MOST_BITS = 10  # of symbols whose unused codes are listed
+
+
+def vector(values: Float[np.ndarray, "3"]) -> Vector:
+    """Return three numbers as a tuple of floats."""
+    x, y, z = (float(value) for value in values)
+    return (x, y, z)
+
+
 TOLERANCE = 0.05
 """How near an object must come to its goal, and an outcome to its promise [m] (section III-E)."""
 MIN_CHANCE = 0.1

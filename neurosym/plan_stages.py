@@ -11,7 +11,7 @@ from neurosym.folder import GROUNDING, MODEL, DomainFolder, Stage
 from neurosym.pddl.grid import check_on_table
 from neurosym.pddl.grounding import Grounding
 from neurosym.pddl.moves import Encoding
-from neurosym.pddl.plan_text import PlanStep, print_ground_plan, print_plan
+from neurosym.pddl.plan_text import PlanStep, Steps, named_steps, print_ground_plan, print_plan
 from neurosym.pddl.replay import expected_success
 from neurosym.planners import (
     PDDL_PLANNERS,
@@ -37,7 +37,7 @@ class PlannedSteps(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     """
 
     file: str
-    steps: tuple[tuple[str, str], ...]
+    steps: Steps
     chance: float
 
 
@@ -58,7 +58,7 @@ class PlanRecord(msgspec.Struct, frozen=True, forbid_unknown_fields=True, omit_d
     problem: str
     planner: str
     status: str
-    steps: tuple[tuple[str, str], ...]
+    steps: Steps
     seconds: float
     reason: str
     chance: float | None = None
@@ -150,26 +150,19 @@ def plan_stage(
         )
         if nearest and result.status is PlanStatus.UNSOLVABLE:
             result = _nearest(result, problem, grounding, time_limit)
-        others: tuple[tuple[PlanStep, ...], ...] = ()
-        if more and result.status is PlanStatus.SOLVED:
-            others = alternatives(problem, grounding, more, besides=result.steps, time_limit=time_limit)
         (folder / "plans").mkdir(exist_ok=True)
-        for stale in folder.path.glob(f"plans/{name}.{planner}-alt-*.plan"):
-            stale.unlink()
-        written: list[PlannedSteps] = []
-        for number, steps in enumerate(others, start=1):
-            file = f"plans/{name}.{planner}-alt-{number}.plan"
-            write_atomically(folder / file, _plan_text(steps, problem, grounding, printed))
-            written.append(PlannedSteps(file, _named(steps), _chance(steps, grounding)))
+        count = more if result.status is PlanStatus.SOLVED else 0
+        others = alternatives(problem, grounding, count, besides=result.steps, time_limit=time_limit)
+        written = _write_alternatives(folder, f"plans/{name}.{planner}", others, problem, grounding, printed)
         record = PlanRecord(
             problem=name,
             planner=planner,
             status=result.status.value,
-            steps=_named(result.steps),
+            steps=named_steps(result.steps),
             seconds=round(result.seconds, 3),
             reason=result.reason,
             chance=_chance(result.steps, grounding) if result.has_plan else None,
-            alternatives=tuple(written),
+            alternatives=written,
         )
         if record.solved:
             write_atomically(folder / plan_file, _plan_text(result.steps, problem, grounding, printed))
@@ -188,6 +181,25 @@ def plan_stage(
     return Stage(f"plan {name} {planner}", inputs, (plan_file, record_file), work, options)
 
 
+def _write_alternatives(
+    folder: DomainFolder,
+    stem: str,
+    plans: Sequence[tuple[PlanStep, ...]],
+    problem: Problem,
+    grounding: Grounding,
+    encoding: Encoding,
+) -> tuple[PlannedSteps, ...]:
+    """Write the next-best plans, in place of those of an earlier time."""
+    for stale in folder.path.glob(f"{stem}-alt-*.plan"):
+        stale.unlink()
+    written = []
+    for number, steps in enumerate(plans, start=1):
+        file = f"{stem}-alt-{number}.plan"
+        write_atomically(folder / file, _plan_text(steps, problem, grounding, encoding))
+        written.append(PlannedSteps(file, named_steps(steps), _chance(steps, grounding)))
+    return tuple(written)
+
+
 def _nearest(none: PlanResult, problem: Problem, grounding: Grounding, time_limit: float) -> PlanResult:
     """Plan as near to the goal as can be, and keep saying why the planner had no plan."""
     found = plan_nearest(problem, grounding, time_limit=time_limit)
@@ -195,10 +207,6 @@ def _nearest(none: PlanResult, problem: Problem, grounding: Grounding, time_limi
         return none
     said = found.reason if found.status is PlanStatus.NEAREST else "by counting"
     return dataclasses.replace(found, reason=f"{said}; {none.reason}")
-
-
-def _named(steps: Sequence[PlanStep]) -> tuple[tuple[str, str], ...]:
-    return tuple((step.operator, step.object) for step in steps)
 
 
 def _chance(steps: Sequence[PlanStep], grounding: Grounding) -> float:

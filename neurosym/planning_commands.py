@@ -1,6 +1,7 @@
 """The commands that use a learned domain: compile it, make problems, plan, and execute."""
 
-from typing import Annotated
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
 
 from tyro.conf import UseAppendAction, arg
 
@@ -8,6 +9,9 @@ from neurosym.command_options import NO_RESULT, Folder, ProblemName, Seed
 from neurosym.console import say, say_next
 from neurosym.errors import InvalidValue
 from neurosym.folder import DomainFolder
+
+if TYPE_CHECKING:
+    from neurosym.plan_stages import PlanRecord
 
 
 def compile_domain(
@@ -105,27 +109,34 @@ def plan(
     domain.perform(stage, again=True)
     plan_file, record_file = plan_files(name, planner)
     record = read_json(domain / record_file, PlanRecord)
-    if not record.solved:
-        say(f"no plan for {name} ({record.status}, {record.seconds:.2f} s): {record.reason}")
-        if not record.steps:
-            return NO_RESULT
-        say("as near as it comes:")
-    else:
+    _say_plan(record)
+    if record.steps or record.solved:
+        say(f"wrote {folder / plan_file}")
+        _say_alternatives(record, folder, alternatives)
+        say_next(f"neurosym execute {folder} {name} {folder / plan_file}")
+    return 0 if record.solved else NO_RESULT
+
+
+def _say_plan(record: "PlanRecord") -> None:
+    if record.solved:
         remark = f" ({record.reason})" if record.reason else ""
         count = f"{len(record.steps)} step{'' if len(record.steps) == 1 else 's'}"
-        say(
-            f"{count} in {record.seconds:.2f} s{remark}, {record.chance or 0.0:.0%} likely to go as promised:"
-        )
+        chance = f"{record.chance or 0.0:.0%} likely to go as promised"
+        say(f"{count} in {record.seconds:.2f} s{remark}, {chance}:")
+    else:
+        say(f"no plan for {record.problem} ({record.status}, {record.seconds:.2f} s): {record.reason}")
+        if record.steps:
+            say("as near as it comes:")
     _say_steps(record.steps)
-    say(f"wrote {folder / plan_file}")
+
+
+def _say_alternatives(record: "PlanRecord", folder: Path, wanted: int) -> None:
     for other in record.alternatives:
         say(f"or, {other.chance:.0%} likely, {folder / other.file}:")
         _say_steps(other.steps)
-    if len(record.alternatives) < alternatives and record.solved:
+    if len(record.alternatives) < wanted and record.solved:
         found = len(record.alternatives)
         say(f"there is no more than {found} other plan{'' if found == 1 else 's'} of hardly more steps")
-    say_next(f"neurosym execute {folder} {name} {folder / plan_file}")
-    return 0 if record.solved else NO_RESULT
 
 
 def _say_steps(steps: tuple[tuple[str, str], ...]) -> None:

@@ -5,18 +5,14 @@ from collections.abc import Sequence
 from typing import Literal
 
 import msgspec
-import numpy as np
-from jaxtyping import Float
 
-from neurosym.operators import TOLERANCE, Vector
+from neurosym.operators import TOLERANCE, Vector, vector
 from neurosym.pddl.grounding import Grounding
-from neurosym.pddl.plan_text import PlanStep
+from neurosym.pddl.plan_text import PlanStep, Steps
 from neurosym.problems import Problem
 from neurosym.world import Disturbance, Outcome, Scene
 
 StepOutcome = Literal["resting", "held", "toppled", "lost", "not performed"]
-Steps = tuple[tuple[str, str], ...]
-"""Operator and object of each step of a plan."""
 
 
 class StepRecord(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
@@ -189,9 +185,3 @@ def why_missed(records: Sequence[StepRecord], distances: dict[str, float], toler
 def named_positions(problem: Problem, scene: Scene) -> dict[str, Vector]:
     """Return the centre of each object [m], by its name."""
     return {name: vector(row) for name, row in zip(problem.object_names, scene.positions, strict=True)}
-
-
-def vector(values: Float[np.ndarray, "3"]) -> Vector:
-    """Return three numbers as a tuple of floats."""
-    x, y, z = (float(value) for value in values)
-    return (x, y, z)

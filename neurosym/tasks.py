@@ -6,7 +6,7 @@ import numpy as np
 from jaxtyping import Float
 
 from neurosym.errors import InvalidValue
-from neurosym.operators import TOLERANCE, Vector
+from neurosym.operators import TOLERANCE, Vector, vector
 from neurosym.problems import Problem, SceneObject, check_goals
 from neurosym.symbols import Symbol
 from neurosym.world import Outcome, Scene, World
@@ -51,7 +51,7 @@ def draw_problem(
         rng = np.random.default_rng([_TASKS, seed, draw])
         scene = world.sample_scene(rng, objects)
         outcomes = _act_at_random(world, scene, actions, rng)
-        goals = dict(zip(item_names(objects), map(_vector, outcomes[-1].lifted.positions), strict=True))
+        goals = dict(zip(item_names(objects), map(vector, outcomes[-1].lifted.positions), strict=True))
         problem = Problem(
             name=name,
             objects=_items(outcomes[0].start, categorise),
@@ -131,7 +131,7 @@ def _items(scene: Scene, categorise: Categorise) -> tuple[SceneObject, ...]:
         item_names(len(scene)),
         categorise(scene.features),
         scene.features.tolist(),
-        map(_vector, scene.positions),
+        map(vector, scene.positions),
         scene.orientations.tolist(),
         strict=True,
     )
@@ -145,9 +145,4 @@ def _completed(item: str, goal: tuple[float, ...], resting_height: float) -> Vec
     if len(goal) not in (2, 3) or not np.all(np.isfinite(goal)):
         raise InvalidValue(f"The goal of {item} is {goal}; give x,y or x,y,z in metres.")
     x, y, z = (*goal, resting_height)[:3]
-    return (x, y, z)
-
-
-def _vector(values: Float[np.ndarray, "3"]) -> Vector:
-    x, y, z = (float(value) for value in values)
     return (x, y, z)

@@ -62,4 +62,7 @@ def test_every_cell_runs_and_what_it_asserts_holds(monkeypatch):
 
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")  # those of the kernel and its messages
-        run_tutorial.run(nbformat.read(run_tutorial.TUTORIAL, as_version=4))
+        ran = run_tutorial.run(nbformat.read(run_tutorial.TUTORIAL, as_version=4))
+    cells = [cell for cell in ran.cells if cell.cell_type == "code"]
+    assert [cell.execution_count for cell in cells] == list(range(1, len(cells) + 1))
+    assert not [out for cell in cells for out in cell.outputs if out.output_type == "error"]

@@ -5,7 +5,7 @@ import numpy as np
 
 from neurosym.comparison_tasks import Bench
 from neurosym.errors import InvalidValue
-from neurosym.operators import TOLERANCE, Operator, Vector
+from neurosym.operators import TOLERANCE, Operator, vector
 from neurosym.pddl.grounding import Grounding, is_lift
 from neurosym.pddl.plan_text import PlanStep
 from neurosym.pddl.replay import replay
@@ -78,7 +78,7 @@ def _draw_object(
         if objects > CROWD and scene.features[0, :2].max() > SMALL:
             continue
         (category,) = bench.categorise(scene.features)
-        item = SceneObject(name, category, tuple(scene.features[0].tolist()), _vector(scene.positions[0]))
+        item = SceneObject(name, category, tuple(scene.features[0].tolist()), vector(scene.positions[0]))
         if any(_overlap(item, other) for other in (*items, *ends)):
             continue
         count = int(rng.integers(steps[0], steps[1] + 1))
@@ -115,14 +115,9 @@ def _after(item: SceneObject, operator: Operator, grounding: Grounding) -> Scene
     moved = replay([PlanStep(operator.name, item.name)], alone, grounding)
     if not moved.possible:
         return None
-    return msgspec.structs.replace(item, position=_vector(moved.positions[-1][0]))
+    return msgspec.structs.replace(item, position=vector(moved.positions[-1][0]))
 
 
 def _overlap(one: SceneObject, other: SceneObject) -> bool:
     reach = (np.array(one.features[:2]) + np.array(other.features[:2])) / 2
     return bool(np.all(np.abs(np.subtract(one.position[:2], other.position[:2])) < reach))
-
-
-def _vector(values: np.ndarray) -> Vector:
-    x, y, z = (float(value) for value in values)
-    return (x, y, z)

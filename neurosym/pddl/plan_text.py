@@ -43,6 +43,15 @@ class PlanStep:
         return self.operator.removeprefix(PUT_DOWN)
 
 
+Steps = tuple[tuple[str, str], ...]
+"""Operator and object of each step of a plan, as records hold it."""
+
+
+def named_steps(steps: Iterable[PlanStep]) -> Steps:
+    """Return the operator and the object of each step."""
+    return tuple((step.operator, step.object) for step in steps)
+
+
 def print_plan(steps: Iterable[PlanStep], comment: str = "") -> str:
     """Print a plan in IPC form, one `(operator object)` a line.
 
