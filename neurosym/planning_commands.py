@@ -69,7 +69,7 @@ def plan(
     planner: Annotated[str, arg(help="One of those that `neurosym planners` lists.")] = "fast-downward",
     time_limit: Annotated[float, arg(help="When to give up [s].")] = 60.0,
     encoding: Annotated[
-        str | None, arg(help="For PDDL planners: stepwise, operators or numeric, instead of the usual.")
+        str | None, arg(help="For PDDL planners: sas, stepwise, operators or numeric, instead of the usual.")
     ] = None,
     whole: Annotated[bool, arg(help="For PDDL planners: all objects at once instead of one by one.")] = False,
     unit_costs: Annotated[

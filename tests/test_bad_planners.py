@@ -138,7 +138,7 @@ def test_planner_that_is_not_installed_is_refused_with_what_to_do(monkeypatch: p
 
 
 def test_encoding_that_a_planner_does_not_take_is_refused():
-    with pytest.raises(UnknownChoice, match="'numeric'; valid: operators, stepwise"):
+    with pytest.raises(UnknownChoice, match="'numeric'; valid: operators, sas, stepwise"):
         plan_pddl(TASK, grounding(), "fast-downward", encoding="numeric")
 
 

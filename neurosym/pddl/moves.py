@@ -11,6 +11,9 @@ from neurosym.pddl.grounding import Cells, Grounding, is_lift
 Encoding = str
 ENCODINGS: tuple[Encoding, ...] = ("stepwise", "operators", "numeric")
 
+SAS: Encoding = "sas"
+"""No PDDL, but what Fast Downward makes of `stepwise` before it searches."""
+
 PUT_DOWN = "put-down-"
 """What the name of an operator is preceded by where the object it lifted is put down again."""
 FINISH = "finish-"

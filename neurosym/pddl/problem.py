@@ -42,7 +42,7 @@ def problem_text(
     """
     grid = grid_of(grounding)
     for item in problem.objects:
-        _check_object(item, grounding)
+        check_object(item, grounding)
     if encoding == "numeric":
         return numeric_problem_text(problem, grounding, steps=steps * NUMERIC_STEPS)
     sections = [
@@ -58,7 +58,8 @@ def problem_text(
     return "\n".join(sections) + f")\n  (:goal (and {goals}))\n  (:metric minimize (total-cost)))\n"
 
 
-def _check_object(item: SceneObject, grounding: Grounding) -> None:
+def check_object(item: SceneObject, grounding: Grounding) -> None:
+    """Raise `InvalidValue` unless an object stands on the table and its name is free in the domain."""
     grounding.category(item.category)
     check_on_table(item, grounding)
     words = {"movable", "object", *(category.name for category in grounding.operators.categories)}

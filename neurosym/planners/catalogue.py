@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from functools import partial
 
 from neurosym.errors import UnknownChoice
-from neurosym.pddl.moves import Encoding
+from neurosym.pddl.moves import SAS, Encoding
 from neurosym.planners.fast_downward import LAMA_FIRST, Search, plan_fast_downward
 from neurosym.planners.programs import (
     ENHSP,
@@ -30,7 +30,7 @@ COARSE = 0.02
 
 @dataclass(frozen=True, slots=True)
 class PddlPlanner:
-    """A planner that takes PDDL.
+    """A planner that takes PDDL, or what PDDL is translated to.
 
     Attributes:
         about: What it is, in a sentence.
@@ -75,7 +75,7 @@ def _missing(*packages: str) -> str:
 
 def _fast_downward(about: str, search: str | None = None) -> PddlPlanner:
     solve = partial(plan_fast_downward, searches=(Search(search),)) if search else plan_fast_downward
-    return PddlPlanner(about, solve, missing=partial(_missing, "up_fast_downward"))
+    return PddlPlanner(about, solve, (SAS, *GRID), missing=partial(_missing, "up_fast_downward"))
 
 
 def _unified(about: str, engine: str, package: str, cell: float = 0.0) -> PddlPlanner:
@@ -89,7 +89,7 @@ def _program(about: str, program: Program, *encodings: Encoding, cell: float = 0
 
 
 PDDL_PLANNERS: dict[str, PddlPlanner] = {
-    "fast-downward": _fast_downward("Fast Downward on our own PDDL: the cheapest plan if it can be had soon"),
+    "fast-downward": _fast_downward("Fast Downward: the cheapest plan if it can be had soon"),
     "lama-first": _fast_downward("Fast Downward's LAMA, the first plan it finds", LAMA_FIRST),
     "lmcut": _fast_downward("Fast Downward's A* with landmark cuts: the cheapest plan", "astar(lmcut())"),
     "up-fast-downward": _unified(

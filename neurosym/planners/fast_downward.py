@@ -1,8 +1,8 @@
-"""Fast Downward, the one that the package up-fast-downward brings, on our own PDDL.
+"""Fast Downward, the one that the package up-fast-downward brings, on our own SAS+ or PDDL.
 
-Going through unified-planning takes seconds on fine grids, because it makes every ground fluent. Here the
-translator runs once and then one search after another: the cheapest plan if it can be had soon (blind A*: our
-states are small, and heuristics cost more than they save), any plan otherwise.
+Going through unified-planning takes seconds on fine grids, because it makes every ground fluent. Here one
+search runs after another: the cheapest plan if it can be had soon (blind A*: our states are small, and
+heuristics cost more than they save), any plan otherwise. PDDL is translated once before.
 """
 
 import importlib.util
@@ -46,6 +46,7 @@ PORTFOLIO = (
 )
 """The cheapest plan first; greedy search and LAMA each solve cases that are too much for the other."""
 
+SAS_SUFFIX = ".sas"
 _UNSOLVABLE = (10, 11)
 _OUT_OF_TIME = (21, 23, 24)
 _OUT_OF_MEMORY = (20, 22)
@@ -54,11 +55,11 @@ _OUT_OF_MEMORY = (20, 22)
 def plan_fast_downward(
     domain: Path, problem: Path, *, time_limit: float, searches: Sequence[Search] = PORTFOLIO
 ) -> PlannerAnswer:
-    """Solve a PDDL problem with Fast Downward.
+    """Solve a problem with Fast Downward.
 
     Args:
-        domain: File of the domain.
-        problem: File of the problem.
+        domain: File of the domain in PDDL.
+        problem: File of the problem in PDDL, or of both in SAS+ (`.sas`), which is not translated.
         time_limit: When to give up [s].
         searches: What to try, one after another.
 
@@ -69,24 +70,27 @@ def plan_fast_downward(
     programs = _programs()
     with tempfile.TemporaryDirectory(prefix="neurosym-fd-") as name:
         folder = Path(name)
-        command = [
-            sys.executable,
-            "-m",
-            "fast_downward.translate",
-            str(domain.resolve()),
-            str(problem.resolve()),
-        ]
-        answer = run_limited(command, folder, time_limit, environment={"PYTHONPATH": str(programs)})
-        status, reason = _judge(answer)
-        text = ""
+        status, reason, text, task = PlanStatus.SOLVED, "", "", problem.resolve()
+        if problem.suffix != SAS_SUFFIX:
+            status, reason = _translate(folder, programs, domain, problem, time_limit)
+            task = folder / "output.sas"
         if status is PlanStatus.SOLVED:
             left = time_limit - (time.perf_counter() - begin)
-            status, reason, text = _search(folder, programs / "downward", searches, left)
+            status, reason, text = _search(folder, programs / "downward", task, searches, left)
     return PlannerAnswer(status, text, time.perf_counter() - begin, reason)
 
 
+def _translate(
+    folder: Path, programs: Path, domain: Path, problem: Path, time_limit: float
+) -> tuple[PlanStatus, str]:
+    """Turn PDDL into SAS+; SOLVED says that this went well."""
+    files = [str(file.resolve()) for file in (domain, problem)]
+    command = [sys.executable, "-m", "fast_downward.translate", *files]
+    return _judge(run_limited(command, folder, time_limit, environment={"PYTHONPATH": str(programs)}))
+
+
 def _search(
-    folder: Path, downward: Path, searches: Sequence[Search], time_limit: float
+    folder: Path, downward: Path, task: Path, searches: Sequence[Search], time_limit: float
 ) -> tuple[PlanStatus, str, str]:
     """Run searches until one finds a plan or proves that there is none."""
     end = time.perf_counter() + time_limit
@@ -98,7 +102,7 @@ def _search(
         plan = folder / "plan"
         command = [str(downward), "--search", search.configuration, "--internal-plan-file", str(plan)]
         limit = min(left * search.share, search.at_most)
-        status, reason = _judge(run_limited(command, folder, limit, stdin=folder / "output.sas"))
+        status, reason = _judge(run_limited(command, folder, limit, stdin=task))
         if status is PlanStatus.SOLVED:
             text = read_text(plan)
             return (status, "", text) if text else (PlanStatus.FAILED, "Fast Downward wrote no plan", "")

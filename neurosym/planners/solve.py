@@ -20,11 +20,13 @@ from jaxtyping import Float
 from neurosym.errors import InvalidPlan, UnknownChoice
 from neurosym.pddl.domain import domain_text
 from neurosym.pddl.grounding import Grounding
-from neurosym.pddl.moves import Encoding
+from neurosym.pddl.moves import SAS, Encoding
 from neurosym.pddl.plan_text import parse_plan
 from neurosym.pddl.problem import STEPS, problem_text
+from neurosym.pddl.sas import sas_text
 from neurosym.planners.catalogue import PDDL_PLANNERS, PddlPlanner
 from neurosym.planners.counting import fewest_steps
+from neurosym.planners.fast_downward import SAS_SUFFIX
 from neurosym.planners.one_by_one import plan_one_by_one
 from neurosym.planners.ordering import mend
 from neurosym.planners.reach import explain_hand, explain_no_plan
@@ -149,14 +151,18 @@ def _solve(
     encoding: Encoding,
     slack: _Slack,
 ) -> PlanResult:
-    """Print domain and problem, call the planner, and read what it wrote."""
+    """Print domain and problem, in one file if in SAS+, call the planner, and read what it wrote."""
     if problem.is_met(problem.scene().positions):
         return PlanResult(PlanStatus.SOLVED, (), 0.0)
     narrowed = _fitted(grounding, problem, max(grounding.cell, planner.cell) / slack.finer)
     with tempfile.TemporaryDirectory(prefix="neurosym-pddl-") as name:
         domain, task = Path(name) / "domain.pddl", Path(name) / "problem.pddl"
-        domain.write_text(domain_text(narrowed, encoding))
-        task.write_text(problem_text(problem, narrowed, encoding, steps=slack.steps, margin=slack.margin))
+        if encoding == SAS:
+            domain = task = Path(name) / f"problem{SAS_SUFFIX}"
+            task.write_text(sas_text(problem, narrowed, steps=slack.steps, margin=slack.margin))
+        else:
+            domain.write_text(domain_text(narrowed, encoding))
+            task.write_text(problem_text(problem, narrowed, encoding, steps=slack.steps, margin=slack.margin))
         answer = planner.solve(domain, task, time_limit=time_limit)
     try:
         steps = parse_plan(answer.text, Path("its plan"), grounding, problem)
