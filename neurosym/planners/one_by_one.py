@@ -97,6 +97,9 @@ def _in_conflict(
         by = grounding.put_down_displacement if step.puts_down else grounding.displacement
         ends[problem.object_names.index(step.object)] += by(operator)
     apart = footprints_apart(problem)
+    if ends_held(steps, grounding):  # in the air it is in nobody's way
+        held = problem.object_names.index(steps[-1].object)
+        apart[held], apart[:, held] = 0.0, 0.0
     hits = [overlapping(ends[row, :2], ends[:, :2], apart[row]).any() for row in range(len(ends))]
     ending = [
         name for name, hit in zip(problem.object_names, hits, strict=True) if hit and name in problem.goals
