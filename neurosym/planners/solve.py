@@ -154,6 +154,7 @@ def _solve(
     """Print domain and problem, in one file if in SAS+, call the planner, and read what it wrote."""
     if problem.is_met(problem.scene().positions):
         return PlanResult(PlanStatus.SOLVED, (), 0.0)
+    begin = time.perf_counter()
     narrowed = _fitted(grounding, problem, max(grounding.cell, planner.cell) / slack.finer)
     with tempfile.TemporaryDirectory(prefix="neurosym-pddl-") as name:
         domain, task = Path(name) / "domain.pddl", Path(name) / "problem.pddl"
@@ -163,7 +164,8 @@ def _solve(
         else:
             domain.write_text(domain_text(narrowed, encoding))
             task.write_text(problem_text(problem, narrowed, encoding, steps=slack.steps, margin=slack.margin))
-        answer = planner.solve(domain, task, time_limit=time_limit)
+        left = time_limit - (time.perf_counter() - begin)
+        answer = planner.solve(domain, task, time_limit=left)
     try:
         steps = parse_plan(answer.text, Path("its plan"), grounding, problem)
     except InvalidPlan as error:
