@@ -11,6 +11,7 @@ from neurosym.errors import InvalidValue
 from neurosym.pddl import Grounding
 from neurosym.pddl.sas import sas_text
 from neurosym.planners import PlanStatus, plan_pddl
+from neurosym.planners.fast_downward import PORTFOLIO, Search, plan_fast_downward
 from neurosym.problems import Problem
 
 SHIPPED = Path("domains/tabletop")
@@ -23,6 +24,14 @@ def test_search_finds_the_very_plan_that_it_finds_after_translation(name: str):
     ours, theirs = (plan_pddl(task, learned, encoding=encoding) for encoding in ("sas", "stepwise"))
     assert ours.status is theirs.status is PlanStatus.SOLVED, (ours.reason, theirs.reason)
     assert ours.steps == theirs.steps
+
+
+@pytest.mark.parametrize("search", PORTFOLIO, ids=lambda one: one.configuration[:12])
+def test_every_search_of_the_portfolio_takes_it(search: Search, tmp_path: Path):
+    file = tmp_path / "task.sas"
+    file.write_text(sas_text(problem(), grounding()))
+    answer = plan_fast_downward(file, file, time_limit=60.0, searches=(search,))
+    assert answer.status is PlanStatus.SOLVED, answer.reason
 
 
 def test_objects_solved_at_once_cost_as_much_as_after_translation():

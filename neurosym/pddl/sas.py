@@ -15,14 +15,14 @@ from neurosym.pddl.moves import REACH_GOAL, Move, moves_of, parts_of
 from neurosym.pddl.problem import STEPS, check_object
 from neurosym.problems import Problem, SceneObject
 
-_FREE = "ready"
-_EMPTY = "hand-empty"
+_FREE = "Atom ready()"
+_EMPTY = "Atom hand-empty()"
 _ANY = -1  # the value of a variable before an effect that does not ask for one
 
 
 @dataclass(frozen=True, slots=True)
 class _Variable:
-    """A variable of SAS+: its number among all, and what its values are called."""
+    """A variable of SAS+: its number among all, and the facts that its values stand for."""
 
     number: int
     values: Sequence[str]
@@ -105,7 +105,9 @@ class _Task:
         self._axis_variables(0)
         self._axis_variables(1)
         self._ready = self._variable([*moving, _FREE])
-        self.done = {name: self._variable([f"done {name}", f"not done {name}"]) for name in self.names}
+        self.done = {
+            name: self._variable([f"Atom done({name})", f"NegatedAtom done({name})"]) for name in self.names
+        }
 
     def _variable(self, values: Sequence[str]) -> _Variable:
         self.variables.append(_Variable(len(self.variables), values))
@@ -113,7 +115,7 @@ class _Task:
 
     def _axis_variables(self, axis: int) -> None:
         for name in self.names:
-            values = [f"at-{AXES[axis]} {name} {cell}" for cell in self._grid.cell_names(axis)]
+            values = [f"Atom at-{AXES[axis]}({name}, {cell})" for cell in self._grid.cell_names(axis)]
             self._at[name, axis] = self._variable(values)
 
     def start(self) -> list[int]:
@@ -184,11 +186,11 @@ class _Task:
 
 
 def _lock(item: SceneObject, move: Move, axis: int) -> str:
-    return f"moving-{move.name}-{AXES[axis]} {item.name}"
+    return f"Atom moving-{move.name}-{AXES[axis]}({item.name})"
 
 
 def _holding(item: SceneObject, move: Move) -> str:
-    return f"held-by-{move.operator.name} {item.name}"
+    return f"Atom held-by-{move.operator.name}({item.name})"
 
 
 def _variable_lines(variable: _Variable) -> Iterator[str]:
@@ -196,7 +198,7 @@ def _variable_lines(variable: _Variable) -> Iterator[str]:
     yield f"var{variable.number}"
     yield "-1"
     yield str(len(variable.values))
-    yield from (f"Atom {value}" for value in variable.values)
+    yield from variable.values
     yield "end_variable"
 
 
