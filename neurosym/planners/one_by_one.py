@@ -56,8 +56,9 @@ def plan_one_by_one(
             return PlanResult(PlanStatus.SOLVED, steps, 0.0, _remark(plans, narrowed))
         aims = _aims(problem, grounding) if aims is None else aims
         conflict = _in_conflict(steps, checked.reason, problem, grounding)
+        conflict = [name for name in conflict if narrowed[name] < len(NARROWER)]
         narrowed.update(conflict)
-        if aims is None or max(narrowed.values()) > len(NARROWER):
+        if aims is None or not conflict:
             reason = f"no plan was true when replayed; the last: {checked.reason}"
             return PlanResult(PlanStatus.FAILED, (), 0.0, reason)
         wanted = {
@@ -92,14 +93,11 @@ def _in_conflict(
 ) -> list[str]:
     """Name the objects with goals that end in another; if there are none, those that the reason tells of."""
     ends = problem.scene().positions
-    for step in steps:
+    for step in steps[:-1] if ends_held(steps, grounding) else steps:  # who is lifted last is there till then
         operator = grounding.operator_named(step.base)
         by = grounding.put_down_displacement if step.puts_down else grounding.displacement
         ends[problem.object_names.index(step.object)] += by(operator)
     apart = footprints_apart(problem)
-    if ends_held(steps, grounding):  # in the air it is in nobody's way
-        held = problem.object_names.index(steps[-1].object)
-        apart[held], apart[:, held] = 0.0, 0.0
     hits = [overlapping(ends[row, :2], ends[:, :2], apart[row]).any() for row in range(len(ends))]
     ending = [
         name for name, hit in zip(problem.object_names, hits, strict=True) if hit and name in problem.goals

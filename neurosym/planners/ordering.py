@@ -4,10 +4,12 @@ What changes is where the objects are on the way: one order leads an object off 
 the next does not. What is left to do says where everything stands, so no set of steps is looked at twice.
 """
 
+import dataclasses
+from collections import Counter
 from collections.abc import Sequence
 
 import numpy as np
-from jaxtyping import Bool, Float
+from jaxtyping import Bool, Float, Int
 
 from neurosym.pddl.grounding import Grounding, is_lift
 from neurosym.pddl.plan_text import PlanStep
@@ -18,6 +20,8 @@ MOST_STATES = 2_000
 """How many beginnings of plans are tried."""
 MOST_TURNS = 100
 """How many orders of the objects are tried."""
+MOST_DRAWS = 12
+"""How often an order is drawn in which objects make way for each other."""
 _Block = tuple[PlanStep, ...]
 """A step that an empty hand begins, and the put-down that ends it if it is a lift."""
 _Order = tuple[int, ...]
@@ -42,10 +46,17 @@ def mend(
         return tuple(steps), given  # valid, or missing its goal in every order
     blocks = _blocks(steps)
     last = blocks.pop() if ends_held(steps, grounding) else ()
-    if blocks and (found := _Search(blocks, problem, grounding).run()) is not None:
+    if not blocks:
+        return tuple(steps), given
+    search = _Search(blocks, problem, grounding)
+    if (found := search.run()) is not None:
         ordered = (*found, *last)
         if (checked := replay(ordered, problem, grounding)).possible:
             return ordered, checked
+    if search.stuck:
+        names = ", ".join(problem.object_names[row] for row in sorted(search.stuck))
+        reason = f"no order of the steps was found that brings {names} past the others"
+        return tuple(steps), dataclasses.replace(given, reason=reason)
     return tuple(steps), given
 
 
@@ -66,7 +77,11 @@ def _blocks(steps: Sequence[PlanStep]) -> list[_Block]:
 
 
 class _Search:
-    """Search among the orders of blocks, equal blocks counted."""
+    """Search among the orders of blocks, equal blocks counted.
+
+    Attributes:
+        stuck: After a search without success: the objects that were left over most often.
+    """
 
     def __init__(self, blocks: Sequence[_Block], problem: Problem, grounding: Grounding) -> None:
         self._kinds = list(dict.fromkeys(blocks))
@@ -77,12 +92,15 @@ class _Search:
         self._start = problem.scene().positions
         self._room = problem.room(grounding.table)[:, self._moved]  # (2, K, 2)
         self._apart = footprints_apart(problem)[self._moved]  # (K, M, 2)
+        self.stuck: frozenset[int] = frozenset()
 
     def run(self) -> tuple[PlanStep, ...] | None:
         """Return the steps in the first order that is found to be possible, or None if none is."""
         if self._ends_overlap():
             return None
         done = self._one_after_another()
+        if done is None:
+            done = self._making_way()
         if done is None:
             done, _ = self._ordered(self._counts, self._start)
         return None if done is None else tuple(step for kind in done for step in self._kinds[kind])
@@ -111,6 +129,42 @@ class _Search:
             order.remove(first)
             order.insert(order.index(then), first)
         return None
+
+    def _making_way(self) -> _Order | None:
+        """Finish whoever can be finished; if nobody can, let somebody make a step. Who, is drawn."""
+        rng, left_over = np.random.default_rng(0), Counter[frozenset[int]]()
+        for _ in range(MOST_DRAWS):
+            here, left = self._start.copy(), np.array(self._counts)
+            done: _Order = ()
+            while path := self._finish_one(left, here, rng) or self._one_step(left, here, rng):
+                for kind in path:
+                    here[self._moved[kind]] += self._last[kind]
+                    left[kind] -= 1
+                done += path
+            if not left.any():
+                return done
+            left_over[frozenset(self._moved[left > 0].tolist())] += 1
+        self.stuck = left_over.most_common(1)[0][0]
+        return None
+
+    def _finish_one(
+        self, left: Int[np.ndarray, " K"], here: Float[np.ndarray, "M 3"], rng: np.random.Generator
+    ) -> _Order:
+        """Return all that is left to do with an object that can be finished; nothing if none can."""
+        for moved in rng.permutation(np.unique(self._moved[left > 0])):
+            path, _ = self._ordered(tuple(np.where(self._moved == moved, left, 0).tolist()), here)
+            if path:
+                return path
+        return ()
+
+    def _one_step(
+        self, left: Int[np.ndarray, " K"], here: Float[np.ndarray, "M 3"], rng: np.random.Generator
+    ) -> _Order:
+        """Return a block that is possible; nothing if none is."""
+        wanted = np.flatnonzero(left)
+        hit = self._hit(here[self._moved] + self._last, here)[wanted]
+        free = wanted[self._stay(here, wanted) & ~hit.any(axis=1)]
+        return (int(rng.choice(free)),) if len(free) else ()
 
     def _ordered(
         self, counts: tuple[int, ...], start: Float[np.ndarray, "M 3"]
