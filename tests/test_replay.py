@@ -6,7 +6,6 @@ from tables import grounding, item, problem
 
 from neurosym.pddl.plan_text import PlanStep
 from neurosym.pddl.replay import replay
-from neurosym.planners.ordering import ends_held, mend
 from neurosym.problems import Problem
 
 PUSH, LEFT = PlanStep("push-away-001-block", "item-01"), PlanStep("push-left-000-block", "item-01")
@@ -81,34 +80,3 @@ def test_objects_that_overlap_from_the_start_are_not_held_against_a_plan():
     )
     near = msgspec.structs.replace(near, goals={"item-01": (0.5, 0.0832, 0.025)})
     assert replay([LEFT], near, grounding()).valid
-
-
-def test_steps_are_put_in_an_order_that_is_possible():
-    behind, front = LEFT, PlanStep("push-left-000-block", "item-02")
-    steps, checked = mend([behind, front], crossing(), grounding())
-    assert steps == (front, behind)
-    assert checked.valid
-
-
-def test_long_row_is_moved_from_its_front():
-    """Eight blocks in a row, named from behind: only one of the 40320 orders is possible."""
-    row = tuple(item(f"item-{n}", 0.35 + 0.06 * n, 0.0) for n in range(8))
-    goals = {thing.name: (thing.position[0] + 0.0713, -0.0124, 0.025) for thing in row}
-    steps = [PlanStep("push-away-001-block", thing.name) for thing in row]
-    ordered, checked = mend(steps, Problem("row", row, goals), grounding())
-    assert checked.valid, checked.reason
-    assert list(ordered) == steps[::-1]
-
-
-def test_put_down_stays_with_its_lift_and_a_held_object_comes_last():
-    assert ends_held([PUSH, LIFT], grounding())
-    assert not ends_held([LIFT, DOWN], grounding())
-    task = msgspec.structs.replace(crossing(), goals={"item-02": (0.514, 0.1436, 0.025)})
-    steps = [PlanStep(step.operator, "item-02") for step in (LIFT, DOWN, LEFT)]
-    assert mend(steps, task, grounding())[0] == tuple(steps)
-
-
-def test_plan_that_misses_its_goal_is_left_as_it_is():
-    steps, checked = mend([LEFT], problem(), grounding())
-    assert steps == (LEFT,)
-    assert "mm from its goal" in checked.reason
