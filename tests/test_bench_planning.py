@@ -23,5 +23,7 @@ def test_glance_writes_every_figure_beside_its_limit(tmp_path, capsys):
     assert found["counting_sixteen_objects"]["limit_seconds"] == 0.2
     assert found["counting_sixteen_objects"]["primitives"] == found["counting_sixteen_objects"]["fewest"]
     assert found["plan_process"]["limit_seconds"] == 1.0
-    parts = [found[key] for key in ("bfs_two_objects", "counting_sixteen_objects", "plan_process")]
+    assert found["without_translation"]["ratio"] > 0
+    names = ("bfs_two_objects", "counting_sixteen_objects", "without_translation", "plan_process")
+    parts = [found[name] for name in names]
     assert found["passed"] == all(part["passed"] for part in parts)
