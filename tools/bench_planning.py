@@ -124,7 +124,7 @@ def crowd(grounding: Grounding, rng: np.random.Generator) -> Problem:
 
 
 def without_translation(grounding: Grounding, times: int) -> Results:
-    """Time Fast Downward on what we write for its search, and on PDDL, for a shipped problem of one object."""
+    """Time Fast Downward on what we write for its search, and on PDDL, for a shipped problem."""
     task = Problem.load(DOMAIN / "problems" / "task-01.scene.json")
     spent = {}
     for encoding in ("sas", "stepwise"):
