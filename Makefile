@@ -47,6 +47,7 @@ evaluate-learning: install
 # Every figure of docs/planning.md, into docs/results/; goes on where it was interrupted. SEEDS=1 is the short form.
 evaluate-planning: STEPS := 2560
 evaluate-planning: install
+	$(BIN)/pip install --quiet --constraint constraints.txt --editable '.[dev,planners]'
 	$(BIN)/python tools/evaluate_planning.py --seeds $(SEEDS) --steps $(STEPS)
 
 # Runs docs/tutorial.ipynb and stores what its cells say: some minutes.
