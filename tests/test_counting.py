@@ -136,8 +136,9 @@ def test_goal_met_at_the_start_needs_no_primitive():
 
 
 def test_time_out_is_a_result():
-    task = random_task(3, 2)
-    assert plan(task, tables.grounding(), "counting", time_limit=1e-9).status is PlanStatus.TIMEOUT
+    assert (
+        plan(tables.problem(), tables.grounding(), "counting", time_limit=1e-9).status is PlanStatus.TIMEOUT
+    )
 
 
 def crowd(seed: int, learned: Grounding) -> Problem:

@@ -1,6 +1,7 @@
 """No plan is an answer: what stands against one, and how near objects come, beside all there is to try."""
 
 import itertools
+from pathlib import Path
 
 import msgspec
 import numpy as np
@@ -9,9 +10,11 @@ import tables
 import toy_domain
 
 from neurosym.errors import InvalidValue
+from neurosym.pddl import Grounding
 from neurosym.pddl.plan_text import PlanStep
 from neurosym.pddl.replay import replay
 from neurosym.planners import PlanStatus, plan, plan_nearest
+from neurosym.planners.counting import plan_counting
 from neurosym.planners.reach import DEPTH, explain_no_plan
 from neurosym.problems import Problem
 
@@ -58,6 +61,30 @@ def test_two_goals_in_the_air_are_said_to_need_two_hands(planner: str):
     found = plan(task, toy_domain.grounding(), planner)
     assert found.status is PlanStatus.UNSOLVABLE
     assert found.reason == "item-01 and item-02 would have to be held at the end, and there is one hand"
+
+
+def crammed() -> Problem:
+    """Two wide blocks that shall come to one place."""
+    items = [
+        msgspec.structs.replace(tables.item(name, 0.45, y), features=(0.16, 0.16, 0.05, 0.0))
+        for name, y in (("item-01", -0.15), ("item-02", 0.05))
+    ]
+    return Problem("p", tuple(items), {item.name: (0.6, 0.1, 0.025) for item in items})
+
+
+@pytest.mark.parametrize("planner", ["bfs", "counting", "fast-downward"])
+def test_two_goals_without_room_for_both_are_said_to_be_so(planner: str):
+    found = plan(crammed(), tables.grounding(), planner)
+    assert found.status is PlanStatus.UNSOLVABLE
+    assert "no room for both item-01 and item-02" in found.reason
+
+
+def test_looking_for_room_where_there_is_none_ends_in_time():
+    """The shipped domain knows thousands of ways to each of the goals."""
+    learned = Grounding.load(Path("domains/tabletop/grounding.json"))
+    items = tuple(msgspec.structs.replace(item, category="11") for item in crammed().objects)
+    task = msgspec.structs.replace(crammed(), objects=items)
+    assert plan_counting(task, learned, time_limit=0.5).status is PlanStatus.TIMEOUT
 
 
 def test_nothing_is_said_against_what_can_be_solved():

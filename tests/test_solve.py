@@ -162,11 +162,11 @@ def test_encodings_agree_on_the_cost():
 def test_objects_in_each_others_way_are_planned_for_without_costs_in_the_end(monkeypatch: pytest.MonkeyPatch):
     asked = []
 
-    def one_by_one(task: Problem, learned: Grounding, believed):
+    def one_by_one(task: Problem, learned: Grounding, believed, deadline: float):
         asked.append(learned.unit_costs)
         if not learned.unit_costs:
             return PlanResult(PlanStatus.FAILED, (), 0.0, "they collide")
-        return plan_one_by_one(task, learned, believed)
+        return plan_one_by_one(task, learned, believed, deadline)
 
     monkeypatch.setattr(solve_module, "plan_one_by_one", one_by_one)
     result = plan(problem(), grounding())

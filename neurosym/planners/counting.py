@@ -216,7 +216,7 @@ class Join:
                 heapq.heappush(waiting, (miss, *order, next(ticket), picks))
 
         push(first)
-        while waiting:
+        while waiting and time.perf_counter() <= self._deadline:
             picks = heapq.heappop(waiting)[-1]
             picked = self._picked(picks)
             assert picked is not None, "only what can be picked waits"

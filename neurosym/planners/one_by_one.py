@@ -6,6 +6,8 @@ each other, or no order of the steps leads past one, those in conflict are plann
 narrowed to where the exact planner, which looks at all objects together, would have them end.
 """
 
+import math
+import time
 from collections import Counter
 from collections.abc import Callable, Collection, Mapping
 from functools import partial
@@ -31,7 +33,10 @@ TIME_TO_COUNT = 3.0
 
 
 def plan_one_by_one(
-    problem: Problem, grounding: Grounding, believed: Callable[[Problem], PlanResult]
+    problem: Problem,
+    grounding: Grounding,
+    believed: Callable[[Problem], PlanResult],
+    deadline: float = math.inf,
 ) -> PlanResult:
     """Solve a problem one object at a time; whole, if the hand would have to hold two in the end.
 
@@ -39,6 +44,7 @@ def plan_one_by_one(
         problem: The problem.
         grounding: The learned domain.
         believed: Solves a problem such that the replay of the plan is right.
+        deadline: When to stop, by `time.perf_counter()` [s].
     """
     wanted = {name: _alone(problem, name, goal, problem.tolerance) for name, goal in problem.goals.items()}
     narrowed: Counter[str] = Counter()
@@ -54,7 +60,7 @@ def plan_one_by_one(
         steps, checked = mend(_joined(plans, problem, grounding), problem, grounding)
         if checked.valid:
             return PlanResult(PlanStatus.SOLVED, steps, 0.0, _remark(plans, narrowed))
-        aims = _aims(problem, grounding) if aims is None else aims
+        aims = _aims(problem, grounding, deadline) if aims is None else aims
         conflict = _in_conflict(steps, checked.reason, problem, grounding)
         conflict = [name for name in conflict if narrowed[name] < len(NARROWER)]
         narrowed.update(conflict)
@@ -80,9 +86,10 @@ def _remark(plans: Mapping[str, PlanResult], narrowed: Collection[str]) -> str:
     return next((plan.reason for plan in plans.values() if plan.reason), "")
 
 
-def _aims(problem: Problem, grounding: Grounding) -> Float[np.ndarray, "M 3"] | None:
+def _aims(problem: Problem, grounding: Grounding, deadline: float) -> Float[np.ndarray, "M 3"] | None:
     """Return where objects can end together [m], or None if the exact planner finds no plan in time."""
-    found = plan_counting(problem, grounding, time_limit=TIME_TO_COUNT)
+    left = min(TIME_TO_COUNT, deadline - time.perf_counter())
+    found = plan_counting(problem, grounding, time_limit=left)
     if found.status is not PlanStatus.SOLVED:
         return None
     return np.asarray(replay(found.steps, problem, grounding).positions[-1])

@@ -2,14 +2,19 @@
 
 Counting (see `count_vectors`) says it exactly: a goal may be out of every primitive's reach, on the table or
 anywhere; to be had only by leaving the table; too many primitives away for a planner that looks only so deep;
-or in the air together with another, while there is one hand.
+in the air together with another, while there is one hand; or so near another goal that both objects do not
+fit there.
 """
 
+import itertools
 import time
 from dataclasses import dataclass
 
+import numpy as np
+
 from neurosym.operators import Vector
-from neurosym.pddl.grounding import Grounding
+from neurosym.pddl.grounding import Grounding, is_lift
+from neurosym.pddl.replay import footprints_apart
 from neurosym.planners.branching import Branching, Names, branching_of
 from neurosym.planners.count_vectors import Choices, candidates, nearest
 from neurosym.planners.counting import Join, choices_of
@@ -47,8 +52,8 @@ def explain_no_plan(
     fewest = {name: reach.fewest() for name, reach in found.items()}
     if out := [reach.explain() for name, reach in found.items() if fewest[name] is None]:
         return "; ".join(out)
-    if hand := explain_hand(problem):
-        return hand
+    if clash := explain_clash(problem, grounding):
+        return clash
     needed = {name: count for name, count in fewest.items() if count}
     if depth is None or sum(needed.values()) <= depth:
         return ""
@@ -60,7 +65,12 @@ def explain_no_plan(
     )
 
 
-def explain_hand(problem: Problem) -> str:
+def explain_clash(problem: Problem, grounding: Grounding) -> str:
+    """Say which goals cannot be met together, however objects move; empty if nothing stands against it."""
+    return _explain_hand(problem) or _explain_room(problem, grounding)
+
+
+def _explain_hand(problem: Problem) -> str:
     """Say which objects would have to be held at the end, if it is more than one.
 
     An object whose goal is farther above or below it than the tolerance cannot meet it at rest.
@@ -70,6 +80,29 @@ def explain_hand(problem: Problem) -> str:
     if len(names) < 2:
         return ""
     return f"{_listed(names)} would have to be held at the end, and there is one hand"
+
+
+def _explain_room(problem: Problem, grounding: Grounding) -> str:
+    """Say which two objects would have to stand in each other at the end, if any would."""
+    apart, names = footprints_apart(problem), problem.object_names
+    rows = [names.index(name) for name in problem.goals if _must_rest(problem, name, grounding)]
+    for one, other in itertools.combinations(sorted(rows), 2):
+        ends = np.array([problem.goals[names[row]] for row in (one, other)])
+        most = np.abs(ends[0, :2] - ends[1, :2]) + 2 * problem.tolerance
+        if np.all(most < apart[one, other]):
+            return f"there is no room for both {names[one]} and {names[other]}, so near are their goals"
+    return ""
+
+
+def _must_rest(problem: Problem, name: str, grounding: Grounding) -> bool:
+    """Say whether no lift holds an object as high as its goal is."""
+    item, goal = problem.object_named(name), problem.goals[name]
+    heights = (
+        grounding.displacement(operator)[2]
+        for operator in grounding.live
+        if operator.category == item.category and is_lift(operator)
+    )
+    return all(abs(item.position[2] + height - goal[2]) > problem.tolerance for height in heights)
 
 
 def plan_nearest(problem: Problem, grounding: Grounding, *, time_limit: float = 60.0) -> PlanResult:

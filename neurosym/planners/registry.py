@@ -12,7 +12,7 @@ from neurosym.planners.bfs import DEPTH, plan_bfs
 from neurosym.planners.branching import Branching, branching_of
 from neurosym.planners.catalogue import PDDL_PLANNERS
 from neurosym.planners.counting import plan_counting
-from neurosym.planners.reach import explain_no_plan
+from neurosym.planners.reach import explain_clash, explain_no_plan
 from neurosym.planners.result import PlanResult, PlanStatus
 from neurosym.planners.solve import plan_pddl
 from neurosym.problems import NEAR_TABLE, Problem
@@ -70,6 +70,8 @@ def plan(
     table = branching or branching_of(problem, grounding)
     if planner == "bfs":
         result = plan_bfs(problem, *table, grounding.table, time_limit=time_limit)
+    elif reason := explain_clash(problem, grounding):
+        result = PlanResult(PlanStatus.UNSOLVABLE, (), 0.0, reason)
     else:
         result = plan_counting(problem, grounding, time_limit=time_limit)
     if result.status is not PlanStatus.UNSOLVABLE:

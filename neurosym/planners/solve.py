@@ -29,7 +29,7 @@ from neurosym.planners.counting import fewest_steps
 from neurosym.planners.fast_downward import SAS_SUFFIX
 from neurosym.planners.one_by_one import plan_one_by_one
 from neurosym.planners.ordering import mend
-from neurosym.planners.reach import explain_hand, explain_no_plan
+from neurosym.planners.reach import explain_clash, explain_no_plan
 from neurosym.planners.result import PlanResult, PlanStatus
 from neurosym.problems import Problem
 from neurosym.world import Table
@@ -89,22 +89,23 @@ def plan_pddl(
     chosen = tool.encoding_for(planner, encoding)
     tool.check_installed(planner)
     begin = time.perf_counter()
+    deadline = begin + time_limit
     if problem.is_met(problem.scene().positions):
         return PlanResult(PlanStatus.SOLVED, (), 0.0, "the goal is met at the start")
-    if reason := explain_hand(problem):
+    if reason := explain_clash(problem, grounding):
         return PlanResult(PlanStatus.UNSOLVABLE, (), 0.0, reason)
 
     at_once = whole or len(problem.goals) == 1
 
     def attempt(learned: Grounding) -> PlanResult:
         def solve(task: Problem, slack: _Slack) -> PlanResult:
-            left = time_limit - (time.perf_counter() - begin)
+            left = deadline - time.perf_counter()
             if left <= 0:
                 return PlanResult(PlanStatus.TIMEOUT, (), 0.0, f"no plan in {time_limit:g} s")
             return _solve(task, learned, tool, left, chosen, slack)
 
         believed = partial(_believed, grounding=learned, solve=solve)
-        return believed(problem) if at_once else plan_one_by_one(problem, learned, believed)
+        return believed(problem) if at_once else plan_one_by_one(problem, learned, believed, deadline)
 
     result = attempt(grounding)
     if result.status is PlanStatus.FAILED and not at_once and not grounding.unit_costs:
