@@ -92,7 +92,7 @@ def _try_problem(folder: DomainFolder, number: int, seed: int) -> _Row:
     if not record.solved:
         return _Row((*cells, "-", record.reason), executed=False)
     _perform(folder, execute_stage(folder, name, folder / plan_file))
-    run = load_run(folder, folder / plan_file)
+    run = load_run(folder, name, folder / plan_file)
     return _Row((*cells, "reached" if run.reached else "missed", run.reason), executed=True)
 
 

@@ -48,6 +48,9 @@ def execute(
     name = domain.problem(problem)
     if not plan_file.is_file():
         raise InvalidValue(f"There is no plan file {plan_file}; `neurosym plan {folder} {name}` writes one.")
+    made_for = plan_file.stem.split(".")[0]
+    if made_for != name and made_for in domain.problem_names():
+        say(f"note: {plan_file} seems to be made for {made_for}; it is executed on {name}")
     stage = execute_stage(
         domain,
         name,
@@ -58,9 +61,9 @@ def execute(
         showing=_showing(gif, strip, gui),
     )
     domain.perform(stage, again=True)
-    run = load_run(domain, plan_file)
+    run = load_run(domain, name, plan_file)
     show_run(run)
-    record = folder / run_file(plan_file)
+    record = folder / run_file(name, plan_file)
     _say_written(record, gif, strip)
     say_next(f"neurosym replay {folder} {record}")
     return 0 if run.reached else NO_RESULT

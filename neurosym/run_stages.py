@@ -50,7 +50,7 @@ def execute_stage(
     nudge_seed: int | None = None,
     showing: Showing = Showing(),
 ) -> Stage:
-    """Execute a plan: problem, grounding, world and a plan -> `runs/PLAN.run.json`, and pictures.
+    """Execute a plan: problem, grounding, world and a plan -> `runs/PROBLEM.PLAN.run.json`, and pictures.
 
     Raises:
         UnknownChoice: If there is no such planner to replan with.
@@ -61,7 +61,7 @@ def execute_stage(
     for option, value in (("replans", replans), ("disturb", nudge_seed or 0)):
         if value < 0:
             raise InvalidValue(f"{option} = {value} must be at least 0.")
-    record_file = run_file(plan_file)
+    record_file = run_file(name, plan_file)
 
     def work() -> None:
         grounding = Grounding.load(folder.require(GROUNDING))
@@ -92,7 +92,7 @@ def execute_stage(
         options["replanner"] = replanner
     if nudge_seed is not None:
         options["disturb"] = nudge_seed
-    return Stage(f"execute {plan_file.stem}", inputs, (record_file,), work, options)
+    return Stage(f"execute {_run_name(name, plan_file)}", inputs, (record_file,), work, options)
 
 
 def replanner_named(planner: str) -> Replanner:
@@ -141,14 +141,20 @@ def replay_run(folder: DomainFolder, record: Path, showing: Showing = Showing())
     return run, first_difference(run, again)
 
 
-def run_file(plan_file: Path) -> str:
-    """Name the file that says what became of a plan, relative to the folder."""
-    return f"runs/{plan_file.stem}.run.json"
+def run_file(name: str, plan_file: Path) -> str:
+    """Name the file that says what became of a plan for a problem, relative to the folder."""
+    return f"runs/{_run_name(name, plan_file)}.run.json"
 
 
-def load_run(folder: DomainFolder, plan_file: Path) -> Run:
+def _run_name(name: str, plan_file: Path) -> str:
+    """Name a run after its problem and its plan, whose name mostly begins with the problem's."""
+    stem = plan_file.stem
+    return stem if stem.startswith(f"{name}.") else f"{name}.{stem}"
+
+
+def load_run(folder: DomainFolder, name: str, plan_file: Path) -> Run:
     """Read what became of a plan."""
-    return read_json(folder / run_file(plan_file), Run)
+    return read_json(folder / run_file(name, plan_file), Run)
 
 
 class _Shown:

@@ -1,5 +1,7 @@
 """Execution on the toy world, where every promise can be kept exactly or broken on purpose."""
 
+from pathlib import Path
+
 import msgspec
 import pytest
 from toy_domain import LEFT, WORLD, grounding, problem
@@ -10,6 +12,7 @@ from neurosym.operators import Primitive
 from neurosym.pddl.plan_text import PlanStep
 from neurosym.problems import Problem, SceneObject
 from neurosym.run_record import Run
+from neurosym.run_stages import run_file
 
 PUSH_LEFT = PlanStep("push-left-001-cube", "item-01")
 LIFT = PlanStep("lift-000-cube", "item-01")
@@ -89,3 +92,9 @@ def test_record_reads_back_as_it_was_written(tmp_path):
     run = execute(WORLD, problem({"item-01": (0.6, 0.08, 0.025)}), grounding(), [PUSH_LEFT])
     write_json(tmp_path / "run.json", run)
     assert read_json(tmp_path / "run.json", Run) == run
+
+
+def test_record_is_named_after_problem_and_plan():
+    assert run_file("task-02", Path("my.plan")) == "runs/task-02.my.run.json"
+    assert run_file("task-02", Path("plans/task-02.bfs.plan")) == "runs/task-02.bfs.run.json"
+    assert run_file("task-02", Path("plans/task-03.bfs.plan")) == "runs/task-02.task-03.bfs.run.json"

@@ -73,7 +73,7 @@ def row_of(folder: DomainFolder, name: str, objects: int, planner: str) -> list[
     plan_file = folder / plan_files(name, planner)[0]
     strip, gif = (DEMO / f"{name}.{planner}.{ending}" for ending in ("png", "gif"))
     folder.perform(execute_stage(folder, name, plan_file, showing=Showing(gif, strip)), again=True)
-    run = load_run(folder, plan_file)
+    run = load_run(folder, name, plan_file)
     return [*row, "yes" if run.reached else "no", run.reason]
 
 

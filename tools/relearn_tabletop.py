@@ -151,7 +151,7 @@ def _outcome(folder: DomainFolder, name: str, planner: str) -> tuple[bool, bool,
     record = read_json(folder / record_file, PlanRecord)
     if not record.solved:
         return False, False, f"no plan: {record.reason}"
-    run = load_run(folder, folder / plan_file)
+    run = load_run(folder, name, folder / plan_file)
     steps = f"{len(record.steps)} step{'' if len(record.steps) == 1 else 's'}"
     return True, run.reached, f"{steps}, {'reached' if run.reached else f'missed: {run.reason}'}"
 
