@@ -5,7 +5,7 @@ from collections.abc import Sequence
 
 import msgspec
 
-from neurosym.errors import InvalidValue, StageMissing, UnknownChoice
+from neurosym.errors import InvalidValue, StageMissing
 from neurosym.files import write_atomically, write_json
 from neurosym.folder import GROUNDING, MODEL, DomainFolder, Stage
 from neurosym.pddl.grid import check_on_table
@@ -15,16 +15,20 @@ from neurosym.pddl.plan_text import PlanStep, Steps, named_steps, print_ground_p
 from neurosym.pddl.replay import expected_success
 from neurosym.planners import (
     PDDL_PLANNERS,
-    PLANNERS,
     Branching,
     PlanResult,
     PlanStatus,
     alternatives,
+    check_options,
     plan,
+    plan_counting,
     plan_nearest,
     predicted_branching,
 )
 from neurosym.problems import Problem
+
+TIME_TO_COUNT = 5.0
+"""How long to look for a plan by the rehearsed effects, where the network knows none [s]."""
 
 
 class PlannedSteps(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
@@ -120,10 +124,9 @@ def plan_stage(
 
     Raises:
         UnknownChoice: If there is no such planner, or it does not take the encoding.
-        InvalidValue: If fewer than no plans are asked for.
+        InvalidValue: If the planner does not take an option, or fewer than no plans are asked for.
     """
-    if planner not in PLANNERS:
-        raise UnknownChoice("planner", planner, PLANNERS)
+    check_options(planner, encoding=encoding, whole=whole, costs=not unit_costs)
     if more < 0:
         raise InvalidValue(f"alternatives = {more} must be at least 0.")
     printed = "stepwise"
@@ -149,7 +152,9 @@ def plan_stage(
             costs=not unit_costs,
         )
         if nearest and result.status is PlanStatus.UNSOLVABLE:
-            result = _nearest(result, problem, grounding, time_limit)
+            result = _nearest(result, problem, grounding, planner, time_limit)
+        elif planner == "bfs" and result.status is PlanStatus.UNSOLVABLE:
+            result = _with_rehearsed(result, problem, grounding, time_limit)
         (folder / "plans").mkdir(exist_ok=True)
         count = more if result.status is PlanStatus.SOLVED else 0
         others = alternatives(problem, grounding, count, besides=result.steps, time_limit=time_limit)
@@ -200,13 +205,30 @@ def _write_alternatives(
     return tuple(written)
 
 
-def _nearest(none: PlanResult, problem: Problem, grounding: Grounding, time_limit: float) -> PlanResult:
-    """Plan as near to the goal as can be, and keep saying why the planner had no plan."""
+def _nearest(
+    none: PlanResult, problem: Problem, grounding: Grounding, planner: str, time_limit: float
+) -> PlanResult:
+    """Plan as near to the goal as can be, and keep saying why the planner had no plan that comes nearer."""
     found = plan_nearest(problem, grounding, time_limit=time_limit)
     if not found.has_plan:
         return none
-    said = found.reason if found.status is PlanStatus.NEAREST else "by counting"
-    return dataclasses.replace(found, reason=f"{said}; {none.reason}")
+    if found.status is PlanStatus.NEAREST:
+        return dataclasses.replace(found, reason=f"{found.reason}; {none.reason}")
+    over = ", over what the network predicts," if planner == "bfs" else ""
+    said = f"it meets the goal by the rehearsed effects; {planner}{over} found none"
+    return dataclasses.replace(found, reason=said)
+
+
+def _with_rehearsed(
+    none: PlanResult, problem: Problem, grounding: Grounding, time_limit: float
+) -> PlanResult:
+    """Add to what the network knows no plan for whether the rehearsed effects know one."""
+    found = plan_counting(problem, grounding, time_limit=min(time_limit, TIME_TO_COUNT))
+    if found.status is not PlanStatus.SOLVED:
+        return none
+    count = sum(not step.puts_down for step in found.steps)
+    known = f"by the rehearsed effects there is a plan of {count} primitive{'' if count == 1 else 's'}"
+    return dataclasses.replace(none, reason=f"{none.reason}; {known}: try another planner, say counting")
 
 
 def _chance(steps: Sequence[PlanStep], grounding: Grounding) -> float:

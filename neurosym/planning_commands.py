@@ -73,10 +73,11 @@ def plan(
     ] = None,
     whole: Annotated[bool, arg(help="For PDDL planners: all objects at once instead of one by one.")] = False,
     unit_costs: Annotated[
-        bool, arg(help="Every step costs the same, instead of the more the rarer it goes well.")
+        bool, arg(help="Every step costs the same, instead of the more the rarer it goes well; not for bfs.")
     ] = False,
     nearest: Annotated[
-        bool, arg(help="If there is no plan, plan as near to the goal as objects come (exit code 3).")
+        bool,
+        arg(help="If there is no plan, plan as near to the goal as objects come (exit code 3 if it misses)."),
     ] = False,
     alternatives: Annotated[
         int, arg(metavar="K", help="Also write the K next-best plans: cheapest, of other steps.")

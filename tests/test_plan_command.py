@@ -6,11 +6,14 @@ import sys
 from pathlib import Path
 
 import msgspec
+import numpy as np
 import pytest
 import toy_domain
-from command_line import neurosym
+from command_line import neurosym, refusal
 
+from neurosym import plan_stages
 from neurosym.pddl.problem import problem_text
+from neurosym.planners import predicted_branching
 from neurosym.problems import Problem
 
 
@@ -63,6 +66,59 @@ def test_nearest_plan_is_written_and_the_goal_still_missed(bare, capsys, planner
     assert neurosym("plan", bare, "far", "--planner", planner, "--nearest") == 3
     assert "at the end, item-01 180 mm from its goal" in capsys.readouterr().out
     assert plan.read_text().splitlines()[0] == "(push-left-001-cube item-02)"
+
+
+@pytest.fixture
+def idle_network(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A network that predicts of every primitive that it moves nothing."""
+
+    def idle(_folder, problem, grounding):
+        shape = (len(problem.objects), len(grounding.operators.primitives), 3)
+        return predicted_branching(problem, grounding, np.zeros(shape))
+
+    monkeypatch.setattr(plan_stages, "_branching", idle)
+
+
+@pytest.mark.usefixtures("idle_network")
+def test_bfs_speaks_of_what_the_network_predicts_and_says_what_the_rehearsals_know(bare, capsys):
+    assert neurosym("plan", bare, "easy", "--planner", "bfs") == 3
+    said = capsys.readouterr().out
+    assert "): by what the network predicts, item-01 cannot reach its goal" in said
+    assert "by the rehearsed effects there is a plan of 2 primitives: try another planner" in said
+    assert neurosym("plan", bare, "far", "--planner", "bfs") == 3
+    assert "by the rehearsed effects" not in capsys.readouterr().out
+    assert neurosym("plan", bare, "air", "--planner", "bfs", "--nearest") == 3
+    assert "at the end, item-01 200 mm from its goal; by what" in capsys.readouterr().out
+
+
+@pytest.mark.usefixtures("idle_network")
+def test_nearest_plan_that_meets_the_goal_is_a_plan(bare, capsys):
+    assert neurosym("plan", bare, "easy", "--planner", "bfs", "--nearest") == 0
+    said = capsys.readouterr().out
+    assert "meets the goal by the rehearsed effects; bfs, over what the network predicts, found none" in said
+    assert "cannot reach" not in said
+
+
+@pytest.mark.parametrize(
+    ("planner", "options"),
+    [
+        ("bfs", ["--encoding", "nonsense"]),
+        ("counting", ["--encoding", "sas"]),
+        ("counting", ["--whole"]),
+        ("bfs", ["--whole"]),
+        ("bfs", ["--unit-costs"]),
+    ],
+)
+def test_option_that_a_planner_does_not_take_is_refused(bare, capsys, planner, options):
+    said = refusal(capsys, "plan", bare, "easy", "--planner", planner, *options)
+    assert (
+        f"The planner {planner} does not take {options[0].removeprefix('--')}; valid with it: aries" in said
+    )
+    assert ("counting," in said) == ("--unit-costs" in options)
+
+
+def test_counting_takes_unit_costs(bare):
+    assert neurosym("plan", bare, "easy", "--planner", "counting", "--unit-costs") == 0
 
 
 def test_nearest_holds_one_of_two(bare, capsys):

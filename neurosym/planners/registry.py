@@ -4,7 +4,7 @@ import dataclasses
 
 import msgspec
 
-from neurosym.errors import UnknownChoice
+from neurosym.errors import InvalidValue, UnknownChoice
 from neurosym.pddl.grid import check_on_table
 from neurosym.pddl.grounding import Grounding
 from neurosym.pddl.moves import Encoding
@@ -57,10 +57,10 @@ def plan(
         UnknownChoice: If there is no such planner, or it does not take the encoding, or an object's category
             is unknown.
         PlannerMissing: If the planner is not installed.
-        InvalidValue: If an object stands farther off the table than a push may have left it.
+        InvalidValue: If the planner does not take an option, or an object stands farther off the table than
+            a push may have left it.
     """
-    if planner not in PLANNERS:
-        raise UnknownChoice("planner", planner, PLANNERS)
+    check_options(planner, encoding=encoding, whole=whole, costs=costs)
     for item in problem.objects:
         check_on_table(item, grounding, off=NEAR_TABLE)
     if not costs:
@@ -76,5 +76,37 @@ def plan(
         result = plan_counting(problem, grounding, time_limit=time_limit)
     if result.status is not PlanStatus.UNSOLVABLE:
         return result
-    why = explain_no_plan(problem, grounding, branching=table, depth=SEARCHES[planner])
-    return dataclasses.replace(result, reason=why or result.reason)
+    depth = SEARCHES[planner]
+    why = explain_no_plan(problem, grounding, branching=table, depth=depth) or result.reason
+    if planner == "bfs" and branching and why != explain_clash(problem, grounding):
+        why = f"by what the network predicts, {why}"
+    return dataclasses.replace(result, reason=why)
+
+
+def check_options(planner: str, *, encoding: Encoding | None, whole: bool, costs: bool) -> None:
+    """Refuse a planner that there is not, and options that it does not take.
+
+    Args:
+        planner: Name of the planner.
+        encoding: The encoding asked for, if any.
+        whole: Whether it is to solve for all objects at once.
+        costs: Whether steps have costs.
+
+    Raises:
+        UnknownChoice: If there is no such planner, or it does not take the encoding.
+        InvalidValue: If it does not take an option.
+    """
+    if planner not in PLANNERS:
+        raise UnknownChoice("planner", planner, PLANNERS)
+    if planner in PDDL_PLANNERS:
+        PDDL_PLANNERS[planner].encoding_for(planner, encoding)
+        return
+    for option, asked, takers in (
+        ("encoding", encoding is not None, PDDL_PLANNERS),
+        ("whole", whole, PDDL_PLANNERS),
+        ("unit-costs", not costs, PLANNERS.keys() - {"bfs"}),
+    ):
+        if asked and planner not in takers:
+            raise InvalidValue(
+                f"The planner {planner} does not take {option}; valid with it: {', '.join(sorted(takers))}."
+            )
