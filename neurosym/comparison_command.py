@@ -47,8 +47,9 @@ def compare(
     for name, size in (("tolerance", tolerance), ("time-limit", time_limit)):
         if not 0 < size < math.inf:
             raise InvalidValue(f"{name} = {size} must be a number greater than 0.")
-    if seed < 0 or objects < 1:
-        raise InvalidValue(f"seed = {seed} must be at least 0, and objects = {objects} at least 1.")
+    for name, value, least in (("seed", seed, 0), ("objects", objects, 1)):
+        if value < least:
+            raise InvalidValue(f"{name} = {value} must be at least {least}.")
     planners = tuple(dict.fromkeys(planners))
     check_planners(planners)
     domain = DomainFolder(folder)

@@ -157,7 +157,7 @@ class _Running:
         """
         distances = self.problem.distances(self.scene.positions)
         reached = self.problem.is_met(self.scene.positions)
-        missed = why_missed(self.records, distances, self.problem.tolerance)
+        missed = "" if reached else why_missed(self.records, distances, self.problem.tolerance)
         no_plan = self.replannings[-1].reason if self.replannings else ""
         return Run(
             problem=self.problem.name,

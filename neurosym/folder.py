@@ -4,6 +4,7 @@ import platform
 from collections.abc import Callable
 from dataclasses import dataclass, field
 from importlib.metadata import version
+from itertools import count
 from pathlib import Path
 from time import perf_counter
 from typing import Any
@@ -131,13 +132,28 @@ class DomainFolder:
         """Return a problem's name from what a user typed: the name, or the path of its file.
 
         Raises:
+            InvalidValue: If this is no domain folder.
             UnknownChoice: If there is no such problem here.
         """
         stem = Path(name).name.removesuffix(".scene.json").removesuffix(NUMERIC).removesuffix(".pddl")
         known = self.problem_names()
-        if stem not in known:
-            raise UnknownChoice("problem", name, known)
-        return stem
+        if stem in known:
+            return stem
+        if not any((self.path / file).exists() for file in (WORLD, GROUNDING)):
+            raise InvalidValue(
+                f"{self.path} is no domain folder, it has neither {WORLD} nor {GROUNDING}; name one that has."
+            )
+        raise UnknownChoice("problem", name, known)
+
+    def free_problem_name(self) -> str:
+        """Return the first of `task-01`, `task-02`, ... that no problem of this folder has."""
+        taken = {path.name.split(".")[0] for path in (self.path / "problems").glob("task-*")}
+        return next(name for number in count(1) if (name := f"task-{number:02d}") not in taken)
+
+    def made_for(self, problem: str) -> tuple[str, ...]:
+        """List the plans of a problem, what is known of them, and their runs, relative to the folder."""
+        found = [path for place in ("plans", "runs") for path in (self.path / place).glob(f"{problem}.*")]
+        return tuple(sorted(path.relative_to(self.path).as_posix() for path in found))
 
     def manifest(self) -> Manifest:
         """Read how the files came about; nothing is known of files that a user put there."""

@@ -32,13 +32,16 @@ def compile_domain(
     say(f"{len(grounding.live)} operators in {folder / 'domain.pddl'}; left out: {len(grounding.left_out)}")
     for name, reason in grounding.left_out.items():
         say(f"  {name}: {reason}")
-    say_next(f"neurosym new-problem {folder} --name task-01")
+    say_next(f"neurosym new-problem {folder}")
     return 0
 
 
 def new_problem(
     folder: Folder,
-    name: Annotated[str, arg(help="Name of the problem: a letter, then a-z, digits, hyphens.")] = "task-01",
+    name: Annotated[
+        str | None,
+        arg(help="Its name: a letter, then a-z, digits, hyphens. Else the first free one of task-01, ..."),
+    ] = None,
     objects: Annotated[int, arg(help="Objects on the table: item-01, item-02, ...")] = 1,
     actions: Annotated[int, arg(help="Random actions that lead to the goal, one after another.")] = 1,
     seed: Seed = 0,
@@ -49,16 +52,24 @@ def new_problem(
     ] = (),
 ) -> int:
     """Make a problem: a random scene, and a goal that random actions lead to (one in the paper) or yours."""
+    from neurosym.files import digest
     from neurosym.pddl_stages import problem_stage
+    from neurosym.problems import check_names
 
     domain = DomainFolder(folder)
+    name = domain.free_problem_name() if name is None else name
+    check_names((name,))
     if goal and actions != 1:
         raise InvalidValue("Give --actions or goals by hand, not both.")
     goals = _parse_goals(goal) if goal else None
-    verb = "replaced" if (folder / f"problems/{name}.pddl").exists() else "wrote"
+    scene = folder / f"problems/{name}.scene.json"
+    before = digest(scene) if scene.is_file() else None
+    verb = "replaced" if name in domain.problem_names() else "wrote"
     stage = problem_stage(domain, name=name, objects=objects, actions=actions, seed=seed, goals=goals)
     domain.perform(stage, again=True)
     say(f"{verb} {folder / 'problems' / name}.pddl and its scene")
+    if before != digest(scene) and (stale := domain.made_for(name)):
+        say(f"note: made for the former {name}, and stale now: {', '.join(stale)}")
     say_next(f"neurosym plan {folder} {name}")
     return 0
 

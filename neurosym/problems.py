@@ -16,6 +16,8 @@ from neurosym.world import Scene, Table
 
 LEGAL_NAME = re.compile(r"[a-z][a-z0-9-]*")
 """What PDDL, and every planner we know, takes as a name."""
+LONGEST_NAME = 100
+"""So many characters a name has at most: files are called by it."""
 NEAR_TABLE = 0.1
 """How far off the table an object may stand and still be planned for, after a push or a nudge [m]."""
 
@@ -57,7 +59,9 @@ class Problem(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
 
     def __post_init__(self) -> None:
         names = self.object_names
-        _check_names((self.name, *names))
+        check_names((self.name, *names))
+        if len({len(item.features) for item in self.objects}) != 1:
+            raise InvalidValue("A scene needs one object or more, all with the same number of features.")
         for name in names:
             if names.count(name) > 1:
                 raise InvalidValue(f"Two objects are called {name}; give each a name of its own.")
@@ -66,8 +70,6 @@ class Problem(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
                 raise InvalidValue(
                     f"There is a goal for {name}, which is not in the scene; objects: {', '.join(names)}."
                 )
-        if len({len(item.features) for item in self.objects}) != 1:
-            raise InvalidValue("A scene needs one object or more, all with the same number of features.")
         if not 0 < self.tolerance < math.inf:
             raise InvalidValue(f"The tolerance is {self.tolerance} m; it must be greater than 0.")
 
@@ -162,13 +164,18 @@ def check_goals(problem: Problem, table: Table, z_range: tuple[float, float]) ->
                 )
 
 
-def _range(bounds: tuple[float, float]) -> str:
-    return f"{bounds[0]:g} to {bounds[1]:g}"
-
-
-def _check_names(names: tuple[str, ...]) -> None:
+def check_names(names: tuple[str, ...]) -> None:
+    """Raise `InvalidValue` unless problems and objects can have these names."""
     for name in names:
+        if len(name) > LONGEST_NAME:
+            raise InvalidValue(
+                f"The name {name[:20]}... has {len(name)} characters; valid: at most {LONGEST_NAME}."
+            )
         if not LEGAL_NAME.fullmatch(name):
             raise InvalidValue(
                 f"{name!r} is not a legal name; valid: a lower-case letter, then a-z, 0-9 and hyphens."
             )
+
+
+def _range(bounds: tuple[float, float]) -> str:
+    return f"{bounds[0]:g} to {bounds[1]:g}"

@@ -99,6 +99,24 @@ def test_goal_set_by_hand_is_planned_and_reached(folder, capsys):
     assert "something else happened" in capsys.readouterr().out
 
 
+def test_new_problem_takes_the_first_free_name(folder, capsys):
+    before = (folder / "problems/task-01.scene.json").read_bytes()
+    assert neurosym("new-problem", folder) == 0
+    assert f"wrote {folder}/problems/task-03.pddl" in capsys.readouterr().out
+    assert neurosym("new-problem", folder) == 0
+    assert (folder / "problems/task-04.scene.json").is_file()
+    assert (folder / "problems/task-01.scene.json").read_bytes() == before
+
+
+def test_problem_that_is_replaced_is_told_with_its_stale_plans(folder, capsys):
+    for seed, is_another in ((8, True), (8, False), (9, True)):
+        assert neurosym("new-problem", folder, "--name", "task-01", "--seed", seed) == 0
+        said = capsys.readouterr().out
+        assert f"replaced {folder}/problems/task-01.pddl" in said
+        note = "note: made for the former task-01, and stale now: plans/task-01.fast-downward.json"
+        assert (note in said) == is_another
+
+
 def test_goal_out_of_reach_is_a_result_with_its_reason(folder, capsys):
     assert neurosym("new-problem", folder, "--name", "high", "--goal", "item-01=0.7,0.0,0.39") == 0
     for planner in ("bfs", "fast-downward"):

@@ -103,10 +103,11 @@ def test_missing_plan_file_is_refused(folder, capsys):
         (["new-problem", "--goal", "item-01=left"], "cannot be read; write it as item-01=0.60,0.10"),
         (["new-problem", "--goal", "item-07=0.6,0"], "item-07, which is not in the scene"),
         (["new-problem", "--name", "Bad Name"], "'Bad Name' is not a legal name"),
+        (["new-problem", "--name", "a" * 300], "has 300 characters; valid: at most 100"),
         (["new-problem", "--objects", "0"], "at least one object"),
         (["new-problem", "--objects", "500"], "500 objects do not fit"),
         (["plan", "task-01", "--planner", "magic"], "no planner 'magic'; valid: aries, bfs, counting"),
-        (["plan", "task-01", "--encoding", "runes"], "'runes'; valid: operators, stepwise"),
+        (["plan", "task-01", "--encoding", "runes"], "'runes'; valid: operators, sas, stepwise"),
         (["plan", "task-99"], "no problem 'task-99'; valid: task-01, task-02"),
         (["plan", "task-01", "--time-limit", "-1"], "time-limit"),
         (
@@ -206,6 +207,16 @@ def test_problem_without_its_scene_is_refused(folder, capsys):
     (folder / "problems/task-01.scene.json").unlink()
     said = refusal(capsys, "plan", folder, "task-01")
     assert f"`neurosym new-problem {folder} --name task-01` writes it" in said
+
+
+def test_folder_that_is_no_domain_folder_is_called_so(tmp_path, capsys):
+    (tmp_path / "empty.plan").write_text("")
+    for arguments in (
+        ["plan", tmp_path, "task-01"],
+        ["execute", tmp_path, "task-01", tmp_path / "empty.plan"],
+    ):
+        said = refusal(capsys, *arguments)
+        assert f"{tmp_path} is no domain folder, it has neither world.toml nor grounding.json" in said
 
 
 def test_picture_that_cannot_be_written_is_refused(folder, capsys):

@@ -53,6 +53,12 @@ def test_empty_plan_leaves_everything_where_it_was():
     assert run.distances["item-01"] == pytest.approx(0.08)
 
 
+def test_problem_without_goals_misses_none():
+    run = execute(WORLD, problem({}), grounding(), [PUSH_LEFT])
+    assert run.reached
+    assert run.reason == ""
+
+
 def test_broken_promise_is_told_with_what_happened_instead():
     true = grounding()
     primitives = tuple(Primitive(p.symbol, LEFT, 0.0) for p in true.operators.primitives)

@@ -52,6 +52,16 @@ def test_goal_for_an_unknown_object_is_refused_with_the_known_ones():
         Problem("p", (item("item-01", 0.5, 0.0),), {"item-9": (0.5, 0.0, 0.0)})
 
 
+def test_scene_without_objects_is_refused_whatever_its_goals():
+    with pytest.raises(InvalidValue, match="A scene needs one object or more"):
+        Problem("p", (), {"item-01": (0.5, 0.0, 0.0)})
+
+
+def test_name_too_long_for_a_file_is_refused():
+    with pytest.raises(InvalidValue, match=r"aaa\.\.\. has 300 characters; valid: at most 100"):
+        Problem("a" * 300, (item("item-01", 0.5, 0.0),), {})
+
+
 def test_tolerance_of_nothing_is_refused():
     with pytest.raises(InvalidValue, match="tolerance"):
         Problem("p", (item("item-01", 0.5, 0.0),), {}, tolerance=0.0)
