@@ -71,7 +71,7 @@ def size_of(seeds: int, steps: int, tasks: int | None = None, *, entropy: bool =
     strategies = tuple(name for name in STRATEGIES if entropy or name != "entropy")
     if seeds == 1:
         return Size(seeds, steps, tasks or 30, 30, 2, 20, strategies)
-    return Size(seeds, steps, tasks or 100, 300, 5, 50, strategies)
+    return Size(seeds, steps, tasks or 100, 150, 5, 50, strategies)
 
 
 def jobs_in_turn(work: Path, size: Size, *, learn: bool) -> Iterator[Turn]:
