@@ -124,8 +124,9 @@ def candidates(
         for lift, places in ends(choices, length):
             if lift is not None and at_rest:
                 continue
-            near = np.linalg.norm(places - np.array(goal), axis=-1) <= tolerance
-            rows = np.flatnonzero(near & (choices.is_inside(places) | (length == 0)))
+            away = places - np.array(goal)
+            rows = np.flatnonzero(np.einsum("ij,ij->i", away, away) <= tolerance**2)
+            rows = rows[choices.is_inside(places[rows]) | (length == 0)]
             counts = count_vectors(len(choices.costs), length - (lift is not None))[rows]
             costs = counts @ choices.costs + (0 if lift is None else choices.costs[lift])
             found += [
