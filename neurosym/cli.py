@@ -8,6 +8,7 @@ import sys
 from collections.abc import Callable, Sequence
 
 from neurosym import commands, learning_commands, planning_commands, run_commands
+from neurosym.arguments import read_arguments
 from neurosym.comparison_command import compare
 from neurosym.console import error_console
 from neurosym.errors import NeurosymError
@@ -54,16 +55,9 @@ def main(arguments: Sequence[str] | None = None) -> None:
     Args:
         arguments: What was typed after `neurosym`; the process's own arguments if not given.
     """
-    import tyro
-
+    typed = sys.argv[1:] if arguments is None else arguments
     try:
-        code: int = tyro.extras.subcommand_cli_from_dict(
-            COMMANDS,
-            prog="neurosym",
-            description=ABOUT,
-            args=arguments,
-            config=(tyro.conf.FlagCreatePairsOff,),
-        )
+        code = read_arguments(COMMANDS, ABOUT, typed)()
     except NeurosymError as error:
         error_console.print(str(error), markup=False, style="red")
         code = BAD_INPUT

@@ -140,6 +140,36 @@ def test_impossible_request_is_refused_in_one_sentence(folder, arguments, messag
     assert message in refusal(capsys, command, folder, *rest)
 
 
+@pytest.mark.parametrize(
+    ("typed", "said"),
+    [
+        (["plan", "d", "p", "--time-limit", "abc"], "plan: error parsing --time-limit: could not convert"),
+        (
+            ["plan", "d", "p", "--time-limit"],
+            "plan: missing value for argument '--time-limit'; `neurosym plan",
+        ),
+        (["plan", "d"], "neurosym plan: missing: PROBLEM; `neurosym plan --help` says what there is"),
+        (["plan", "d", "p", "--bogus", "3"], "neurosym plan: unrecognized options: --bogus, 3;"),
+        (["plan", "d", "p", "--seed", "3"], "neurosym plan: unrecognized or misplaced options: --seed 3;"),
+        (["plan", "d", "p", "x" * 300], "x" * 300),
+        (["plam", "d"], "There is no command 'plam'; valid: check, compare,"),
+        (["--bogus"], "neurosym: unrecognized options: --bogus; `neurosym --help` says"),
+        ([], "neurosym: expected one of {run, init,"),
+        (
+            ["new-problem", "d", "--goal", "item-01=0.6,0", "item-02=0.7,0"],
+            "item-02=0.7,0; --goal is given once for each object; `neurosym new-problem --help`",
+        ),
+    ],
+)
+def test_what_cannot_be_read_is_refused_in_one_sentence(typed, said, capsys):
+    assert said in refusal(capsys, *typed)
+
+
+def test_help_is_printed_and_ends_well(capsys):
+    assert neurosym("plan", "--help") == 0
+    assert "--time-limit" in capsys.readouterr().out
+
+
 def test_fewer_steps_do_not_throw_interactions_away(folder, capsys):
     before = (folder / "interactions.npz").read_bytes()
     said = refusal(capsys, "explore", folder, *LEARN_TOY, "--seed", "3", "--steps", "600")
