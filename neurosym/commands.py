@@ -17,6 +17,7 @@ from neurosym.command_options import (
 from neurosym.console import say, say_next
 from neurosym.errors import InvalidValue
 from neurosym.folder import DomainFolder
+from neurosym.quoting import quoted
 from neurosym.strategies import DEFAULT_STRATEGY
 
 WorldName = Annotated[
@@ -33,7 +34,7 @@ def init(folder: Folder, world: WorldName = "tabletop") -> int:
             f"{folder / 'world.toml'} exists already; change it by hand, or name another folder."
         )
     _make_folder(folder, world)
-    say_next(f"neurosym {'train' if has_own_data(DomainFolder(folder)) else 'explore'} {folder}")
+    say_next(f"neurosym {'train' if has_own_data(DomainFolder(folder)) else 'explore'} {quoted(folder)}")
     return 0
 
 

@@ -9,6 +9,7 @@ from neurosym.command_options import CPUS, Folder, Seed, Workers
 from neurosym.console import progress_bar, say, say_next, show_table
 from neurosym.errors import InvalidValue
 from neurosym.folder import DomainFolder
+from neurosym.quoting import quoted
 
 if TYPE_CHECKING:
     from neurosym.comparison_summary import Comparison
@@ -66,7 +67,7 @@ def compare(
     draw_comparison(comparison, title, order.place / "comparison.png")
     _show(comparison, title)
     say(f"wrote {order.place / 'comparison.json'}, comparison.png, and a file for each task")
-    say_next(f"neurosym new-problem {folder} --name mine --seed {seed}")
+    say_next(f"neurosym new-problem {quoted(folder)} --name mine --seed {seed}")
     return 0
 
 

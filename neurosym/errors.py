@@ -7,6 +7,8 @@ from collections.abc import Iterable
 from pathlib import Path
 from typing import Any
 
+from neurosym.quoting import quoted
+
 
 class NeurosymError(Exception):
     """Base of every error that bad input can cause; the command line prints it and exits with code 2."""
@@ -25,7 +27,9 @@ class FolderNotFound(NeurosymError):
     """A domain folder that does not exist."""
 
     def __init__(self, folder: Path):
-        valid = "name a domain folder" if folder.exists() else f"`neurosym init {folder}` makes a new one"
+        valid = (
+            "name a domain folder" if folder.exists() else f"`neurosym init {quoted(folder)}` makes a new one"
+        )
         problem = f"{folder} is a file" if folder.exists() else f"There is no folder {folder}"
         super().__init__(f"{problem}; {valid}.")
 

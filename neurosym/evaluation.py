@@ -17,6 +17,7 @@ from neurosym.markdown import mean_and_spread
 from neurosym.naming import name_axes
 from neurosym.operators import OperatorTable
 from neurosym.primitive_kinds import KINDS
+from neurosym.quoting import quoted
 from neurosym.reporting import TrainingSummary
 from neurosym.stages import TRAINING
 from neurosym.strategies import has_high_effect
@@ -253,7 +254,7 @@ def _table3(measured: Sequence[Measured]) -> Table:
     columns = ["strategy", "tasks", "planner", "folders", "counted"]
     columns += ["found [%]", "valid [%]", "reached [%]", "with replanning [%]"]
     without = [m.folder for m in measured if not m.comparisons]
-    missing = "".join(f" Not measured yet: `neurosym compare {folder}`." for folder in without)
+    missing = "".join(f" Not measured yet: `neurosym compare {quoted(folder)}`." for folder in without)
     remark = f"Shares of the tasks that are not met at the start.{missing}"
     return Table("Table III: planning", remark, columns, rows)
 

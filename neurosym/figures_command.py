@@ -9,6 +9,7 @@ from neurosym.command_options import Folder
 from neurosym.console import say, say_next
 from neurosym.errors import InvalidValue, UnknownChoice
 from neurosym.folder import GROUNDING, MODEL, WORLD, DomainFolder
+from neurosym.quoting import quoted
 
 if TYPE_CHECKING:
     from neurosym.examples import Example
@@ -49,10 +50,10 @@ def figures(
     if rows := _plan_rows(world, grounding, runs):
         save_sheet(target / PLANS_FIGURE, rows)
         say(f"wrote {target / PLANS_FIGURE}")
-        say_next(f"neurosym report {folder}")
+        say_next(f"neurosym report {quoted(folder)}")
     else:
         say(f"no Figure 4: {domain / 'runs'} holds no run with steps that goes the same way again")
-        say_next(f"neurosym plan {folder} NAME, then neurosym execute {folder} NAME PLAN")
+        say_next(f"neurosym plan {quoted(folder)} NAME, then neurosym execute {quoted(folder)} NAME PLAN")
     return 0
 
 

@@ -14,6 +14,7 @@ import msgspec
 from neurosym.console import say
 from neurosym.errors import FolderNotFound, InvalidFile, InvalidValue, StageMissing, UnknownChoice
 from neurosym.files import digest, read_json, write_json
+from neurosym.quoting import quoted
 
 WORLD, INTERACTIONS = "world.toml", "interactions.npz"
 MODEL, DIRECT_MODEL = "effect_model.safetensors", "direct_model.safetensors"
@@ -112,7 +113,7 @@ class DomainFolder:
         path = self.path / name
         _refuse_folder(path)
         if not path.is_file():
-            command, besides = f"neurosym {COMMANDS[name]} {self.path}", ""
+            command, besides = f"neurosym {COMMANDS[name]} {quoted(self.path)}", ""
             if name == INTERACTIONS:
                 besides = ", or a script of yours (docs/data.md)"
             if name == WORLD and self._has_own_data():

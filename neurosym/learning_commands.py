@@ -18,6 +18,7 @@ from neurosym.console import say, say_next
 from neurosym.errors import InvalidData, InvalidFile, InvalidValue
 from neurosym.folder import INTERACTIONS, PRIMITIVES, DomainFolder
 from neurosym.operators import OperatorTable
+from neurosym.quoting import quoted
 from neurosym.strategies import DEFAULT_STRATEGY
 
 
@@ -60,7 +61,7 @@ def explore(
     )
     domain.perform(stage, again=True)
     say(f"{steps} interactions in {folder / 'interactions.npz'}")
-    say_next(f"neurosym train {folder}")
+    say_next(f"neurosym train {quoted(folder)}")
     return 0
 
 
@@ -85,8 +86,8 @@ def check(data: DataPath) -> int:
     for warning in warnings_about(interactions.columns, interactions.origin, found.given):
         say(f"note: {warning}")
     is_in_place = path.name == INTERACTIONS
-    copying = "" if is_in_place else f"mkdir -p my-domain && cp {path} my-domain/{INTERACTIONS} && "
-    say_next(f"{copying}neurosym train {path.parent if is_in_place else 'my-domain'}")
+    copying = "" if is_in_place else f"mkdir -p my-domain && cp {quoted(path)} my-domain/{INTERACTIONS} && "
+    say_next(f"{copying}neurosym train {quoted(path.parent) if is_in_place else 'my-domain'}")
     return 0
 
 
@@ -98,7 +99,7 @@ def train(folder: Folder, seed: Seed = 0, regime: RegimeName = "default") -> int
     domain = DomainFolder(folder)
     domain.perform(train_stage(domain, seed=seed, regime=regime), again=True)
     show_training(domain / TRAINING)
-    say_next(f"neurosym distill {folder}")
+    say_next(f"neurosym distill {quoted(folder)}")
     return 0
 
 
@@ -125,13 +126,13 @@ def distill(
     table = read_json(domain / PRIMITIVES, OperatorTable)
     show_operators(table)
     if table.measured == "rehearsal":
-        say_next(f"neurosym compile-domain {folder}")
+        say_next(f"neurosym compile-domain {quoted(folder)}")
         return 0
     say("there is no world.toml, so nothing was rehearsed: effects are averages over the rows of the data")
     if table.axes == 3:
         say("a PDDL domain needs a world besides, and distilled again, primitives are rehearsed in it")
-        say_next(f"neurosym init {folder} --world module:factory")
+        say_next(f"neurosym init {quoted(folder)} --world module:factory")
     else:
         say(f"no PDDL domain can be made of {counted_axes(table.axes)}: it moves objects along x, y and z")
-        say_next(f"neurosym explain {folder}")
+        say_next(f"neurosym explain {quoted(folder)}")
     return 0

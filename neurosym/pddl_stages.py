@@ -23,6 +23,7 @@ from neurosym.operators import OperatorTable
 from neurosym.pddl import Grounding, compile_domain, domain_text, problem_text
 from neurosym.pddl.compiler import check_axes
 from neurosym.problems import Problem
+from neurosym.quoting import quoted
 from neurosym.world_file import read_world
 
 
@@ -38,7 +39,7 @@ def compile_stage(folder: DomainFolder, *, cell: float) -> Stage:
         if not (folder / WORLD).exists():
             raise InvalidValue(
                 f"{folder / WORLD} is missing: a domain also needs where objects may stand and how far the "
-                f"hand rises; `neurosym init {folder.path} --world module:factory` writes it."
+                f"hand rises; `neurosym init {quoted(folder.path)} --world module:factory` writes it."
             )
         world = read_world(folder / WORLD)()
         grounding = compile_domain(

@@ -8,6 +8,7 @@ from neurosym.files import read_json
 from neurosym.folder import DomainFolder, Stage
 from neurosym.pddl_stages import compile_stage, problem_stage
 from neurosym.plan_stages import PlanRecord, plan_files, plan_stage
+from neurosym.quoting import quoted
 from neurosym.run_stages import execute_stage, load_run
 from neurosym.stages import distill_stage, explore_stage, train_stage
 
@@ -72,7 +73,7 @@ def go_the_whole_way(
         columns = ["problem", "objects", "plan", "steps", "seconds", "goal", "why not"]
         show_table(f"{len(rows)} problems drawn from the world", columns, [row.cells for row in rows])
     say(f"everything lies in {folder.path}; {folder / 'domain.pddl'} is the domain")
-    say_next(f"neurosym plan {folder.path} task-01 --planner bfs")
+    say_next(f"neurosym plan {quoted(folder.path)} task-01 --planner bfs")
 
 
 @dataclass(frozen=True, slots=True)

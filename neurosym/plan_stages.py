@@ -26,6 +26,7 @@ from neurosym.planners import (
     predicted_branching,
 )
 from neurosym.problems import Problem
+from neurosym.quoting import quoted
 
 TIME_TO_COUNT = 5.0
 """How long to look for a plan by the rehearsed effects, where the network knows none [s]."""
@@ -88,7 +89,7 @@ def load_problem(folder: DomainFolder, name: str) -> Problem:
     """
     scene = folder / f"problems/{folder.problem(name)}.scene.json"
     if not scene.is_file():
-        raise StageMissing(scene, f"neurosym new-problem {folder.path} --name {folder.problem(name)}")
+        raise StageMissing(scene, f"neurosym new-problem {quoted(folder.path)} --name {folder.problem(name)}")
     return Problem.load(scene)
 
 

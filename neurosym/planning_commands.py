@@ -9,6 +9,7 @@ from neurosym.command_options import NO_RESULT, Folder, ProblemName, Seed
 from neurosym.console import say, say_next
 from neurosym.errors import InvalidValue
 from neurosym.folder import DomainFolder
+from neurosym.quoting import quoted
 
 if TYPE_CHECKING:
     from neurosym.plan_stages import PlanRecord
@@ -32,7 +33,7 @@ def compile_domain(
     say(f"{len(grounding.live)} operators in {folder / 'domain.pddl'}; left out: {len(grounding.left_out)}")
     for name, reason in grounding.left_out.items():
         say(f"  {name}: {reason}")
-    say_next(f"neurosym new-problem {folder}")
+    say_next(f"neurosym new-problem {quoted(folder)}")
     return 0
 
 
@@ -70,7 +71,7 @@ def new_problem(
     say(f"{verb} {folder / 'problems' / name}.pddl and its scene")
     if before != digest(scene) and (stale := domain.made_for(name)):
         say(f"note: made for the former {name}, and stale now: {', '.join(stale)}")
-    say_next(f"neurosym plan {folder} {name}")
+    say_next(f"neurosym plan {quoted(folder)} {name}")
     return 0
 
 
@@ -125,7 +126,7 @@ def plan(
     if record.steps or record.solved:
         say(f"wrote {folder / plan_file}")
         _say_alternatives(record, folder, alternatives)
-        say_next(f"neurosym execute {folder} {name} {folder / plan_file}")
+        say_next(f"neurosym execute {quoted(folder)} {name} {quoted(folder / plan_file)}")
     return 0 if record.solved else NO_RESULT
 
 

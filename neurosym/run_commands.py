@@ -9,6 +9,7 @@ from neurosym.command_options import NO_RESULT, Folder, ProblemName
 from neurosym.console import say, say_next
 from neurosym.errors import InvalidFile, InvalidValue
 from neurosym.folder import DomainFolder
+from neurosym.quoting import quoted
 
 if TYPE_CHECKING:
     from neurosym.run_stages import Showing
@@ -47,7 +48,9 @@ def execute(
     domain = DomainFolder(folder)
     name = domain.problem(problem)
     if not plan_file.is_file():
-        raise InvalidValue(f"There is no plan file {plan_file}; `neurosym plan {folder} {name}` writes one.")
+        raise InvalidValue(
+            f"There is no plan file {plan_file}; `neurosym plan {quoted(folder)} {name}` writes one."
+        )
     made_for = plan_file.stem.split(".")[0]
     if made_for != name and made_for in domain.problem_names():
         say(f"note: {plan_file} seems to be made for {made_for}; it is executed on {name}")
@@ -65,7 +68,7 @@ def execute(
     show_run(run)
     record = folder / run_file(name, plan_file)
     _say_written(record, gif, strip)
-    say_next(f"neurosym replay {folder} {record}")
+    say_next(f"neurosym replay {quoted(folder)} {quoted(record)}")
     return 0 if run.reached else NO_RESULT
 
 

@@ -10,6 +10,7 @@ from neurosym.command_options import Folder
 from neurosym.console import say, say_next
 from neurosym.errors import InvalidValue
 from neurosym.folder import GROUNDING, INTERACTIONS, MODEL, WORLD, DomainFolder
+from neurosym.quoting import quoted
 
 if TYPE_CHECKING:
     from neurosym.motions import Motion
@@ -69,7 +70,7 @@ def _show_interaction(domain: DomainFolder, number: int, output: Path | None, gu
     following = (
         f"{(number + 1) % len(interactions)}" if animated else f"{number} --output interaction-{number}.gif"
     )
-    say_next(f"neurosym show {domain.path} --interaction {following}")
+    say_next(f"neurosym show {quoted(domain.path)} --interaction {following}")
 
 
 def _show_primitive(domain: DomainFolder, symbol: str, output: Path | None, gui: bool) -> None:
@@ -88,7 +89,7 @@ def _show_primitive(domain: DomainFolder, symbol: str, output: Path | None, gui:
     _show_motions(domain, world, motions, f"primitive-{symbol}", output, gui)
     symbols = [primitive.symbol for primitive in grounding.operators.primitives]
     following = symbols[(symbols.index(symbol) + 1) % len(symbols)]
-    say_next(f"neurosym show {domain.path} --primitive {following}")
+    say_next(f"neurosym show {quoted(domain.path)} --primitive {following}")
 
 
 def _show_problem(domain: DomainFolder, name: str, output: Path | None) -> None:
@@ -101,7 +102,7 @@ def _show_problem(domain: DomainFolder, name: str, output: Path | None) -> None:
     path = _picture_path(domain, f"problem-{problem.name}", output)
     picture_problem(world, problem, path)
     say(f"wrote {path}")
-    say_next(f"neurosym plan {domain.path} {problem.name}")
+    say_next(f"neurosym plan {quoted(domain.path)} {problem.name}")
 
 
 def _show_motions(

@@ -23,6 +23,7 @@ from neurosym.folder import (
     Stage,
 )
 from neurosym.interactions import Interactions
+from neurosym.quoting import quoted
 from neurosym.strategies import own_name, strategy_named
 from neurosym.training_config import REGIMES, Regime
 from neurosym.workers import WorldFactory
@@ -213,7 +214,7 @@ def check_steps(folder: DomainFolder, steps: int) -> None:
     if has_own_data(folder):
         raise InvalidValue(
             f"{path} holds data which `neurosym explore` did not make; move it away first, or learn from it: "
-            f"`neurosym train {folder.path}`."
+            f"`neurosym train {quoted(folder.path)}`."
         )
     if (count := len(Interactions.load(path))) > steps:
         said = f"{path} holds {count} interactions already, more than {steps}"

@@ -1,6 +1,7 @@
 """`neurosym plan`: what its options write and say, on a domain that nobody had to learn."""
 
 import json
+import shlex
 import subprocess
 import sys
 from pathlib import Path
@@ -50,6 +51,16 @@ def test_alternatives_are_written_beside_the_plan_and_replaced_with_it(bare, cap
     assert record["chance"] == pytest.approx(21 / 22, abs=1e-4)
     assert neurosym("plan", bare, "loose", "--planner", "counting") == 0
     assert list((bare / "plans").glob("*-alt-*")) == []
+
+
+def test_folder_with_a_blank_is_quoted_in_what_to_type_next(bare, capsys):
+    folder = bare.rename(bare.parent / "my domain")
+    assert neurosym("plan", folder, "easy", "--planner", "counting") == 0
+    said = capsys.readouterr().out.splitlines()[-1].removeprefix("next: ")
+    plan = f"{folder}/plans/easy.counting.plan"
+    assert shlex.split(said) == ["neurosym", "execute", str(folder), "easy", plan]
+    assert f"`neurosym init '{folder}'`" in refusal(capsys, "execute", folder, "easy", plan)
+    assert f"`neurosym plan '{folder}' easy`" in refusal(capsys, "execute", folder, "easy", "none.plan")
 
 
 def test_fewer_than_no_alternatives_are_refused(bare, capsys):

@@ -12,6 +12,7 @@ from neurosym.errors import InvalidFile, InvalidValue
 from neurosym.files import read_json, write_atomically
 from neurosym.folder import GROUNDING, INTERACTIONS, PRIMITIVES, WORLD, DomainFolder
 from neurosym.operators import OperatorTable
+from neurosym.quoting import quoted
 
 if TYPE_CHECKING:
     from neurosym.explain.explanation import Explanation
@@ -43,9 +44,9 @@ def explain(
     else:
         show_explanation(explanation)
     if (domain / GROUNDING).is_file() and (domain / WORLD).is_file():
-        say_next(f"neurosym show {folder} --primitive {explanation.actions[0].symbol}")
+        say_next(f"neurosym show {quoted(folder)} --primitive {explanation.actions[0].symbol}")
     elif (domain / WORLD).is_file():
-        say_next(f"neurosym compile-domain {folder}")
+        say_next(f"neurosym compile-domain {quoted(folder)}")
     return 0
 
 
