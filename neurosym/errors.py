@@ -55,12 +55,17 @@ class InvalidData(InvalidFile):
         NeurosymError.__init__(self, "\n".join(str(InvalidFile(path, problem)) for problem in problems))
 
 
+def shortened(text: str, longest: int = 80) -> str:
+    """Cut a text that a user gave, such that it can be quoted in a sentence."""
+    return text if len(text) <= longest else f"{text[: longest - 3]}..."
+
+
 class UnknownChoice(NeurosymError):
     """A name that is not among the valid ones."""
 
     def __init__(self, kind: str, name: str, known: Iterable[str]):
         choices = ", ".join(sorted(known)) or "none"
-        super().__init__(f"There is no {kind} {name!r}; valid: {choices}.")
+        super().__init__(f"There is no {kind} {shortened(name)!r}; valid: {choices}.")
 
 
 class InvalidValue(NeurosymError):

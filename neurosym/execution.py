@@ -115,7 +115,11 @@ class _Running:
         if not self.left and seen.is_met(self.scene.positions):
             return ""
         believed, grounding = self.experience.believed(seen)
-        return replay([believed_name(step, grounding) for step in self.left], believed, grounding).reason
+        checked = replay([believed_name(step, grounding) for step in self.left], believed, grounding)
+        if checked.failed is None:
+            return checked.reason
+        step, why = learned_name(checked.failed[0]), checked.failed[1]
+        return f"{step.operator} {step.object}: {why}"
 
     def replan(self, replanner: Replanner, why: str) -> None:
         """Ask for a new plan, or else go on with the old one while nothing leaves the table."""

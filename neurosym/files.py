@@ -37,12 +37,13 @@ def write_json(path: Path, document: object) -> None:
     write_atomically(path, msgspec.json.format(msgspec.json.encode(document), indent=1) + b"\n")
 
 
-def read_json(path: Path, kind: type[Document]) -> Document:
+def read_json(path: Path, kind: type[Document], remedy: str = "") -> Document:
     """Read a JSON document and check it against its type.
 
     Args:
         path: The file.
         kind: The msgspec structure that it must fit.
+        remedy: What the message ends with, if the file cannot be read or does not fit.
 
     Raises:
         InvalidFile: If the file cannot be read or does not fit; the message names the field.
@@ -50,7 +51,7 @@ def read_json(path: Path, kind: type[Document]) -> Document:
     try:
         return msgspec.json.decode(path.read_bytes(), type=kind)
     except (OSError, msgspec.MsgspecError, UnicodeDecodeError) as error:
-        raise InvalidFile(path, str(error).rstrip(".")) from error
+        raise InvalidFile(path, str(error).rstrip(".") + remedy) from error
 
 
 def digest(path: Path) -> str:

@@ -176,7 +176,9 @@ class DomainFolder:
             _refuse_folder(self.path / name)
         if not again and self._is_current(stage):
             return False
-        for remark in self.outdated(stage.inputs):
+        if remarks := self.outdated(stage.inputs):
+            self._refuse_damaged(stage.inputs)
+        for remark in remarks:
             say(f"note: {remark}")
         inputs = self._digests(stage.inputs)
         start = perf_counter()
@@ -216,6 +218,15 @@ class DomainFolder:
             and record.inputs == self._digests(stage.inputs)
             and record.outputs == self._digests(stage.outputs)
         )
+
+    def _refuse_damaged(self, names: tuple[str, ...]) -> None:
+        """Raise `InvalidFile` if what decides most can no longer be read."""
+        from neurosym.pddl.grounding import Grounding
+        from neurosym.world_file import read_world
+
+        for name, read in ((WORLD, read_world), (GROUNDING, Grounding.load)):
+            if name in names and (self.path / name).is_file():
+                read(self.path / name)
 
     def _digests(self, names: tuple[str, ...]) -> dict[str, str]:
         return {name: digest(self.path / name) for name in names if (self.path / name).is_file()}

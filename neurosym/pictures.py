@@ -1,6 +1,7 @@
 """Files of pictures: an animated GIF of a motion, or a sheet with a row of captioned pictures for each."""
 
 import io
+import tempfile
 from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
@@ -57,6 +58,12 @@ def check_picture_path(path: Path, endings: Sequence[str] = ENDINGS) -> None:
         )
     if path.is_dir() or not path.absolute().parent.is_dir():
         raise InvalidValue(f"No picture can be written to {path}; name a file in an existing folder.")
+    try:
+        with tempfile.NamedTemporaryFile(dir=path.absolute().parent):
+            pass
+    except OSError as error:
+        said = f"No picture can be written to {path} ({error.strerror})"
+        raise InvalidValue(f"{said}; name a file in a folder that can be written.") from error
 
 
 def shrink(frame: Frame) -> UInt8[np.ndarray, "strip_height strip_width 3"]:

@@ -147,9 +147,13 @@ def _say_alternatives(record: "PlanRecord", folder: Path, wanted: int) -> None:
     for other in record.alternatives:
         say(f"or, {other.chance:.0%} likely, {folder / other.file}:")
         _say_steps(other.steps)
+    from neurosym.planners.alternatives import LONGER
+
     if len(record.alternatives) < wanted and record.solved:
         found = len(record.alternatives)
-        say(f"there is no more than {found} other plan{'' if found == 1 else 's'} of hardly more steps")
+        only = f"only {found}" if found else "no"
+        most = f"of at most {LONGER} more primitives an object"
+        say(f"{only} other plan{'s' if found > 1 else ''} {most} {'were' if found > 1 else 'was'} found")
 
 
 def _say_steps(steps: tuple[tuple[str, str], ...]) -> None:

@@ -13,6 +13,7 @@ from neurosym.files import read_json
 from neurosym.interactions import Interactions
 from neurosym.naming import NO_EFFECT, name_axes, names_of_features
 from neurosym.operators import CONVERGED, Effect, Operator, OperatorTable
+from neurosym.pddl.moves import PUT_DOWN
 from neurosym.run_record import Run
 
 
@@ -146,7 +147,9 @@ def show_run(run: Run) -> None:
         by = 1000 * math.hypot(*run.nudge.by)
         say(f"before step {run.nudge.before_step} {run.nudge.object} was nudged by {by:.0f} mm")
     for new in run.replannings:
-        found = f"{len(new.plan)} steps" if new.plan else new.reason or "nothing is left to do"
+        count = sum(not operator.startswith(PUT_DOWN) for operator, _ in new.plan)
+        steps = f"{count} step{'' if count == 1 else 's'}"
+        found = steps if new.plan else new.reason or "nothing is left to do"
         say(f"new plan before step {new.before_step}, for {new.why}: {found}")
     for number, step in enumerate(run.steps, 1):
         if step.touched:

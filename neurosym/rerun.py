@@ -22,7 +22,7 @@ def rerun(
     on_frame: FrameSink | None = None,
     on_step: Callable[[StepRecord], None] | None = None,
 ) -> Run:
-    """Perform the steps of a record again, with the same nudge, and record what happens.
+    """Perform the steps of a record again, with the same nudge, up to the first that goes another way.
 
     Args:
         world: The world that the run was made in.
@@ -48,7 +48,9 @@ def rerun(
             records.append(record_step(step, problem, grounding, outcome, put_down=put_down))
         if on_step:
             on_step(records[-1])
-    if run.nudge and run.nudge.before_step == len(run.steps) + 1:
+        if _encoded(records[-1]) != _encoded(recorded):
+            break
+    if run.nudge and run.nudge.before_step == len(records) + 1:
         scene = nudged(scene, run.nudge, problem)
     return msgspec.structs.replace(
         run,
@@ -65,9 +67,19 @@ def first_difference(recorded: Run, again: Run) -> str:
         recorded: The record.
         again: What happened when it was run again.
     """
-    if msgspec.json.encode(recorded) == msgspec.json.encode(again):
-        return ""
-    for number, (one, other) in enumerate(zip(recorded.steps, again.steps, strict=True), start=1):
-        if msgspec.json.encode(one) != msgspec.json.encode(other):
-            return f"step {number}, {one.operator} {one.object}"
-    return "where the objects ended"
+    for number, (one, other) in enumerate(zip(recorded.steps, again.steps, strict=False), start=1):
+        if field := _differing(one, other):
+            return f"{field} of step {number}, {one.operator} {one.object}"
+    return _differing(recorded, again)
+
+
+def _differing(one: msgspec.Struct, other: msgspec.Struct) -> str:
+    """Name the first field that differs, or nothing if none does."""
+    for field in one.__struct_fields__:
+        if _encoded(getattr(one, field)) != _encoded(getattr(other, field)):
+            return field
+    return ""
+
+
+def _encoded(value: object) -> bytes:
+    return msgspec.json.encode(value)

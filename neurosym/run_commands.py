@@ -7,7 +7,7 @@ from tyro.conf import Positional, arg
 
 from neurosym.command_options import NO_RESULT, Folder, ProblemName
 from neurosym.console import say, say_next
-from neurosym.errors import InvalidFile, InvalidValue
+from neurosym.errors import InvalidFile, InvalidValue, UnknownChoice
 from neurosym.folder import DomainFolder
 from neurosym.quoting import quoted
 
@@ -47,6 +47,8 @@ def execute(
 
     domain = DomainFolder(folder)
     name = domain.problem(problem)
+    if plan_file.exists() and not plan_file.is_file():
+        raise InvalidFile(plan_file, "it is no file; name one that holds a plan")
     if not plan_file.is_file():
         raise InvalidValue(
             f"There is no plan file {plan_file}; `neurosym plan {quoted(folder)} {name}` writes one."
@@ -65,6 +67,8 @@ def execute(
     )
     domain.perform(stage, again=True)
     run = load_run(domain, name, plan_file)
+    if not run.plan:
+        say(f"note: {plan_file} holds no step")
     show_run(run)
     record = folder / run_file(name, plan_file)
     _say_written(record, gif, strip)
@@ -75,7 +79,8 @@ def execute(
 def replay(
     folder: Folder,
     record: Annotated[
-        Positional[Path], arg(metavar="RUN", help="A record that `neurosym execute` wrote: its file.")
+        Positional[Path],
+        arg(metavar="RUN", help="A record that `neurosym execute` wrote: its file, or its name in DIR/runs."),
     ],
     gif: Gif = None,
     strip: Strip = None,
@@ -85,8 +90,7 @@ def replay(
     from neurosym.run_stages import replay_run
 
     domain = DomainFolder(folder)
-    if not record.is_file():
-        raise InvalidFile(record, "there is no such file; `neurosym execute` writes one")
+    record = _record(domain, record)
     inside = record.resolve()
     if inside.is_relative_to(domain.path.resolve()):
         for remark in domain.outdated((inside.relative_to(domain.path.resolve()).as_posix(),)):
@@ -99,6 +103,20 @@ def replay(
     steps = f"{len(run.steps)} step{'' if len(run.steps) == 1 else 's'}"
     say(f"the same happened again in {steps}, byte for byte; goal {'reached' if run.reached else 'missed'}")
     return 0
+
+
+def _record(domain: DomainFolder, typed: Path) -> Path:
+    """Find the record of a run that was typed as a file, or as a name."""
+    from neurosym.run_stages import RECORD
+
+    if typed.is_file():
+        return typed
+    known = {path.name.removesuffix(RECORD): path for path in (domain / "runs").glob(f"*{RECORD}")}
+    if found := known.get(typed.name.removesuffix(RECORD)) if typed.name == str(typed) else None:
+        return found
+    if not known:
+        raise InvalidFile(typed, "there is no such file; `neurosym execute` writes one")
+    raise UnknownChoice("record of a run", str(typed), known)
 
 
 def _showing(gif: Path | None, strip: Path | None, gui: bool) -> "Showing":

@@ -6,6 +6,7 @@ from typing import Literal
 
 import msgspec
 
+from neurosym.lengths import in_millimetres
 from neurosym.operators import TOLERANCE, Vector, vector
 from neurosym.pddl.grounding import Grounding
 from neurosym.pddl.plan_text import PlanStep, Steps
@@ -169,12 +170,18 @@ def why_missed(records: Sequence[StepRecord], distances: dict[str, float], toler
         tolerance: How far it may be [m].
     """
     name, distance = max(distances.items(), key=lambda item: item[1])
-    missed = f"{name} is {1000 * distance:.0f} mm from its goal ({1000 * tolerance:.0f} mm allowed)"
+    missed = (
+        f"{name} is {in_millimetres(distance, tolerance)} from its goal ({1000 * tolerance:g} mm allowed)"
+    )
     for number, record in enumerate(records, 1):
         if record.happened == "not performed":
             return f"{missed}; {record.object} was out of the arm's reach in step {number}"
         if not record.as_promised:
-            apart = "" if record.deviation is None else f", {1000 * record.deviation:.0f} mm from the promise"
+            apart = (
+                ""
+                if record.deviation is None
+                else f", {in_millimetres(record.deviation, TOLERANCE)} from the promise"
+            )
             told = f"promised {record.promised}, ended {record.happened}{apart}"
             return f"{missed}; step {number}, {record.operator}: {told}"
     if not records:

@@ -21,6 +21,8 @@ from neurosym.world import FrameSink, World
 from neurosym.world_file import read_world
 
 REPLANNER = "fast-downward"
+RECORD = ".run.json"
+"""What the file of a record of a run ends with."""
 TIME_TO_REPLAN = 10.0
 """When a planner that is asked for a new plan gives up [s]."""
 
@@ -143,7 +145,7 @@ def replay_run(folder: DomainFolder, record: Path, showing: Showing = Showing())
 
 def run_file(name: str, plan_file: Path) -> str:
     """Name the file that says what became of a plan for a problem, relative to the folder."""
-    return f"runs/{_run_name(name, plan_file)}.run.json"
+    return f"runs/{_run_name(name, plan_file)}{RECORD}"
 
 
 def _run_name(name: str, plan_file: Path) -> str:

@@ -18,6 +18,7 @@ import tomli_w
 from neurosym.errors import InvalidFile, InvalidValue, UnknownChoice
 from neurosym.files import write_atomically
 from neurosym.own_world import admit, default_options, is_own, load_factory, make_own_world, missing_options
+from neurosym.quoting import quoted
 from neurosym.world import World
 from neurosym.world_check import check_world
 
@@ -123,7 +124,8 @@ def read_world(path: Path) -> "partial[World]":
     try:
         document = tomllib.loads(path.read_text())
     except (OSError, UnicodeDecodeError, tomllib.TOMLDecodeError) as error:
-        raise InvalidFile(path, f"it is not TOML: {error}") from error
+        remedy = f"remove it, and `neurosym init {quoted(path.parent)}` writes a new one"
+        raise InvalidFile(path, f"it is not TOML: {error}; mend it, or {remedy}") from error
     name, options = document.pop("world", None), document.pop("options", {})
     if document or not isinstance(name, str) or not isinstance(options, dict):
         extra = f"; there is no place for {next(iter(document))!r}" if document else ""

@@ -1,6 +1,7 @@
 """The command line refuses bad input in one sentence, with exit code 2, and writes nothing."""
 
 import json
+from pathlib import Path
 
 import pytest
 from command_line import neurosym, refusal
@@ -94,6 +95,30 @@ def test_one_file_is_not_taken_for_another(folder, file, other, capsys):
 
 def test_missing_plan_file_is_refused(folder, capsys):
     assert "none.plan" in refusal(capsys, "execute", folder, "task-01", folder / "none.plan")
+    for path in (folder / "problems", "/dev/null"):
+        assert f"{path} cannot be used: it is no file" in refusal(capsys, "execute", folder, "task-01", path)
+
+
+def test_plan_without_a_step_is_executed_with_a_note(folder, capsys):
+    (folder / "empty.plan").write_text("; nothing\n")
+    assert neurosym("execute", folder, "task-01", folder / "empty.plan", "--replans", 0) == 3
+    assert f"note: {folder / 'empty.plan'} holds no step" in capsys.readouterr().out
+
+
+@pytest.mark.parametrize(
+    ("file", "command", "remedy"),
+    [
+        ("grounding.json", "plan", "`neurosym compile-domain {}` writes it anew"),
+        ("grounding.json", "new-problem", "`neurosym compile-domain {}` writes it anew"),
+        ("world.toml", "new-problem", "`neurosym init {}` writes a new one"),
+    ],
+)
+def test_damaged_file_is_all_that_is_told_and_what_writes_it_anew(folder, file, command, remedy, capsys):
+    (folder / file).write_text((folder / file).read_text()[:-30] + "[")
+    said = refusal(capsys, command, folder, *(["task-01"] if command == "plan" else []))
+    assert remedy.format(folder) in said
+    assert neurosym(command, folder, *(["task-01"] if command == "plan" else [])) == 2
+    assert capsys.readouterr().out == ""
 
 
 @pytest.mark.parametrize(
@@ -256,9 +281,27 @@ def test_picture_that_cannot_be_written_is_refused(folder, capsys):
         assert f"No picture can be written to {target}" in said
 
 
+@pytest.mark.skipif(not Path("/proc/self").exists(), reason="there is no folder that nobody can write")
+def test_picture_in_a_folder_that_cannot_be_written_is_refused_before_the_run(folder, capsys):
+    (folder / "empty.plan").write_text("")
+    said = refusal(capsys, "execute", folder, "task-01", folder / "empty.plan", "--strip", "/proc/x.png")
+    assert "No picture can be written to /proc/x.png" in said
+    assert not (folder / "runs/task-01.empty.run.json").exists()
+
+
+def test_record_can_be_named_as_in_the_folder_of_runs(folder, capsys):
+    (folder / "empty.plan").write_text("")
+    neurosym("execute", folder, "task-01", folder / "empty.plan", "--replans", 0)
+    assert neurosym("replay", folder, "task-01.empty") == 0
+    capsys.readouterr()
+    said = refusal(capsys, "replay", folder, "task-01.full")
+    assert "no record of a run 'task-01.full'; valid: task-01." in said
+    assert "task-01.empty" in said
+
+
 def test_record_that_is_none_or_of_another_domain_is_refused(folder, capsys):
     record = folder / "mine.run.json"
-    assert "there is no such file" in refusal(capsys, "replay", folder, record)
+    assert "no record of a run" in refusal(capsys, "replay", folder, record)
     record.write_text("{}")
     assert f"{record} cannot be used" in refusal(capsys, "replay", folder, record)
     step = {"operator": "fly", "object": "item-01", "promised": None, "promised_effect": None}

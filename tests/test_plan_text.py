@@ -5,7 +5,7 @@ from pathlib import Path
 import pytest
 from tables import grounding, problem
 
-from neurosym.errors import InvalidPlan, InvalidValue
+from neurosym.errors import InvalidFile, InvalidPlan, InvalidValue
 from neurosym.pddl.plan_text import PlanStep, parse_plan, print_ground_plan, print_plan, read_plan
 
 PULL, PUSH = PlanStep("pull-010-tray", "item-02"), PlanStep("push-away-001-block", "item-01")
@@ -75,6 +75,35 @@ def test_operator_left_out_of_the_domain_may_be_in_a_plan_but_has_no_cells():
 def test_line_that_cannot_be_is_refused_by_file_and_number(line: str, complaint: str):
     with pytest.raises(InvalidPlan, match=rf"some\.plan, line 3: .*{complaint}"):
         read(f"; a plan\n(pull-010-tray item-02)\n{line}\n")
+
+
+def test_plan_with_a_byte_order_mark_is_read(tmp_path: Path):
+    (tmp_path / "windows.plan").write_text("(pull-010-tray item-02)\r\n", encoding="utf-8-sig")
+    assert read_plan(tmp_path / "windows.plan", grounding(), problem()) == (PULL,)
+
+
+@pytest.mark.parametrize(
+    "line",
+    [
+        f"({'x' * 3_000_000} item-01)",
+        f"(lift-010-block {'x' * 5000})",
+        f"({'x' * 5000} item-01)",
+        "\0" * 3_000_000,
+        f"(a{' ' * 1_000_000}b)",
+    ],
+)
+def test_little_is_quoted_of_a_long_line(line: str):
+    with pytest.raises(InvalidPlan) as refused:
+        read(line)
+    assert "..." in str(refused.value)
+    assert len(str(refused.value)) < 600
+
+
+def test_file_that_is_far_too_large_is_refused_unread(tmp_path: Path):
+    with (tmp_path / "huge.plan").open("wb") as file:
+        file.truncate(200 * 2**20)
+    with pytest.raises(InvalidFile, match=r"huge\.plan cannot be used: it has 200 MB, and a plan has 16 MB"):
+        read_plan(tmp_path / "huge.plan", grounding(), problem())
 
 
 def test_file_that_is_missing_or_no_text_is_refused(tmp_path: Path):

@@ -1,5 +1,7 @@
 """Replanning: a run goes on until the goal is met, from whatever is seen, and its record can be run again."""
 
+import dataclasses
+
 import msgspec
 import pytest
 from toy_domain import LEFT, WORLD, grounding, problem
@@ -10,6 +12,7 @@ from neurosym.pddl.grounding import Grounding
 from neurosym.pddl.plan_text import PlanStep
 from neurosym.planners import PlanResult, PlanStatus, plan
 from neurosym.problems import Problem
+from neurosym.reporting import show_run
 from neurosym.rerun import first_difference, rerun
 from neurosym.world import Table
 
@@ -123,4 +126,41 @@ def test_record_that_was_tampered_with_is_told_by_its_step():
     other = msgspec.structs.replace(run.steps[1], effect=(0.0, 0.0, 0.0))
     false = msgspec.structs.replace(run, steps=(run.steps[0], other))
     again = rerun(WORLD, problem(AWAY), grounding(), false)
-    assert first_difference(false, again) == "step 2, push-left-001-cube item-01"
+    assert first_difference(false, again) == "effect of step 2, push-left-001-cube item-01"
+
+
+def test_only_the_field_that_was_changed_is_named():
+    run = execute(WORLD, problem(AWAY), grounding(), [PUSH_LEFT, PUSH_LEFT])
+    false = msgspec.structs.replace(run, reached=False)
+    assert first_difference(false, rerun(WORLD, problem(AWAY), grounding(), false)) == "reached"
+
+
+def test_run_again_ends_with_the_first_step_that_goes_another_way():
+    run = execute(WORLD, problem(AWAY), grounding(), [PUSH_LEFT, PUSH_LEFT])
+    false = msgspec.structs.replace(run, steps=(*run.steps, *run.steps * 1000))
+    again = rerun(WORLD, problem(AWAY), grounding(), false)
+    assert len(again.steps) == 3
+    assert first_difference(false, again) == "effect of step 3, push-left-001-cube item-01"
+
+
+def test_why_a_plan_is_replaced_names_the_step_as_the_user_does(capsys):
+    """A push goes farther than promised, and by what was seen the next one would leave the table."""
+    true = grounding()
+    push = true.operator_named("push-left-001-cube")
+    short = (0.0, 0.05, 0.0)
+    mode = msgspec.structs.replace(push.modes[0], effect=short, resting_effect=short)
+    others = tuple(operator for operator in true.operators.operators if operator is not push)
+    operators = (msgspec.structs.replace(push, modes=(mode,)), *others)
+    learned = msgspec.structs.replace(
+        true,
+        table=dataclasses.replace(WORLD.table, y=(-0.3, 0.14)),
+        operators=msgspec.structs.replace(true.operators, operators=operators),
+    )
+    task = problem({"item-01": (0.6, 0.135, 0.025)})
+    run = execute(WORLD, task, learned, [PUSH_LEFT, PUSH_LEFT], replanner=no_plan)
+    assert run.replannings[0].before_step == 2
+    assert run.replannings[0].why.startswith("push-left-001-cube item-01: item-01 leaves the table at x")
+    plan = (("lift-000-cube", "item-01"), ("put-down-lift-000-cube", "item-01"))
+    new = msgspec.structs.replace(run.replannings[0], plan=plan)
+    show_run(msgspec.structs.replace(run, replannings=(new,)))
+    assert "0.160 m: 1 step\n" in capsys.readouterr().out

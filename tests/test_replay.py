@@ -4,9 +4,11 @@ import msgspec
 import pytest
 from tables import grounding, item, problem
 
+from neurosym.lengths import in_millimetres
 from neurosym.pddl.plan_text import PlanStep
 from neurosym.pddl.replay import replay
 from neurosym.problems import Problem
+from neurosym.run_record import why_missed
 
 PUSH, LEFT = PlanStep("push-away-001-block", "item-01"), PlanStep("push-left-000-block", "item-01")
 LIFT, DOWN = PlanStep("lift-010-block", "item-01"), PlanStep("put-down-lift-010-block", "item-01")
@@ -42,6 +44,19 @@ def test_impossible_plan_says_which_step_and_why(steps: list[PlanStep], reason: 
     found = replay(steps, problem(), grounding())
     assert not found.valid
     assert found.reason.startswith(reason)
+
+
+def test_miss_by_less_than_is_printed_does_not_look_allowed():
+    assert in_millimetres(0.0503, 0.05) == "50.3 mm"
+    assert in_millimetres(0.05004, 0.05) == "50.04 mm"
+    assert (in_millimetres(0.0497, 0.05), in_millimetres(0.058, 0.05)) == ("50 mm", "58 mm")
+    item = problem().object_named("item-01")
+    x, y, z = item.position
+    near = msgspec.structs.replace(problem(), goals={"item-01": (x + 0.0502, y, z)})
+    assert replay([], near, grounding()).reason == "item-01 ends 50.2 mm from its goal, 50 mm are allowed"
+    assert why_missed([], {"item-01": 0.0502}, 0.05).startswith(
+        "item-01 is 50.2 mm from its goal (50 mm allowed)"
+    )
 
 
 def test_operator_without_a_promise_cannot_be_replayed():

@@ -14,6 +14,7 @@ from neurosym.errors import InvalidFile, UnknownChoice
 from neurosym.files import read_json, write_json
 from neurosym.naming import counted_axes
 from neurosym.operators import MIN_CHANCE, Category, Effect, Mode, Operator, OperatorTable, Primitive, Vector
+from neurosym.quoting import quoted
 from neurosym.symbols import Symbol
 from neurosym.world import Table
 
@@ -60,10 +61,13 @@ class Grounding(msgspec.Struct, frozen=True, forbid_unknown_fields=True, omit_de
         Raises:
             InvalidFile: If the file is none, or of another version.
         """
-        found = read_json(path, _Versioned).format
+        remedy = f"; `neurosym compile-domain {quoted(path.parent)}` writes it anew"
+        found = read_json(path, _Versioned, remedy).format
         if found != FORMAT:
-            raise InvalidFile(path, f"it is of the format {found!r}, and this version reads {FORMAT!r}")
-        return read_json(path, cls)
+            raise InvalidFile(
+                path, f"it is of the format {found!r}, and this version reads {FORMAT!r}{remedy}"
+            )
+        return read_json(path, cls, remedy)
 
     def operator_named(self, name: str) -> Operator:
         """Return the operator of that name.

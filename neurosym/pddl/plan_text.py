@@ -9,13 +9,17 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from pathlib import Path
 
-from neurosym.errors import InvalidPlan, InvalidValue, UnknownChoice
+from neurosym.errors import InvalidFile, InvalidPlan, InvalidValue, UnknownChoice, shortened
 from neurosym.operators import Operator
 from neurosym.pddl.grid import AXES, grid_of
 from neurosym.pddl.grounding import Grounding, is_lift
 from neurosym.pddl.moves import FINISH, PUT_DOWN, REACH_GOAL, Encoding, moves_of, parts_of
 from neurosym.problems import Problem
 
+MOST_MB = 16
+"""Greater files are no plans."""
+LONGEST_LINE = 10_000
+"""Longer lines are no steps."""
 _TIME = re.compile(r"^\d+(\.\d+)?\s*:\s*")
 _DURATION = re.compile(r"\s*\[\s*\d+(\.\d+)?\s*\]$")
 
@@ -112,9 +116,12 @@ def read_plan(path: Path, grounding: Grounding, problem: Problem) -> tuple[PlanS
 
     Raises:
         InvalidPlan: If a line cannot be read, or names an operator, object or pair that does not exist.
+        InvalidFile: If the file is far too large.
     """
     try:
-        text = path.read_text(encoding="utf-8")
+        if (size := path.stat().st_size) > MOST_MB * 2**20:
+            raise InvalidFile(path, f"it has {size / 2**20:.0f} MB, and a plan has {MOST_MB} MB at most")
+        text = path.read_text(encoding="utf-8-sig")
     except (OSError, UnicodeDecodeError) as error:
         raise InvalidPlan(path, 1, f"the file cannot be read ({error})") from error
     return parse_plan(text, path, grounding, problem)
@@ -147,10 +154,10 @@ def parse_plan(text: str, path: Path, grounding: Grounding, problem: Problem) ->
 
 def _read_line(line: str, grounding: Grounding, problem: Problem) -> PlanStep | None:
     """Read one line; None if it is only a later part of a step."""
-    bare = _DURATION.sub("", _TIME.sub("", line))
+    bare = _DURATION.sub("", _TIME.sub("", line)) if len(line) <= LONGEST_LINE else ""
     words = bare[1:-1].split()
     if not re.fullmatch(r"\([^()]*\)", bare) or len(words) < 2:
-        raise InvalidValue(f"{line!r} is not of the form (operator object ...)")
+        raise InvalidValue(f"{shortened(line)!r} is not of the form (operator object ...)")
     name, thing = words[:2]
     if thing not in problem.object_names:
         raise UnknownChoice("object", thing, problem.object_names)

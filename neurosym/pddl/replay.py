@@ -7,6 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 from jaxtyping import Bool, Float
 
+from neurosym.lengths import in_millimetres
 from neurosym.operators import Operator
 from neurosym.pddl.grounding import Grounding, is_lift
 from neurosym.pddl.moves import chance
@@ -24,12 +25,14 @@ class Replay:
         possible: Whether every step is possible.
         valid: Whether every step is possible and the goal is met.
         reason: Why not; empty if valid.
+        failed: The step that is impossible, and why, if one is.
     """
 
     positions: Float[np.ndarray, "steps M 3"]
     possible: bool
     valid: bool
     reason: str
+    failed: tuple[PlanStep, str] | None = None
 
 
 def replay(steps: Sequence[PlanStep], problem: Problem, grounding: Grounding) -> Replay:
@@ -146,12 +149,11 @@ def _place_problem(
 def _missed_goal(positions: Float[np.ndarray, "M 3"], problem: Problem) -> str:
     for name, distance in problem.distances(positions).items():
         if distance > problem.tolerance:
-            allowed = problem.tolerance * 1000
-            return f"{name} ends {distance * 1000:.0f} mm from its goal, {allowed:.0f} mm are allowed"
+            far = in_millimetres(distance, problem.tolerance)
+            return f"{name} ends {far} from its goal, {1000 * problem.tolerance:g} mm are allowed"
     return ""
 
 
 def _failed(positions: list[Float[np.ndarray, "M 3"]], number: int, step: PlanStep, reason: str) -> Replay:
-    return Replay(
-        np.array(positions), False, False, f"step {number}, {step.operator} {step.object}: {reason}"
-    )
+    said = f"step {number}, {step.operator} {step.object}: {reason}"
+    return Replay(np.array(positions), False, False, said, (step, reason))

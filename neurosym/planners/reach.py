@@ -12,6 +12,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from neurosym.lengths import in_millimetres
 from neurosym.operators import Vector
 from neurosym.pddl.grounding import Grounding, is_lift
 from neurosym.pddl.replay import footprints_apart
@@ -127,7 +128,8 @@ def plan_nearest(problem: Problem, grounding: Grounding, *, time_limit: float = 
             return PlanResult(PlanStatus.SOLVED, ordered, seconds)
         if checked.possible:
             misses = problem.distances(checked.positions[-1]).items()
-            far = [f"{name} {miss * 1000:.0f} mm" for name, miss in misses if miss > problem.tolerance]
+            allowed = problem.tolerance
+            far = [f"{name} {in_millimetres(miss, allowed)}" for name, miss in misses if miss > allowed]
             reason = f"at the end, {_listed(far)} from its goal" if len(far) == 1 else ""
             reason = reason or f"at the end, {_listed(far)} from their goals"
             return PlanResult(PlanStatus.NEAREST, ordered, seconds, reason)
@@ -154,7 +156,8 @@ class _Reach:
     def explain(self) -> str:
         """Say why the goal cannot be met."""
         on_table = nearest(self.choices, self.goal, depth=DEPTH).miss
-        allowed = f"{on_table * 1000:.0f} mm from it, {self.tolerance * 1000:.0f} mm are allowed"
+        near = in_millimetres(on_table, self.tolerance)
+        allowed = f"{near} from it, {1000 * self.tolerance:g} mm are allowed"
         if nearest(self.choices, self.goal, depth=DEPTH, anywhere=True).miss <= self.tolerance:
             return (
                 f"{self.name} cannot reach its goal without leaving the table: on it, it comes to {allowed}"
