@@ -5,9 +5,10 @@ from collections.abc import Sequence
 
 import msgspec
 
-from neurosym.errors import InvalidValue, StageMissing
+from neurosym.errors import InvalidFile, InvalidValue, StageMissing, UnknownChoice
 from neurosym.files import write_atomically, write_json
-from neurosym.folder import GROUNDING, MODEL, DomainFolder, Stage
+from neurosym.folder import GROUNDING, MODEL, WORLD, DomainFolder, Stage
+from neurosym.object_limits import limits_of
 from neurosym.pddl.grid import check_on_table
 from neurosym.pddl.grounding import Grounding
 from neurosym.pddl.moves import Encoding
@@ -27,6 +28,9 @@ from neurosym.planners import (
 )
 from neurosym.problems import Problem
 from neurosym.quoting import quoted
+from neurosym.scene_check import check_problem
+from neurosym.world import World
+from neurosym.world_file import read_limits
 
 TIME_TO_COUNT = 5.0
 """How long to look for a plan by the rehearsed effects, where the network knows none [s]."""
@@ -75,22 +79,33 @@ class PlanRecord(msgspec.Struct, frozen=True, forbid_unknown_fields=True, omit_d
         return self.status == PlanStatus.SOLVED.value
 
 
-def load_problem(folder: DomainFolder, name: str) -> Problem:
-    """Read a problem of a folder.
+def load_problem(folder: DomainFolder, name: str, world: World | None = None) -> Problem:
+    """Read a problem of a folder, whose scene can be as far as the folder tells; see `check_problem`.
 
     Args:
         folder: The domain folder.
         name: Name of the problem, or the path of its file.
+        world: The folder's world, if it is at hand; else what `world.toml` says of it.
 
     Raises:
         UnknownChoice: If there is no such problem.
         StageMissing: If its scene is missing.
-        InvalidFile: If its scene is damaged.
+        InvalidFile: If its scene is damaged, or one that cannot be.
     """
     scene = folder / f"problems/{folder.problem(name)}.scene.json"
     if not scene.is_file():
         raise StageMissing(scene, f"neurosym new-problem {quoted(folder.path)} --name {folder.problem(name)}")
-    return Problem.load(scene)
+    problem = Problem.load(scene)
+    grounding = Grounding.load(folder / GROUNDING) if (folder / GROUNDING).is_file() else None
+    if world:
+        limits = limits_of(world)
+    else:
+        limits = read_limits(folder / WORLD) if (folder / WORLD).is_file() else None
+    try:
+        check_problem(problem, grounding, limits)
+    except (InvalidValue, UnknownChoice) as error:
+        raise InvalidFile(scene, str(error).rstrip(".")) from error
+    return problem
 
 
 def plan_files(problem: str, planner: str) -> tuple[str, str]:

@@ -145,6 +145,16 @@ class Problem(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
             raise InvalidFile(path, str(error).rstrip(".")) from error
 
 
+def goal_heights(problem: Problem, lift_height: float) -> tuple[float, float]:
+    """Return the least and greatest height that a goal can have [m], above a table at height 0.
+
+    Args:
+        problem: The problem, whose objects are at rest.
+        lift_height: How far the hand rises after the last waypoint [m].
+    """
+    return 0.0, max(item.position[2] for item in problem.objects) + 2 * lift_height
+
+
 def check_goals(problem: Problem, table: Table, z_range: tuple[float, float]) -> None:
     """Raise `InvalidValue` unless there are goals and each lies where an object can be.
 
@@ -178,4 +188,4 @@ def check_names(names: tuple[str, ...]) -> None:
 
 
 def _range(bounds: tuple[float, float]) -> str:
-    return f"{bounds[0]:g} to {bounds[1]:g}"
+    return f"{bounds[0]:g} to {bounds[1]:g}" if math.isfinite(bounds[1]) else "any"

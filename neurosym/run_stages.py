@@ -67,11 +67,11 @@ def execute_stage(
 
     def work() -> None:
         grounding = Grounding.load(folder.require(GROUNDING))
-        problem = load_problem(folder, name)
+        world = read_world(folder.require(WORLD))()
+        problem = load_problem(folder, name, world)
         steps = read_plan(plan_file, grounding, problem)
         if impossible := hand_problem(steps, grounding):
             raise InvalidFile(plan_file, impossible)
-        world = read_world(folder.require(WORLD))()
         shown = _Shown(showing, world, problem)
         run = execute(
             world,
@@ -127,7 +127,8 @@ def replay_run(folder: DomainFolder, record: Path, showing: Showing = Showing())
     """
     run = read_json(record, Run)
     grounding = Grounding.load(folder.require(GROUNDING))
-    problem = load_problem(folder, run.problem)
+    world = read_world(folder.require(WORLD))()
+    problem = load_problem(folder, run.problem, world)
     try:
         for step in run.steps:
             grounding.operator_named(step.operator)
@@ -136,7 +137,6 @@ def replay_run(folder: DomainFolder, record: Path, showing: Showing = Showing())
             _check_object(run.nudge.object, problem)
     except UnknownChoice as error:
         raise InvalidFile(record, str(error).rstrip(".")) from error
-    world = read_world(folder.require(WORLD))()
     shown = _Shown(showing, world, problem)
     again = rerun(world, problem, grounding, run, on_frame=shown.on_frame, on_step=shown.on_step)
     shown.end(again)

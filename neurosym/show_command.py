@@ -98,7 +98,7 @@ def _show_problem(domain: DomainFolder, name: str, output: Path | None) -> None:
     from neurosym.world_file import read_world
 
     world = read_world(domain.require(WORLD))()
-    problem = load_problem(domain, domain.problem(name))
+    problem = load_problem(domain, domain.problem(name), world)
     path = _picture_path(domain, f"problem-{problem.name}", output)
     picture_problem(world, problem, path)
     say(f"wrote {path}")

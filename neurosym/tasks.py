@@ -7,7 +7,7 @@ from jaxtyping import Float
 
 from neurosym.errors import InvalidValue
 from neurosym.operators import TOLERANCE, Vector, vector
-from neurosym.problems import Problem, SceneObject, check_goals
+from neurosym.problems import Problem, SceneObject, check_goals, goal_heights
 from neurosym.symbols import Symbol
 from neurosym.world import Outcome, Scene, World
 
@@ -117,7 +117,7 @@ def set_problem(
         tolerance=tolerance,
         provenance=f"scene drawn with seed {seed}, goals by hand",
     )
-    check_goals(problem, world.table, (0.0, max(resting.values()) + 2 * world.lift_height))
+    check_goals(problem, world.table, goal_heights(problem, world.lift_height))
     return problem
 
 

@@ -24,8 +24,10 @@ from PIL import Image, ImageDraw
 
 from neurosym.dots import draw_dots
 from neurosym.errors import InvalidValue
+from neurosym.object_limits import ObjectLimits
 from neurosym.world import Frame, FrameSink, Outcome, Scene, Table, check_action, three_waypoints
 
+FEATURE_NAMES = ("s_x", "s_y", "d", "t")
 OPEN = 0.5
 WIDEST_GRASP = 0.08
 LONGEST_PUSH = 0.12
@@ -66,6 +68,11 @@ class ToyConfig:
                     f"{name} = ({least}, {greatest}) must be two positive lengths, least first."
                 )
 
+    @property
+    def object_limits(self) -> ObjectLimits:
+        """Which objects the world makes: solid (type 0) and hollow (type 1) ones."""
+        return ObjectLimits(FEATURE_NAMES, (self.sizes, self.sizes, self.heights), (0.0, 1.0))
+
 
 def make_world(config: ToyConfig | None = None) -> "ToyWorld":
     """Make a toy world; the factory that worker processes are given.
@@ -80,7 +87,7 @@ class ToyWorld:
     """The toy world; see the head of this file for its rules."""
 
     name = "toy"
-    feature_names = ("s_x", "s_y", "d", "t")
+    feature_names = FEATURE_NAMES
 
     def __init__(self, config: ToyConfig):
         self.config = config
@@ -90,6 +97,11 @@ class ToyWorld:
     def table(self) -> Table:
         """Where objects may stand."""
         return self.config.table
+
+    @property
+    def object_limits(self) -> ObjectLimits:
+        """Which objects it makes."""
+        return self.config.object_limits
 
     @property
     def lift_height(self) -> float:

@@ -10,37 +10,58 @@ from collections.abc import Callable
 from dataclasses import asdict, fields, is_dataclass
 from functools import partial
 from pathlib import Path
-from typing import Any, TypeVar
+from typing import TYPE_CHECKING, Any, TypeVar
 
 import msgspec
 import tomli_w
 
 from neurosym.errors import InvalidFile, InvalidValue, UnknownChoice
 from neurosym.files import write_atomically
+from neurosym.object_limits import ObjectLimits
 from neurosym.own_world import admit, default_options, is_own, load_factory, make_own_world, missing_options
 from neurosym.quoting import quoted
 from neurosym.world import World
 from neurosym.world_check import check_world
+
+if TYPE_CHECKING:
+    from neurosym.sim.config import TabletopConfig
+    from neurosym.toy_world import ToyConfig
 
 Config = TypeVar("Config")
 WorldFactory = Callable[[], World]
 
 
 def _tabletop(options: dict[str, Any]) -> World:
-    from neurosym.sim.config import TabletopConfig
     from neurosym.sim.tabletop import Tabletop
 
-    return Tabletop(configured(TabletopConfig, options))
+    return Tabletop(_tabletop_config(options))
+
+
+def _tabletop_config(options: dict[str, Any]) -> "TabletopConfig":
+    from neurosym.sim.config import TabletopConfig
+
+    return configured(TabletopConfig, options)
 
 
 def _toy(options: dict[str, Any]) -> World:
-    from neurosym.toy_world import ToyConfig, ToyWorld
+    from neurosym.toy_world import ToyWorld
 
-    return ToyWorld(configured(ToyConfig, options))
+    return ToyWorld(_toy_config(options))
+
+
+def _toy_config(options: dict[str, Any]) -> "ToyConfig":
+    from neurosym.toy_world import ToyConfig
+
+    return configured(ToyConfig, options)
 
 
 WORLDS: dict[str, Callable[[dict[str, Any]], World]] = {"tabletop": _tabletop, "toy": _toy}
 """The worlds that `world.toml` can name. A simulator is imported only when its world is made."""
+CONFIGS: dict[str, Callable[[dict[str, Any]], "TabletopConfig | ToyConfig"]] = {
+    "tabletop": _tabletop_config,
+    "toy": _toy_config,
+}
+"""What their options make, without a simulator."""
 
 
 def configured(kind: type[Config], options: dict[str, Any]) -> Config:
@@ -108,7 +129,7 @@ def make_world(name: str, options: dict[str, Any]) -> World:
         _check_finite(options)
         return make_own_world(name, options)
     if name not in WORLDS:
-        raise UnknownChoice("world", name, [*WORLDS, "your own as module:factory"])
+        raise _no_world(name)
     return WORLDS[name](options)
 
 
@@ -121,6 +142,41 @@ def read_world(path: Path) -> "partial[World]":
     Raises:
         InvalidFile: If the file is not TOML, or names an unknown world, option or value.
     """
+    name, options = _read(path)
+    try:
+        if is_own(name):
+            admit(name, path.parent)
+        make_world(name, options)
+    except (UnknownChoice, InvalidValue) as error:
+        raise InvalidFile(path, str(error).rstrip(".")) from error
+    return partial(make_world, name, options)
+
+
+def read_limits(path: Path) -> ObjectLimits | None:
+    """Read from a `world.toml` which objects its world makes, without making the world.
+
+    Args:
+        path: The file.
+
+    Returns:
+        What it makes; None for a world of one's own.
+
+    Raises:
+        InvalidFile: If the file is not TOML, or names an unknown world, option or value.
+    """
+    name, options = _read(path)
+    if is_own(name):
+        return None
+    try:
+        if name not in CONFIGS:
+            raise _no_world(name)
+        return CONFIGS[name](options).object_limits
+    except (UnknownChoice, InvalidValue) as error:
+        raise InvalidFile(path, str(error).rstrip(".")) from error
+
+
+def _read(path: Path) -> tuple[str, dict[str, Any]]:
+    """Read the name of a world and its options."""
     try:
         document = tomllib.loads(path.read_text())
     except (OSError, UnicodeDecodeError, tomllib.TOMLDecodeError) as error:
@@ -130,13 +186,11 @@ def read_world(path: Path) -> "partial[World]":
     if document or not isinstance(name, str) or not isinstance(options, dict):
         extra = f"; there is no place for {next(iter(document))!r}" if document else ""
         raise InvalidFile(path, f'it must hold world = "NAME" and a table [options]{extra}')
-    try:
-        if is_own(name):
-            admit(name, path.parent)
-        make_world(name, options)
-    except (UnknownChoice, InvalidValue) as error:
-        raise InvalidFile(path, str(error).rstrip(".")) from error
-    return partial(make_world, name, options)
+    return name, options
+
+
+def _no_world(name: str) -> UnknownChoice:
+    return UnknownChoice("world", name, [*WORLDS, "your own as module:factory"])
 
 
 def origin_of(factory: "partial[World]") -> dict[str, Any]:

@@ -169,5 +169,5 @@ def test_tray_that_nothing_lifts_has_no_goal_in_the_air():
 
 def test_object_off_the_table_is_refused_with_the_valid_ranges():
     astray = msgspec.structs.replace(BLOCK, position=(0.95, 0.0, 0.025))
-    with pytest.raises(InvalidValue, match=r"item-01 stands at x = 0.950.*x 0.3 to 0.9"):
+    with pytest.raises(InvalidValue, match=r"item-01 stands at x = 0.95.*x 0.3 to 0.9"):
         goal_region(astray, (0.5, 0.05, 0.025), 0.05, grounding(), steps=3)

@@ -9,7 +9,7 @@ import pytest
 
 PACKAGE = Path(__file__).parent.parent / "neurosym"
 FENCES = {
-    "pybullet": {"sim/"},
+    "pybullet": {"sim/bullet.py"},
     "torch": {
         "effect_model.py",
         "effect_network.py",

@@ -151,7 +151,7 @@ def test_object_off_the_table_is_refused_in_a_problem_of_a_user(bare, capsys):
     msgspec.structs.replace(task, objects=(off, task.objects[1])).save(bare / "problems/easy.scene.json")
     for planner in ("bfs", "counting", "fast-downward"):
         assert neurosym("plan", bare, "easy", "--planner", planner) == 2
-        assert "item-01 stands at x = 1.050" in capsys.readouterr().err
+        assert "item-01 stands at x = 1.05" in capsys.readouterr().err
 
 
 def test_planning_with_fast_downward_loads_neither_torch_nor_unified_planning(bare):

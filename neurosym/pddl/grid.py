@@ -123,7 +123,7 @@ def check_on_table(item: SceneObject, grounding: Grounding, *, off: float = 0.0)
     x, y, _ = item.position
     if not (x_low - off <= x <= x_high + off and y_low - off <= y <= y_high + off):
         raise InvalidValue(
-            f"{item.name} stands at x = {x:.3f}, y = {y:.3f} m, off the table; valid: x {x_low:g} to "
+            f"{item.name} stands at x = {x:g}, y = {y:g} m, off the table; valid: x {x_low:g} to "
             f"{x_high:g}, y {y_low:g} to {y_high:g} m."
         )
 

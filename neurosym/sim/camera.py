@@ -3,10 +3,10 @@
 from collections.abc import Container
 
 import numpy as np
-import pybullet
 from jaxtyping import Float
 
 from neurosym.dots import draw_dots
+from neurosym.sim.bullet import pybullet
 from neurosym.sim.config import TabletopConfig
 from neurosym.sim.ghosts import Colour, draw_ghosts
 from neurosym.sim.lens import HEIGHT, WIDTH, lens_over

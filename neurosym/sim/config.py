@@ -3,7 +3,8 @@
 from dataclasses import dataclass, field
 
 from neurosym.errors import InvalidValue, UnknownChoice
-from neurosym.sim.shapes import SHAPES
+from neurosym.object_limits import ObjectLimits
+from neurosym.sim.shapes import FEATURE_NAMES, SHAPES, TYPES
 from neurosym.world import Table
 
 MOST_OBJECTS = 8
@@ -83,6 +84,12 @@ class TabletopConfig:
                 raise InvalidValue(f"shapes.{name} = {share} must not be negative.")
         if not sum(self.shapes.values()) > 0:
             raise InvalidValue(f"shapes must give one of {', '.join(SHAPES)} a share greater than 0.")
+
+    @property
+    def object_limits(self) -> ObjectLimits:
+        """Which objects the world makes."""
+        types = {TYPES[name] for name, share in self.shapes.items() if share > 0}
+        return ObjectLimits(FEATURE_NAMES, (self.size, self.size, self.height), tuple(sorted(types)))
 
     @property
     def table(self) -> Table:

@@ -9,9 +9,9 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-import pybullet
 from jaxtyping import Float
 
+from neurosym.sim.bullet import pybullet
 from neurosym.sim.lens import Lens
 from neurosym.sim.shapes import boxes_of
 from neurosym.world import Frame, Scene

@@ -9,10 +9,10 @@ import math
 from collections.abc import Iterator, Mapping, Sequence
 
 import numpy as np
-import pybullet
 from jaxtyping import Float
 
 from neurosym.sim.arm import Arm
+from neurosym.sim.bullet import pybullet
 from neurosym.sim.camera import Camera
 from neurosym.sim.landing import landing_shift
 from neurosym.sim.robot import LOWEST_TOOL_POINT, Robot

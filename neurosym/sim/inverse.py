@@ -12,10 +12,10 @@ from dataclasses import dataclass
 from functools import lru_cache
 
 import numpy as np
-import pybullet
 from jaxtyping import Bool, Float
 
 from neurosym.errors import InvalidValue
+from neurosym.sim.bullet import pybullet
 from neurosym.sim.kinematics import TOOL_DOWN
 
 MOST_STEPS = 100

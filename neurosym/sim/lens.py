@@ -3,9 +3,9 @@
 from dataclasses import dataclass
 
 import numpy as np
-import pybullet
 from jaxtyping import Float
 
+from neurosym.sim.bullet import pybullet
 from neurosym.sim.config import TabletopConfig
 from neurosym.world import Frame
 

@@ -4,10 +4,10 @@ import math
 from collections.abc import Callable, Sequence
 
 import numpy as np
-import pybullet
 from jaxtyping import Float
 
 from neurosym.sim.arm import Arm
+from neurosym.sim.bullet import pybullet
 from neurosym.sim.simulation import Simulation
 
 PEAK_SPEED = 0.45

@@ -83,6 +83,8 @@ def _round(rng: np.random.Generator, size: Range, height: Range) -> tuple[float,
     return diameter, diameter, rng.uniform(*_part(height, 0.0, 0.5)), OPEN_THROUGH
 
 
+TYPES = {"box": SOLID, "open-box": OPEN_TOP, "plank": SOLID, "ring": OPEN_THROUGH}
+"""The type of each shape."""
 SHAPES: dict[str, Callable[[np.random.Generator, Range, Range], tuple[float, ...]]] = {
     "box": _box,
     "open-box": _open_topped,

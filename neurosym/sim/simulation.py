@@ -3,8 +3,8 @@
 from collections.abc import Callable
 
 import numpy as np
-import pybullet
 
+from neurosym.sim.bullet import pybullet
 from neurosym.sim.config import TabletopConfig
 from neurosym.sim.shapes import boxes_of
 from neurosym.world import Scene

@@ -4,11 +4,12 @@ from collections.abc import Container
 from dataclasses import dataclass, field, replace
 
 import numpy as np
-import pybullet
 from jaxtyping import Float
 
 from neurosym.errors import InvalidValue
+from neurosym.object_limits import ObjectLimits
 from neurosym.sim.arm import UR10, Arm, check_reach
+from neurosym.sim.bullet import pybullet
 from neurosym.sim.camera import Camera
 from neurosym.sim.config import MOST_OBJECTS, TabletopConfig
 from neurosym.sim.interaction import Interaction
@@ -56,6 +57,11 @@ class Tabletop:
     def table(self) -> Table:
         """The part of the table that objects must stay on."""
         return self.config.table
+
+    @property
+    def object_limits(self) -> ObjectLimits:
+        """Which objects it makes."""
+        return self.config.object_limits
 
     @property
     def lift_height(self) -> float:

@@ -5,11 +5,11 @@ import sys
 import time
 
 import numpy as np
-import pybullet
 from jaxtyping import Float
 
 from neurosym.dots import DOT_COLOURS
 from neurosym.errors import InvalidValue
+from neurosym.sim.bullet import pybullet
 from neurosym.sim.ghosts import OPACITY, Colour, add_ghosts
 from neurosym.sim.lens import PITCH, YAW, Lens
 from neurosym.sim.simulation import Simulation
