@@ -1,15 +1,21 @@
 """Examples: the runs of a domain folder, those first that show most of what plans can do."""
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from functools import cache, partial
 from pathlib import Path
+from typing import TypeVar
 
+from neurosym.console import say
+from neurosym.errors import InvalidFile, StageMissing
 from neurosym.files import read_json
 from neurosym.folder import DomainFolder
 from neurosym.plan_stages import load_problem
 from neurosym.problems import Problem
 from neurosym.run_record import Run
 
+Record = TypeVar("Record")
+ProblemReader = Callable[[str], Problem | None]
 MOST_STEPS = 6
 """How many steps an example has at most, so that its pictures fit into a row."""
 
@@ -39,21 +45,41 @@ class Example:
         return self.name.removeprefix(self.problem.name).removeprefix(".") or self.name
 
 
-def runs_of(folder: DomainFolder) -> tuple[Example, ...]:
-    """Read the runs of a folder, by name; those of problems that are no longer there are passed over.
+def spared(read: Callable[[], Record]) -> Record | None:
+    """Read a record; one that is damaged is named in a note, and None.
+
+    Args:
+        read: Reads it.
+    """
+    try:
+        return read()
+    except (InvalidFile, StageMissing) as error:
+        say(f"note: {str(error).rstrip('.')}; left out")
+        return None
+
+
+def problem_reader(folder: DomainFolder) -> ProblemReader:
+    """Return what reads each problem of a folder once; None for one that is damaged or no longer there.
 
     Args:
         folder: The domain folder.
-
-    Raises:
-        InvalidFile: If a run or a problem is damaged.
     """
     known = folder.problem_names()
+    return cache(lambda name: spared(partial(load_problem, folder, name)) if name in known else None)
+
+
+def runs_of(folder: DomainFolder, read_problem: ProblemReader) -> tuple[Example, ...]:
+    """Read the runs of a folder, by name, as far as they and their problems can be read.
+
+    Args:
+        folder: The domain folder.
+        read_problem: Reads the problems.
+    """
     found = []
     for path in sorted((folder / "runs").glob("*.run.json")):
-        run = read_json(path, Run)
-        if run.problem in known:
-            found.append(Example(path, load_problem(folder, run.problem), run))
+        run = spared(partial(read_json, path, Run))
+        if run and (problem := read_problem(run.problem)):
+            found.append(Example(path, problem, run))
     return tuple(found)
 
 

@@ -33,7 +33,7 @@ def figures(
     as blue, green and red dots. A row of Figure 4 is a run of DIR/runs: in its first picture the goals are
     transparent, in its last the start is.
     """
-    from neurosym.examples import runs_of
+    from neurosym.examples import problem_reader, runs_of
     from neurosym.pddl.grounding import Grounding
     from neurosym.pictures import save_sheet
     from neurosym.world_file import read_world
@@ -43,7 +43,7 @@ def figures(
     world = read_world(domain.require(WORLD))()
     grounding = Grounding.load(domain.require(GROUNDING))
     domain.require(MODEL)
-    runs = runs_of(domain)
+    runs = runs_of(domain, problem_reader(domain))
     target.mkdir(exist_ok=True)
     save_sheet(target / PRIMITIVES_FIGURE, _primitive_rows(domain, world, grounding))
     say(f"wrote {target / PRIMITIVES_FIGURE}")

@@ -1,6 +1,7 @@
 """`neurosym figures` draws primitives and example plans from what happens in the world."""
 
 from dataclasses import replace
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -71,6 +72,18 @@ def test_without_runs_there_is_no_figure_of_plans(folder, tmp_path, capsys):
     assert neurosym("figures", folder, "--output", tmp_path / "figures") == 0
     assert [path.name for path in (tmp_path / "figures").iterdir()] == ["figure-3-primitives.png"]
     assert "no Figure 4" in capsys.readouterr().out
+
+
+def test_damaged_records_are_named_and_left_out(folder, capsys):
+    whole = Path(next((folder / "runs").glob("*.json")))
+    broken = folder / "runs/task-01.mine.run.json"
+    broken.write_text(whole.read_text().replace('"reached": true', '"reached": null', 1))
+    assert neurosym("figures", folder) == 0
+    said = capsys.readouterr().out
+    notes = [line for line in said.splitlines() if line.startswith("note: ")]
+    assert len(notes) == 1
+    assert notes[0].startswith(f"note: {broken} cannot be used: Expected `bool`, got `null`")
+    assert f"wrote {folder}/pictures/figure-4-plans.png" in said
 
 
 def test_figures_that_cannot_be_drawn_are_refused(folder, capsys):

@@ -152,6 +152,21 @@ def test_damaged_file_is_refused_by_name(folder, file, capsys):
     assert not (folder / "report.html").exists()
 
 
+def test_damaged_records_and_scenes_are_named_once_and_left_out(folder, capsys):
+    (folder / "plans/task-02.fast-downward.json").write_text("{}")
+    run = folder / "runs/task-02.mine.run.json"
+    run.write_text('{"problem": null}')
+    scene = folder / "problems/task-01.scene.json"
+    scene.write_text(scene.read_text().replace('"tolerance": 0.05', '"tolerance": -1'))
+    assert neurosym("report", folder) == 0
+    notes = [line for line in capsys.readouterr().out.splitlines() if line.startswith("note: ")]
+    assert len(notes) == 3
+    for path in (folder / "plans/task-02.fast-downward.json", run, scene):
+        assert sum(f"note: {path} cannot be used" in note for note in notes) == 1
+    page = (folder / "report.html").read_text()
+    assert '<th scope="row">task-01</th>' not in page
+
+
 def test_every_interaction_is_counted_once(toy_folder):
     data = Interactions.load(toy_folder / "interactions.npz")
     kinds = what_became(data)

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 from neurosym.comparison_summary import Comparison
 from neurosym.errors import InvalidValue, UnknownChoice
 from neurosym.evaluation import comparisons_of
-from neurosym.examples import runs_of, telling_examples
+from neurosym.examples import Example, problem_reader, runs_of, telling_examples
 from neurosym.files import read_json
 from neurosym.folder import (
     GROUNDING,
@@ -91,7 +91,7 @@ def gather(folder: DomainFolder, progress: Progress) -> Page:
         progress: Called after each picture.
 
     Raises:
-        InvalidFile: If a file is damaged.
+        InvalidFile: If a file is damaged, other than a plan's record, a run or a problem: those are named.
     """
     from neurosym.explain.command import explain_folder
     from neurosym.interactions import Interactions
@@ -100,11 +100,13 @@ def gather(folder: DomainFolder, progress: Progress) -> Page:
     table = read_json(folder / PRIMITIVES, OperatorTable) if has[PRIMITIVES] else None
     grounding = Grounding.load(folder / GROUNDING) if has[GROUNDING] else None
     interactions = Interactions.load(folder / INTERACTIONS) if has[INTERACTIONS] else None
-    plans = plan_rows(folder)
+    read_problem = problem_reader(folder)
+    runs = runs_of(folder, read_problem)
+    plans = plan_rows(folder, runs, read_problem)
     explanation = explain_folder(folder) if table else None
     texts = {path.name: path.read_text(errors="replace") for path in sorted(folder.path.glob("domain*.pddl"))}
     report, curves = learned(folder), curve_charts(folder)
-    pictures, without_picture, examples, unlike = _pictures(folder, grounding, progress)
+    pictures, without_picture, examples, unlike = _pictures(folder, grounding, runs, progress)
     return Page(
         name=folder.path.resolve().name,
         path=str(folder.path),
@@ -127,25 +129,25 @@ def gather(folder: DomainFolder, progress: Progress) -> Page:
 
 
 def _pictures(
-    folder: DomainFolder, grounding: Grounding | None, progress: Progress
+    folder: DomainFolder, grounding: Grounding | None, runs: Sequence[Example], progress: Progress
 ) -> tuple[dict[str, Shown], dict[str, str], tuple[Shown, ...], tuple[str, ...]]:
     """Make the strips of primitives and of example runs, as far as there is what they need."""
     if grounding is None or not (folder / WORLD).is_file():
         return {}, {}, (), ()
     symbols = [p.symbol for p in grounding.operators.primitives] if (folder / MODEL).is_file() else []
-    chosen = telling_examples(runs_of(folder))[:EXAMPLES]
+    chosen = telling_examples(runs)[:EXAMPLES]
     stages = [
         *(primitive_stage(folder, symbol) for symbol in symbols),
         *(run_stage(folder, example) for example in chosen),
     ]
     made = list(_made(folder, stages, progress))
     primitives = dict(zip(symbols, made, strict=False))
-    runs = dict(zip([example.name for example in chosen], made[len(symbols) :], strict=True))
+    strips = dict(zip([example.name for example in chosen], made[len(symbols) :], strict=True))
     return (
         {symbol: strip for symbol, strip in primitives.items() if isinstance(strip, Shown)},
         {symbol: reason for symbol, reason in primitives.items() if isinstance(reason, str)},
-        tuple(strip for strip in runs.values() if isinstance(strip, Shown)),
-        tuple(f"{name}: {reason}" for name, reason in runs.items() if isinstance(reason, str)),
+        tuple(strip for strip in strips.values() if isinstance(strip, Shown)),
+        tuple(f"{name}: {reason}" for name, reason in strips.items() if isinstance(reason, str)),
     )
 
 

@@ -1,11 +1,13 @@
 """Plans and what became of them, for the page."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import partial
 
-from neurosym.examples import runs_of
+from neurosym.examples import Example, ProblemReader, spared
 from neurosym.files import read_json
 from neurosym.folder import DomainFolder
-from neurosym.plan_stages import PlanRecord, load_problem
+from neurosym.plan_stages import PlanRecord
 
 
 @dataclass(frozen=True, slots=True)
@@ -33,27 +35,28 @@ class PlanRow:
     reason: str
 
 
-def plan_rows(folder: DomainFolder) -> tuple[PlanRow, ...]:
-    """List the plans of a folder, by problem and planner, with their runs.
+def plan_rows(
+    folder: DomainFolder, examples: Sequence[Example], read_problem: ProblemReader
+) -> tuple[PlanRow, ...]:
+    """List the plans of a folder, by problem and planner, with their runs, as far as they can be read.
 
     Args:
         folder: The domain folder.
-
-    Raises:
-        InvalidFile: If a plan's record, a run or a problem is damaged.
+        examples: The runs.
+        read_problem: Reads the problems.
     """
-    runs = {example.name: example for example in runs_of(folder)}
-    known = folder.problem_names()
+    runs = {example.name: example for example in examples}
     rows = []
     for path in sorted((folder / "plans").glob("*.json")):
-        record = read_json(path, PlanRecord)
-        if record.problem not in known:
+        record = spared(partial(read_json, path, PlanRecord))
+        problem = read_problem(record.problem) if record else None
+        if record is None or problem is None:
             continue
         example = runs.pop(path.stem, None) if record.solved else None
         rows.append(
             PlanRow(
                 problem=record.problem,
-                objects=len(load_problem(folder, record.problem).objects),
+                objects=len(problem.objects),
                 planner=record.planner,
                 status=record.status,
                 steps=len(record.steps) if record.solved else None,
