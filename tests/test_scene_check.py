@@ -24,6 +24,7 @@ SHIPPED = Path(__file__).parent.parent / "domains" / "tabletop"
 PLANK = (0.16, 0.04, 0.02, 0.0)
 LIMITS = TabletopConfig().object_limits
 STANDING = (0.0, math.sqrt(0.5), 0.0, math.sqrt(0.5))
+ACROSS = (0.0, 0.0, math.sqrt(0.5), math.sqrt(0.5))
 DIAGONAL = (0.0, 0.0, math.sin(math.pi / 8), math.cos(math.pi / 8))
 WRONG = [
     ({"features": [9, 9, 9, 0]}, "item-01 has s_x = 9 m; valid: 0.03 to 0.18 m"),
@@ -97,10 +98,12 @@ def test_scene_that_cannot_be_is_not_shown(folder, capsys):
 
 
 def test_objects_in_one_place_are_refused():
-    with pytest.raises(InvalidValue, match=r"item-01 and item-02 stand in one place: 100%"):
+    with pytest.raises(InvalidValue, match=r"item-01 and item-02 stand in one place: the centre of"):
         check(plank("item-01", 0.6, 0.0), plank("item-02", 0.6, 0.0))
-    with pytest.raises(InvalidValue, match=r"stand in one place: 75%"):
+    with pytest.raises(InvalidValue, match="put them side by side"):
         check(plank("item-01", 0.6, 0.0), plank("item-02", 0.6, 0.01))
+    with pytest.raises(InvalidValue, match="the centre of item-02 lies within item-01"):
+        check(plank("item-01", 0.6, 0.0), plank("item-02", 0.66, 0.0, orientation=ACROSS))
 
 
 def test_objects_that_touch_or_lie_side_by_side_at_an_angle_pass():
