@@ -56,10 +56,12 @@ def test_objects_that_change_places_make_way_for_each_other():
 
 
 def test_object_that_cannot_get_past_another_is_named():
-    wall = item("wall", 0.5, 0.0832)
-    task = Problem("p", (item("item-01", 0.5, 0.0), wall), {"item-01": (0.4942, 0.1664, 0.025)})
-    steps, checked = mend([LEFT, LEFT], task, grounding())
-    assert (steps, checked.valid) == ((LEFT, LEFT), False)
+    wall, free = item("wall", 0.5, 0.0832), item("item-02", 0.7, 0.0)
+    goals = {"item-01": (0.4942, 0.1664, 0.025), "item-02": (0.7713, -0.0124, 0.025)}
+    task = Problem("p", (item("item-01", 0.5, 0.0), wall, free), goals)
+    given = (LEFT, LEFT, PlanStep("push-away-001-block", "item-02"))
+    steps, checked = mend(given, task, grounding())
+    assert (steps, checked.valid) == (given, False)
     assert checked.reason == "no order of the steps was found that brings item-01 past the others"
 
 

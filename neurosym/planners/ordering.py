@@ -22,6 +22,8 @@ MOST_TURNS = 100
 """How many orders of the objects are tried."""
 MOST_DRAWS = 12
 """How often an order is drawn in which objects make way for each other."""
+MOST_LOOKS = 20_000
+"""How many beginnings of plans are tried in all of these draws."""
 _Block = tuple[PlanStep, ...]
 """A step that an empty hand begins, and the put-down that ends it if it is a lift."""
 _Order = tuple[int, ...]
@@ -93,13 +95,14 @@ class _Search:
         self._room = problem.room(grounding.table)[:, self._moved]  # (2, K, 2)
         self._apart = footprints_apart(problem)[self._moved]  # (K, M, 2)
         self.stuck: frozenset[int] = frozenset()
+        self._looks = 0
 
     def run(self) -> tuple[PlanStep, ...] | None:
         """Return the steps in the first order that is found to be possible, or None if none is."""
         if self._ends_overlap():
             return None
         done = self._one_after_another()
-        if done is None:
+        if done is None and len(np.unique(self._moved)) > 1:
             done = self._making_way()
         if done is None:
             done, _ = self._ordered(self._counts, self._start)
@@ -133,6 +136,7 @@ class _Search:
     def _making_way(self) -> _Order | None:
         """Finish whoever can be finished; if nobody can, let somebody make a step. Who, is drawn."""
         rng, left_over = np.random.default_rng(0), Counter[frozenset[int]]()
+        self._looks = 0
         for _ in range(MOST_DRAWS):
             here, left = self._start.copy(), np.array(self._counts)
             done: _Order = ()
@@ -141,9 +145,13 @@ class _Search:
                     here[self._moved[kind]] += self._last[kind]
                     left[kind] -= 1
                 done += path
+                if self._looks > MOST_LOOKS:
+                    break
             if not left.any():
                 return done
             left_over[frozenset(self._moved[left > 0].tolist())] += 1
+            if self._looks > MOST_LOOKS:
+                break
         self.stuck = left_over.most_common(1)[0][0]
         return None
 
@@ -174,6 +182,7 @@ class _Search:
         waiting: list[tuple[_Order, tuple[int, ...], Float[np.ndarray, "M 3"]]] = [((), counts, start)]
         while waiting and len(seen) < MOST_STATES:
             done, left, here = waiting.pop()
+            self._looks += 1
             if not any(left):
                 return done, blockers
             wanted = np.flatnonzero(left)
