@@ -8,7 +8,7 @@ The order matters only for staying on the table, and is looked for afterwards.
 import math
 import time
 from collections.abc import Iterator
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from functools import lru_cache
 
 import numpy as np
@@ -33,6 +33,7 @@ class Choices:
         costs: What each move costs.
         start: Centre of the object [m].
         room: Least and greatest x and y that its centre may have [m].
+        dead: Count vectors known to have no order that stays in the room.
     """
 
     settled: Float[np.ndarray, "k 3"]
@@ -41,6 +42,7 @@ class Choices:
     costs: Int[np.ndarray, " k"]
     start: Float[np.ndarray, "3"]
     room: Float[np.ndarray, "2 2"]
+    dead: set[tuple[int, ...]] = field(default_factory=set)
 
     def is_inside(self, positions: Float[np.ndarray, "*n 3"]) -> Bool[np.ndarray, "*n"]:
         """Say which positions are in the object's room."""
@@ -163,7 +165,7 @@ def nearest(
         gain: How much nearer more moves must bring it to be worth it [m].
     """
     room = np.array([[-np.inf], [np.inf]]).repeat(2, axis=1) if anywhere else choices.room
-    free = replace(choices, room=room)
+    free = replace(choices, room=room, dead=set())
     x, y, z = map(float, choices.start)
     best = Candidate((), False, 0, (x, y, z), math.dist(choices.start, goal))
     for length in range(1, depth + 1):
@@ -201,24 +203,27 @@ def in_order(choices: Choices, length: int, row: int, lift: int | None) -> Candi
 
 
 def _order(choices: Choices, counts: tuple[int, ...], lift: int | None) -> tuple[int, ...] | None:
-    """Search depth first; what is left says where the object is, so nothing is looked at twice."""
-    seen = {counts}
-    waiting: list[tuple[tuple[int, ...], tuple[int, ...], Float[np.ndarray, "3"]]] = [
-        ((), counts, choices.start)
-    ]
+    """Search backwards, depth first; the counts say where the object is, so nothing is looked at twice."""
+    if lift is not None and not choices.is_inside(_place(choices, counts) + choices.lifted[lift]):
+        return None
+    seen: set[tuple[int, ...]] = set()
+    waiting: list[tuple[tuple[int, ...], tuple[int, ...]]] = [(counts, () if lift is None else (lift,))]
     while waiting:
-        done, left, here = waiting.pop()
-        if not any(left):
-            if lift is None:
-                return done
-            if choices.is_inside(here + choices.lifted[lift]):
-                return (*done, lift)
-            return None
-        places = np.stack([here + choices.lifted, here + choices.settled])  # (2, k, 3)
-        possible = np.all(choices.is_inside(places), axis=0)
-        for move in reversed(range(len(left))):
-            fewer = (*left[:move], left[move] - 1, *left[move + 1 :])
-            if left[move] and bool(possible[move]) and fewer not in seen:
-                seen.add(fewer)
-                waiting.append(((*done, move), fewer, places[1, move]))
+        done, then = waiting.pop()
+        if not any(done):
+            return then
+        if done in seen or done in choices.dead:
+            continue
+        seen.add(done)
+        here = _place(choices, done)
+        if choices.is_inside(here):
+            possible = choices.is_inside(here - choices.settled + choices.lifted)
+            for move in np.flatnonzero(possible & (np.array(done) > 0)).tolist():
+                waiting.append(((*done[:move], done[move] - 1, *done[move + 1 :]), (move, *then)))
+    choices.dead.update(seen)
     return None
+
+
+def _place(choices: Choices, counts: tuple[int, ...]) -> Float[np.ndarray, "3"]:
+    """Return where the object is after so many of each move [m]."""
+    return np.asarray(choices.start + np.array(counts) @ choices.settled)

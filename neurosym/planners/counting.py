@@ -63,7 +63,7 @@ def plan_counting(problem: Problem, grounding: Grounding, *, time_limit: float =
     return PlanResult(PlanStatus.UNSOLVABLE, (), seconds, "no number of steps suffices")
 
 
-def fewest_steps(problem: Problem, grounding: Grounding) -> int | None:
+def fewest_steps(problem: Problem, grounding: Grounding, *, deadline: float = math.inf) -> int | None:
     """Return the fewest primitives that can solve a problem, put-downs not counted; None if none do.
 
     Each object stays on the table, and at most one ends held. No plan that replays well has fewer; where
@@ -72,11 +72,12 @@ def fewest_steps(problem: Problem, grounding: Grounding) -> int | None:
     Args:
         problem: The problem.
         grounding: The learned domain.
+        deadline: When to stop, by `time.perf_counter()` [s]; None says nothing from then on.
 
     Raises:
         UnknownChoice: If an object is of a category that the domain does not have.
     """
-    join = Join(problem, grounding)
+    join = Join(problem, grounding, deadline=deadline)
     saved, total = [0], 0
     must_be_held = 0
     for name in problem.goals:

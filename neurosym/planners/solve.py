@@ -104,7 +104,7 @@ def plan_pddl(
                 return PlanResult(PlanStatus.TIMEOUT, (), 0.0, f"no plan in {time_limit:g} s")
             return _solve(task, learned, tool, left, chosen, slack)
 
-        believed = partial(_believed, grounding=learned, solve=solve)
+        believed = partial(_believed, grounding=learned, solve=solve, deadline=deadline)
         return believed(problem) if at_once else plan_one_by_one(problem, learned, believed, deadline)
 
     result = attempt(grounding)
@@ -116,7 +116,7 @@ def plan_pddl(
     return dataclasses.replace(result, seconds=time.perf_counter() - begin)
 
 
-def _believed(problem: Problem, grounding: Grounding, solve: _Solve) -> PlanResult:
+def _believed(problem: Problem, grounding: Grounding, solve: _Solve, deadline: float) -> PlanResult:
     """Solve a problem until the replay of the plan is right; each time with more slack, and then finer."""
     slack, said = _Slack(STEPS), ""
     for attempt in range(1, ATTEMPTS + 1):
@@ -125,8 +125,12 @@ def _believed(problem: Problem, grounding: Grounding, solve: _Solve) -> PlanResu
             # What has no plan in a smaller region may have one in the whole.
             result = solve(problem, _Slack(0, 0, slack.finer))
         if result.status is PlanStatus.UNSOLVABLE:
-            if said == "" and fewest_steps(problem, grounding) is None:
-                return _explained(result, problem, grounding)
+            if said == "" and fewest_steps(problem, grounding, deadline=deadline) is None:
+                if time.perf_counter() < deadline:
+                    return _explained(result, problem, grounding)
+                return PlanResult(
+                    PlanStatus.TIMEOUT, (), 0.0, "no plan on this grid, and no time for finer ones"
+                )
             wrong, longest = "that there is none on so coarse a grid", 0
         elif result.status is not PlanStatus.SOLVED:
             return result
