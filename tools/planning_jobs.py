@@ -25,7 +25,9 @@ SYMBOLIC_OBJECTS, SCALING_OBJECTS = (1, 2, 4), (1, 2, 4, 8, 16)
 _SCALING_SEEDS = 10_000
 CONTENDERS: dict[str, tuple[str, dict[str, Any]]] = {
     "BFS over operators, 3 deep": ("bfs", {}),
-    "stepwise, object by object": ("fast-downward", {"encoding": "stepwise"}),
+    "SAS+, object by object": ("fast-downward", {}),
+    "SAS+, object by object, no costs": ("fast-downward", {"costs": False}),
+    "SAS+, whole, no costs": ("fast-downward", {"whole": True, "costs": False}),
     "stepwise, object by object, no costs": ("fast-downward", {"encoding": "stepwise", "costs": False}),
     "stepwise, whole, no costs": ("fast-downward", {"encoding": "stepwise", "whole": True, "costs": False}),
     "operators, object by object, no costs": ("fast-downward", {"encoding": "operators", "costs": False}),

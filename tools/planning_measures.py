@@ -39,7 +39,7 @@ from neurosym.stages import distill_stage, explore_stage, train_stage
 
 PLANNER = "fast-downward"
 TIME_LIMIT = 30.0  # of one plan for a drawn task [s]
-CAP = 60.0  # of one plan for a scaling task [s]
+CAP = 30.0  # of one plan for a scaling task [s]
 REHEARSALS = 100
 GIVE_UP = 2  # time-outs in one cell, after which its other tasks are not tried
 REPEATS = 7

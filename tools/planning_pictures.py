@@ -63,6 +63,7 @@ def draw_scaling(scaling: Mapping[str, Any], path: Path) -> None:
     )
     for row, difficulty in zip(axes, ("easy", "hard"), strict=True):
         for axis, (measure, title, scale) in zip(row, panels, strict=True):
+            axis.set_prop_cycle(color=plt.get_cmap("tab20").colors)
             for contender, cells in scaling["contenders"].items():
                 points = {
                     int(size.split()[0]): cell[measure]
