@@ -71,7 +71,10 @@ def draw_scaling(scaling: Mapping[str, Any], path: Path) -> None:
                     if size.split()[1] == difficulty and cell["solved"] and cell[measure] is not None
                 }
                 axis.plot(list(points), list(points.values()), marker="o", markersize=4, label=contender)
-            axis.set(title=f"{difficulty} goals: {title}", xlabel="objects", yscale=scale)
+            axis.set(title=f"{difficulty} goals: {title}", xlabel="objects")
+            if not any(len(line.get_xdata()) for line in axis.lines):
+                continue  # nothing to lay a logarithmic scale over
+            axis.set_yscale(scale)
             axis.set_xscale("log", base=2)
             axis.set_xticks([1, 2, 4, 8, 16], ["1", "2", "4", "8", "16"])
             axis.grid(alpha=0.3)
