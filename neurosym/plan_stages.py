@@ -151,11 +151,7 @@ def plan_stage(
     plan_file, record_file = plan_files(name, planner)
     inputs = (f"problems/{name}.scene.json", GROUNDING, *((MODEL,) if planner == "bfs" else ()))
 
-    def work() -> None:
-        grounding = Grounding.load(folder.require(GROUNDING))
-        problem = load_problem(folder, name)
-        for item in problem.objects:
-            check_on_table(item, grounding)
+    def solve(problem: Problem, grounding: Grounding) -> PlanResult:
         branching = _branching(folder, problem, grounding) if planner == "bfs" else None
         result = plan(
             problem,
@@ -167,31 +163,21 @@ def plan_stage(
             whole=whole,
             costs=not unit_costs,
         )
-        if nearest and result.status is PlanStatus.UNSOLVABLE:
-            result = _nearest(result, problem, grounding, planner, time_limit)
-        elif planner == "bfs" and result.status is PlanStatus.UNSOLVABLE:
-            result = _with_rehearsed(result, problem, grounding, time_limit)
-        (folder / "plans").mkdir(exist_ok=True)
+        if result.status is not PlanStatus.UNSOLVABLE:
+            return result
+        if nearest:
+            return _nearest(result, problem, grounding, planner, time_limit)
+        return _with_rehearsed(result, problem, grounding, time_limit) if planner == "bfs" else result
+
+    def work() -> None:
+        grounding = Grounding.load(folder.require(GROUNDING))
+        problem = load_problem(folder, name)
+        for item in problem.objects:
+            check_on_table(item, grounding)
+        result = solve(problem, grounding)
         count = more if result.status is PlanStatus.SOLVED else 0
         others = alternatives(problem, grounding, count, besides=result.steps, time_limit=time_limit)
-        written = _write_alternatives(folder, f"plans/{name}.{planner}", others, problem, grounding, printed)
-        record = PlanRecord(
-            problem=name,
-            planner=planner,
-            status=result.status.value,
-            steps=named_steps(result.steps),
-            seconds=round(result.seconds, 3),
-            reason=result.reason,
-            chance=_chance(result.steps, grounding) if result.has_plan else None,
-            alternatives=written,
-        )
-        if record.solved:
-            write_atomically(folder / plan_file, _plan_text(result.steps, problem, grounding, printed))
-        elif result.has_plan:
-            write_atomically(folder / plan_file, print_plan(result.steps, result.reason))
-        else:
-            (folder / plan_file).unlink(missing_ok=True)
-        write_json(folder / record_file, record)
+        _write_plans(folder, (name, planner), problem, grounding, result, others, printed)
 
     asked = {"whole": whole, "unit_costs": unit_costs, "nearest": nearest, "alternatives": more}
     options = {
@@ -200,6 +186,40 @@ def plan_stage(
         **{key: asked[key] for key in asked if asked[key]},
     }
     return Stage(f"plan {name} {planner}", inputs, (plan_file, record_file), work, options)
+
+
+def _write_plans(
+    folder: DomainFolder,
+    asked: tuple[str, str],
+    problem: Problem,
+    grounding: Grounding,
+    result: PlanResult,
+    others: Sequence[tuple[PlanStep, ...]],
+    encoding: Encoding,
+) -> None:
+    """Write what was found for a problem by a planner: plan, next-best plans and record."""
+    name, planner = asked
+    plan_file, record_file = plan_files(name, planner)
+    (folder / "plans").mkdir(exist_ok=True)
+    stem = plan_file.removesuffix(".plan")
+    written = _write_alternatives(folder, stem, others, problem, grounding, encoding)
+    record = PlanRecord(
+        problem=name,
+        planner=planner,
+        status=result.status.value,
+        steps=named_steps(result.steps),
+        seconds=round(result.seconds, 3),
+        reason=result.reason,
+        chance=_chance(result.steps, grounding) if result.has_plan else None,
+        alternatives=written,
+    )
+    if record.solved:
+        write_atomically(folder / plan_file, _plan_text(result.steps, problem, grounding, encoding))
+    elif result.has_plan:
+        write_atomically(folder / plan_file, print_plan(result.steps, result.reason))
+    else:
+        (folder / plan_file).unlink(missing_ok=True)
+    write_json(folder / record_file, record)
 
 
 def _write_alternatives(
