@@ -2,6 +2,7 @@
 
 import dataclasses
 import itertools
+import math
 
 import msgspec
 import pytest
@@ -12,9 +13,10 @@ from neurosym.pddl import Grounding
 from neurosym.pddl.moves import cost
 from neurosym.pddl.plan_text import PlanStep
 from neurosym.pddl.replay import replay
-from neurosym.planners import PLANNERS, PlanResult, PlanStatus, plan, plan_pddl
+from neurosym.planners import PLANNERS, PlanResult, PlanStatus, one_by_one, plan, plan_pddl
 from neurosym.planners import solve as solve_module
 from neurosym.planners.catalogue import PddlPlanner
+from neurosym.planners.counting import Join
 from neurosym.planners.one_by_one import plan_one_by_one
 from neurosym.planners.result import PlannerAnswer
 from neurosym.problems import Problem
@@ -174,3 +176,25 @@ def test_objects_in_each_others_way_are_planned_for_without_costs_in_the_end(mon
     assert result.status is PlanStatus.SOLVED
     assert result.reason == "not the most reliable: they collide"
     assert replay(result.steps, problem(), grounding()).valid
+
+
+@pytest.mark.parametrize(("partings", "status"), [(0, PlanStatus.FAILED), (2, PlanStatus.SOLVED)])
+def test_who_is_in_conflict_with_narrow_goals_is_sent_to_where_there_is_room(
+    monkeypatch: pytest.MonkeyPatch, partings: int, status: PlanStatus
+):
+    """A planner that brings each object as near to the other as its goal allows."""
+    monkeypatch.setattr(one_by_one, "NARROWER", (3,))
+    monkeypatch.setattr(one_by_one, "PARTINGS", partings)
+    goals = {"item-01": (0.57, 0.06, 0.025), "item-02": (0.57, 0.1, 0.025)}
+    task = Problem("p", (item("item-01", 0.4, 0.0), item("item-02", 0.4, 0.12)), goals)
+
+    def believed(one: Problem) -> PlanResult:
+        plans = list(itertools.islice(Join(one, grounding()).plans(), 40))
+        ends = [replay(steps, one, grounding()).positions[-1][0] for steps in plans]
+        nearest = min(range(len(plans)), key=lambda index: math.dist(ends[index], (0.57, 0.08, 0.025)))
+        return PlanResult(PlanStatus.SOLVED, plans[nearest], 0.0)
+
+    result = plan_one_by_one(task, grounding(), believed)
+    assert result.status is status, result.reason
+    if status is PlanStatus.SOLVED:
+        assert replay(result.steps, task, grounding()).valid

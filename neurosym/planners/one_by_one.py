@@ -3,7 +3,8 @@
 Objects do not interact but by standing in each other's way. So each gets a plan of its own, which is cheap
 and makes every plan the cheapest; one that ends with its object held comes last. Where objects would end in
 each other, or no order of the steps leads past one, those in conflict are planned for again, with goals
-narrowed to where the exact planner, which looks at all objects together, would have them end.
+narrowed to where the exact planner, which looks at all objects together, would have them end. Those that are
+still in conflict then are to end where there is room around them.
 """
 
 import math
@@ -16,18 +17,20 @@ import msgspec
 import numpy as np
 from jaxtyping import Float
 
-from neurosym.operators import Vector
+from neurosym.operators import Vector, vector
 from neurosym.pddl.grounding import Grounding
 from neurosym.pddl.plan_text import PlanStep
 from neurosym.pddl.replay import footprints_apart, overlapping, replay
-from neurosym.planners.counting import plan_counting
+from neurosym.planners.counting import Join, plan_counting
 from neurosym.planners.ordering import ends_held, mend
 from neurosym.planners.result import PlanResult, PlanStatus
 from neurosym.planners.together import plan_together
-from neurosym.problems import Problem
+from neurosym.problems import Problem, SceneObject
 
 NARROWER = (3, 6)
 """By how much the goal of an object in conflict is narrowed, the first time and then."""
+PARTINGS = 2
+"""How often who is still in conflict then is sent to where there is room."""
 TIME_TO_COUNT = 3.0
 """How long the exact planner looks for where objects could end [s]."""
 
@@ -50,20 +53,27 @@ def plan_one_by_one(
     narrowed: Counter[str] = Counter()
     plans: dict[str, PlanResult] = {}
     aims: Float[np.ndarray, "M 3"] | None = None
+    partings = 0
     while True:
         results = plan_together([partial(believed, task) for task in wanted.values()])
-        if results[-1].status is not PlanStatus.SOLVED:
+        last = results[-1].status
+        if last is PlanStatus.TIMEOUT or (last is not PlanStatus.SOLVED and not plans):
             return results[-1]
-        plans |= zip(wanted, results, strict=True)
+        solved = [result for result in results if result.status is PlanStatus.SOLVED]
+        plans |= zip(wanted, solved, strict=False)  # who has no plan for a narrower goal keeps the last one
         if sum(ends_held(plan.steps, grounding) for plan in plans.values()) > 1:
             return believed(problem)
         steps, checked = mend(_joined(plans, problem, grounding), problem, grounding)
         if checked.valid:
             return PlanResult(PlanStatus.SOLVED, steps, 0.0, _remark(plans, narrowed))
-        aims = _aims(problem, grounding, deadline) if aims is None else aims
-        conflict = _in_conflict(steps, checked.reason, problem, grounding)
-        conflict = [name for name in conflict if narrowed[name] < len(NARROWER)]
-        narrowed.update(conflict)
+        in_conflict = _in_conflict(steps, checked.reason, problem, grounding)
+        conflict = [name for name in in_conflict if narrowed[name] < len(NARROWER)]
+        if conflict:
+            aims = _aims(problem, grounding, deadline) if aims is None else aims
+            narrowed.update(conflict)
+        elif partings < PARTINGS:
+            partings, conflict = partings + 1, in_conflict
+            aims = _aims_apart(problem, conflict, _ends(steps, problem, grounding), grounding, deadline)
         if aims is None or not conflict:
             reason = f"no plan was true when replayed; the last: {checked.reason}"
             return PlanResult(PlanStatus.FAILED, (), 0.0, reason)
@@ -95,15 +105,51 @@ def _aims(problem: Problem, grounding: Grounding, deadline: float) -> Float[np.n
     return np.asarray(replay(found.steps, problem, grounding).positions[-1])
 
 
-def _in_conflict(
-    steps: tuple[PlanStep, ...], reason: str, problem: Problem, grounding: Grounding
-) -> list[str]:
-    """Name the objects with goals that end in another; if there are none, those that the reason tells of."""
+def _aims_apart(
+    problem: Problem,
+    names: Collection[str],
+    ends: Float[np.ndarray, "M 3"],
+    grounding: Grounding,
+    deadline: float,
+) -> Float[np.ndarray, "M 3"] | None:
+    """Return where some objects can end [m], while the others end as planned, with room around them.
+
+    Each may end anywhere in the smallest ball around its aim without standing in another.
+    """
+    room = problem.tolerance / NARROWER[-1]
+    items = [
+        _wider(item, 2 * room) if item.name in names else msgspec.structs.replace(item, position=vector(end))
+        for item, end in zip(problem.objects, ends, strict=True)
+    ]
+    goals = {name: problem.goals[name] for name in names}
+    task = msgspec.structs.replace(
+        problem, objects=tuple(items), goals=goals, tolerance=problem.tolerance - room
+    )
+    deadline = min(time.perf_counter() + TIME_TO_COUNT, deadline)
+    steps = next(Join(task, grounding, deadline=deadline).plans(), None)
+    return None if steps is None else _ends(steps, task, grounding)
+
+
+def _wider(item: SceneObject, by: float) -> SceneObject:
+    width, depth, *others = item.features
+    return msgspec.structs.replace(item, features=(width + by, depth + by, *others))
+
+
+def _ends(steps: tuple[PlanStep, ...], problem: Problem, grounding: Grounding) -> Float[np.ndarray, "M 3"]:
+    """Return where a plan leaves each object [m]; one that is held in the end, where it was lifted."""
     ends = problem.scene().positions
     for step in steps[:-1] if ends_held(steps, grounding) else steps:  # who is lifted last is there till then
         operator = grounding.operator_named(step.base)
         by = grounding.put_down_displacement if step.puts_down else grounding.displacement
         ends[problem.object_names.index(step.object)] += by(operator)
+    return ends
+
+
+def _in_conflict(
+    steps: tuple[PlanStep, ...], reason: str, problem: Problem, grounding: Grounding
+) -> list[str]:
+    """Name the objects with goals that end in another; if there are none, those that the reason tells of."""
+    ends = _ends(steps, problem, grounding)
     apart = footprints_apart(problem)
     hits = [overlapping(ends[row, :2], ends[:, :2], apart[row]).any() for row in range(len(ends))]
     ending = [
