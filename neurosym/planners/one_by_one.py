@@ -66,14 +66,16 @@ def plan_one_by_one(
         steps, checked = mend(_joined(plans, problem, grounding), problem, grounding)
         if checked.valid:
             return PlanResult(PlanStatus.SOLVED, steps, 0.0, _remark(plans, narrowed))
-        in_conflict = _in_conflict(steps, checked.reason, problem, grounding)
+        # Who is lifted last is on the table till then, and in the others' way.
+        ends = _ends(steps[:-1] if ends_held(steps, grounding) else steps, problem, grounding)
+        in_conflict = _in_conflict(ends, checked.reason, problem)
         conflict = [name for name in in_conflict if narrowed[name] < len(NARROWER)]
         if conflict:
             aims = _aims(problem, grounding, deadline) if aims is None else aims
             narrowed.update(conflict)
         elif partings < PARTINGS:
             partings, conflict = partings + 1, in_conflict
-            aims = _aims_apart(problem, conflict, _ends(steps, problem, grounding), grounding, deadline)
+            aims = _aims_apart(problem, conflict, ends, grounding, deadline)
         if aims is None or not conflict:
             reason = f"no plan was true when replayed; the last: {checked.reason}"
             return PlanResult(PlanStatus.FAILED, (), 0.0, reason)
@@ -136,20 +138,17 @@ def _wider(item: SceneObject, by: float) -> SceneObject:
 
 
 def _ends(steps: tuple[PlanStep, ...], problem: Problem, grounding: Grounding) -> Float[np.ndarray, "M 3"]:
-    """Return where a plan leaves each object [m]; one that is held in the end, where it was lifted."""
+    """Return where steps lead each object [m], possible or not."""
     ends = problem.scene().positions
-    for step in steps[:-1] if ends_held(steps, grounding) else steps:  # who is lifted last is there till then
+    for step in steps:
         operator = grounding.operator_named(step.base)
         by = grounding.put_down_displacement if step.puts_down else grounding.displacement
         ends[problem.object_names.index(step.object)] += by(operator)
     return ends
 
 
-def _in_conflict(
-    steps: tuple[PlanStep, ...], reason: str, problem: Problem, grounding: Grounding
-) -> list[str]:
+def _in_conflict(ends: Float[np.ndarray, "M 3"], reason: str, problem: Problem) -> list[str]:
     """Name the objects with goals that end in another; if there are none, those that the reason tells of."""
-    ends = _ends(steps, problem, grounding)
     apart = footprints_apart(problem)
     hits = [overlapping(ends[row, :2], ends[:, :2], apart[row]).any() for row in range(len(ends))]
     ending = [
