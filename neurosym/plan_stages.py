@@ -163,11 +163,13 @@ def plan_stage(
             whole=whole,
             costs=not unit_costs,
         )
-        if result.status is not PlanStatus.UNSOLVABLE:
+        if result.status not in (PlanStatus.UNSOLVABLE, PlanStatus.FAILED):
             return result
         if nearest:
             return _nearest(result, problem, grounding, planner, time_limit)
-        return _with_rehearsed(result, problem, grounding, time_limit) if planner == "bfs" else result
+        if planner == "bfs" or (result.status is PlanStatus.FAILED and planner != "counting"):
+            return _with_rehearsed(result, problem, grounding, time_limit)
+        return result
 
     def work() -> None:
         grounding = Grounding.load(folder.require(GROUNDING))
@@ -247,7 +249,8 @@ def _nearest(
     """Plan as near to the goal as can be, and keep saying why the planner had no plan that comes nearer."""
     found = plan_nearest(problem, grounding, time_limit=time_limit)
     if not found.has_plan:
-        return none
+        reason = f"{none.reason}; {found.reason}"
+        return dataclasses.replace(none, seconds=none.seconds + found.seconds, reason=reason)
     if found.status is PlanStatus.NEAREST:
         return dataclasses.replace(found, reason=f"{found.reason}; {none.reason}")
     over = ", over what the network predicts," if planner == "bfs" else ""
@@ -258,7 +261,7 @@ def _nearest(
 def _with_rehearsed(
     none: PlanResult, problem: Problem, grounding: Grounding, time_limit: float
 ) -> PlanResult:
-    """Add to what the network knows no plan for whether the rehearsed effects know one."""
+    """Add to what a planner has no plan for whether exact counting has one."""
     found = plan_counting(problem, grounding, time_limit=min(time_limit, TIME_TO_COUNT))
     if found.status is not PlanStatus.SOLVED:
         return none

@@ -14,7 +14,7 @@ from command_line import neurosym, refusal
 
 from neurosym import plan_stages
 from neurosym.pddl.problem import problem_text
-from neurosym.planners import predicted_branching
+from neurosym.planners import PlanResult, PlanStatus, predicted_branching
 from neurosym.problems import Problem
 
 
@@ -108,6 +108,19 @@ def test_nearest_plan_that_meets_the_goal_is_a_plan(bare, capsys):
     said = capsys.readouterr().out
     assert "meets the goal by the rehearsed effects; bfs, over what the network predicts, found none" in said
     assert "cannot reach" not in said
+
+
+def test_planner_whose_plans_do_not_come_true_is_told_of_one_that_does(bare, capsys, monkeypatch):
+    failed = PlanResult(PlanStatus.FAILED, (), 0.5, "no plan was true when replayed")
+    monkeypatch.setattr(plan_stages, "plan", lambda *_args, **_kwargs: failed)
+    assert neurosym("plan", bare, "easy") == 3
+    assert "was true when replayed; by the rehearsed effects there is a plan of 2" in capsys.readouterr().out
+    assert neurosym("plan", bare, "easy", "--nearest") == 0
+    assert "meets the goal by the rehearsed effects; fast-downward found none" in capsys.readouterr().out
+    timeout = PlanResult(PlanStatus.TIMEOUT, (), 2.0, "no plan to the nearest point in 2 s")
+    monkeypatch.setattr(plan_stages, "plan_nearest", lambda *_args, **_kwargs: timeout)
+    assert neurosym("plan", bare, "easy", "--nearest") == 3
+    assert "(failed, 2.50 s): no plan was true when replayed; no plan to the" in capsys.readouterr().out
 
 
 @pytest.mark.parametrize(

@@ -93,6 +93,17 @@ def test_objects_with_one_goal_are_brought_beside_each_other():
     assert replay(found.steps, task, grounding()).valid
 
 
+def test_object_is_brought_beside_a_bystander():
+    """The cheapest plan would end in it; nothing is to be done with the bystander."""
+    objects = (item("item-01", 0.4, 0.0), item("item-02", 0.585, 0.06))
+    task = Problem("p", objects, {"item-01": (0.57, 0.06, 0.025)})
+    found = plan_pddl(task, grounding())
+    assert found.status is PlanStatus.SOLVED, found.reason
+    assert "goals were narrowed (item-01)" in found.reason
+    assert {step.object for step in found.steps} == {"item-01"}
+    assert replay(found.steps, task, grounding()).valid
+
+
 def test_goal_met_at_the_start_needs_no_step():
     task = Problem("p", (item("item-01", 0.5, 0.0),), {"item-01": (0.51, 0.0, 0.025)})
     assert (plan_pddl(task, grounding()).status, plan_pddl(task, grounding()).steps) == (

@@ -33,6 +33,8 @@ PARTINGS = 2
 """How often who is still in conflict then is sent to where there is room."""
 TIME_TO_COUNT = 3.0
 """How long the exact planner looks for where objects could end [s]."""
+TIME_TO_PART = 0.3
+"""How long room around objects is looked for [s]; it is found at once, or there is little."""
 
 
 def plan_one_by_one(
@@ -127,7 +129,7 @@ def _aims_apart(
     task = msgspec.structs.replace(
         problem, objects=tuple(items), goals=goals, tolerance=problem.tolerance - room
     )
-    deadline = min(time.perf_counter() + TIME_TO_COUNT, deadline)
+    deadline = min(time.perf_counter() + TIME_TO_PART, deadline)
     steps = next(Join(task, grounding, deadline=deadline).plans(), None)
     return None if steps is None else _ends(steps, task, grounding)
 

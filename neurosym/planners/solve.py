@@ -95,7 +95,7 @@ def plan_pddl(
     if reason := explain_clash(problem, grounding):
         return PlanResult(PlanStatus.UNSOLVABLE, (), 0.0, reason)
 
-    at_once = whole or len(problem.goals) == 1
+    at_once = whole or len(problem.objects) == 1
 
     def attempt(learned: Grounding) -> PlanResult:
         def solve(task: Problem, slack: _Slack) -> PlanResult:
