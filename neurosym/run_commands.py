@@ -55,7 +55,7 @@ def execute(
         )
     made_for = plan_file.stem.split(".")[0]
     if made_for != name and made_for in domain.problem_names():
-        say(f"note: {plan_file} seems to be made for {made_for}; it is executed on {name}")
+        say(f"note: {plan_file} seems to be made for {made_for}, not for {name}")
     stage = execute_stage(
         domain,
         name,

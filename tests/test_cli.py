@@ -133,6 +133,13 @@ def test_plan_that_misses_the_goal_is_a_result(folder, capsys):
     assert "goal missed" in capsys.readouterr().out
 
 
+def test_plan_that_is_named_after_another_problem_is_noted(folder, capsys):
+    assert neurosym("new-problem", folder, "--name", "other", "--seed", "4") == 0
+    (folder / "task-01.my.plan").touch()
+    assert neurosym("execute", folder, "other", folder / "task-01.my.plan", "--replans", "0") == 3
+    assert "task-01.my.plan seems to be made for task-01, not for other" in capsys.readouterr().out
+
+
 def test_help_names_every_command(capsys):
     assert neurosym("--help") == 0
     said = capsys.readouterr().out
