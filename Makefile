@@ -54,9 +54,10 @@ evaluate-planning: install
 tutorial: install
 	$(BIN)/python tools/run_tutorial.py
 
-# Which planner takes which encoding, into docs/results/planners.*; installs the planners first. ENHSP needs Java.
+# Which planner takes which encoding, into docs/results/planners.*; installs the planners first, and Tamer,
+# which takes no encoding. ENHSP needs Java.
 evaluate-planners: install
-	$(BIN)/pip install --quiet --constraint constraints.txt --editable '.[dev,planners]'
+	$(BIN)/pip install --quiet --constraint constraints.txt --editable '.[dev,planners]' up-tamer
 	$(BIN)/python tools/planner_matrix.py
 
 clean:
