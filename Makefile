@@ -36,19 +36,19 @@ evaluate: install
 # Every figure of docs/world.md, into docs/results/; goes on where it was interrupted. SCALE=0.1 for a glance.
 SCALE ?= 1.0
 evaluate-world: install
-	$(BIN)/python tools/evaluate_world.py --scale $(SCALE)
+	$(BIN)/python -m tools.benchmarks.world.evaluate --scale $(SCALE)
 
 # Every figure of docs/learning.md, into docs/results/; goes on where it was interrupted. SEEDS=1 is the short form.
 SEEDS ?= 5
 STEPS ?= 5120
 evaluate-learning: install
-	$(BIN)/python tools/evaluate_learning.py --seeds $(SEEDS) --steps $(STEPS)
+	$(BIN)/python -m tools.benchmarks.learning.evaluate --seeds $(SEEDS) --steps $(STEPS)
 
 # Every figure of docs/planning.md, into docs/results/; goes on where it was interrupted. SEEDS=1 is the short form.
 evaluate-planning: STEPS := 2560
 evaluate-planning: install
 	$(BIN)/pip install --quiet --constraint constraints.txt --editable '.[dev,planners]'
-	$(BIN)/python tools/evaluate_planning.py --seeds $(SEEDS) --steps $(STEPS)
+	$(BIN)/python -m tools.benchmarks.planning.evaluate --seeds $(SEEDS) --steps $(STEPS)
 
 # Runs docs/tutorial.ipynb and stores what its cells say: some minutes.
 tutorial: install
@@ -58,7 +58,7 @@ tutorial: install
 # which takes no encoding. ENHSP needs Java.
 evaluate-planners: install
 	$(BIN)/pip install --quiet --constraint constraints.txt --editable '.[dev,planners]' up-tamer
-	$(BIN)/python tools/planner_matrix.py
+	$(BIN)/python -m tools.benchmarks.planning.planner_matrix
 
 clean:
 	rm -rf $(VENV) demo

@@ -12,15 +12,15 @@ from typing import Any
 __version__ = version("neurosym")
 
 _VERBS = {
-    "explore": "neurosym.exploration",
-    "train": "neurosym.training",
-    "distill": "neurosym.distillation",
-    "rehearse": "neurosym.rehearsal",
+    "explore": "neurosym.exploration.loop",
+    "train": "neurosym.learning.training",
+    "distill": "neurosym.primitives.distillation",
+    "rehearse": "neurosym.primitives.rehearsal",
     "compile_domain": "neurosym.pddl",
-    "draw_problem": "neurosym.tasks",
+    "draw_problem": "neurosym.worlds.problem_drawing",
     "plan": "neurosym.planners",
-    "execute": "neurosym.execution",
-    "check_world": "neurosym.world_check",
+    "execute": "neurosym.execution.executor",
+    "check_world": "neurosym.worlds.check",
 }
 
 __all__ = ["__version__", *_VERBS]
@@ -37,4 +37,4 @@ def __dir__() -> list[str]:
 
 
 if "gymnasium" in sys.modules:  # whoever imports Gymnasium first expects our environments in its registry
-    import_module("neurosym.gymnasium_env")
+    import_module("neurosym.worlds.gymnasium_env")

@@ -1,6 +1,6 @@
 """`python -m neurosym` is the command line."""
 
-from neurosym.cli import main
+from neurosym.commands.cli import main
 
 if __name__ == "__main__":
     main()

@@ -7,7 +7,7 @@ from collections.abc import Iterable
 from pathlib import Path
 from typing import Any
 
-from neurosym.quoting import quoted
+from neurosym.wording import quoted
 
 
 class NeurosymError(Exception):

@@ -1,11 +1,14 @@
 """Symbols: codes of bits, written as strings like "101"."""
 
+from collections.abc import Callable
 from itertools import product
 
 import numpy as np
 from jaxtyping import Float
 
 Symbol = str
+Categorise = Callable[[Float[np.ndarray, "N F"]], tuple[Symbol, ...]]
+"""Gives the object symbols of features."""
 
 
 def all_symbols(bits: int) -> tuple[Symbol, ...]:

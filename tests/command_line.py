@@ -2,7 +2,7 @@
 
 import pytest
 
-from neurosym.cli import main
+from neurosym.commands.cli import main
 
 
 def neurosym(*arguments: object) -> int:

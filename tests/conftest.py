@@ -5,7 +5,7 @@ from pathlib import Path
 
 import pytest
 
-from neurosym.cli import main
+from neurosym.commands.cli import main
 
 LEARN_TOY = ["--strategy", "random", "--regime", "quick", "--workers", "1"]
 RUN_TOY = [

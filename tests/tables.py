@@ -1,8 +1,10 @@
 """A table of operators written by hand: two categories, four primitives, one lift, one null."""
 
+from neurosym.grounding import Grounding
 from neurosym.operators import Category, Mode, Operator, OperatorTable, Primitive, Vector
 from neurosym.pddl import compile_domain
-from neurosym.pddl.grounding import Grounding
+from neurosym.pddl.moves import cost
+from neurosym.pddl.plan_text import PlanStep
 from neurosym.problems import Problem, SceneObject
 from neurosym.world import OutcomeKind, Table
 
@@ -59,3 +61,22 @@ def problem() -> Problem:
     objects = (item("item-01", 0.4512, 0.0133), item("item-02", 0.6, -0.1, category="11", height=0.04))
     goals = {"item-01": (0.535, -0.02, 0.228), "item-02": (0.545, -0.087, 0.02)}
     return Problem("errand", objects, goals, provenance="seed 7")
+
+
+def total_cost(steps: tuple[PlanStep, ...]) -> int:
+    return sum(cost(grounding().operator_named(step.operator)) for step in steps if not step.puts_down)
+
+
+PUSH, LEFT = PlanStep("push-away-001-block", "item-01"), PlanStep("push-left-000-block", "item-01")
+
+
+LIFT, DOWN = PlanStep("lift-010-block", "item-01"), PlanStep("put-down-lift-010-block", "item-01")
+
+
+PULL, TRAY_LEFT = PlanStep("pull-010-tray", "item-02"), PlanStep("push-left-000-tray", "item-02")
+
+
+def crossing() -> Problem:
+    """Two blocks in a column: the one in front must leave before the one behind may follow."""
+    objects = (item("item-01", 0.5, 0.0), item("item-02", 0.5, 0.0832))
+    return Problem("crossing", objects, {"item-01": (0.5, 0.0832, 0.025), "item-02": (0.5, 0.1664, 0.025)})

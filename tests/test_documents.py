@@ -4,8 +4,8 @@ import re
 from pathlib import Path
 
 import pytest
+from places import ROOT
 
-ROOT = Path(__file__).parent.parent
 DOCUMENTS = [ROOT / "README.md", *sorted((ROOT / "docs").glob("*.md"))]
 MEASURED = ROOT / "docs" / "results"
 """Written by the evaluations, each when it is run."""
@@ -25,8 +25,8 @@ def test_every_local_link_leads_somewhere(path: Path):
 @pytest.mark.parametrize("path", DOCUMENTS, ids=lambda path: path.name)
 def test_every_test_that_is_named_exists(path: Path):
     text = path.read_text()
-    for name in re.findall(r"tests/test_\w+\.py", text):
+    for name in re.findall(r"tests/(?:\w+/)*test_\w+\.py", text):
         assert (ROOT / name).is_file(), name
-    sources = "".join(file.read_text() for file in (ROOT / "tests").glob("test_*.py"))
+    sources = "".join(file.read_text() for file in (ROOT / "tests").rglob("test_*.py"))
     for name in re.findall(r"`(test_\w+)`", text):
         assert f"def {name}(" in sources, name

@@ -7,8 +7,9 @@ import pytest
 from tables import BOUNDS, grounding, mode, table
 
 from neurosym.errors import InvalidFile, InvalidValue, UnknownChoice
+from neurosym.grounding import Grounding
 from neurosym.operators import Operator
-from neurosym.pddl import Grounding, compile_domain
+from neurosym.pddl import compile_domain
 
 
 def test_only_operators_worth_planning_with_are_live():

@@ -6,9 +6,9 @@ from tables import table
 
 from neurosym.errors import InvalidFile, InvalidValue
 from neurosym.files import read_json, write_json
+from neurosym.grounding import Grounding
 from neurosym.operators import Mode, Operator, OperatorTable, Primitive
 from neurosym.pddl import compile_domain
-from neurosym.pddl.grounding import Grounding
 from neurosym.world import Table
 
 

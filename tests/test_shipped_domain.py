@@ -1,24 +1,21 @@
 """`domains/tabletop` as it is shipped: complete, true to its record, taken unchanged by other programs."""
 
 import warnings
-from pathlib import Path
 
 import pytest
+from shipped import FOLDER, GROUNDING
 
 import neurosym
 from neurosym.files import digest, read_json
-from neurosym.folder import DomainFolder
 from neurosym.operators import OperatorTable
-from neurosym.outcomes import with_every_outcome
-from neurosym.pddl import Grounding, domain_text, problem_text
-from neurosym.pddl.replay import replay
-from neurosym.plan_stages import PlanRecord, load_problem
+from neurosym.pddl import domain_text, problem_text
+from neurosym.pddl.determinisation import with_every_outcome
+from neurosym.pddl.validation import replay
 from neurosym.planners import PlanStatus, plan
 from neurosym.planners.fast_downward import plan_fast_downward
+from neurosym.stages.planning import PlanRecord, load_problem
 
-FOLDER = DomainFolder(Path(__file__).parent.parent / "domains" / "tabletop")
 NAMES = FOLDER.problem_names()
-GROUNDING = Grounding.load(FOLDER / "grounding.json")
 
 
 def shipped_plan(name: str) -> PlanRecord:

@@ -1,15 +1,14 @@
 """The toy world's domain, exact to the letter; run this file as a program to write the golden file anew."""
 
-from pathlib import Path
-
 import pytest
+from places import GOLDEN
 from toy_domain import WORLD, grounding, problem
 
-from neurosym.execution import execute
+from neurosym.execution.executor import execute
 from neurosym.pddl import domain_text
 from neurosym.planners import PLANNERS, PlanStatus, plan
 
-GOLDEN = Path(__file__).parent / "golden" / "toy.pddl"
+GOLDEN = GOLDEN / "toy.pddl"
 
 
 def test_domain_of_the_toy_world_is_exactly_the_golden_one():

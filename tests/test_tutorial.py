@@ -4,12 +4,13 @@ import ast
 import re
 import warnings
 from importlib import import_module
-from pathlib import Path
 
 import nbformat
 import pytest
+from places import DOCS
 
-DOCS = Path(__file__).parent.parent / "docs"
+from tools import run_tutorial
+
 NOTEBOOK = nbformat.read(DOCS / "tutorial.ipynb", as_version=4)
 CELLS = [cell for cell in NOTEBOOK.cells if cell.cell_type == "code"]
 
@@ -57,9 +58,6 @@ def test_documents_that_it_points_to_exist():
 
 @pytest.mark.evaluation
 def test_every_cell_runs_and_what_it_asserts_holds(monkeypatch):
-    monkeypatch.syspath_prepend(DOCS.parent / "tools")
-    import run_tutorial
-
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")  # those of the kernel and its messages
         ran = run_tutorial.run(nbformat.read(run_tutorial.TUTORIAL, as_version=4))

@@ -11,13 +11,14 @@ from pathlib import Path
 
 import pytest
 
-from neurosym.curiosity import LearningConfig
-from neurosym.exploration import ExplorationConfig, explore
+from neurosym.exploration.choice import ExplorationConfig
+from neurosym.exploration.curiosity import LearningConfig
+from neurosym.exploration.loop import explore
 from neurosym.files import read_json
-from neurosym.plan_stages import PlanRecord
 from neurosym.planners import PlanStatus
 from neurosym.planners.fast_downward import plan_fast_downward
-from neurosym.world_file import make_world
+from neurosym.stages.planning import PlanRecord
+from neurosym.worlds.world_file import make_world
 
 LEARN = ["--steps", "512", "--seed", "7", "--regime", "quick", "--rehearsals", "24", "--problems", "4"]
 TABLETOP = partial(make_world, "tabletop", {})

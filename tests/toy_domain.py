@@ -1,10 +1,10 @@
 """The toy world's true table of operators, written down by hand from its rules, and problems for it."""
 
+from neurosym.grounding import Grounding
 from neurosym.operators import Category, Mode, Operator, OperatorTable, Primitive, Vector
 from neurosym.pddl import compile_domain
-from neurosym.pddl.grounding import Grounding
 from neurosym.problems import Problem, SceneObject
-from neurosym.toy_world import ToyConfig, ToyWorld
+from neurosym.worlds.toy import ToyConfig, ToyWorld
 
 WORLD = ToyWorld(ToyConfig())
 LIFT = (0.0, 0.0, 0.0, 0.9, 0.0, 0.0, 0.0, 0.1, 0.0, 0.0, 0.0, 0.1)

@@ -2,11 +2,12 @@
 
 from functools import cache
 
-from neurosym.exploration import ExplorationConfig, explore
-from neurosym.interactions import Interactions
-from neurosym.model_config import DirectConfig, ModelConfig
-from neurosym.toy_world import make_world
-from neurosym.training_config import TrainingConfig
+from neurosym.data.interactions import Interactions
+from neurosym.exploration.choice import ExplorationConfig
+from neurosym.exploration.loop import explore
+from neurosym.learning.model_config import DirectConfig, ModelConfig
+from neurosym.learning.training_config import TrainingConfig
+from neurosym.worlds.toy import make_world
 
 SMALL = ModelConfig(hidden=16)
 MOMENT = {

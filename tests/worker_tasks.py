@@ -5,8 +5,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from neurosym.toy_world import ToyWorld, make_world
-from neurosym.workers import Task
+from neurosym.worlds.toy import ToyWorld, make_world
+from neurosym.worlds.workers import Task
 
 
 def some_tasks(count):

@@ -9,10 +9,11 @@ from pathlib import Path
 
 from neurosym.console import say, show_table
 from neurosym.files import read_json
-from neurosym.folder import DomainFolder
-from neurosym.pddl_stages import compile_stage
-from neurosym.plan_stages import PlanRecord, load_problem, plan_files, plan_stage
-from neurosym.run_stages import Showing, execute_stage, load_run
+from neurosym.stages.compiling import compile_stage
+from neurosym.stages.executing import Showing, execute_stage, load_run
+from neurosym.stages.folder import DomainFolder
+from neurosym.stages.layout import plan_files
+from neurosym.stages.planning import PlanRecord, load_problem, plan_stage
 
 SHIPPED = Path(__file__).parent.parent / "domains" / "tabletop"
 DEMO = Path("demo")

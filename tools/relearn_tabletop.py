@@ -5,17 +5,17 @@ Resumable: start it again after an interruption, and nothing is done twice. None
 
 from pathlib import Path
 
-from neurosym.commands import run
+from neurosym.commands.run import run
 from neurosym.console import say
 from neurosym.files import read_json, write_atomically
-from neurosym.folder import PRIMITIVES, DomainFolder
+from neurosym.grounding import Grounding
+from neurosym.learning.report import TrainingSummary
 from neurosym.operators import Category, Operator, OperatorTable, Vector
-from neurosym.pddl.grounding import Grounding
-from neurosym.pddl_stages import problem_stage
-from neurosym.plan_stages import PlanRecord, load_problem, plan_files, plan_stage
-from neurosym.reporting import TrainingSummary
-from neurosym.run_stages import execute_stage, load_run
-from neurosym.stages import TRAINING
+from neurosym.stages.compiling import problem_stage
+from neurosym.stages.executing import execute_stage, load_run
+from neurosym.stages.folder import DomainFolder
+from neurosym.stages.layout import PRIMITIVES, TRAINING, plan_files
+from neurosym.stages.planning import PlanRecord, load_problem, plan_stage
 
 FOLDER = Path("domains/tabletop")
 STEPS, SEED = 10_000, 1

@@ -2,5 +2,4 @@
 
 from neurosym.pddl.compiler import compile_domain as compile_domain
 from neurosym.pddl.domain import domain_text as domain_text
-from neurosym.pddl.grounding import Grounding as Grounding
 from neurosym.pddl.problem import problem_text as problem_text

@@ -4,10 +4,10 @@ import math
 from collections.abc import Iterable
 
 from neurosym.errors import InvalidValue
+from neurosym.grounding import FORMAT, Grounding
 from neurosym.naming import counted_axes
 from neurosym.operators import OperatorTable
-from neurosym.outcomes import with_every_outcome
-from neurosym.pddl.grounding import FORMAT, Grounding
+from neurosym.pddl.determinisation import with_every_outcome
 from neurosym.problems import LEGAL_NAME
 from neurosym.world import Table
 

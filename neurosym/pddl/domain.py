@@ -8,8 +8,8 @@ serves both, and both are positive STRIPS with types and action costs. Equal gro
 """
 
 from neurosym.errors import UnknownChoice
+from neurosym.grounding import Grounding
 from neurosym.pddl.grid import AXES, grid_of
-from neurosym.pddl.grounding import Grounding
 from neurosym.pddl.moves import (
     ENCODINGS,
     REACH_GOAL,

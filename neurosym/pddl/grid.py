@@ -12,8 +12,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 
 from neurosym.errors import InvalidValue
+from neurosym.grounding import Cells, Grounding, is_lift
 from neurosym.operators import Vector
-from neurosym.pddl.grounding import Cells, Grounding, is_lift
 from neurosym.problems import SceneObject
 
 AXES = ("x", "y", "z")

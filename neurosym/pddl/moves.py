@@ -4,9 +4,9 @@ import math
 from dataclasses import dataclass
 from typing import Literal
 
+from neurosym.grounding import Cells, Grounding, is_lift
 from neurosym.operators import Operator
 from neurosym.pddl.grid import AXES
-from neurosym.pddl.grounding import Cells, Grounding, is_lift
 
 Encoding = str
 ENCODINGS: tuple[Encoding, ...] = ("stepwise", "operators", "numeric")

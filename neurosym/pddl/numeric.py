@@ -15,8 +15,8 @@ from collections.abc import Iterator
 
 import msgspec
 
+from neurosym.grounding import Grounding
 from neurosym.pddl.grid import AXES, best_levels, levels
-from neurosym.pddl.grounding import Grounding
 from neurosym.pddl.moves import Move, moves_of
 from neurosym.pddl.printing import (
     about_move,

@@ -10,9 +10,9 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from neurosym.errors import InvalidFile, InvalidPlan, InvalidValue, UnknownChoice, shortened
+from neurosym.grounding import Grounding, is_lift
 from neurosym.operators import Operator
 from neurosym.pddl.grid import AXES, grid_of
-from neurosym.pddl.grounding import Grounding, is_lift
 from neurosym.pddl.moves import FINISH, PUT_DOWN, REACH_GOAL, Encoding, moves_of, parts_of
 from neurosym.problems import Problem
 

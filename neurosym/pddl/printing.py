@@ -2,8 +2,8 @@
 
 import textwrap
 
+from neurosym.grounding import Grounding
 from neurosym.operators import Effect
-from neurosym.pddl.grounding import Grounding
 from neurosym.pddl.moves import Encoding, Move
 
 

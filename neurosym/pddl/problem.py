@@ -4,8 +4,8 @@ import math
 import re
 
 from neurosym.errors import InvalidValue
+from neurosym.grounding import Grounding
 from neurosym.pddl.grid import AXES, Grid, check_on_table, goal_region, grid_of
-from neurosym.pddl.grounding import Grounding
 from neurosym.pddl.moves import Encoding, shift_predicate, shifts_of
 from neurosym.pddl.numeric import STEPS as NUMERIC_STEPS
 from neurosym.pddl.numeric import numeric_problem_text

@@ -9,8 +9,8 @@ that searches break ties alike and find the same plans.
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 
+from neurosym.grounding import Grounding
 from neurosym.pddl.grid import AXES, Grid, goal_region, grid_of
-from neurosym.pddl.grounding import Grounding
 from neurosym.pddl.moves import REACH_GOAL, Move, moves_of, parts_of
 from neurosym.pddl.problem import STEPS, check_object
 from neurosym.problems import Problem, SceneObject

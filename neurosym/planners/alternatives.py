@@ -5,7 +5,7 @@ from collections import Counter
 from collections.abc import Sequence
 from itertools import takewhile
 
-from neurosym.pddl.grounding import Grounding
+from neurosym.grounding import Grounding
 from neurosym.pddl.plan_text import PlanStep
 from neurosym.planners.count_vectors import Candidate, Choices, candidates
 from neurosym.planners.counting import Join

@@ -10,8 +10,8 @@ from dataclasses import dataclass
 import numpy as np
 from jaxtyping import Bool, Float
 
+from neurosym.grounding import Grounding, at_rest, is_lift
 from neurosym.operators import Operator, Vector
-from neurosym.pddl.grounding import Grounding, at_rest, is_lift
 from neurosym.problems import Problem
 
 Names = tuple[tuple[str, ...], ...]

@@ -7,8 +7,7 @@ from functools import partial
 
 from neurosym.errors import UnknownChoice
 from neurosym.pddl.moves import SAS, Encoding
-from neurosym.planners.fast_downward import LAMA_FIRST, Search, plan_fast_downward
-from neurosym.planners.programs import (
+from neurosym.planners.external import (
     ENHSP,
     FORBID_ITERATIVE,
     KAIROS,
@@ -19,6 +18,7 @@ from neurosym.planners.programs import (
     Program,
     plan_program,
 )
+from neurosym.planners.fast_downward import LAMA_FIRST, Search, plan_fast_downward
 from neurosym.planners.result import PlannerAnswer
 from neurosym.planners.unified_planning import plan_unified_planning
 

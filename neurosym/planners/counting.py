@@ -16,10 +16,10 @@ from itertools import count
 
 import numpy as np
 
-from neurosym.pddl.grounding import Grounding
+from neurosym.grounding import Grounding
 from neurosym.pddl.moves import PUT_DOWN, step_cost
 from neurosym.pddl.plan_text import PlanStep
-from neurosym.pddl.replay import footprints_apart, overlapping
+from neurosym.pddl.validation import footprints_apart, overlapping
 from neurosym.planners.branching import Branching, Names, branching_of
 from neurosym.planners.count_vectors import Candidate, Choices, candidates, nearest
 from neurosym.planners.ordering import mend

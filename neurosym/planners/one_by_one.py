@@ -17,14 +17,14 @@ import msgspec
 import numpy as np
 from jaxtyping import Float
 
+from neurosym.grounding import Grounding
 from neurosym.operators import Vector, vector
-from neurosym.pddl.grounding import Grounding
 from neurosym.pddl.plan_text import PlanStep
-from neurosym.pddl.replay import footprints_apart, overlapping, replay
+from neurosym.pddl.validation import footprints_apart, overlapping, replay
 from neurosym.planners.counting import Join, plan_counting
 from neurosym.planners.ordering import ends_held, mend
+from neurosym.planners.parallel import plan_together
 from neurosym.planners.result import PlanResult, PlanStatus
-from neurosym.planners.together import plan_together
 from neurosym.problems import Problem, SceneObject
 
 NARROWER = (3, 6)

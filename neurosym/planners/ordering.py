@@ -11,9 +11,9 @@ from collections.abc import Sequence
 import numpy as np
 from jaxtyping import Bool, Float, Int
 
-from neurosym.pddl.grounding import Grounding, is_lift
+from neurosym.grounding import Grounding, is_lift
 from neurosym.pddl.plan_text import PlanStep
-from neurosym.pddl.replay import Replay, footprints_apart, replay
+from neurosym.pddl.validation import Replay, footprints_apart, replay
 from neurosym.problems import Problem
 
 MOST_STATES = 2_000

@@ -5,16 +5,16 @@ import dataclasses
 import msgspec
 
 from neurosym.errors import InvalidValue, UnknownChoice
+from neurosym.grounding import Grounding
 from neurosym.pddl.grid import check_on_table
-from neurosym.pddl.grounding import Grounding
 from neurosym.pddl.moves import Encoding
 from neurosym.planners.bfs import DEPTH, plan_bfs
 from neurosym.planners.branching import Branching, branching_of
 from neurosym.planners.catalogue import PDDL_PLANNERS
 from neurosym.planners.counting import plan_counting
-from neurosym.planners.reach import explain_clash, explain_no_plan
+from neurosym.planners.no_plan import explain_clash, explain_no_plan
+from neurosym.planners.refinement import plan_pddl
 from neurosym.planners.result import PlanResult, PlanStatus
-from neurosym.planners.solve import plan_pddl
 from neurosym.problems import NEAR_TABLE, Problem
 
 PLANNERS = {

@@ -48,8 +48,8 @@ def _judge(finished: Finished) -> tuple[PlanStatus, str]:
     return PlanStatus.FAILED, f"unified-planning ended with code {finished.code}: {finished.last_words}"
 
 
-def _main(domain: str, problem: str, plan: str, engine: str) -> PlanStatus:
-    """Read, solve, and write the plan; whatever is printed last becomes the reason if there is none."""
+def _main(domain: str, problem: str, plan: str, engine: str) -> tuple[PlanStatus, str]:
+    """Read, solve, and write the plan; return how it went, and that in words."""
     from unified_planning.engines import PlanGenerationResultStatus as Status
     from unified_planning.io import PDDLReader
     from unified_planning.shortcuts import OneshotPlanner, get_environment
@@ -58,15 +58,17 @@ def _main(domain: str, problem: str, plan: str, engine: str) -> PlanStatus:
     task = PDDLReader().parse_problem(domain, problem)
     with OneshotPlanner(name=engine) as planner:
         result = planner.solve(task)
-    print(f"{engine} through unified-planning says {result.status.name}")
+    said = f"{engine} through unified-planning says {result.status.name}"
     if result.plan is not None:
         lines = (" ".join((a.action.name, *map(str, a.actual_parameters))) for a in result.plan.actions)
         Path(plan).write_text("".join(f"({line})\n" for line in lines))
-        return PlanStatus.SOLVED
+        return PlanStatus.SOLVED, said
     if result.status in (Status.UNSOLVABLE_PROVEN, Status.UNSOLVABLE_INCOMPLETELY):
-        return PlanStatus.UNSOLVABLE
-    return PlanStatus.TIMEOUT if result.status is Status.TIMEOUT else PlanStatus.FAILED
+        return PlanStatus.UNSOLVABLE, said
+    return PlanStatus.TIMEOUT if result.status is Status.TIMEOUT else PlanStatus.FAILED, said
 
 
 if __name__ == "__main__":
-    sys.exit(_EXIT[_main(*sys.argv[1:])])
+    status, said = _main(*sys.argv[1:])
+    print(said)  # the last words become the reason, if there is no plan
+    sys.exit(_EXIT[status])

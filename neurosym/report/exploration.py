@@ -6,7 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 from jaxtyping import Bool, Float
 
-from neurosym.interactions import Interactions
+from neurosym.data.interactions import Interactions
 from neurosym.naming import CARRIED, NO_EFFECT, name_axes
 from neurosym.report.charts import ASPECT, Axis, Chart, areas, dots
 

@@ -5,13 +5,12 @@ from dataclasses import dataclass
 import numpy as np
 
 from neurosym.files import read_json
-from neurosym.folder import DomainFolder
-from neurosym.learning_curve import LearningCurve
+from neurosym.learning.learning_curve import LearningCurve
+from neurosym.learning.report import TrainingSummary, error_table
 from neurosym.naming import name_axes
 from neurosym.report.charts import Axis, Chart, lines
-from neurosym.report.stages import CURVE
-from neurosym.reporting import TrainingSummary, error_table
-from neurosym.stages import TRAINING
+from neurosym.stages.folder import DomainFolder
+from neurosym.stages.layout import CURVE, TRAINING
 
 
 @dataclass(frozen=True, slots=True)

@@ -3,8 +3,8 @@
 from dataclasses import dataclass
 
 from neurosym.explain.action_words import displacement_in_words, spread_in_words
+from neurosym.grounding import Grounding
 from neurosym.operators import OperatorTable
-from neurosym.pddl.grounding import Grounding
 from neurosym.pddl.moves import cost
 
 

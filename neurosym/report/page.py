@@ -1,41 +1,32 @@
 """The page: gathered from what a domain folder holds, and written as one HTML file."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
-from neurosym.comparison_summary import Comparison
 from neurosym.errors import InvalidValue, UnknownChoice
-from neurosym.evaluation import comparisons_of
-from neurosym.examples import Example, problem_reader, runs_of, telling_examples
+from neurosym.evaluation.comparison_summary import Comparison
+from neurosym.evaluation.paper_tables import comparisons_of
 from neurosym.files import read_json
-from neurosym.folder import (
-    GROUNDING,
-    INTERACTIONS,
-    MODEL,
-    PRIMITIVES,
-    WORLD,
-    DomainFolder,
-    Stage,
-    versions,
-)
+from neurosym.grounding import Grounding
 from neurosym.operators import OperatorTable
-from neurosym.pddl.grounding import Grounding
+from neurosym.progress import Progress
 from neurosym.report.charts import Chart
+from neurosym.report.examples import Example, problem_reader, runs_of, telling_examples
 from neurosym.report.exploration import Explored, explored
 from neurosym.report.learning import Learned, curve_charts, learned
 from neurosym.report.operators import OperatorRow, operator_rows
 from neurosym.report.plans import PlannerSummary, PlanRow, plan_rows, summaries
-from neurosym.report.stages import Shown, primitive_stage, run_stage, shown
+from neurosym.report.strips import Shown, primitive_stage, run_stage, shown
+from neurosym.stages.folder import DomainFolder
+from neurosym.stages.layout import GROUNDING, INTERACTIONS, MODEL, PRIMITIVES, WORLD
+from neurosym.stages.manifest import Stage, versions
 
 if TYPE_CHECKING:
     from neurosym.explain.explanation import Explanation
 
 EXAMPLES = 6
 """How many runs are shown in pictures."""
-
-Progress = Callable[[int, int], None]
-"""Called with the number of pictures made and of those wanted."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -93,8 +84,8 @@ def gather(folder: DomainFolder, progress: Progress) -> Page:
     Raises:
         InvalidFile: If a file is damaged, other than a plan's record, a run or a problem: those are named.
     """
-    from neurosym.explain.command import explain_folder
-    from neurosym.interactions import Interactions
+    from neurosym.data.interactions import Interactions
+    from neurosym.explain.from_folder import explain_folder
 
     has = {name: (folder / name).is_file() for name in (INTERACTIONS, PRIMITIVES, GROUNDING)}
     table = read_json(folder / PRIMITIVES, OperatorTable) if has[PRIMITIVES] else None

@@ -4,10 +4,11 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import partial
 
-from neurosym.examples import Example, ProblemReader, spared
 from neurosym.files import read_json
-from neurosym.folder import DomainFolder
-from neurosym.plan_stages import PlanRecord
+from neurosym.report.examples import Example, ProblemReader, spared
+from neurosym.stages.folder import DomainFolder
+from neurosym.stages.layout import PLANS
+from neurosym.stages.planning import PlanRecord
 
 
 @dataclass(frozen=True, slots=True)
@@ -47,8 +48,8 @@ def plan_rows(
     """
     runs = {example.name: example for example in examples}
     rows = []
-    for path in sorted((folder / "plans").glob("*.json")):
-        record = spared(partial(read_json, path, PlanRecord))
+    for path in sorted((folder / PLANS).glob("*.json")):
+        record = spared(partial(read_json, path, PlanRecord), folder.notify)
         problem = read_problem(record.problem) if record else None
         if record is None or problem is None:
             continue

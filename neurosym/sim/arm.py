@@ -6,14 +6,15 @@ and its tool point, between the fingertips, follows straight lines.
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from importlib.resources import files
 
 import numpy as np
 from jaxtyping import Float
 
 from neurosym.errors import InvalidValue
-from neurosym.sim import kinematics
 from neurosym.sim.config import TabletopConfig
+
+TOOL_DOWN = np.array([[1.0, 0.0, 0.0], [0.0, -1.0, 0.0], [0.0, 0.0, -1.0]])
+"""Orientation of the hand in the world: its z axis down, its fingers opening along the world's y axis."""
 
 InverseKinematics = Callable[[Float[np.ndarray, "N 3"]], Float[np.ndarray, "N J"]]
 """Joint angles [rad] that bring the tool point to each point of a path in the world [m], the hand down.
@@ -75,20 +76,3 @@ def check_reach(config: TabletopConfig, arm: Arm) -> None:
                 f"table_x = {list(config.table_x)}, table_y = {list(config.table_y)} and lift_height = "
                 f"{config.lift_height} m ask for more than the arm reaches: {error} Lengths are in metres."
             ) from error
-
-
-UR10 = Arm(
-    urdf=str(files("neurosym.sim") / "ur10.urdf"),
-    base=(0.0, 0.0, kinematics.BASE_HEIGHT),
-    joints=(0, 1, 2, 3, 4, 5),
-    fingers=(7, 8),
-    tool=9,
-    inverse_kinematics=kinematics.joints_for,
-    forces=(25.0, 25.0, 18.0, 6.0, 6.0, 6.0),
-    half_opening=0.07,
-    finger_length=0.09,
-    finger_half_width=0.011,
-    finger_thickness=0.012,
-    palm_half_size=(0.025, 0.075),
-)
-"""The paper's arm with a hand of 140 mm opening; its file scales the masses by 0.03 already."""

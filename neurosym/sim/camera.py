@@ -5,13 +5,13 @@ from collections.abc import Container
 import numpy as np
 from jaxtyping import Float
 
-from neurosym.dots import draw_dots
 from neurosym.sim.bullet import pybullet
 from neurosym.sim.config import TabletopConfig
 from neurosym.sim.ghosts import Colour, draw_ghosts
 from neurosym.sim.lens import HEIGHT, WIDTH, lens_over
 from neurosym.sim.simulation import Simulation
 from neurosym.sim.window import Window, is_window
+from neurosym.waypoint_dots import draw_dots
 from neurosym.world import Frame
 
 OBJECT_COLOURS: tuple[Colour, ...] = (

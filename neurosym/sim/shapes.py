@@ -7,6 +7,8 @@ from itertools import pairwise
 import numpy as np
 from jaxtyping import Float
 
+from neurosym.object_limits import Range
+
 FEATURE_NAMES = ("s_x", "s_y", "d", "t")
 """Size along x, size along y, height [m], and type: 0 solid, 1 open at the top, 2 open at both ends."""
 SOLID, OPEN_TOP, OPEN_THROUGH = 0.0, 1.0, 2.0
@@ -14,7 +16,6 @@ RING_SEGMENTS = 12
 
 Box = tuple[tuple[float, float, float], tuple[float, float, float], float]
 """Half extents [m], centre in the object's frame [m], and turn about the object's z axis [rad]."""
-Range = tuple[float, float]
 
 
 def boxes_of(features: Float[np.ndarray, "F"], wall: float) -> list[Box]:

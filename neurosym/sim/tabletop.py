@@ -6,9 +6,10 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 from jaxtyping import Float
 
+from neurosym.actions import ActionBox, three_waypoints
 from neurosym.errors import InvalidValue
 from neurosym.object_limits import ObjectLimits
-from neurosym.sim.arm import UR10, Arm, check_reach
+from neurosym.sim.arm import Arm, check_reach
 from neurosym.sim.bullet import pybullet
 from neurosym.sim.camera import Camera
 from neurosym.sim.config import MOST_OBJECTS, TabletopConfig
@@ -16,8 +17,9 @@ from neurosym.sim.interaction import Interaction
 from neurosym.sim.scenes import check_scene, sample_scene
 from neurosym.sim.shapes import FEATURE_NAMES
 from neurosym.sim.simulation import Simulation
+from neurosym.sim.ur10 import UR10
 from neurosym.sim.window import open_window
-from neurosym.world import ActionBox, Frame, FrameSink, Outcome, Scene, Table, check_action, three_waypoints
+from neurosym.world import Frame, FrameSink, Outcome, Scene, Table, check_action
 
 WINDOW_EVERY = 4
 """Steps of the simulation between two looks at the clock, when it is shown live."""

@@ -7,12 +7,12 @@ import time
 import numpy as np
 from jaxtyping import Float
 
-from neurosym.dots import DOT_COLOURS
 from neurosym.errors import InvalidValue
 from neurosym.sim.bullet import pybullet
 from neurosym.sim.ghosts import OPACITY, Colour, add_ghosts
 from neurosym.sim.lens import PITCH, YAW, Lens
 from neurosym.sim.simulation import Simulation
+from neurosym.waypoint_dots import DOT_COLOURS
 from neurosym.world import Scene
 
 DISTANCE = 1.0

@@ -1,0 +1,105 @@
+"""The command `neurosym compare`: the same drawn tasks to several planners."""
+
+import math
+from typing import TYPE_CHECKING, Annotated
+
+from tyro.conf import arg
+
+from neurosym.commands.options import CPUS, Folder, Seed, Workers, opened
+from neurosym.console import progress_bar, say, say_next, show_table
+from neurosym.errors import InvalidValue
+from neurosym.wording import quoted
+
+if TYPE_CHECKING:
+    from neurosym.evaluation.comparison_summary import Comparison
+
+
+def compare(
+    folder: Folder,
+    tasks: Annotated[int, arg(help="How many tasks to draw.")] = 100,
+    objects: Annotated[int, arg(help="Objects in each; each gets a goal.")] = 1,
+    seed: Seed = 0,
+    planners: Annotated[
+        tuple[str, ...],
+        arg(help="bfs (reads the network), bfs-operators (the table), fast-downward, ..."),
+    ] = ("bfs", "fast-downward"),
+    workers: Workers = CPUS,
+    tolerance: Annotated[float, arg(help="How near each object must come to its goal [m].")] = 0.05,
+    time_limit: Annotated[float, arg(help="When each planner gives up [s].")] = 60.0,
+) -> int:
+    """Give the same drawn tasks to several planners, and judge each plan in the model and in the world.
+
+    Task number i is drawn with seed SEED + i. A plan is followed blindly, and once more with replanning by
+    the planner that made it. Interrupt it when you like: what is measured is kept in DIR/comparison, and the
+    same command goes on.
+    """
+    from neurosym.evaluation.comparison import check_planners
+    from neurosym.evaluation.comparison_picture import draw_comparison
+    from neurosym.evaluation.comparison_summary import summarise
+    from neurosym.evaluation.comparison_tasks import Order, compare_tasks
+    from neurosym.files import write_json
+    from neurosym.worlds.workers import MOST_WORKERS
+
+    for name, value, most in (("tasks", tasks, math.inf), ("workers", workers, MOST_WORKERS)):
+        if not 1 <= value <= most:
+            limit = "" if most == math.inf else f" and at most {most}"
+            raise InvalidValue(f"{name} = {value} must be at least 1{limit}.")
+    for name, size in (("tolerance", tolerance), ("time-limit", time_limit)):
+        if not 0 < size < math.inf:
+            raise InvalidValue(f"{name} = {size} must be a number greater than 0.")
+    for name, value, least in (("seed", seed, 0), ("objects", objects, 1)):
+        if value < least:
+            raise InvalidValue(f"{name} = {value} must be at least {least}.")
+    planners = tuple(dict.fromkeys(planners))
+    check_planners(planners)
+    domain = opened(folder)
+    order = Order(domain.path, objects, planners, tolerance, time_limit)
+    records = []
+    with progress_bar("comparing") as advance:
+        for record in compare_tasks(order, range(seed, seed + tasks), workers=workers):
+            records.append(record)
+            advance(len(records), tasks)
+    comparison = summarise(records, planners)
+    write_json(order.place / "comparison.json", comparison)
+    kind = f"{objects} object{'' if objects == 1 else 's'}, {1000 * tolerance:g} mm"
+    title = f"{comparison.counted} tasks drawn with seeds {seed} to {seed + tasks - 1}, {kind}"
+    draw_comparison(comparison, title, order.place / "comparison.png")
+    _show(comparison, title)
+    say(f"wrote {order.place / 'comparison.json'}, comparison.png, and a file for each task")
+    say_next(f"neurosym new-problem {quoted(folder)} --name mine --seed {seed}")
+    return 0
+
+
+def _show(comparison: "Comparison", title: str) -> None:
+    """Print how each planner did, and why where it did not."""
+    counted = max(comparison.counted, 1)
+    columns = [title, *comparison.planners]
+    shares = {
+        "plan found": "found",
+        "valid in the model": "valid",
+        "predicted to arrive by the network": "predicted",
+        "reached, followed blindly": "reached",
+        "reached with replanning": "reached_with_replanning",
+    }
+    rows = [
+        [words, *(f"{getattr(tally, field) / counted:.0%}" for tally in comparison.planners.values())]
+        for words, field in shares.items()
+    ]
+    tallies = comparison.planners.values()
+    rows.append(["primitives, mean", *("-" if t.steps is None else f"{t.steps:.2f}" for t in tallies)])
+    rows.append(
+        ["planning, median [s]", *("-" if t.seconds is None else f"{t.seconds:.3f}" for t in tallies)]
+    )
+    show_table("the same tasks to each planner", columns, rows)
+    if comparison.met_at_start:
+        say(f"{comparison.met_at_start} more tasks need no step and are not counted")
+    say(f"{comparison.solved_by_none} of {comparison.counted} tasks have no plan by any of them")
+    for name, tally in comparison.planners.items():
+        for words, reasons in (
+            ("no plan where another has one", tally.unfound),
+            ("plan not valid", tally.invalid),
+            ("missed, followed blindly", tally.missed),
+            ("missed in spite of replanning", tally.missed_with_replanning),
+        ):
+            for reason, count in reasons.items():
+                say(f"  {name}: {words}: {reason} ({count})")

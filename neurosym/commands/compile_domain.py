@@ -1,0 +1,35 @@
+"""The command `neurosym compile-domain`: what was learned, as PDDL."""
+
+from typing import TYPE_CHECKING, Annotated
+
+from tyro.conf import arg
+
+from neurosym.commands.options import Folder, opened
+from neurosym.console import say, say_next
+from neurosym.stages.layout import GROUNDING
+from neurosym.wording import quoted
+
+if TYPE_CHECKING:
+    pass
+
+
+def compile_domain(
+    folder: Folder, cell: Annotated[float, arg(help="Edge of a grid cell [m].")] = 0.005
+) -> int:
+    """Compile the PDDL domain: `primitives.json` -> `domain.pddl` and its like, and `grounding.json`.
+
+    All domains say the same. `domain.pddl` moves one axis at a time and stays small on fine grids;
+    `domain-operators.pddl` has one action for each operator, reads best, and takes the same problems;
+    `domain-numeric.pddl` has numbers instead of a grid, and takes the problems NAME.numeric.pddl.
+    """
+    from neurosym.grounding import Grounding
+    from neurosym.stages.compiling import compile_stage
+
+    domain = opened(folder)
+    domain.perform(compile_stage(domain, cell=cell), again=True)
+    grounding = Grounding.load(domain / GROUNDING)
+    say(f"{len(grounding.live)} operators in {folder / 'domain.pddl'}; left out: {len(grounding.left_out)}")
+    for name, reason in grounding.left_out.items():
+        say(f"  {name}: {reason}")
+    say_next(f"neurosym new-problem {quoted(folder)}")
+    return 0

@@ -1,0 +1,52 @@
+"""The command `neurosym distill`: symbols to parameters, and what these do."""
+
+from typing import Annotated
+
+from tyro.conf import arg
+
+from neurosym.commands.options import (
+    CPUS,
+    Folder,
+    Seed,
+    Workers,
+    opened,
+)
+from neurosym.console import say, say_next
+from neurosym.operators import OperatorTable
+from neurosym.stages.layout import PRIMITIVES
+from neurosym.wording import quoted
+
+
+def distill(
+    folder: Folder,
+    objects: Annotated[int, arg(help="Objects that each primitive is rehearsed on.")] = 100,
+    seed: Seed = 0,
+    workers: Workers = CPUS,
+    choice: Annotated[
+        str,
+        arg(help="Which candidate stands for a symbol: predictable, or lowest-error (the paper)."),
+    ] = "predictable",
+) -> int:
+    """Turn action symbols into parameters and rehearse each in the world: -> `primitives.json`."""
+    from neurosym.commands.tables import show_operators
+    from neurosym.files import read_json
+    from neurosym.naming import counted_axes
+    from neurosym.stages.distilling import distill_stage
+
+    domain = opened(folder)
+    domain.perform(
+        distill_stage(domain, objects=objects, seed=seed, workers=workers, choice=choice), again=True
+    )
+    table = read_json(domain / PRIMITIVES, OperatorTable)
+    show_operators(table)
+    if table.measured == "rehearsal":
+        say_next(f"neurosym compile-domain {quoted(folder)}")
+        return 0
+    say("there is no world.toml, so nothing was rehearsed: effects are averages over the rows of the data")
+    if table.axes == 3:
+        say("a PDDL domain needs a world besides, and distilled again, primitives are rehearsed in it")
+        say_next(f"neurosym init {quoted(folder)} --world module:factory")
+    else:
+        say(f"no PDDL domain can be made of {counted_axes(table.axes)}: it moves objects along x, y and z")
+        say_next(f"neurosym explain {quoted(folder)}")
+    return 0

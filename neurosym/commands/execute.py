@@ -1,0 +1,73 @@
+"""The command `neurosym execute`: a plan, run in the world."""
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+from tyro.conf import Positional, arg
+
+from neurosym.commands.options import NO_RESULT, Folder, ProblemName, opened
+from neurosym.commands.showing import Gif, Gui, Strip, say_written, showing_of
+from neurosym.console import say, say_next
+from neurosym.errors import InvalidFile, InvalidValue
+from neurosym.wording import quoted
+
+if TYPE_CHECKING:
+    pass
+
+
+def execute(
+    folder: Folder,
+    problem: ProblemName,
+    plan_file: Annotated[Positional[Path], arg(metavar="PLAN", help="Any planner's plan, in IPC form.")],
+    replanner: Annotated[
+        str, arg(help="The planner that is asked for a new plan; see `neurosym planners`.")
+    ] = "fast-downward",
+    replans: Annotated[
+        int, arg(help="How many new plans may be asked for; 0: the plan is followed blindly to its end.")
+    ] = 10,
+    disturb: Annotated[
+        int | None,
+        arg(metavar="SEED", help="Nudge an object by 3 to 8 cm once during the run, drawn from this seed."),
+    ] = None,
+    gif: Gif = None,
+    strip: Strip = None,
+    gui: Gui = False,
+) -> int:
+    """Run a plan in the simulator, each step beside its promise; exit code 3 if it misses.
+
+    After every step what is left of the plan is replayed from what is seen. If it would miss the goal, a new
+    plan is made, which reckons with what each object did so far.
+    """
+    from neurosym.commands.tables import show_run
+    from neurosym.stages.executing import execute_stage, load_run
+    from neurosym.stages.layout import run_file
+
+    domain = opened(folder)
+    name = domain.problem(problem)
+    if plan_file.exists() and not plan_file.is_file():
+        raise InvalidFile(plan_file, "it is no file; name one that holds a plan")
+    if not plan_file.is_file():
+        raise InvalidValue(
+            f"There is no plan file {plan_file}; `neurosym plan {quoted(folder)} {name}` writes one."
+        )
+    made_for = plan_file.stem.split(".")[0]
+    if made_for != name and made_for in domain.problem_names():
+        say(f"note: {plan_file} seems to be made for {made_for}, not for {name}")
+    stage = execute_stage(
+        domain,
+        name,
+        plan_file,
+        replanner=replanner,
+        replans=replans,
+        nudge_seed=disturb,
+        showing=showing_of(gif, strip, gui),
+    )
+    domain.perform(stage, again=True)
+    run = load_run(domain, name, plan_file)
+    if not run.plan:
+        say(f"note: {plan_file} holds no step")
+    show_run(run)
+    record = folder / run_file(name, plan_file)
+    say_written(record, gif, strip)
+    say_next(f"neurosym replay {quoted(folder)} {quoted(record)}")
+    return 0 if run.reached else NO_RESULT

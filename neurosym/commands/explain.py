@@ -1,0 +1,50 @@
+"""The command `neurosym explain`: what the symbols mean, in words."""
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+from tyro.conf import arg
+
+from neurosym.commands.options import Folder, opened
+from neurosym.console import say, say_next
+from neurosym.errors import InvalidValue
+from neurosym.explain.from_folder import explain_folder
+from neurosym.files import write_atomically
+from neurosym.stages.layout import GROUNDING, WORLD
+from neurosym.wording import quoted
+
+if TYPE_CHECKING:
+    pass
+
+
+def explain(
+    folder: Folder,
+    output: Annotated[
+        Path | None, arg(metavar="FILE.md", help="Write it as Markdown here instead of printing it.")
+    ] = None,
+) -> int:
+    """Say in words what each symbol means: what the hand does and brings about, which objects are alike."""
+    from neurosym.commands.explain_text import explanation_page, show_explanation
+
+    domain = opened(folder)
+    if output:
+        _check_page_path(output)
+    explanation = explain_folder(domain)
+    if output:
+        write_atomically(output, explanation_page(explanation, domain.path.resolve().name))
+        say(explanation.summary[0])
+        say(f"wrote {output}")
+    else:
+        show_explanation(explanation)
+    if (domain / GROUNDING).is_file() and (domain / WORLD).is_file():
+        say_next(f"neurosym show {quoted(folder)} --primitive {explanation.actions[0].symbol}")
+    elif (domain / WORLD).is_file():
+        say_next(f"neurosym compile-domain {quoted(folder)}")
+    return 0
+
+
+def _check_page_path(path: Path) -> None:
+    if path.suffix.lower() != ".md" or path.is_dir() or not path.absolute().parent.is_dir():
+        raise InvalidValue(
+            f"No explanation can be written to {path}; name a file that ends in .md, in an existing folder."
+        )

@@ -1,0 +1,62 @@
+"""The command `neurosym explore`: the robot plays."""
+
+from typing import Annotated
+
+from tyro.conf import arg
+
+from neurosym.commands.options import (
+    CPUS,
+    Folder,
+    MinPredictedEffect,
+    RegimeName,
+    Seed,
+    Strategy,
+    opened,
+)
+from neurosym.console import say, say_next
+from neurosym.errors import InvalidValue
+from neurosym.strategies import DEFAULT_STRATEGY
+from neurosym.wording import quoted
+
+
+def explore(
+    folder: Folder,
+    strategy: Strategy = DEFAULT_STRATEGY,
+    steps: Annotated[int, arg(help="Interactions to make; more can be made later.")] = 10_000,
+    seed: Seed = 0,
+    regime: RegimeName = "default",
+    workers: Annotated[
+        int | None, arg(help="Processes that simulate (one per CPU); does not change the result.")
+    ] = None,
+    ray: Annotated[
+        str | None,
+        arg(
+            metavar="auto|HOST:PORT",
+            help="Simulate on all CPUs of a Ray cluster, this machine's or by address, instead of --workers.",
+        ),
+    ] = None,
+    min_predicted_effect: MinPredictedEffect = 0.0,
+) -> int:
+    """Let the robot explore, curious or at random: `world.toml` -> `interactions.npz`.
+
+    Interrupt it when you like: the same command goes on from the last block of 512 interactions.
+    """
+    from neurosym.stages.exploring import explore_stage
+
+    if workers is not None and ray is not None:
+        raise InvalidValue("Give --workers or --ray, not both: with --ray, all CPUs of the cluster simulate.")
+    domain = opened(folder)
+    stage = explore_stage(
+        domain,
+        strategy=strategy,
+        steps=steps,
+        seed=seed,
+        regime=regime,
+        workers=CPUS if workers is None else workers,
+        ray=ray,
+        min_predicted_effect=min_predicted_effect,
+    )
+    domain.perform(stage, again=True)
+    say(f"{steps} interactions in {folder / 'interactions.npz'}")
+    say_next(f"neurosym train {quoted(folder)}")
+    return 0

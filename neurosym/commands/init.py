@@ -1,0 +1,45 @@
+"""The command `neurosym init`: a new domain folder."""
+
+from pathlib import Path
+from typing import Annotated
+
+from tyro.conf import arg
+
+from neurosym.commands.options import (
+    Folder,
+    opened,
+)
+from neurosym.console import say, say_next
+from neurosym.errors import InvalidValue
+from neurosym.stages.layout import WORLD
+from neurosym.wording import quoted
+
+WorldName = Annotated[
+    str, arg(help="Which world, for a new folder: tabletop, toy, or your own as module:factory.")
+]
+
+
+def init(folder: Folder, world: WorldName = "tabletop") -> int:
+    """Make a new domain folder with a `world.toml` that holds every option of its world."""
+    from neurosym.stages.exploring import has_own_data
+
+    if (folder / WORLD).exists():
+        raise InvalidValue(
+            f"{folder / 'world.toml'} exists already; change it by hand, or name another folder."
+        )
+    make_folder(folder, world)
+    say_next(f"neurosym {'train' if has_own_data(opened(folder)) else 'explore'} {quoted(folder)}")
+    return 0
+
+
+def make_folder(folder: Path, world: str) -> None:
+    """Make a domain folder with every option of its world."""
+    from neurosym.files import write_atomically
+    from neurosym.worlds.world_file import default_text
+
+    if folder.exists() and not folder.is_dir():
+        raise InvalidValue(f"{folder} is not a folder; name another.")
+    text = default_text(world, folder)
+    folder.mkdir(parents=True, exist_ok=True)
+    write_atomically(folder / WORLD, text)
+    say(f"wrote {folder / 'world.toml'}")

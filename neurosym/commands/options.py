@@ -1,0 +1,53 @@
+"""Options that several commands of the command line share."""
+
+import os
+from pathlib import Path
+from typing import Annotated
+
+from tyro.conf import Positional, arg
+
+from neurosym.console import say
+from neurosym.stages.folder import DomainFolder
+
+Folder = Annotated[Positional[Path], arg(metavar="DIR", help="The domain folder.")]
+DataPath = Annotated[
+    Positional[Path],
+    arg(metavar="DATA", help="A data set: an .npz file, or a folder that holds interactions.npz."),
+]
+ProblemName = Annotated[
+    Positional[str],
+    arg(metavar="PROBLEM", help="A problem in DIR/problems: its name or its file."),
+]
+Seed = Annotated[int, arg(help="Where all random draws start: same seed, same bytes.")]
+Workers = Annotated[int, arg(help="Processes that simulate; their number does not change the result.")]
+Strategy = Annotated[
+    str,
+    arg(
+        help="How actions are chosen: disagreement (of several networks), entropy (the paper's, also called "
+        "curiosity), random or active."
+    ),
+]
+MinPredictedEffect = Annotated[
+    float,
+    arg(
+        metavar="METRES",
+        help="Choose only among candidates predicted to move the object at least this far in sum over the "
+        "axes, if there are any; disagreement and entropy only. 0: among all, as the paper prints it.",
+    ),
+]
+RegimeName = Annotated[
+    str, arg(help="Network and training: default, quick (a first look), paper (as printed).")
+]
+
+NO_RESULT = 3
+"""Exit code when the work was done and the answer is no: no plan, or the goal was not reached."""
+CPUS = os.cpu_count() or 1
+
+
+def opened(folder: Path) -> DomainFolder:
+    """Return a domain folder that prints its notes.
+
+    Raises:
+        FolderNotFound: If there is none.
+    """
+    return DomainFolder(folder, notify=lambda remark: say(f"note: {remark}"))

@@ -1,0 +1,101 @@
+"""The command `neurosym plan`: a problem to a plan."""
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+from tyro.conf import arg
+
+from neurosym.commands.options import NO_RESULT, Folder, ProblemName, opened
+from neurosym.console import say, say_next
+from neurosym.errors import InvalidValue
+from neurosym.wording import quoted
+
+if TYPE_CHECKING:
+    from neurosym.stages.planning import PlanRecord
+
+
+def plan(
+    folder: Folder,
+    problem: ProblemName,
+    planner: Annotated[str, arg(help="One of those that `neurosym planners` lists.")] = "fast-downward",
+    time_limit: Annotated[float, arg(help="When to give up [s].")] = 60.0,
+    encoding: Annotated[
+        str | None, arg(help="For PDDL planners: sas, stepwise, operators or numeric, instead of the usual.")
+    ] = None,
+    whole: Annotated[bool, arg(help="For PDDL planners: all objects at once instead of one by one.")] = False,
+    unit_costs: Annotated[
+        bool, arg(help="Every step costs the same, instead of the more the rarer it goes well; not for bfs.")
+    ] = False,
+    nearest: Annotated[
+        bool,
+        arg(help="If there is no plan, plan as near to the goal as objects come (exit code 3 if it misses)."),
+    ] = False,
+    alternatives: Annotated[
+        int, arg(metavar="K", help="Also write the K next-best plans: cheapest, of other steps.")
+    ] = 0,
+) -> int:
+    """Plan for a problem; exit code 3 if there is no plan, with the reason.
+
+    `bfs` is the paper's breadth-first search over the effects that the network predicts, three deep;
+    `counting` finds the fewest primitives there can be. Any other planner can be given DIR/domain.pddl and
+    DIR/problems/PROBLEM.pddl, and its plan file executed.
+    """
+    from neurosym.files import read_json
+    from neurosym.stages.layout import plan_files
+    from neurosym.stages.planning import PlanRecord, plan_stage
+
+    domain = opened(folder)
+    name = domain.problem(problem)
+    if not time_limit > 0:
+        raise InvalidValue(f"time-limit = {time_limit} must be greater than 0 s.")
+    stage = plan_stage(
+        domain,
+        name,
+        planner=planner,
+        time_limit=time_limit,
+        encoding=encoding,
+        whole=whole,
+        unit_costs=unit_costs,
+        nearest=nearest,
+        more=alternatives,
+    )
+    domain.perform(stage, again=True)
+    plan_file, record_file = plan_files(name, planner)
+    record = read_json(domain / record_file, PlanRecord)
+    _say_plan(record)
+    if record.steps or record.solved:
+        say(f"wrote {folder / plan_file}")
+        _say_alternatives(record, folder, alternatives)
+        say_next(f"neurosym execute {quoted(folder)} {name} {quoted(folder / plan_file)}")
+    return 0 if record.solved else NO_RESULT
+
+
+def _say_plan(record: "PlanRecord") -> None:
+    if record.solved:
+        remark = f" ({record.reason})" if record.reason else ""
+        count = f"{len(record.steps)} step{'' if len(record.steps) == 1 else 's'}"
+        chance = f"{record.chance or 0.0:.0%} likely to go as promised"
+        say(f"{count} in {record.seconds:.2f} s{remark}, {chance}:")
+    else:
+        say(f"no plan for {record.problem} ({record.status}, {record.seconds:.2f} s): {record.reason}")
+        if record.steps:
+            say("as near as it comes:")
+    _say_steps(record.steps)
+
+
+def _say_alternatives(record: "PlanRecord", folder: Path, wanted: int) -> None:
+    for other in record.alternatives:
+        say(f"or, {other.chance:.0%} likely, {folder / other.file}:")
+        _say_steps(other.steps)
+    from neurosym.planners.alternatives import LONGER
+
+    if len(record.alternatives) < wanted and record.solved:
+        found = len(record.alternatives)
+        only = f"only {found}" if found else "no"
+        most = f"of at most {LONGER} more primitives an object"
+        say(f"{only} other plan{'s' if found > 1 else ''} {most} {'were' if found > 1 else 'was'} found")
+
+
+def _say_steps(steps: tuple[tuple[str, str], ...]) -> None:
+    for operator, item in steps:
+        say(f"  ({operator} {item})")

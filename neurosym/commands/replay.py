@@ -1,0 +1,59 @@
+"""The command `neurosym replay`: a record of a run, run again."""
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+from tyro.conf import Positional, arg
+
+from neurosym.commands.options import NO_RESULT, Folder, opened
+from neurosym.commands.showing import Gif, Gui, Strip, say_written, showing_of
+from neurosym.console import say
+from neurosym.errors import InvalidFile, UnknownChoice
+from neurosym.stages.folder import DomainFolder
+from neurosym.stages.layout import RUNS
+
+if TYPE_CHECKING:
+    pass
+
+
+def replay(
+    folder: Folder,
+    record: Annotated[
+        Positional[Path],
+        arg(metavar="RUN", help="A record that `neurosym execute` wrote: its file, or its name in DIR/runs."),
+    ],
+    gif: Gif = None,
+    strip: Strip = None,
+    gui: Gui = False,
+) -> int:
+    """Run a record again, nudge and all, and say whether the same happens byte by byte (exit code 3: no)."""
+    from neurosym.stages.executing import replay_run
+
+    domain = opened(folder)
+    record = _record(domain, record)
+    inside = record.resolve()
+    if inside.is_relative_to(domain.path.resolve()):
+        for remark in domain.outdated((inside.relative_to(domain.path.resolve()).as_posix(),)):
+            say(f"note: {remark}")
+    run, difference = replay_run(domain, record, showing_of(gif, strip, gui))
+    say_written(gif, strip)
+    if difference:
+        say(f"something else happened than {record} says, first in {difference}")
+        return NO_RESULT
+    steps = f"{len(run.steps)} step{'' if len(run.steps) == 1 else 's'}"
+    say(f"the same happened again in {steps}, byte for byte; goal {'reached' if run.reached else 'missed'}")
+    return 0
+
+
+def _record(domain: DomainFolder, typed: Path) -> Path:
+    """Find the record of a run that was typed as a file, or as a name."""
+    from neurosym.stages.layout import RECORD
+
+    if typed.is_file():
+        return typed
+    known = {path.name.removesuffix(RECORD): path for path in (domain / RUNS).glob(f"*{RECORD}")}
+    if found := known.get(typed.name.removesuffix(RECORD)) if typed.name == str(typed) else None:
+        return found
+    if not known:
+        raise InvalidFile(typed, "there is no such file; `neurosym execute` writes one")
+    raise UnknownChoice("record of a run", str(typed), known)

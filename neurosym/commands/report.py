@@ -1,0 +1,49 @@
+"""The command `neurosym report`: one page about a domain folder."""
+
+from pathlib import Path
+from typing import Annotated
+
+from tyro.conf import arg
+
+from neurosym.commands.options import Folder, opened
+from neurosym.console import progress_bar, say
+from neurosym.errors import InvalidValue
+from neurosym.files import write_atomically
+from neurosym.stages.layout import PAGE
+
+_MEGABYTE = 1e6
+
+
+def report(
+    folder: Folder,
+    output: Annotated[
+        Path | None, arg(metavar="FILE.html", help="Write the page here and not to DIR/report.html.")
+    ] = None,
+    curve: Annotated[
+        bool, arg(help="Also fit to the first 512, 1024, ... interactions, for a learning curve: minutes.")
+    ] = False,
+) -> int:
+    """Write one HTML page about a domain: symbols in words and pictures, exploration, operators, plans, PDDL.
+
+    It needs no network and no scripts. What is missing is said with the command that makes it. Pictures are
+    made once, by performing primitives and runs again.
+    """
+    from neurosym.report.page import gather, render
+    from neurosym.report.strips import curve_stage
+
+    domain = opened(folder)
+    path = output or domain / PAGE
+    if path.suffix.lower() != ".html" or path.is_dir() or not path.absolute().parent.is_dir():
+        raise InvalidValue(
+            f"No page can be written to {path}; name a file that ends in .html, in an existing folder."
+        )
+    if curve:
+        with progress_bar("learning curve") as advance:
+            domain.perform(curve_stage(domain, advance), again=False)
+    with progress_bar("pictures") as advance:
+        page = gather(domain, advance)
+    text = render(page)
+    write_atomically(path, text)
+    say(f"wrote {path} ({len(text) / _MEGABYTE:.1f} MB)")
+    say(f"next: open {path} in a browser")
+    return 0

@@ -1,0 +1,69 @@
+"""The command `neurosym run`: the whole way."""
+
+from typing import Annotated
+
+from tyro.conf import arg
+
+from neurosym.commands.init import make_folder
+from neurosym.commands.options import (
+    CPUS,
+    Folder,
+    MinPredictedEffect,
+    RegimeName,
+    Seed,
+    Strategy,
+    Workers,
+    opened,
+)
+from neurosym.errors import InvalidValue
+from neurosym.stages.layout import WORLD
+from neurosym.strategies import DEFAULT_STRATEGY
+
+
+def run(
+    folder: Folder,
+    world: Annotated[
+        str | None,
+        arg(help="Which world, for a new folder: tabletop (default), toy, or your own as module:factory."),
+    ] = None,
+    strategy: Strategy = DEFAULT_STRATEGY,
+    steps: Annotated[int, arg(help="Interactions to explore for.")] = 10_000,
+    seed: Seed = 0,
+    regime: RegimeName = "default",
+    workers: Workers = CPUS,
+    rehearsals: Annotated[int, arg(help="Objects that each primitive is rehearsed on.")] = 100,
+    problems: Annotated[
+        int,
+        arg(help="Problems to draw, every second one with two objects; up to 30 if none has a plan."),
+    ] = 6,
+    min_predicted_effect: MinPredictedEffect = 0.0,
+) -> int:
+    """Go the whole way: explore, train, distil, compile, draw problems, plan and execute.
+
+    Interrupt it when you like: the same command goes on where it stopped, and does nothing twice.
+    """
+    from neurosym.stages.exploring import check_choices, check_steps
+    from neurosym.stages.whole_way import go_the_whole_way
+    from neurosym.worlds.world_file import read_world
+
+    check_choices(strategy, regime, min_predicted_effect)
+    if rehearsals < 1:
+        raise InvalidValue(f"rehearsals = {rehearsals} must be at least 1.")
+    if folder.is_dir():
+        check_steps(opened(folder), steps)
+    if not (folder / WORLD).exists():
+        make_folder(folder, world or "tabletop")
+    elif world and (found := read_world(folder / WORLD).args[0]) != world:
+        raise InvalidValue(f"{folder} is of the world {found!r}, not {world!r}; name another folder.")
+    go_the_whole_way(
+        opened(folder),
+        strategy=strategy,
+        steps=steps,
+        seed=seed,
+        regime=regime,
+        workers=workers,
+        rehearsals=rehearsals,
+        problems=problems,
+        min_predicted_effect=min_predicted_effect,
+    )
+    return 0

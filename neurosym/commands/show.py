@@ -1,0 +1,132 @@
+"""The command `neurosym show`: what was explored, learned or asked for, in pictures or live."""
+
+from collections.abc import Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+from tyro.conf import arg
+
+from neurosym.commands.options import Folder, opened
+from neurosym.console import say, say_next
+from neurosym.errors import InvalidValue
+from neurosym.stages.folder import DomainFolder
+from neurosym.stages.layout import GROUNDING, INTERACTIONS, MODEL, PICTURES, WORLD
+from neurosym.wording import quoted
+
+if TYPE_CHECKING:
+    from neurosym.pictures.motions import Motion
+    from neurosym.world import Outcome, World
+
+
+def show(
+    folder: Folder,
+    interaction: Annotated[
+        int | None, arg(metavar="I", help="Make row I of interactions.npz (0, 1, ...) happen again.")
+    ] = None,
+    primitive: Annotated[
+        str | None, arg(metavar="CODE", help="Perform a primitive on an object of each category.")
+    ] = None,
+    problem: Annotated[
+        str | None, arg(metavar="NAME", help="Show a problem's start, with its goals transparently.")
+    ] = None,
+    output: Annotated[
+        Path | None,
+        arg(help="Write a PNG, or an animated GIF, here and not in DIR/pictures; its ending decides."),
+    ] = None,
+    gui: Annotated[bool, arg(help="Show the motion live in a window instead.")] = False,
+) -> int:
+    """Show an interaction, a primitive or a problem: a strip of pictures, an animation, or live.
+
+    The dots mark the action's waypoints, as in the paper: blue the first, green the second, red the third.
+    """
+    from neurosym.pictures.images import check_picture_path
+
+    domain = opened(folder)
+    if sum(chosen is not None for chosen in (interaction, primitive, problem)) != 1:
+        raise InvalidValue("Name one thing to show: --interaction I, --primitive CODE or --problem NAME.")
+    if gui and (output or problem is not None):
+        raise InvalidValue("--gui shows a motion live and writes no file; leave out --output and --problem.")
+    if output:
+        check_picture_path(output)
+    if problem is not None:
+        _show_problem(domain, problem, output)
+    elif primitive is not None:
+        _show_primitive(domain, primitive, output, gui)
+    elif interaction is not None:
+        _show_interaction(domain, interaction, output, gui)
+    return 0
+
+
+def _show_interaction(domain: DomainFolder, number: int, output: Path | None, gui: bool) -> None:
+    from neurosym.data.interactions import Interactions
+    from neurosym.pictures.motions import judge, recall_interaction
+    from neurosym.worlds.world_file import read_world
+
+    world = read_world(domain.require(WORLD))()
+    interactions = Interactions.load(domain.require(INTERACTIONS))
+    motion, is_same_scene = recall_interaction(world, interactions, number)
+    (outcome,) = _show_motions(domain, world, [motion], f"interaction-{number}", output, gui)
+    say(judge(interactions, number, outcome, is_same_scene))
+    animated = output is not None and output.suffix.lower() == ".gif"
+    following = (
+        f"{(number + 1) % len(interactions)}" if animated else f"{number} --output interaction-{number}.gif"
+    )
+    say_next(f"neurosym show {quoted(domain.path)} --interaction {following}")
+
+
+def _show_primitive(domain: DomainFolder, symbol: str, output: Path | None, gui: bool) -> None:
+    from neurosym.grounding import Grounding
+    from neurosym.learning.effect_model import EffectModel
+    from neurosym.pictures.motions import primitive_motions
+    from neurosym.stages.manifest import rehearsal_options
+    from neurosym.worlds.world_file import read_world
+
+    world = read_world(domain.require(WORLD))()
+    grounding = Grounding.load(domain.require(GROUNDING))
+    grounding.primitive(symbol)
+    categorise = EffectModel.load(domain.require(MODEL)).object_symbols
+    objects, seed = rehearsal_options(domain.manifest())
+    motions = primitive_motions(world, grounding, symbol, categorise, objects=objects, seed=seed)
+    _show_motions(domain, world, motions, f"primitive-{symbol}", output, gui)
+    symbols = [primitive.symbol for primitive in grounding.operators.primitives]
+    following = symbols[(symbols.index(symbol) + 1) % len(symbols)]
+    say_next(f"neurosym show {quoted(domain.path)} --primitive {following}")
+
+
+def _show_problem(domain: DomainFolder, name: str, output: Path | None) -> None:
+    from neurosym.pictures.show import picture_problem
+    from neurosym.stages.planning import load_problem
+    from neurosym.worlds.world_file import read_world
+
+    world = read_world(domain.require(WORLD))()
+    problem = load_problem(domain, domain.problem(name), world)
+    path = _picture_path(domain, f"problem-{problem.name}", output)
+    picture_problem(world, problem, path)
+    say(f"wrote {path}")
+    say_next(f"neurosym plan {quoted(domain.path)} {problem.name}")
+
+
+def _show_motions(
+    domain: DomainFolder,
+    world: "World",
+    motions: "Sequence[Motion]",
+    name: str,
+    output: Path | None,
+    gui: bool,
+) -> "tuple[Outcome, ...]":
+    from neurosym.pictures.show import picture_motions, show_live, tell
+
+    path = None if gui else _picture_path(domain, name, output)
+    outcomes = picture_motions(world, motions, path) if path else show_live(world, motions)
+    for motion, outcome in zip(motions, outcomes, strict=True):
+        say(f"{motion.title}: {tell(outcome)}")
+    if path:
+        say(f"wrote {path}")
+    return outcomes
+
+
+def _picture_path(domain: DomainFolder, name: str, output: Path | None) -> Path:
+    if output:
+        return output
+    (domain / PICTURES).mkdir(exist_ok=True)
+    return domain / f"{PICTURES}/{name}.png"

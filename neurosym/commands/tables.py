@@ -1,0 +1,145 @@
+"""Tables for the command line: how well a model fits, what operators do, what became of plans."""
+
+import math
+from collections.abc import Sequence
+from pathlib import Path
+
+import numpy as np
+
+from neurosym.console import say, show_table
+from neurosym.data.check import FLAGS
+from neurosym.data.interactions import Interactions
+from neurosym.execution.record import Run
+from neurosym.files import read_json
+from neurosym.learning.report import TrainingSummary, error_table
+from neurosym.naming import NO_EFFECT, name_axes, names_of_features
+from neurosym.operators import CONVERGED, Effect, Operator, OperatorTable
+from neurosym.pddl.moves import PUT_DOWN
+
+
+def show_training(path: Path) -> None:
+    """Print how well a model fits interactions it was not trained on, beside trivial predictors.
+
+    Args:
+        path: The training report.
+
+    Raises:
+        InvalidFile: If it is no training report.
+    """
+    report = read_json(path, TrainingSummary)
+    show_table(f"mean absolute error, {report.held_out} held-out interactions", *error_table(report))
+    say(
+        f"R2 through the bits {report.r2_through_codes:.2f}, of a network without a bottleneck "
+        f"{report.r2_direct:.2f}: {_share(report)}"
+    )
+    used = f"{len(report.action_symbols)} for actions, {len(report.object_symbols)} for objects"
+    say(f"symbols used in the held-out interactions: {used}")
+
+
+def _share(report: TrainingSummary) -> str:
+    if report.share is None or report.r2_through_codes <= 0:
+        return "no better than the mean effect, so there is nothing to share"
+    return f"a share of {report.share:.2f}"
+
+
+def show_operators(table: OperatorTable) -> None:
+    """Print what each primitive does to each category."""
+    trials = "rehearsals" if table.measured == "rehearsal" else "rows"
+    measures = ["effect [mm]", "spread [mm]"] if table.axes == 3 else ["effect", "spread"]
+    columns = ["operator", trials, "as promised", "ends", *measures]
+    title = "operators" if table.measured == "rehearsal" else "operators, averaged from the data"
+    show_table(title, columns, [_operator_row(operator) for operator in table.operators])
+    if table.unreached:
+        say(f"no action was found that encodes to {', '.join(table.unreached)}")
+    for primitive in table.primitives:
+        if not primitive.has_converged:
+            say(
+                f"{primitive.symbol} is done by an action that hardly encodes to it: "
+                f"its mean squared error is {primitive.code_error:.2g}, and {CONVERGED} is the limit"
+            )
+
+
+def show_data(interactions: Interactions, path: Path) -> None:
+    """Print what a data set holds: its size, the range of each column, and how much happens in it.
+
+    Args:
+        interactions: The data set.
+        path: Where it stands.
+    """
+    given, axes = interactions.origin.get("feature_names", ()), name_axes(interactions.effects.shape[1])
+    grippers = interactions.origin.get("gripper_columns", ())
+    actions = [
+        f"gripper {n + 1}" if n in grippers else f"a{n + 1}" for n in range(interactions.actions.shape[1])
+    ]
+    rows = [
+        *_column_rows("features", names_of_features(interactions.features.shape[1], given), interactions),
+        *_column_rows("actions", actions, interactions),
+        *_column_rows("effects", axes, interactions),
+    ]
+    title = f"{path}: {len(interactions)} interactions"
+    show_table(title, ["column", "name", "least", "mean", "greatest", "spread"], rows)
+    moved = np.mean(np.linalg.norm(interactions.effects, axis=1) > NO_EFFECT)
+    shares = [f"{kind} {getattr(interactions, kind).mean():.0%}" for kind in FLAGS]
+    say(f"with an effect above {NO_EFFECT:g}: {moved:.0%}; {', '.join(shares)}")
+
+
+def _column_rows(array: str, names: Sequence[str], interactions: Interactions) -> list[list[str]]:
+    columns = interactions.columns[array].astype(np.float64)
+    figures = (columns.min(0), columns.mean(0), columns.max(0), columns.std(0))
+    return [
+        [f"{array}[:, {n}]", name, *(f"{values[n]:.4g}" for values in figures)]
+        for n, name in enumerate(names)
+    ]
+
+
+def _operator_row(operator: Operator) -> list[str]:
+    promise = operator.promise
+    row = [operator.name, str(operator.trials)]
+    if promise is None:
+        return [*row, "0", "never at rest or held", "", ""]
+    ends = f"{promise.kind} {promise.share:.0%}"
+    tell = _millimetres if len(promise.outcome) == 3 else _plain
+    measured = [tell(promise.outcome), tell(promise.scatter)]
+    return [*row, str(operator.successes), ends, *measured]
+
+
+def show_run(run: Run) -> None:
+    """Print for each step what was promised and what happened, and whether the goal was reached."""
+    rows = [
+        [
+            str(number),
+            f"{step.operator} {step.object}",
+            f"{step.promised} {_millimetres(step.promised_effect)}" if step.promised_effect else "nothing",
+            f"{step.happened} {_millimetres(step.effect)}",
+            "" if step.deviation is None else f"{1000 * step.deviation:.0f}",
+            "yes" if step.as_promised else "no",
+        ]
+        for number, step in enumerate(run.steps, 1)
+    ]
+    columns = ["", "step", "promised [mm]", "happened [mm]", "apart [mm]", "as promised"]
+    show_table(f"run of {run.problem}", columns, rows)
+    far = ", ".join(f"{name} {1000 * distance:.0f} mm" for name, distance in run.distances.items())
+    say(f"goal {'reached' if run.reached else 'missed'}: {far} from it")
+    if run.nudge:
+        by = 1000 * math.hypot(*run.nudge.by)
+        say(f"before step {run.nudge.before_step} {run.nudge.object} was nudged by {by:.0f} mm")
+    for new in run.replannings:
+        count = sum(not operator.startswith(PUT_DOWN) for operator, _ in new.plan)
+        steps = f"{count} step{'' if count == 1 else 's'}"
+        found = steps if new.plan else new.reason or "nothing is left to do"
+        say(f"new plan before step {new.before_step}, for {new.why}: {found}")
+    for number, step in enumerate(run.steps, 1):
+        if step.touched:
+            say(f"in step {number} the robot touched {', '.join(step.touched)}")
+        for name, how in step.disturbed.items():
+            say(f"in step {number} {name} was {how}, though it was not acted upon")
+    if run.reason:
+        say(run.reason)
+
+
+def _plain(effect: Effect) -> str:
+    return "(" + ", ".join(f"{value:.3g}" for value in effect) + ")"
+
+
+def _millimetres(vector: Effect) -> str:
+    return "(" + ", ".join(f"{1000 * value:.0f}" for value in vector) + ")"

@@ -1,0 +1,226 @@
+"""The data set of interactions, one row each, and its file.
+
+Axes, here and everywhere in the package:
+
+    N  interactions          F  object features (4)     K  bits of a symbol
+    B  samples in a batch    A  action parameters (12)  P  primitives
+    M  objects in a scene    E  effect axes (3)         C  candidate actions
+    O  effect axes, and the peak height on the way if it is predicted, too
+"""
+
+import io
+import json
+import zipfile
+import zlib
+from collections.abc import Sequence
+from dataclasses import dataclass, field, fields
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from jaxtyping import Bool, Float
+
+from neurosym.data.check import FLAGS, file_problems
+from neurosym.errors import InvalidFile
+from neurosym.files import write_atomically
+from neurosym.world import Outcome
+
+FORMAT = "neurosym-interactions-1"
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Interactions:
+    """Interactions in the order they were made; lengths in metres.
+
+    Attributes:
+        features: Features of the target object.
+        actions: Action parameters.
+        effects: Displacement of the target at the end of the rise [m].
+        resting_effects: Displacement of the target once everything is put down [m].
+        held: Whether the target hung from the gripper at the end of the rise.
+        toppled: Whether the target ended on another face.
+        lost: Whether the target ended off the table.
+        peak_heights: Greatest height of the target above its start on the way [m].
+        origin: How the data came about (strategy, seed, world, ...), as plain JSON values.
+    """
+
+    features: Float[np.ndarray, "N F"]
+    actions: Float[np.ndarray, "N A"]
+    effects: Float[np.ndarray, "N E"]
+    resting_effects: Float[np.ndarray, "N E"]
+    held: Bool[np.ndarray, "N"]
+    toppled: Bool[np.ndarray, "N"]
+    lost: Bool[np.ndarray, "N"]
+    peak_heights: Float[np.ndarray, "N"]
+    origin: dict[str, Any] = field(default_factory=dict)
+
+    def __post_init__(self) -> None:
+        for name in _ARRAYS:
+            assert len(getattr(self, name)) == len(self.features), name
+
+    def __len__(self) -> int:
+        return len(self.features)
+
+    def __getitem__(self, rows: slice | np.ndarray) -> "Interactions":
+        """Take some of the rows."""
+        return type(self)(**{name: column[rows] for name, column in self.columns.items()}, origin=self.origin)
+
+    @classmethod
+    def from_outcomes(
+        cls, outcomes: Sequence[Outcome], actions: Float[np.ndarray, "N A"], origin: dict[str, Any]
+    ) -> "Interactions":
+        """Gather outcomes and the actions that led to them.
+
+        Args:
+            outcomes: One for each row.
+            actions: The action performed in each.
+            origin: How the data came about.
+        """
+        return cls(
+            features=np.stack([o.start.features[o.target] for o in outcomes]).astype(np.float32),
+            actions=actions.astype(np.float32),
+            effects=np.stack([o.effect for o in outcomes]).astype(np.float32),
+            resting_effects=np.stack([o.resting_effect for o in outcomes]).astype(np.float32),
+            held=np.array([o.held for o in outcomes]),
+            toppled=np.array([o.toppled for o in outcomes]),
+            lost=np.array([o.lost for o in outcomes]),
+            peak_heights=np.array([o.peak_height for o in outcomes], dtype=np.float32),
+            origin=origin,
+        )
+
+    def join(self, more: "Interactions") -> "Interactions":
+        """Append the rows of another data set, keeping this one's origin."""
+        columns = {
+            name: np.concatenate([column, getattr(more, name)]) for name, column in self.columns.items()
+        }
+        return Interactions(**columns, origin=self.origin)
+
+    def save(self, path: Path) -> None:
+        """Write the data set as an .npz file whose bytes depend on nothing but the data."""
+        buffer = io.BytesIO()
+        origin = np.array(json.dumps({"format": FORMAT, **self.origin}, sort_keys=True))
+        np.savez_compressed(buffer, allow_pickle=False, **self.columns, origin=origin)
+        write_atomically(path, buffer.getvalue())
+
+    @property
+    def columns(self) -> dict[str, np.ndarray]:
+        """The arrays by name."""
+        return {name: getattr(self, name) for name in _ARRAYS}
+
+    @classmethod
+    def load(cls, path: Path) -> "Interactions":
+        """Read a data set; only `features`, `actions` and `effects` must be there.
+
+        Missing columns are filled in from what the effects say: nothing held, resting effect equal to effect.
+
+        Raises:
+            InvalidFile: If the file is not such an .npz file, or its columns do not fit together.
+        """
+        examination = examine(path)
+        if examination.interactions is None:
+            raise InvalidFile(path, examination.problems[0])
+        return examination.interactions
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Examination:
+    """What was found in a file that should hold a data set.
+
+    Attributes:
+        columns: The arrays that could be read, with their names.
+        origin: What it says of how they came about.
+        given: The names of all arrays in the file.
+        problems: What keeps the arrays from being a data set, a sentence's end each.
+        interactions: The data set, if there are no problems.
+    """
+
+    columns: dict[str, np.ndarray]
+    origin: dict[str, Any]
+    given: tuple[str, ...]
+    problems: tuple[str, ...]
+    interactions: Interactions | None
+
+
+def examine(path: Path) -> Examination:
+    """Read what can be read of a data set, and list what is wrong with it; nothing is ever unpickled.
+
+    Args:
+        path: The file.
+
+    Raises:
+        InvalidFile: If it is no .npz file at all.
+    """
+    columns, given, problems = _read_arrays(path)
+    origin: dict[str, Any] = {}
+    if "origin" in columns:
+        try:
+            origin = _read_origin(columns.pop("origin"))
+        except ValueError as error:
+            problems.append(str(error))
+    unread = [name for name in given if name in _ARRAYS and name not in columns]
+    found = file_problems(columns, origin)
+    problems += [problem for problem in found if not any(repr(name) in problem for name in unread)]
+    interactions = None if problems else Interactions(**_filled(columns), origin=origin)
+    return Examination(columns, origin, given, tuple(problems), interactions)
+
+
+_ARRAYS = tuple(f.name for f in fields(Interactions) if f.name != "origin")
+_DAMAGED = (
+    OSError,
+    ValueError,
+    EOFError,
+    KeyError,
+    TypeError,
+    RuntimeError,
+    MemoryError,
+    zipfile.BadZipFile,
+    zlib.error,
+)
+"""What numpy and zipfile raise for files that are damaged, foreign, encrypted or pickled."""
+
+
+def _read_arrays(path: Path) -> tuple[dict[str, np.ndarray], tuple[str, ...], list[str]]:
+    """Read the known arrays of a file and the names of all, and say which cannot be read and why."""
+    arrays, problems = {}, []
+    try:
+        with path.open("rb") as file, np.load(file, allow_pickle=False) as archive:
+            given = tuple(archive.files)
+            for name in filter(set(given).__contains__, (*_ARRAYS, "origin")):
+                try:
+                    arrays[name] = np.asarray(archive[name])
+                except _DAMAGED:
+                    problems.append(
+                        f"{name!r} is damaged, or holds Python objects, which are never unpickled; "
+                        "valid: a plain array"
+                    )
+    except _DAMAGED as error:
+        raise InvalidFile(path, "it is not an .npz file of plain arrays") from error
+    doubles = sorted({name for name in given if given.count(name) > 1})
+    problems += [f"it holds {given.count(name)} arrays {name!r}; valid: one of each" for name in doubles]
+    return arrays, given, problems
+
+
+def _read_origin(array: np.ndarray) -> dict[str, Any]:
+    """Read the JSON object in an array of one text; `ValueError` says what is wrong with it."""
+    try:
+        origin = json.loads(array.item()) if array.shape == () and array.dtype.kind == "U" else None
+    except (ValueError, RecursionError):
+        origin = None
+    if not isinstance(origin, dict):
+        raise ValueError(
+            "'origin' cannot be read; valid: a JSON object as text, like '{\"robot\": \"mine\"}'"
+        )
+    if (found := origin.pop("format", FORMAT)) != FORMAT:
+        raise ValueError(f"it is of the format {found!r}; valid: {FORMAT!r}, or no format in its origin")
+    return origin
+
+
+def _filled(columns: dict[str, np.ndarray]) -> dict[str, np.ndarray]:
+    rows = len(columns["features"])
+    defaults = {
+        "resting_effects": columns["effects"],
+        "peak_heights": np.zeros(rows),
+        **{name: np.zeros(rows, dtype=bool) for name in FLAGS},
+    }
+    full = {**defaults, **columns}
+    return {name: full[name].astype(bool if name in FLAGS else np.float32) for name in _ARRAYS}

@@ -1,0 +1,1 @@
+"""Evaluation: planners compared on the same tasks, and the paper's tables."""

@@ -1,0 +1,229 @@
+"""Comparing planners: each plans for the same drawn task, and its plan is replayed and executed.
+
+The paper's search trusts the network's predictions, the PDDL planners trust the table of operators. So a plan
+is judged three times: by the operators' promises, by the network's predictions, and by the world, where it is
+once followed blindly and once with replanning by the planner that made it.
+"""
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from typing import Literal
+
+import msgspec
+import numpy as np
+from jaxtyping import Float
+
+from neurosym.errors import InvalidValue, UnknownChoice
+from neurosym.execution.executor import Replanner, execute
+from neurosym.execution.summary import Execution, summarise_run
+from neurosym.grounding import Grounding, at_rest, is_lift
+from neurosym.pddl.plan_text import PlanStep, named_steps
+from neurosym.pddl.validation import Replay, replay
+from neurosym.planners import PLANNERS, PlanResult, PlanStatus, plan, predicted_branching
+from neurosym.problems import Problem
+from neurosym.world import World
+
+Predict = Callable[[Float[np.ndarray, "M F"]], Float[np.ndarray, "M P 3"]]
+"""Says what the network predicts each primitive to do to each object [m]."""
+NETWORK_BFS, OPERATORS_BFS = "bfs", "bfs-operators"
+COMPARED = {**PLANNERS, OPERATORS_BFS: "the same search over what the operators promise"}
+"""The planners that can be compared."""
+NOT_VALID = Literal["", "impossible", "elsewhere"]
+
+
+@dataclass(frozen=True, slots=True)
+class Setting:
+    """What planners are compared in.
+
+    Attributes:
+        world: Where plans are executed.
+        grounding: The learned domain.
+        predict: What the network predicts.
+    """
+
+    world: World
+    grounding: Grounding
+    predict: Predict
+
+
+class Attempt(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
+    """One planner on one task.
+
+    Attributes:
+        status: How its search ended, one of `PlanStatus`.
+        reason: Why there is no plan, or what is to be said about the one found.
+        steps: Operator and object of each step.
+        seconds: How long it took [s].
+        primitives: How many steps are primitives, and no put-downs.
+        invalid: What the replay with the operators' promises finds: nothing, a step that is impossible, or an
+            end elsewhere than at the goal.
+        replayed: The same in a sentence.
+        promised_miss: How far from its goal the worst object ends by the operators [m]; None if impossible.
+        predicted_miss: The same by the network.
+        left_out: Whether the plan uses an operator that the PDDL domain leaves out.
+        open_loop: What became of the plan followed blindly; None without one.
+        replanned: What became of it with replanning; None without one.
+    """
+
+    status: str
+    reason: str
+    steps: tuple[tuple[str, str], ...] = ()
+    seconds: float = 0.0
+    primitives: int = 0
+    invalid: NOT_VALID = ""
+    replayed: str = ""
+    promised_miss: float | None = None
+    predicted_miss: float | None = None
+    left_out: bool = False
+    open_loop: Execution | None = None
+    replanned: Execution | None = None
+
+    @property
+    def found(self) -> bool:
+        """Whether there is a plan."""
+        return self.status == PlanStatus.SOLVED.value
+
+    @property
+    def valid(self) -> bool:
+        """Whether there is a plan that the operators promise to reach the goal."""
+        return self.found and not self.invalid
+
+
+class TaskRecord(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
+    """What each planner made of one task.
+
+    Attributes:
+        problem: The task.
+        met_at_start: Whether there is nothing to plan; then there are no attempts.
+        attempts: By the planner's name.
+    """
+
+    problem: Problem
+    met_at_start: bool
+    attempts: dict[str, Attempt] = {}
+
+
+def check_planners(planners: Sequence[str]) -> None:
+    """Raise `UnknownChoice` unless all planners exist, and `InvalidValue` if there are none."""
+    if not planners:
+        raise InvalidValue(f"Name at least one planner; valid: {', '.join(sorted(COMPARED))}.")
+    for name in planners:
+        if name not in COMPARED:
+            raise UnknownChoice("planner", name, COMPARED)
+
+
+def compare(
+    setting: Setting,
+    problem: Problem,
+    planners: Sequence[str],
+    *,
+    time_limit: float = 60.0,
+    executed: bool = True,
+) -> TaskRecord:
+    """Have each planner plan for a task, and judge its plan.
+
+    Args:
+        setting: What to compare in.
+        problem: The task.
+        planners: Names out of `COMPARED`.
+        time_limit: When each gives up [s].
+        executed: Whether plans are executed in the world.
+    """
+    if problem.is_met(problem.scene().positions):
+        return TaskRecord(problem, met_at_start=True)
+    attempts = {
+        name: _attempt(setting, problem, name, time_limit=time_limit, executed=executed) for name in planners
+    }
+    return TaskRecord(problem, met_at_start=False, attempts=attempts)
+
+
+def planner_of(setting: Setting, name: str, *, time_limit: float) -> Replanner:
+    """Return a planner as a function from a problem to its result; BFS reads the network's predictions.
+
+    Args:
+        setting: What to plan in.
+        name: One of `COMPARED`.
+        time_limit: When it gives up [s].
+    """
+
+    def solve(problem: Problem, grounding: Grounding) -> PlanResult:
+        branching = None
+        if name == NETWORK_BFS:
+            effects = setting.predict(problem.scene().features)
+            branching = predicted_branching(problem, grounding, effects)
+        registered = NETWORK_BFS if name == OPERATORS_BFS else name
+        try:
+            return plan(problem, grounding, registered, branching=branching, time_limit=time_limit)
+        except (UnknownChoice, InvalidValue) as error:  # a category never rehearsed, an object off the table
+            return PlanResult(PlanStatus.FAILED, (), 0.0, str(error))
+
+    return solve
+
+
+def _attempt(setting: Setting, problem: Problem, name: str, *, time_limit: float, executed: bool) -> Attempt:
+    solve = planner_of(setting, name, time_limit=time_limit)
+    result = solve(problem, setting.grounding)
+    steps = result.steps
+    if result.status is not PlanStatus.SOLVED:
+        return Attempt(result.status.value, result.reason, seconds=round(result.seconds, 4))
+    replayed = replay(steps, problem, setting.grounding)
+    blind, replanned = _follow(setting, problem, steps, solve) if executed else (None, None)
+    return Attempt(
+        status=result.status.value,
+        reason=result.reason,
+        steps=named_steps(steps),
+        seconds=round(result.seconds, 4),
+        primitives=sum(not step.puts_down for step in steps),
+        invalid=_invalid(replayed),
+        replayed=replayed.reason,
+        promised_miss=_worst(problem, replayed.positions[-1]) if replayed.possible else None,
+        predicted_miss=_worst(problem, predicted_end(setting, problem, steps)),
+        left_out=any(step.base in setting.grounding.left_out for step in steps),
+        open_loop=blind,
+        replanned=replanned,
+    )
+
+
+def predicted_end(setting: Setting, problem: Problem, steps: Sequence[PlanStep]) -> Float[np.ndarray, "M 3"]:
+    """Follow a plan by the network's predictions; where a put-down lands is what the rehearsals saw.
+
+    Args:
+        setting: Where the network is.
+        problem: What the plan is for.
+        steps: The plan.
+
+    Returns:
+        Centres of the objects at its end [m].
+    """
+    grounding, positions = setting.grounding, problem.scene().positions
+    symbols = [primitive.symbol for primitive in grounding.operators.primitives]
+    effects = setting.predict(problem.scene().features)  # (M, P, 3)
+    for step, then in zip(steps, [*steps[1:], None], strict=True):
+        if step.puts_down:
+            continue
+        operator, moved = grounding.operator_named(step.operator), problem.object_names.index(step.object)
+        put_down = is_lift(operator) and then is not None and then.puts_down
+        promise = operator.promise if put_down else None
+        positions[moved] += at_rest(promise) if promise else effects[moved, symbols.index(operator.primitive)]
+    return positions
+
+
+def _worst(problem: Problem, positions: Float[np.ndarray, "M 3"]) -> float:
+    return round(max(problem.distances(positions).values()), 6)
+
+
+def _invalid(replayed: Replay) -> NOT_VALID:
+    if replayed.valid:
+        return ""
+    return "elsewhere" if replayed.possible else "impossible"
+
+
+def _follow(
+    setting: Setting, problem: Problem, steps: Sequence[PlanStep], solve: Replanner
+) -> tuple[Execution, Execution]:
+    """Execute a plan, blindly and with replanning."""
+    world, grounding = setting.world, setting.grounding
+    replanned = execute(world, problem, grounding, steps, replanner=solve)
+    # A run in which nothing was planned anew is the one that follows the plan blindly.
+    blind = execute(world, problem, grounding, steps) if replanned.replannings else replanned
+    return summarise_run(blind, grounding), summarise_run(replanned, grounding)

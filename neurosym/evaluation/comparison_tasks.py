@@ -1,0 +1,197 @@
+"""The tasks of a comparison: each drawn and measured once, and kept in a file, until the domain changes."""
+
+from collections.abc import Callable, Iterator, Sequence
+from concurrent.futures import Future
+from concurrent.futures.process import BrokenProcessPool
+from pathlib import Path
+
+import msgspec
+from jaxtyping import Float
+from numpy import ndarray
+
+from neurosym.errors import InvalidFile
+from neurosym.evaluation.comparison import Setting, TaskRecord, compare
+from neurosym.files import digest, read_json, write_json
+from neurosym.grounding import Grounding
+from neurosym.problems import Problem
+from neurosym.stages.folder import DomainFolder
+from neurosym.stages.layout import COMPARISONS, GROUNDING, MODEL, WORLD
+from neurosym.symbols import Symbol
+from neurosym.worlds.problem_drawing import draw_problem
+from neurosym.worlds.workers import WorkerDied, in_order, start_pool
+from neurosym.worlds.world_file import read_world
+
+_AHEAD = 2  # tasks handed out for each worker
+
+
+class Kept(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
+    """A record as it lies in its file.
+
+    Attributes:
+        made_from: SHA-256 of the files that it depends on, by name.
+        time_limit: When planners gave up [s].
+        record: What became of the task.
+    """
+
+    made_from: dict[str, str]
+    time_limit: float
+    record: TaskRecord
+
+
+class Order(msgspec.Struct, frozen=True):
+    """Which tasks to compare which planners on.
+
+    Attributes:
+        folder: The domain folder.
+        objects: Objects in each task.
+        planners: Whom to compare.
+        tolerance: How near each object must come to its goal [m].
+        time_limit: When a planner gives up [s].
+    """
+
+    folder: Path
+    objects: int
+    planners: tuple[str, ...]
+    tolerance: float
+    time_limit: float = 60.0
+
+    @property
+    def place(self) -> Path:
+        """Folder of the records."""
+        return self.folder / COMPARISONS / f"{self.objects}-objects-{1000 * self.tolerance:g}-mm"
+
+
+class Bench:
+    """A domain folder, loaded to draw tasks from and to compare planners in.
+
+    Attributes:
+        categorise: Gives objects their symbols.
+        setting: What planners are compared in.
+
+    Args:
+        folder: The domain folder, with a world, a model and a grounding.
+    """
+
+    def __init__(self, folder: DomainFolder):
+        from neurosym.learning.effect_model import EffectModel
+
+        grounding = Grounding.load(folder.require(GROUNDING))
+        model = EffectModel.load(folder.require(MODEL))
+        symbols = [primitive.symbol for primitive in grounding.operators.primitives]
+        self.categorise: Callable[[Float[ndarray, "N F"]], tuple[Symbol, ...]] = model.object_symbols
+        self.setting = Setting(
+            world=read_world(folder.require(WORLD))(),
+            grounding=grounding,
+            predict=lambda features: model.branching_table(features, symbols),
+        )
+
+    def draw(self, objects: int, seed: int, tolerance: float) -> Problem:
+        """Draw a task as the paper does, and set how near each object must come to its goal.
+
+        Scene and goals do not depend on the tolerance, nor on what was learned.
+
+        Args:
+            objects: How many objects.
+            seed: Same seed, same task.
+            tolerance: How near they must come [m].
+        """
+        name = f"drawn-{seed:05d}"
+        drawn = draw_problem(self.setting.world, self.categorise, name=name, objects=objects, seed=seed)
+        return msgspec.structs.replace(drawn, tolerance=tolerance)
+
+
+def compare_tasks(order: Order, seeds: Sequence[int], *, workers: int = 1) -> Iterator[TaskRecord]:
+    """Compare planners on drawn tasks, in any number of processes; what is on file is not done again.
+
+    Args:
+        order: What to compare.
+        seeds: A task is drawn with each.
+        workers: How many processes.
+
+    Raises:
+        StageMissing: If nothing was learned or compiled yet.
+        WorkerDied: If a process ends.
+    """
+    folder = DomainFolder(order.folder)
+    made_from = {name: digest(folder.require(name)) for name in (WORLD, MODEL, GROUNDING)}
+    order.place.mkdir(parents=True, exist_ok=True)
+    kept = {seed: _load(order, seed, made_from) for seed in seeds}
+    left = [seed for seed, record in kept.items() if _planners_left(order, record)]
+    measured = _measure_all(order, made_from, [(seed, kept[seed]) for seed in left], workers)
+    for seed in seeds:
+        record = next(measured) if seed in left else kept[seed]
+        assert record is not None, "measured now or before"
+        yield record
+
+
+def _path(order: Order, seed: int) -> Path:
+    return order.place / f"task-{seed:05d}.json"
+
+
+def _load(order: Order, seed: int, made_from: dict[str, str]) -> TaskRecord | None:
+    """Read a record, unless there is none, or one of another domain."""
+    try:
+        kept = read_json(_path(order, seed), Kept)
+    except InvalidFile:
+        return None
+    is_current = (kept.made_from, kept.time_limit) == (made_from, order.time_limit)
+    return kept.record if is_current else None
+
+
+def _planners_left(order: Order, record: TaskRecord | None) -> tuple[str, ...]:
+    if record is None:
+        return order.planners
+    done = order.planners if record.met_at_start else record.attempts
+    return tuple(name for name in order.planners if name not in done)
+
+
+Unfinished = tuple[int, TaskRecord | None]
+"""A seed, and what is known of its task."""
+
+
+def _measure_all(
+    order: Order, made_from: dict[str, str], tasks: Sequence[Unfinished], workers: int
+) -> Iterator[TaskRecord]:
+    if not tasks:
+        return
+    if workers == 1:
+        bench = Bench(DomainFolder(order.folder))
+        yield from (_measure(bench, order, made_from, *task) for task in tasks)
+        return
+    pool = start_pool(min(workers, len(tasks)), _start_worker, (order.folder,))
+
+    def submit(task: Unfinished) -> Future[TaskRecord]:
+        return pool.submit(_measure_here, order, made_from, *task)
+
+    try:
+        yield from in_order(tasks, submit=submit, result=lambda f: f.result(), ahead=_AHEAD * workers)
+    except BrokenProcessPool as error:
+        raise WorkerDied from error
+    finally:
+        pool.shutdown(wait=True, cancel_futures=True)
+
+
+def _measure(
+    bench: Bench, order: Order, made_from: dict[str, str], seed: int, known: TaskRecord | None
+) -> TaskRecord:
+    """Do what is missing of a task, and write its record."""
+    problem = known.problem if known else bench.draw(order.objects, seed, order.tolerance)
+    missing = _planners_left(order, known)
+    record = compare(bench.setting, problem, missing, time_limit=order.time_limit)
+    if known:
+        record = msgspec.structs.replace(record, attempts={**known.attempts, **record.attempts})
+    write_json(_path(order, seed), Kept(made_from, order.time_limit, record))
+    return record
+
+
+_bench_here: Bench | None = None
+
+
+def _start_worker(folder: Path) -> None:
+    global _bench_here
+    _bench_here = Bench(DomainFolder(folder))
+
+
+def _measure_here(order: Order, made_from: dict[str, str], seed: int, known: TaskRecord | None) -> TaskRecord:
+    assert _bench_here is not None, "the initializer ran"
+    return _measure(_bench_here, order, made_from, seed, known)

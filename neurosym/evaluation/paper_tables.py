@@ -1,0 +1,265 @@
+"""The paper's Tables I to III, from what was measured in domain folders."""
+
+from collections.abc import Callable, Collection, Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+import msgspec
+import numpy as np
+
+from neurosym.data.interactions import Interactions
+from neurosym.evaluation.comparison_summary import Comparison, Tally
+from neurosym.evaluation.primitive_kinds import KINDS
+from neurosym.files import read_json, write_json
+from neurosym.learning.report import TrainingSummary
+from neurosym.markdown import mean_and_spread
+from neurosym.naming import name_axes
+from neurosym.operators import OperatorTable
+from neurosym.progress import Progress
+from neurosym.stages.folder import DomainFolder
+from neurosym.stages.layout import COMPARISONS, INTERACTIONS, KINDS_FOUND, MODEL, PRIMITIVES, TRAINING, WORLD
+from neurosym.stages.manifest import Stage, rehearsal_options
+from neurosym.strategies import has_high_effect
+from neurosym.wording import quoted
+
+TEST_ROWS = 2400
+"""Interactions of a test set that are used: the first ones with a high effect, as many as the paper's."""
+OWN_DATA = "own data"
+Errors = dict[str, list[float]]
+"""Mean absolute error of each predictor on each axis [m]."""
+
+
+class KindsFound(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
+    """Which kinds of primitive there are.
+
+    Attributes:
+        objects: How many objects each primitive was rehearsed on.
+        kinds: For each kind, which primitives are of it on objects of which symbol.
+    """
+
+    objects: int
+    kinds: dict[str, tuple[tuple[str, str], ...]]
+
+
+class Measured(msgspec.Struct, frozen=True):
+    """What was measured in one domain folder; what was not is None or empty.
+
+    Attributes:
+        folder: The folder.
+        strategy: How its interactions were chosen.
+        errors: Errors of prediction.
+        rows: On how many interactions.
+        kinds: The kinds of primitive that were found.
+        comparisons: How planners did, by the kind of task.
+    """
+
+    folder: str
+    strategy: str
+    errors: Errors | None
+    rows: int
+    kinds: KindsFound | None
+    comparisons: dict[str, Comparison]
+
+
+@dataclass(frozen=True, slots=True)
+class Table:
+    """A table, and what is to be said about it."""
+
+    title: str
+    remark: str
+    columns: list[str]
+    rows: list[list[str]]
+
+
+def kinds_stage(folder: DomainFolder, *, workers: int, progress: Progress | None = None) -> Stage:
+    """Rehearse primitives and judge their kinds: primitives, model and world -> `kinds.json`."""
+    objects, seed = rehearsal_options(folder.manifest())
+
+    def work() -> None:
+        from neurosym.evaluation.primitive_kinds import kinds_found
+        from neurosym.learning.effect_model import EffectModel
+        from neurosym.primitives.rehearsal import rehearse
+        from neurosym.worlds.world_file import read_world
+
+        factory = read_world(folder.require(WORLD))
+        table = read_json(folder.require(PRIMITIVES), OperatorTable)
+        categorise = EffectModel.load(folder.require(MODEL)).object_symbols
+        rehearsals = rehearse(
+            factory,
+            table.primitives,
+            categorise,
+            objects=objects,
+            seed=seed,
+            workers=workers,
+            progress=progress,
+        )
+        found = kinds_found(rehearsals, factory().lift_height)
+        write_json(folder / KINDS_FOUND, KindsFound(objects, dict(found)))
+
+    options = {"objects": objects, "seed": seed}
+    return Stage("kinds", (WORLD, PRIMITIVES, MODEL), (KINDS_FOUND,), work, options)
+
+
+def measure(
+    folder: DomainFolder, test: Interactions | None, *, workers: int, progress: Progress | None = None
+) -> Measured:
+    """Gather what was measured in a folder, and judge the kinds of its primitives if that was not done.
+
+    Args:
+        folder: The domain folder.
+        test: Interactions to measure errors on; None for the training report's held-out ones.
+        workers: Processes that simulate.
+        progress: Called after each interaction of the rehearsals.
+
+    Raises:
+        InvalidFile: If a file is damaged.
+    """
+    report = read_json(folder / TRAINING, TrainingSummary) if (folder / TRAINING).is_file() else None
+    errors, rows = (report.mae, report.held_out) if report else (None, 0)
+    if test is not None and (folder / MODEL).is_file():
+        errors, rows = errors_on(folder, test)
+    kinds = None
+    if all((folder / name).is_file() for name in (WORLD, PRIMITIVES, MODEL)):
+        folder.perform(kinds_stage(folder, workers=workers, progress=progress), again=False)
+        kinds = read_json(folder / KINDS_FOUND, KindsFound)
+    origin = Interactions.load(folder.require(INTERACTIONS)).origin
+    strategy = str(origin.get("strategy", OWN_DATA))
+    return Measured(str(folder.path), strategy, errors, rows, kinds, comparisons_of(folder.path))
+
+
+def errors_on(folder: DomainFolder, test: Interactions) -> tuple[Errors, int]:
+    """Measure a folder's model and the trivial predictors on the test interactions with a high effect.
+
+    Args:
+        folder: The domain folder, whose interactions the trivial predictors are of.
+        test: The test set.
+    """
+    from neurosym.learning.effect_model import EffectModel
+
+    model, seen = EffectModel.load(folder / MODEL), Interactions.load(folder.require(INTERACTIONS))
+    test = test[np.flatnonzero(has_high_effect(test.effects))[:TEST_ROWS]]
+    effects = np.asarray(test.effects, dtype=np.float64)
+    guesses = {
+        "model": model.predict_from_codes(test.features, test.actions)[0],
+        "always zero": np.zeros_like(effects),
+        "always mean": np.broadcast_to(seen.effects.mean(0), effects.shape),
+        "per-axis median": np.broadcast_to(np.median(seen.effects, axis=0), effects.shape),
+    }
+    return {name: np.abs(guess - effects).mean(0).tolist() for name, guess in guesses.items()}, len(test)
+
+
+def comparisons_of(folder: Path) -> dict[str, Comparison]:
+    """Read what `neurosym compare` measured in a folder, by the kind of task.
+
+    Args:
+        folder: The domain folder.
+
+    Raises:
+        InvalidFile: If a file is damaged.
+    """
+    paths = sorted((folder / COMPARISONS).glob("*/comparison.json"))
+    return {path.parent.name: read_json(path, Comparison) for path in paths}
+
+
+def tables(measured: Sequence[Measured], test: Path | None) -> tuple[Table, ...]:
+    """Make the paper's tables, with a row for each strategy: mean and standard deviation over folders.
+
+    Args:
+        measured: What was measured in each folder.
+        test: What errors were measured on, if not on the held-out interactions of each folder.
+    """
+    return _table1(measured, test), _table2(measured), _table3(measured)
+
+
+def _table1(measured: Sequence[Measured], test: Path | None) -> Table:
+    rows = []
+    known = [m for m in measured if m.errors]
+    for strategy, group in _by_strategy(known).items():
+        for name in group[0].errors or ():
+            values = np.array([m.errors[name] for m in group if m.errors and name in m.errors])
+            cells = [mean_and_spread((_scale(values) * column).tolist(), 1) for column in values.T]
+            rows.append([strategy, str(len(values)), name, *cells])
+    axes = name_axes(max((len(errors["model"]) for m in known if (errors := m.errors)), default=3))
+    unit = " [mm]" if len(axes) == 3 else ""
+    counts = ", ".join(sorted({str(m.rows) for m in known}))
+    where = (
+        f"on the first {counts} interactions of {test} whose absolute displacements sum to 8 cm or more"
+        if test
+        else f"on the held-out interactions of each folder ({counts}), which strategies chose themselves, so "
+        "that rows of different strategies are not of the same test; --test DATA gives all the same"
+    )
+    columns = ["strategy", "folders", "predictor", *(f"{axis}{unit}" for axis in axes)]
+    return Table("Table I: errors of prediction", f"Mean absolute error, {where}.", columns, rows)
+
+
+def _scale(values: np.ndarray) -> float:
+    return 1000.0 if values.shape[1] == 3 else 1.0
+
+
+def _table2(measured: Sequence[Measured]) -> Table:
+    known = [m for m in measured if m.kinds]
+    found = {
+        strategy: {
+            m.folder: [kind for kind, pairs in m.kinds.kinds.items() if pairs] for m in group if m.kinds
+        }
+        for strategy, group in _by_strategy(known).items()
+    }
+    remark = "In how many folders each kind was found, by rehearsal."
+    return Table("Table II: primitives", remark, *kinds_table(found, "folder"))
+
+
+def kinds_table(
+    found: Mapping[str, Mapping[str, Collection[str]]], repetition: str
+) -> tuple[list[str], list[list[str]]]:
+    """Return headings and rows of Table II: in how many repetitions each kind was found.
+
+    Args:
+        found: The kinds that were found, by strategy and repetition.
+        repetition: What a repetition is called.
+    """
+    rows = [
+        [
+            kind,
+            *(
+                f"{sum(kind in kinds for kinds in repeated.values())} of {len(repeated)}"
+                for repeated in found.values()
+            ),
+        ]
+        for kind in KINDS
+    ]
+    counts = [", ".join(str(len(kinds)) for kinds in repeated.values()) for repeated in found.values()]
+    return ["", *found], [*rows, [f"kinds, by {repetition}", *counts]]
+
+
+def _table3(measured: Sequence[Measured]) -> Table:
+    shares: tuple[Callable[[Tally], int], ...] = (
+        lambda tally: tally.found,
+        lambda tally: tally.valid,
+        lambda tally: tally.reached,
+        lambda tally: tally.reached_with_replanning,
+    )
+    rows = []
+    for strategy, group in _by_strategy(measured).items():
+        for task in sorted({task for m in group for task in m.comparisons}):
+            compared = [m.comparisons[task] for m in group if task in m.comparisons]
+            for planner in dict.fromkeys(name for comparison in compared for name in comparison.planners):
+                of = [(c.planners[planner], c.counted) for c in compared if planner in c.planners]
+                cells = [
+                    mean_and_spread([100 * share(tally) / max(1, count) for tally, count in of], 1)
+                    for share in shares
+                ]
+                tasks = sum(count for _, count in of)
+                rows.append([strategy, task, planner, str(len(of)), str(tasks), *cells])
+    columns = ["strategy", "tasks", "planner", "folders", "counted"]
+    columns += ["found [%]", "valid [%]", "reached [%]", "with replanning [%]"]
+    without = [m.folder for m in measured if not m.comparisons]
+    missing = "".join(f" Not measured yet: `neurosym compare {quoted(folder)}`." for folder in without)
+    remark = f"Shares of the tasks that are not met at the start.{missing}"
+    return Table("Table III: planning", remark, columns, rows)
+
+
+def _by_strategy(measured: Sequence[Measured]) -> dict[str, list[Measured]]:
+    groups: dict[str, list[Measured]] = {}
+    for found in measured:
+        groups.setdefault(found.strategy, []).append(found)
+    return groups

@@ -1,0 +1,233 @@
+"""Execution: a plan runs in the world, and each step is compared with what its operator promised.
+
+A `put-down-...` step is the second half of the lift before it: the world performs both as one interaction,
+and only a lift that ends the plan is left in mid-air. Where a planner is at hand, what is left of the plan is
+replayed from what is seen after every step; if it would miss the goal, a new plan is asked for.
+"""
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, field
+
+import msgspec
+import numpy as np
+
+from neurosym.errors import InvalidValue
+from neurosym.execution.experience import Experience, believed_name, learned_name
+from neurosym.execution.nudges import Nudger, nudged
+from neurosym.execution.record import (
+    Nudge,
+    Replanning,
+    Run,
+    StepRecord,
+    record_refusal,
+    record_step,
+    why_missed,
+)
+from neurosym.grounding import Grounding, is_lift
+from neurosym.operators import vector
+from neurosym.pddl.plan_text import PlanStep, Steps, named_steps
+from neurosym.pddl.validation import replay
+from neurosym.planners.result import PlanResult, PlanStatus
+from neurosym.problems import Problem
+from neurosym.world import FrameSink, Outcome, Scene, World
+
+Replanner = Callable[[Problem, Grounding], PlanResult]
+"""Plans from where things are now, with what is now believed of them."""
+REPLANS = 10
+"""How many new plans a run may ask for."""
+
+
+def execute(
+    world: World,
+    problem: Problem,
+    grounding: Grounding,
+    plan: Sequence[PlanStep],
+    *,
+    replanner: Replanner | None = None,
+    replans: int = REPLANS,
+    nudge_seed: int | None = None,
+    on_frame: FrameSink | None = None,
+    on_step: Callable[[StepRecord], None] | None = None,
+) -> Run:
+    """Run a plan in the world with the distilled parameters of its primitives.
+
+    Without a replanner the plan is followed to its end whatever the steps do, unless an object is lost or out
+    of reach.
+
+    Args:
+        world: The world to act in.
+        problem: The scene to start from and the goals to judge by.
+        grounding: What the operators' names mean.
+        plan: The steps, whichever planner they come from.
+        replanner: Plans anew where the plan would miss the goal from what is seen, if given.
+        replans: How many new plans may be asked for.
+        nudge_seed: Nudge an object once during the run, drawn from this seed, if given.
+        on_frame: Called with pictures of the motion as it happens, if given.
+        on_step: Called with each step's record as soon as it is done, if given.
+    """
+    nudger = None
+    if nudge_seed is not None:
+        nudger = Nudger(nudge_seed, sum(not step.puts_down for step in plan))
+    run = _Running(world, problem, grounding, list(plan), on_frame)
+    while run.goes_on:
+        if nudger and nudger.before_step == len(run.records) + 1 and not run.nudge:
+            run.be_nudged(nudger)
+        if replanner and len(run.replannings) < replans and (why := run.why_not_go_on()):
+            run.replan(replanner, why)
+        if not run.left:
+            break
+        run.step()
+        if on_step:
+            on_step(run.records[-1])
+    return run.record(named_steps(plan))
+
+
+@dataclass(slots=True)
+class _Running:
+    """A run while it goes on: where everything is, what is left to do, and what was done."""
+
+    world: World
+    problem: Problem
+    grounding: Grounding
+    left: list[PlanStep]
+    on_frame: FrameSink | None
+    scene: Scene = field(init=False)
+    experience: Experience = field(init=False)
+    records: list[StepRecord] = field(default_factory=list)
+    replannings: list[Replanning] = field(default_factory=list)
+    nudge: Nudge | None = None
+    goes_on: bool = True
+    _lifted: tuple[PlanStep, Scene] | None = None
+
+    def __post_init__(self) -> None:
+        self.scene = self.problem.scene()
+        self.experience = Experience(self.grounding)
+
+    def be_nudged(self, nudger: Nudger) -> None:
+        """Let somebody move an object, if there is room for that."""
+        self.nudge = nudger.nudge(self.problem, self.scene, self.world.table)
+        if self.nudge:
+            self.scene = nudged(self.scene, self.nudge, self.problem)
+
+    def why_not_go_on(self) -> str:
+        """Say why what is left of the plan would miss the goal by what is believed now, or nothing."""
+        seen = self._now()
+        if not self.left and seen.is_met(self.scene.positions):
+            return ""
+        believed, grounding = self.experience.believed(seen)
+        checked = replay([believed_name(step, grounding) for step in self.left], believed, grounding)
+        if checked.failed is None:
+            return checked.reason
+        step, why = learned_name(checked.failed[0]), checked.failed[1]
+        return f"{step.operator} {step.object}: {why}"
+
+    def replan(self, replanner: Replanner, why: str) -> None:
+        """Ask for a new plan, or else go on with the old one while nothing leaves the table."""
+        self._put_down()
+        result = replanner(*self.experience.believed(self._now()))
+        if result.status is not PlanStatus.SOLVED and self.experience.says_something:
+            self.experience = Experience(self.grounding)  # hope again for what did not come
+            result = replanner(self._now(), self.grounding)
+        new = [learned_name(step) for step in result.steps]
+        is_found = result.status is PlanStatus.SOLVED
+        self.replannings.append(
+            Replanning(len(self.records) + 1, why, named_steps(new), "" if is_found else result.reason)
+        )
+        if is_found:
+            self.left = new
+        elif not replay(self.left, self._now(), self.grounding).possible:
+            self.left = []
+
+    def step(self) -> None:
+        """Perform the next step of the plan, and put down what it lifts unless that ends the plan."""
+        step = self.left.pop(0)
+        put_down = bool(self.left) or not is_lift(self.grounding.operator_named(step.operator))
+        if self.left and self.left[0].puts_down:
+            self.left.pop(0)
+        before = self.scene
+        outcome = perform(self.world, self.problem, self.grounding, step, before, put_down, self.on_frame)
+        if outcome is None:
+            self.records.append(record_refusal(step, self.problem, self.scene))
+            self.goes_on = False
+            return
+        self._lifted = None if put_down or not outcome.held else (step, before)
+        self._take(step, outcome, put_down)
+
+    def record(self, plan: Steps) -> Run:
+        """Say what became of the run.
+
+        Args:
+            plan: The steps that were asked for.
+        """
+        distances = self.problem.distances(self.scene.positions)
+        reached = self.problem.is_met(self.scene.positions)
+        missed = "" if reached else why_missed(self.records, distances, self.problem.tolerance)
+        no_plan = self.replannings[-1].reason if self.replannings else ""
+        return Run(
+            problem=self.problem.name,
+            plan=plan,
+            steps=tuple(self.records),
+            reached=reached,
+            distances=distances,
+            reason="" if reached else "; ".join(filter(None, (missed, no_plan))),
+            nudge=self.nudge,
+            replannings=tuple(self.replannings),
+        )
+
+    def _put_down(self) -> None:
+        """Put down what the last step lifted: the same interaction, to its end."""
+        if self._lifted:
+            (step, before), self._lifted = self._lifted, None
+            self.records.pop()
+            outcome = perform(self.world, self.problem, self.grounding, step, before, put_down=True)
+            assert outcome is not None, "what was performed once can be performed again"
+            self._take(step, outcome, put_down=True)
+
+    def _take(self, step: PlanStep, outcome: Outcome, put_down: bool) -> None:
+        self.scene = outcome.end
+        self.records.append(record_step(step, self.problem, self.grounding, outcome, put_down=put_down))
+        if not self._lifted:
+            self.experience.learn(step, outcome)
+        self.goes_on = not outcome.lost
+
+    def _now(self) -> Problem:
+        """Return the problem as it stands now."""
+        rows = zip(self.problem.objects, self.scene.positions, self.scene.orientations, strict=True)
+        objects = tuple(
+            msgspec.structs.replace(item, position=vector(position), orientation=tuple(orientation.tolist()))
+            for item, position, orientation in rows
+        )
+        return msgspec.structs.replace(self.problem, objects=objects)
+
+
+def perform(
+    world: World,
+    problem: Problem,
+    grounding: Grounding,
+    step: PlanStep,
+    scene: Scene,
+    put_down: bool,
+    on_frame: FrameSink | None = None,
+) -> Outcome | None:
+    """Perform one step of a plan.
+
+    Args:
+        world: The world to act in.
+        problem: What the objects are called, and where pictures show their goals.
+        grounding: What the operator's name means.
+        step: The step.
+        scene: Where everything is.
+        put_down: Whether to put the object down if it is held.
+        on_frame: Called with pictures of the motion as it happens, if given.
+
+    Returns:
+        What happened; None if the object was out of the arm's reach.
+    """
+    operator = grounding.operator_named(step.operator)
+    action = np.array(grounding.primitive(operator.primitive).action)
+    target = problem.object_names.index(step.object)
+    ghosts = problem.goal_positions()
+    try:
+        return world.interact(scene, action, target, put_down=put_down, on_frame=on_frame, ghosts=ghosts)
+    except InvalidValue:  # the object has been moved out of the arm's reach
+        return None

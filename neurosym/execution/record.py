@@ -1,0 +1,194 @@
+"""The record of a run: what each step promised and did, what was planned anew, and where everything ended."""
+
+import math
+from collections.abc import Sequence
+from typing import Literal
+
+import msgspec
+
+from neurosym.grounding import Grounding
+from neurosym.operators import TOLERANCE, Vector, vector
+from neurosym.pddl.plan_text import PlanStep, Steps
+from neurosym.problems import Problem
+from neurosym.wording import in_millimetres
+from neurosym.world import Disturbance, Outcome, Scene
+
+StepOutcome = Literal["resting", "held", "toppled", "lost", "not performed"]
+
+
+class StepRecord(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
+    """One step of a plan: what was promised and what happened.
+
+    Attributes:
+        operator: Name of the operator.
+        object: Name of the object acted upon.
+        promised: How the object was to end, and None if the operator never promised anything.
+        promised_effect: How far it was to move [m].
+        happened: How it ended.
+        effect: How far it moved [m].
+        deviation: Distance between the two displacements [m].
+        as_promised: Whether it ended so, within the tolerance.
+        positions: Centre of every object after the step [m], by name.
+        touched: Names of the other objects that the robot itself touched.
+        disturbed: How other objects ended that ended elsewhere (moved, toppled, lost), by name.
+        put_down: Whether a held object was put down again at the end of the step.
+    """
+
+    operator: str
+    object: str
+    promised: StepOutcome | None
+    promised_effect: Vector | None
+    happened: StepOutcome
+    effect: Vector
+    deviation: float | None
+    as_promised: bool
+    positions: dict[str, Vector]
+    touched: tuple[str, ...] = ()
+    disturbed: dict[str, Disturbance] = {}
+    put_down: bool = True
+
+
+class Nudge(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
+    """An object that was moved by somebody else during the run.
+
+    Attributes:
+        before_step: Number of the step that it happened before, counted from 1.
+        object: Name of the object.
+        by: How far it was moved along x, y and z [m].
+    """
+
+    before_step: int
+    object: str
+    by: Vector
+
+
+class Replanning(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
+    """A new plan that was asked for during the run.
+
+    Attributes:
+        before_step: Number of the step that was to be next, counted from 1.
+        why: Why the old plan would not do.
+        plan: The new plan; empty if none was found.
+        reason: Why none was found, or empty.
+    """
+
+    before_step: int
+    why: str
+    plan: Steps
+    reason: str
+
+
+class Run(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
+    """What became of a plan in the world.
+
+    Attributes:
+        problem: Name of the problem.
+        plan: The steps that were asked for, as operator and object.
+        steps: A record for each interaction that was performed.
+        reached: Whether every goal was met at the end.
+        distances: How far each object with a goal ended from it [m].
+        reason: Why the goal was not reached, or empty.
+        nudge: What was nudged on the way, if anything was.
+        replannings: The new plans that were asked for.
+    """
+
+    problem: str
+    plan: Steps
+    steps: tuple[StepRecord, ...]
+    reached: bool
+    distances: dict[str, float]
+    reason: str
+    nudge: Nudge | None = None
+    replannings: tuple[Replanning, ...] = ()
+
+    @property
+    def replans(self) -> int:
+        """How often a new plan was asked for."""
+        return len(self.replannings)
+
+
+def record_step(
+    step: PlanStep, problem: Problem, grounding: Grounding, outcome: Outcome, *, put_down: bool
+) -> StepRecord:
+    """Record a step that was performed.
+
+    Args:
+        step: The step.
+        problem: The problem, whose objects are those of the outcome.
+        grounding: What the operator promises.
+        outcome: What happened.
+        put_down: Whether the object was to be put down if it was held.
+    """
+    operator = grounding.operator_named(step.operator)
+    effect = vector(outcome.effect if outcome.held else outcome.resting_effect)
+    promised_effect = grounding.displacement(operator) if operator.promise else None
+    deviation = math.dist(effect, promised_effect) if promised_effect else None
+    kept = operator.promise is not None and operator.promise.kind == outcome.kind
+    return StepRecord(
+        operator=step.operator,
+        object=step.object,
+        promised=operator.promise.kind if operator.promise else None,
+        promised_effect=promised_effect,
+        happened=outcome.kind,
+        effect=effect,
+        deviation=deviation,
+        as_promised=kept and deviation is not None and deviation <= TOLERANCE,
+        positions=named_positions(problem, outcome.end),
+        touched=tuple(problem.object_names[index] for index in outcome.touched),
+        disturbed={problem.object_names[index]: how for index, how in outcome.disturbed},
+        put_down=put_down,
+    )
+
+
+def record_refusal(step: PlanStep, problem: Problem, scene: Scene) -> StepRecord:
+    """Record a step that could not be performed, because its object was out of the arm's reach.
+
+    Args:
+        step: The step.
+        problem: The problem.
+        scene: Where everything is.
+    """
+    return StepRecord(
+        operator=step.operator,
+        object=step.object,
+        promised=None,
+        promised_effect=None,
+        happened="not performed",
+        effect=(0.0, 0.0, 0.0),
+        deviation=None,
+        as_promised=False,
+        positions=named_positions(problem, scene),
+    )
+
+
+def why_missed(records: Sequence[StepRecord], distances: dict[str, float], tolerance: float) -> str:
+    """Say which goal was missed, and which step was the first not to do as promised.
+
+    Args:
+        records: The steps.
+        distances: How far each object with a goal ended from it [m].
+        tolerance: How far it may be [m].
+    """
+    name, distance = max(distances.items(), key=lambda item: item[1])
+    missed = (
+        f"{name} is {in_millimetres(distance, tolerance)} from its goal ({1000 * tolerance:g} mm allowed)"
+    )
+    for number, record in enumerate(records, 1):
+        if record.happened == "not performed":
+            return f"{missed}; {record.object} was out of the arm's reach in step {number}"
+        if not record.as_promised:
+            apart = (
+                ""
+                if record.deviation is None
+                else f", {in_millimetres(record.deviation, TOLERANCE)} from the promise"
+            )
+            told = f"promised {record.promised}, ended {record.happened}{apart}"
+            return f"{missed}; step {number}, {record.operator}: {told}"
+    if not records:
+        return f"{missed}; the plan has no step"
+    return f"{missed}, though every step did as promised within {1000 * TOLERANCE:.0f} mm"
+
+
+def named_positions(problem: Problem, scene: Scene) -> dict[str, Vector]:
+    """Return the centre of each object [m], by its name."""
+    return {name: vector(row) for name, row in zip(problem.object_names, scene.positions, strict=True)}

@@ -1,0 +1,101 @@
+"""What is tried next: candidates are drawn, and a curious strategy picks the one it knows least about."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from neurosym.actions import Mirror
+from neurosym.data.dimensions import Dimensions
+from neurosym.errors import InvalidValue
+from neurosym.exploration.curiosity import Curiosity, LearningConfig, seed_of
+from neurosym.exploration.disagreement import Disagreement
+from neurosym.exploration.entropy import Entropy
+from neurosym.learning.direct_model import DirectModel
+from neurosym.learning.effect_model import EffectModel
+from neurosym.learning.losses import reproducible
+from neurosym.learning.model_config import DirectConfig, ModelConfig
+from neurosym.world import World
+from neurosym.worlds.workers import Task
+
+
+@dataclass(frozen=True, slots=True)
+class ExplorationConfig:
+    """How exploration goes on.
+
+    Attributes:
+        candidates: How many actions are drawn to choose one from.
+        block: Interactions between two updates of the networks.
+        min_predicted_effect: Only candidates with at least this predicted sum of absolute displacements are
+            chosen from, if there are any [m]; 0 chooses from all (the paper; its authors' code: 0.1).
+        learning: How the networks of a curious strategy learn.
+    """
+
+    candidates: int = 2000
+    block: int = 512
+    min_predicted_effect: float = 0.0
+    learning: LearningConfig = field(default_factory=LearningConfig)
+
+    def __post_init__(self) -> None:
+        for name in ("candidates", "block"):
+            if getattr(self, name) < 1:
+                raise InvalidValue(f"{name} = {getattr(self, name)} must be at least 1.")
+        if not 0 <= self.min_predicted_effect < np.inf:
+            raise InvalidValue(
+                f"min_predicted_effect = {self.min_predicted_effect} m must be at least 0, and finite."
+            )
+
+
+def choose_action(
+    world: World, curiosity: Curiosity | None, config: ExplorationConfig, seed: int, number: int
+) -> Task:
+    """Draw the scene and the candidates of one interaction, and choose among them.
+
+    Args:
+        world: Where scenes and actions come from.
+        curiosity: Says which candidate is known least; without it, the first is chosen: a random action.
+        config: How many candidates.
+        seed: Of the exploration.
+        number: Of the interaction.
+    """
+    rng = np.random.default_rng([seed, number])
+    scene = world.sample_scene(rng, 1)
+    candidates = world.action_box.sample(rng, config.candidates).astype(np.float32)  # as they are stored
+    if curiosity is None:
+        return Task(scene, candidates[0])
+    features = scene.features[0]
+    scores = curiosity.uncertainties(features, candidates)
+    if config.min_predicted_effect > 0:
+        eligible = curiosity.expected_sizes(features, candidates) >= config.min_predicted_effect
+        if eligible.any():
+            candidates, scores = candidates[eligible], scores[eligible]
+    return Task(scene, candidates[curiosity.pick(scores, rng)])
+
+
+def make_curiosity(
+    about: str,
+    dimensions: Dimensions,
+    model_config: ModelConfig,
+    config: LearningConfig,
+    mirrors: Sequence[Mirror],
+    seed: int,
+) -> Curiosity:
+    """Make the networks that a strategy is curious with.
+
+    Args:
+        about: "entropy" or "disagreement".
+        dimensions: What they read and write.
+        model_config: How the paper's network is built.
+        config: How they learn.
+        mirrors: Mirrors of the world.
+        seed: Of the exploration.
+    """
+    if about == "entropy":
+        with reproducible(seed_of(seed, 0, 0)):
+            return Entropy([EffectModel(dimensions, model_config).eval()], config, mirrors, seed)
+    direct = DirectConfig(config.ensemble_hidden, 0.0, model_config.gripper_sharpness, peaks=False)
+    networks = []
+    for number in range(config.ensemble):
+        with reproducible(seed_of(seed, 0, number)):
+            networks.append(DirectModel(dimensions, direct).eval())
+    return Disagreement(networks, config, mirrors, seed)

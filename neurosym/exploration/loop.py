@@ -1,0 +1,216 @@
+"""Exploration (Algorithm 1): a robot tries what it knows least about, and learns from it.
+
+Interactions come in blocks. Within a block nothing is learned, and each interaction draws its scene and its
+candidate actions from (seed, its number); so a block is a list of independent tasks, and any number of
+workers gives the same bytes. After each block the networks of a curious strategy learn from all interactions
+so far, and everything is written down; a run that was killed goes on from there and ends with the same bytes,
+too.
+"""
+
+import json
+from collections.abc import Iterator
+from dataclasses import asdict
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from neurosym.data.dimensions import Dimensions
+from neurosym.data.interactions import Interactions
+from neurosym.errors import InvalidFile, InvalidValue
+from neurosym.exploration.choice import ExplorationConfig, choose_action, make_curiosity
+from neurosym.learning.model_config import EXPLORING, ModelConfig
+from neurosym.progress import Progress
+from neurosym.strategies import DEFAULT_STRATEGY, own_name, strategy_named
+from neurosym.tensor_files import read_tensors, write_tensors
+from neurosym.world import World, WorldFactory
+from neurosym.worlds.ray_workers import ray_crew
+from neurosym.worlds.workers import Perform, Task, crew
+
+FORMAT = "neurosym-exploration-3"
+INTERACTIONS_FILE = "interactions.partial.npz"
+STATE_FILE = "exploration.safetensors"
+
+
+def explore(
+    world_factory: WorldFactory,
+    *,
+    steps: int = 10_000,
+    strategy: str = DEFAULT_STRATEGY,
+    seed: int,
+    workers: int = 1,
+    ray: str | None = None,
+    checkpoint: Path | None = None,
+    config: ExplorationConfig | None = None,
+    model_config: ModelConfig | None = None,
+    origin: dict[str, Any] | None = None,
+    progress: Progress | None = None,
+) -> Interactions:
+    """Explore a world.
+
+    Args:
+        world_factory: Builds the world; must survive pickling if there is more than one worker.
+        steps: How many interactions.
+        strategy: One of `STRATEGIES` in `neurosym.strategies`.
+        seed: Where all draws start.
+        workers: How many processes perform the interactions; their number does not change the result.
+        ray: A Ray cluster that performs them instead: `auto`, or HOST:PORT; changes no byte, either.
+        checkpoint: Folder to write the state to after each block, and to go on from if it is there.
+        config: How exploration goes on.
+        model_config: How the network is built whose entropy is asked for.
+        origin: Plain JSON values that identify the world; stored with the data, and compared on resuming.
+        progress: Called after each interaction.
+
+    Raises:
+        UnknownChoice: If there is no such strategy.
+        InvalidValue: If a number is impossible, or the checkpoint was made with other options, or already
+            holds more steps.
+        InvalidFile: If the checkpoint is damaged.
+        RayMissing, NoCluster: If a Ray cluster is asked for and cannot be had.
+    """
+    if steps < 1:
+        raise InvalidValue(f"steps = {steps} must be at least 1.")
+    explorer = _Explorer(
+        world_factory(),
+        strategy,
+        seed,
+        config or ExplorationConfig(),
+        model_config or EXPLORING,
+        origin or {},
+    )
+    if checkpoint is not None:
+        explorer.resume(checkpoint, steps)
+    hired = crew(world_factory, workers) if ray is None else ray_crew(world_factory, ray)
+    with hired as perform:
+        while len(explorer) < steps:
+            explorer.advance(perform, steps, progress)
+            if checkpoint is not None:
+                explorer.save(checkpoint)
+    assert explorer.interactions is not None
+    return explorer.interactions
+
+
+def origin_of_world(world: World) -> dict[str, Any]:
+    """Say of a world what training must know of its actions, in plain JSON values."""
+    box = world.action_box
+    return {
+        "world": world.name,
+        "feature_names": list(world.feature_names),
+        "gripper_columns": np.flatnonzero(box.gripper).tolist(),
+        "action_low": box.low.tolist(),
+        "action_high": box.high.tolist(),
+        "mirrors": [{"actions": list(m.actions), "effects": list(m.effects)} for m in box.mirrors],
+    }
+
+
+class _Explorer:
+    """What exploration knows at the end of a block."""
+
+    def __init__(
+        self,
+        world: World,
+        strategy: str,
+        seed: int,
+        config: ExplorationConfig,
+        model_config: ModelConfig,
+        origin: dict[str, Any],
+    ):
+        self.world, self.seed, self.config = world, seed, config
+        box = world.action_box
+        self.origin = {
+            "strategy": own_name(strategy),
+            "seed": seed,
+            **asdict(config),
+            "model": asdict(model_config),
+            **origin_of_world(world),
+            **json.loads(json.dumps(origin)),  # as it comes back from a file: lists, not tuples
+        }
+        self.curiosity = None
+        about = strategy_named(strategy, config.min_predicted_effect).curious_about
+        if about is not None:
+            columns = tuple(np.flatnonzero(box.gripper).tolist())
+            dimensions = Dimensions(len(world.feature_names), len(box.low), 3, columns)
+            self.curiosity = make_curiosity(
+                about, dimensions, model_config, config.learning, box.mirrors, seed
+            )
+        self.interactions: Interactions | None = None
+        self.blocks = 0
+
+    def __len__(self) -> int:
+        return 0 if self.interactions is None else len(self.interactions)
+
+    def advance(self, perform: Perform, steps: int, progress: Progress | None) -> None:
+        """Make one block of interactions, and learn from all so far if it is a whole one."""
+        done = len(self)
+        actions: list[np.ndarray] = []
+        outcomes = []
+        for outcome in perform(self._tasks(range(done, min(done + self.config.block, steps)), actions)):
+            outcomes.append(outcome)
+            if progress is not None:
+                progress(done + len(outcomes), steps)
+        block = Interactions.from_outcomes(outcomes, np.stack(actions), self.origin)
+        self.interactions = block if self.interactions is None else self.interactions.join(block)
+        if len(block) == self.config.block:
+            self.blocks += 1
+            if self.curiosity is not None:
+                self.curiosity.learn(self.interactions, self.blocks)
+
+    def _tasks(self, numbers: range, actions: list[np.ndarray]) -> Iterator[Task]:
+        for number in numbers:
+            task = choose_action(self.world, self.curiosity, self.config, self.seed, number)
+            actions.append(task.action)
+            yield task
+
+    def save(self, folder: Path) -> None:
+        """Write the interactions first and then the state, so that the state is never ahead of them."""
+        assert self.interactions is not None
+        self.interactions.save(folder / INTERACTIONS_FILE)
+        tensors = {} if self.curiosity is None else self.curiosity.state()
+        description = {"blocks": self.blocks, "options": self.origin}
+        write_tensors(folder / STATE_FILE, FORMAT, tensors, description)
+
+    def resume(self, folder: Path, steps: int) -> None:
+        """Go on from the whole blocks that are written in a folder, if any."""
+        path = folder / STATE_FILE
+        if not path.exists():
+            return
+        tensors, description = read_tensors(path, FORMAT)
+        options, blocks = description.get("options"), description.get("blocks")
+        if not isinstance(options, dict) or type(blocks) is not int or blocks < 0:
+            raise InvalidFile(path, "it does not say how many blocks there are, or with which options")
+        _check_options(path, options, self.origin)
+        rows = blocks * self.config.block
+        if rows > steps:
+            raise InvalidValue(
+                f"{folder} already holds {rows} interactions; ask for at least as many steps, not {steps}."
+            )
+        if rows == 0:
+            return
+        self.interactions, self.blocks = self._interactions_of(path, rows), blocks
+        if self.curiosity is not None:
+            try:
+                self.curiosity.restore(tensors)
+            except (KeyError, ValueError, RuntimeError) as error:
+                raise InvalidFile(path, "its weights do not fit the options stored beside them") from error
+
+    def _interactions_of(self, state: Path, rows: int) -> Interactions:
+        """Read the interactions that a state was learned from."""
+        path, begin_anew = state.with_name(INTERACTIONS_FILE), f"remove {STATE_FILE} to begin anew"
+        if not path.exists():
+            raise InvalidFile(state, f"{path} is missing, which goes with it; {begin_anew}")
+        found = Interactions.load(path)
+        if found.origin != self.origin:
+            raise InvalidFile(path, f"it is of another exploration than {state}; {begin_anew}")
+        if len(found) < rows:
+            raise InvalidFile(path, f"it holds fewer than the {rows} interactions of {state}; {begin_anew}")
+        return found[:rows]
+
+
+def _check_options(path: Path, stored: dict[str, Any], wanted: dict[str, Any]) -> None:
+    telling = ("strategy", "seed")
+    for name in (*telling, *sorted(stored.keys() | wanted.keys())):
+        if stored.get(name) != wanted.get(name):
+            raise InvalidValue(
+                f"{path} was made with {name} = {stored.get(name)!r}, not {wanted.get(name)!r}; "
+                f"use that again, or remove {STATE_FILE} and {INTERACTIONS_FILE} to begin anew."
+            )

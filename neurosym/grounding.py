@@ -1,0 +1,227 @@
+"""Grounding: what is needed to plan with a learned domain and to turn plans back into motions.
+
+It is the table of operators together with the grid that the PDDL text is printed on. No neural network is
+needed beyond this point. It is stored as `grounding.json`, next to the domain.
+"""
+
+import math
+from collections.abc import Collection
+from pathlib import Path
+
+import msgspec
+
+from neurosym.errors import InvalidFile, UnknownChoice
+from neurosym.files import read_json, write_json
+from neurosym.naming import counted_axes
+from neurosym.operators import MIN_CHANCE, Category, Effect, Mode, Operator, OperatorTable, Primitive, Vector
+from neurosym.symbols import Symbol
+from neurosym.wording import quoted
+from neurosym.world import Table
+
+FORMAT = "neurosym-grounding-1"
+MIN_TRIALS = 5
+"""An operator with fewer rehearsals than this is not believed."""
+
+Cells = tuple[int, int, int]
+
+
+class Grounding(msgspec.Struct, frozen=True, forbid_unknown_fields=True, omit_defaults=True):
+    """Everything that planning, replay and execution know of a learned domain.
+
+    Attributes:
+        format: Version of this file.
+        name: Name of the PDDL domain.
+        cell: Edge of a grid cell [m].
+        table: Where objects may stand [m].
+        lift_height: How far the hand rises after the last waypoint [m].
+        operators: The table of operators.
+        unit_costs: Whether every step costs the same, instead of the more the rarer it goes well.
+    """
+
+    format: str
+    name: str
+    cell: float
+    table: Table
+    lift_height: float
+    operators: OperatorTable
+    unit_costs: bool = False
+
+    def __post_init__(self) -> None:
+        if self.operators.axes != 3:
+            raise ValueError(f"its effects have {counted_axes(self.operators.axes)}; valid: x, y and z")
+
+    def save(self, path: Path) -> None:
+        """Write the grounding to a file, `grounding.json` by custom."""
+        write_json(path, self)
+
+    @classmethod
+    def load(cls, path: Path) -> "Grounding":
+        """Read a grounding.
+
+        Raises:
+            InvalidFile: If the file is none, or of another version.
+        """
+        remedy = f"; `neurosym compile-domain {quoted(path.parent)}` writes it anew"
+        found = read_json(path, _Versioned, remedy).format
+        if found != FORMAT:
+            raise InvalidFile(
+                path, f"it is of the format {found!r}, and this version reads {FORMAT!r}{remedy}"
+            )
+        return read_json(path, cls, remedy)
+
+    def operator_named(self, name: str) -> Operator:
+        """Return the operator of that name.
+
+        Raises:
+            UnknownChoice: If there is none.
+        """
+        for operator in self.operators.operators:
+            if operator.name == name:
+                return operator
+        raise UnknownChoice("operator", name, (operator.name for operator in self.operators.operators))
+
+    def operator_for(self, category: Symbol, primitive: Symbol) -> Operator | None:
+        """Return what a primitive mostly does to a category, or None if that was never rehearsed."""
+        for operator in self.operators.operators:
+            if (operator.category, operator.primitive) == (category, primitive):
+                return operator
+        return None
+
+    def primitive(self, symbol: Symbol) -> Primitive:
+        """Return the primitive with that action symbol.
+
+        Raises:
+            UnknownChoice: If there is none.
+        """
+        for primitive in self.operators.primitives:
+            if primitive.symbol == symbol:
+                return primitive
+        raise UnknownChoice("primitive", symbol, (p.symbol for p in self.operators.primitives))
+
+    def category(self, symbol: Symbol) -> Category:
+        """Return the category with that object symbol.
+
+        Raises:
+            UnknownChoice: If there is none.
+        """
+        for category in self.operators.categories:
+            if category.symbol == symbol:
+                return category
+        raise UnknownChoice("category", symbol, (c.symbol for c in self.operators.categories))
+
+    def narrowed(self, categories: Collection[Symbol]) -> "Grounding":
+        """Keep only what is done to objects of some categories, so that planners have less to read."""
+        kept = tuple(op for op in self.operators.operators if op.category in categories)
+        return msgspec.structs.replace(
+            self, operators=msgspec.structs.replace(self.operators, operators=kept)
+        )
+
+    @property
+    def live(self) -> tuple[Operator, ...]:
+        """The operators that the PDDL domain has actions for, by name."""
+        found = (operator for operator in self.operators.operators if self.why_left_out(operator) is None)
+        return tuple(sorted(found, key=lambda operator: operator.name))
+
+    @property
+    def left_out(self) -> dict[str, str]:
+        """Why each of the other operators has none, by name."""
+        reasons = {operator.name: self.why_left_out(operator) for operator in self.operators.operators}
+        return {name: reason for name, reason in sorted(reasons.items()) if reason is not None}
+
+    def why_left_out(self, operator: Operator) -> str | None:
+        """Say why an operator is not in the PDDL domain, or return None if it is."""
+        toppled = sum(mode.count for mode in operator.modes if mode.kind == "toppled")
+        if operator.trials < MIN_TRIALS:
+            return f"fewer than {MIN_TRIALS} rehearsals"
+        if operator.successes < MIN_CHANCE * operator.trials and 2 * toppled > operator.trials:
+            return "topples more often than not"
+        if operator.promise is None:
+            return "never ends at rest or held"
+        if operator.successes < MIN_CHANCE * operator.trials:
+            return f"keeps its promise in {operator.successes} of {operator.trials} rehearsals only"
+        if self.cells(operator) == (0, 0, 0):
+            return "moves less than half a cell"
+        if math.hypot(*self.displacement(operator)) < math.hypot(*_promise(operator).scatter):
+            return "scatters more than it moves"
+        return None
+
+    def displacement(self, operator: Operator) -> Vector:
+        """Return what an operator promises [m].
+
+        An object that comes to rest upright keeps its height: the world guarantees that.
+
+        Args:
+            operator: An operator with a promise.
+        """
+        promise = _promise(operator)
+        return in_space(promise.effect) if promise.kind == "held" else at_rest(promise)
+
+    def put_down_displacement(self, operator: Operator) -> Vector:
+        """Return how putting the object down again moves it [m], back to its height above the table.
+
+        Args:
+            operator: An operator that promises to end held.
+        """
+        promise = _promise(operator)
+        x, y, z = promise.effect
+        return (promise.resting_effect[0] - x, promise.resting_effect[1] - y, -z)
+
+    def cells(self, operator: Operator) -> Cells:
+        """Return what an operator promises, in whole cells."""
+        return _in_cells(self.displacement(operator), self.cell)
+
+    def put_down_cells(self, operator: Operator) -> Cells:
+        """Return how putting down moves the object, in whole cells, such that no rounding adds up."""
+        x, y, z = self.cells(operator)
+        resting = _in_cells(in_space(_promise(operator).resting_effect), self.cell)
+        return (resting[0] - x, resting[1] - y, -z)
+
+    def rounding(self) -> Vector:
+        """Return how far one step of a plan can err on each axis because of the grid [m].
+
+        On x and y the errors of several steps add up. On z they do not: whatever rests is at its own
+        height exactly, so only an object that ends held errs.
+        """
+        errors = [(0.0, 0.0, 0.0)]
+        for operator in self.live:
+            errors.append(_remainder(self.displacement(operator), self.cells(operator), self.cell))
+            resting = at_rest(_promise(operator))
+            errors.append(_remainder(resting, _in_cells(resting, self.cell), self.cell))
+        x, y, z = (max(axis) for axis in zip(*errors, strict=True))
+        return (x, y, z)
+
+
+class _Versioned(msgspec.Struct, frozen=True):
+    format: str
+
+
+def is_lift(operator: Operator) -> bool:
+    """Say whether an operator promises to end with the object held."""
+    return operator.promise is not None and operator.promise.kind == "held"
+
+
+def in_space(effect: Effect) -> Vector:
+    """Return an effect along x, y and z as a vector [m]."""
+    x, y, z = effect
+    return (x, y, z)
+
+
+def at_rest(promise: Mode) -> Vector:
+    """Return where a promise to end upright brings the object: it keeps its height [m]."""
+    x, y, _ = promise.resting_effect
+    return (x, y, 0.0)
+
+
+def _promise(operator: Operator) -> Mode:
+    assert operator.promise is not None, f"{operator.name} promises nothing"
+    return operator.promise
+
+
+def _in_cells(displacement: Vector, cell: float) -> Cells:
+    x, y, z = (int(math.copysign(math.floor(abs(part) / cell + 0.5), part)) for part in displacement)
+    return (x, y, z)
+
+
+def _remainder(displacement: Vector, cells: Cells, cell: float) -> Vector:
+    x, y, z = (abs(part - cell * whole) for part, whole in zip(displacement, cells, strict=True))
+    return (x, y, z)

@@ -1,0 +1,1 @@
+"""Learning: the networks, and how they are fitted to a data set."""

@@ -1,0 +1,208 @@
+"""Losses of the effect model, and the loop that descends them."""
+
+import math
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+
+import torch
+from jaxtyping import Float, Int
+from torch import Tensor, nn
+from torch.nn import functional
+
+from neurosym.learning.effect_model import EffectModel
+from neurosym.learning.network import one_thread
+from neurosym.learning.training_config import TrainingConfig
+
+BatchLoss = Callable[[Tensor], Tensor]
+"""Gives the loss of a batch, from the numbers of its rows."""
+
+FitProgress = Callable[[str, float], None]
+"""Called with what is being done and the share of it that is done."""
+
+
+def negative_log_likelihood(
+    mean: Float[Tensor, "B E"], log_variance: Float[Tensor, "B E"], effects: Float[Tensor, "B E"]
+) -> Float[Tensor, ""]:
+    """Compute the NLL of eq. 7, averaged over samples and axes."""
+    squares = (effects - mean) ** 2 * torch.exp(-log_variance)
+    return 0.5 * (math.log(2 * math.pi) + log_variance + squares).mean()
+
+
+def nt_xent(embeddings: Float[Tensor, "B K"], temperature: float) -> Float[Tensor, ""]:
+    """Compute the contrastive loss of eq. 8 as printed: each sample is its own positive.
+
+    Since s_ii = 1, what is left is a pull towards embeddings that are spread evenly.
+
+    Args:
+        embeddings: Concatenated object and action embeddings.
+        temperature: The temperature tau.
+    """
+    unit = functional.normalize(embeddings, dim=1)
+    similarities = unit @ unit.T / temperature  # (B, B)
+    return (torch.logsumexp(similarities, dim=1) - similarities.diagonal()).mean()
+
+
+def total_loss(
+    model: EffectModel,
+    features: Float[Tensor, "B F"],
+    actions: Float[Tensor, "B A"],
+    effects: Float[Tensor, "B E"],
+    *,
+    coefficient: float,
+    temperature: float | None,
+) -> Float[Tensor, ""]:
+    """Compute the loss of eq. 9; a "mean" head takes the squared error in place of the NLL.
+
+    Args:
+        model: The model.
+        features: Object features.
+        actions: Action parameters.
+        effects: Observed effects [m].
+        coefficient: The loss coefficient lambda.
+        temperature: The temperature tau; None leaves the contrastive loss out.
+    """
+    objects, chosen = model.embed_objects(features), model.embed_actions(actions)
+    loss = prediction_loss(model, objects, chosen, effects)
+    if temperature is not None:
+        loss = loss + nt_xent(torch.cat([objects, chosen], dim=1), temperature)
+    return coefficient * loss
+
+
+def prediction_loss(
+    model: EffectModel,
+    objects: Float[Tensor, "B Ko"],
+    chosen: Float[Tensor, "B Ka"],
+    effects: Float[Tensor, "B E"],
+) -> Float[Tensor, ""]:
+    """Compute how badly the decoder predicts effects from embeddings or codes: NLL, or squared error.
+
+    Args:
+        model: The model whose decoder predicts.
+        objects: Embeddings or +-1 codes of the objects.
+        chosen: Embeddings or +-1 codes of the actions.
+        effects: Observed effects [m].
+    """
+    mean, log_variance = model.decode(objects, chosen)
+    targets = (effects - model.effect_mean) / model.effect_std
+    if model.config.head == "mean":
+        return functional.mse_loss(mean, targets)
+    return negative_log_likelihood(mean, log_variance, targets)
+
+
+def run_epochs(
+    loss_of: BatchLoss,
+    rows: int,
+    optimiser: torch.optim.Optimizer,
+    generator: torch.Generator,
+    *,
+    epochs: int,
+    batch: int,
+    clip_norm: float,
+    decay: bool = False,
+    after_epoch: Callable[[int], None] | None = None,
+) -> None:
+    """Descend a loss in shuffled mini-batches of nearly equal size.
+
+    Args:
+        loss_of: Loss of a batch.
+        rows: How many samples there are.
+        optimiser: Holds the parameters and takes the steps.
+        generator: Source of the order of samples, owned by the caller.
+        epochs: How often every sample is seen.
+        batch: Samples in a mini-batch.
+        clip_norm: Greatest norm of a gradient.
+        decay: Whether the learning rate falls to zero along a half cosine.
+        after_epoch: Called with the number of epochs done.
+    """
+    parameters = [p for group in optimiser.param_groups for p in group["params"]]
+    rates = [group["lr"] for group in optimiser.param_groups]
+    parts = max(1, round(rows / batch))
+    for epoch in range(epochs):
+        batches: tuple[Int[Tensor, " B"], ...] = torch.randperm(rows, generator=generator).tensor_split(parts)
+        for number, indices in enumerate(batches):
+            if decay:
+                _set_rates(optimiser, rates, (epoch * parts + number) / (epochs * parts))
+            optimiser.zero_grad()
+            loss_of(indices).backward()  # type: ignore[no-untyped-call]
+            torch.nn.utils.clip_grad_norm_(parameters, clip_norm)
+            optimiser.step()
+        if after_epoch is not None:
+            after_epoch(epoch + 1)
+    for group, rate in zip(optimiser.param_groups, rates, strict=True):
+        group["lr"] = rate
+
+
+def descend(
+    loss_of: BatchLoss,
+    rows: int,
+    parameters: list[nn.Parameter],
+    config: TrainingConfig,
+    generator: torch.Generator,
+    *,
+    epochs: int,
+    report: Callable[[float], None],
+) -> None:
+    """Descend a loss by Adam, as a configuration says.
+
+    Args:
+        loss_of: Loss of a batch.
+        rows: How many samples there are.
+        parameters: What is fitted.
+        config: Step size, its decay, and the size of mini-batches.
+        generator: Source of the order of samples, owned by the caller.
+        epochs: How often every sample is seen.
+        report: Called with the share that is done.
+    """
+    run_epochs(
+        loss_of,
+        rows,
+        torch.optim.Adam(parameters, lr=config.learning_rate, fused=True),
+        generator,
+        epochs=epochs,
+        batch=config.batch,
+        clip_norm=config.clip_norm,
+        decay=config.decay,
+        after_epoch=lambda done: report(done / epochs),
+    )
+
+
+def take_steps(
+    loss: Callable[[], Tensor],
+    parameters: list[nn.Parameter],
+    steps: int,
+    rate: float,
+    report: Callable[[float], None],
+) -> None:
+    """Descend a loss that draws its own batches, the step size rising to `rate` and falling to 0.
+
+    Args:
+        loss: Draws a batch and computes its loss.
+        parameters: What is fitted.
+        steps: How many steps.
+        rate: Greatest step size of Adam.
+        report: Called with the share that is done.
+    """
+    optimiser = torch.optim.Adam(parameters, lr=rate, fused=True)
+    schedule = torch.optim.lr_scheduler.OneCycleLR(optimiser, rate, total_steps=steps)
+    for step in range(steps):
+        optimiser.zero_grad()
+        loss().backward()  # type: ignore[no-untyped-call]
+        optimiser.step()
+        schedule.step()
+        report((step + 1) / steps)
+
+
+@contextmanager
+def reproducible(seed: int) -> Iterator[torch.Generator]:
+    """Compute the same bits each time: one thread, and seeded draws (initial weights, dropout) in this block.
+
+    Args:
+        seed: Where the draws start. The caller's random state is left as it was.
+    """
+    with one_thread(), torch.random.fork_rng(devices=[]):
+        yield torch.manual_seed(seed)
+
+
+def _set_rates(optimiser: torch.optim.Optimizer, rates: list[float], share_done: float) -> None:
+    for group, rate in zip(optimiser.param_groups, rates, strict=True):
+        group["lr"] = rate * 0.5 * (1 + math.cos(math.pi * share_done))

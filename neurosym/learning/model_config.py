@@ -1,0 +1,67 @@
+"""How the effect model is built, apart from the network itself, so that reading it does not load torch."""
+
+from dataclasses import dataclass
+from typing import Literal
+
+from neurosym.errors import InvalidValue
+
+_MOST_BITS = 8
+_MOST_HIDDEN = 4096
+
+
+@dataclass(frozen=True, slots=True)
+class ModelConfig:
+    """How the network is built.
+
+    Attributes:
+        object_bits: Bits of an object symbol.
+        action_bits: Bits of an action symbol.
+        hidden: Width of the hidden layers.
+        dropout: Share of hidden units dropped in training (the paper does not say how many). None by default:
+            what a teacher imagines never repeats itself.
+        layer_norm: Whether the concatenated embeddings are layer-normalised (the paper's text). All-plus and
+            all-minus then look alike to the decoder.
+        gripper_sharpness: Gripper parameters g enter as open or closed, since that is all they do;
+            distillation sees sigmoid(sharpness (g - 0.5)). None lets them enter as they are (the paper).
+        head: "gaussian" predicts mean and log variance, "mean" the mean alone (the baselines).
+    """
+
+    object_bits: int = 2
+    action_bits: int = 3
+    hidden: int = 128
+    dropout: float = 0.0
+    layer_norm: bool = False
+    gripper_sharpness: float | None = 15.0
+    head: Literal["gaussian", "mean"] = "gaussian"
+
+    def __post_init__(self) -> None:
+        for name in ("object_bits", "action_bits"):
+            if not 1 <= getattr(self, name) <= _MOST_BITS:
+                raise InvalidValue(f"{name} = {getattr(self, name)} must be between 1 and {_MOST_BITS}.")
+        if not 1 <= self.hidden <= _MOST_HIDDEN:
+            raise InvalidValue(f"hidden = {self.hidden} must be between 1 and {_MOST_HIDDEN}.")
+        if not 0 <= self.dropout < 1:
+            raise InvalidValue(f"dropout = {self.dropout} must be at least 0 and less than 1.")
+        if self.head not in ("gaussian", "mean"):
+            raise InvalidValue(f"head = {self.head!r} must be 'gaussian' or 'mean'.")
+
+
+EXPLORING = ModelConfig(dropout=0.1, layer_norm=True)
+"""The network whose entropy is explored by, with dropout and LayerNorm as the paper has it."""
+
+
+@dataclass(frozen=True, slots=True)
+class DirectConfig:
+    """How a network without a bottleneck is built.
+
+    Attributes:
+        hidden: Width of its three hidden layers.
+        dropout: Share of hidden units dropped in training.
+        gripper_sharpness: As in `ModelConfig`.
+        peaks: Whether it also predicts the greatest height on the way, which tells carrying from pushing.
+    """
+
+    hidden: int = 256
+    dropout: float = 0.1
+    gripper_sharpness: float | None = 15.0
+    peaks: bool = True

@@ -1,0 +1,220 @@
+"""The final fit: from a data set of interactions to an effect model whose bits can be relied on.
+
+Each restart starts from other weights; the one that predicts held-out effects best *through its binary codes*
+is kept. The report sets the model's error beside what predictors that look at nothing achieve.
+"""
+
+from dataclasses import asdict, dataclass, replace
+from typing import Any
+
+import numpy as np
+from jaxtyping import Float
+
+from neurosym.data.check import too_few
+from neurosym.data.dimensions import Dimensions
+from neurosym.data.interactions import Interactions
+from neurosym.data.origin import strategy_of
+from neurosym.errors import InvalidValue
+from neurosym.learning.direct_model import DirectModel
+from neurosym.learning.effect_model import EffectModel
+from neurosym.learning.losses import FitProgress, reproducible
+from neurosym.learning.model_config import ModelConfig
+from neurosym.learning.recipes import RECIPES, fit_direct
+from neurosym.learning.samples import Samples, dimensions_of, samples_of
+from neurosym.learning.training_config import TrainingConfig
+
+_DIRECT = 0x6469  # keeps the draws of the network without a bottleneck apart from those of restarts
+
+TrainingReport = dict[str, Any]
+"""Plain JSON values: see `assess` for the keys; besides, `restarts` and the figures of each."""
+
+
+@dataclass(frozen=True, slots=True)
+class Trained:
+    """What training makes.
+
+    Attributes:
+        model: The effect model, whose bits are the symbols.
+        direct: A network without a bottleneck on the same data: what the bits could tell at best.
+        report: How well both predict; see `assess`.
+    """
+
+    model: EffectModel
+    direct: DirectModel
+    report: TrainingReport
+
+
+def train(
+    interactions: Interactions,
+    *,
+    config: TrainingConfig | None = None,
+    model_config: ModelConfig | None = None,
+    seed: int,
+    direct: DirectModel | None = None,
+    progress: FitProgress | None = None,
+) -> Trained:
+    """Fit an effect model to a data set; the same seed gives the same bytes.
+
+    What is known of the actions (which are gripper values, their box, mirrors of the world) is read from the
+    data's origin where it stands there. If the data was explored with one of the paper's baselines, the model
+    has a deterministic head, and learns only from what that baseline learns from.
+
+    Args:
+        interactions: The data.
+        config: How the fit is made.
+        model_config: How the network is built.
+        seed: Where all draws start.
+        direct: A network without a bottleneck that was fitted to the same data before; else one is.
+        progress: Called with the stage and the share of it that is done.
+
+    Raises:
+        InvalidValue: If there are too few interactions to hold some out.
+    """
+    config, progress = config or TrainingConfig(), progress or _silent
+    strategy = strategy_of(interactions.origin)
+    model_config = model_config or ModelConfig()
+    if strategy is not None:
+        model_config = replace(model_config, head=strategy.head)
+        interactions = interactions[strategy.learns_from(interactions.effects)]
+    kept, held_out = split(interactions, config.validation_share, seed)
+    samples = samples_of(kept, mirrors=config.mirrors)
+    trained_by = {
+        "training": asdict(config),
+        "seed": seed,
+        "interactions": len(interactions),
+        "origin": interactions.origin,
+    }
+    if direct is None:
+        direct = _fit_direct(samples, dimensions_of(interactions), config, seed, progress)
+        direct.trained_by = trained_by
+    fits = [_fit(samples, direct, model_config, config, seed, n, progress) for n in range(config.restarts)]
+    reports = [assess(model, direct, kept, held_out) for model in fits]
+    best = int(np.argmax([report["r2_through_codes"] for report in reports]))
+    model, report = fits[best], reports[best]
+    report["restarts"] = [figures["r2_through_codes"] for figures in reports]
+    model.trained_by = trained_by
+    return Trained(model, direct, report)
+
+
+def _fit_direct(
+    samples: Samples, dimensions: Dimensions, config: TrainingConfig, seed: int, progress: FitProgress
+) -> DirectModel:
+    with reproducible(_seed(seed, _DIRECT)) as generator:
+        direct = DirectModel(dimensions, config.direct)
+        direct.set_scale(samples.outcomes(peaks=config.direct.peaks), samples.mirrored_axes)
+        fit_direct(direct, samples, config, generator, progress)
+    return direct
+
+
+def _fit(
+    samples: Samples,
+    direct: DirectModel,
+    model_config: ModelConfig,
+    config: TrainingConfig,
+    seed: int,
+    restart: int,
+    progress: FitProgress,
+) -> EffectModel:
+    with reproducible(_seed(seed, restart)) as generator:
+        model = EffectModel(direct.dimensions, model_config)
+        if config.standardise:
+            model.set_scale(samples.effects, samples.mirrored_axes)
+        RECIPES[config.recipe](model, direct, samples, config, generator, progress)
+    return model
+
+
+def split(interactions: Interactions, share: float, seed: int) -> tuple[Interactions, Interactions]:
+    """Split a data set into the part to train on and the part held out.
+
+    Args:
+        interactions: The data.
+        share: Share that is held out.
+        seed: Decides which.
+
+    Raises:
+        InvalidValue: If there are too few.
+    """
+    if problem := too_few(len(interactions)):
+        raise InvalidValue(f"{problem}.")
+    order = np.random.default_rng([seed, len(interactions)]).permutation(len(interactions))
+    held_out = max(2, round(share * len(interactions)))
+    return interactions[order[held_out:]], interactions[order[:held_out]]
+
+
+def assess(
+    model: EffectModel, direct: DirectModel, kept: Interactions, held_out: Interactions
+) -> TrainingReport:
+    """Measure a model on interactions that it was not trained on.
+
+    Returns:
+        `r2_through_codes`, `r2` (without cutting the embeddings to bits) and `r2_direct` (of the network
+        without a bottleneck), mean over the axes that vary and per axis; `share`, see `share_of`;
+        `mae` [m] per axis of the model (through codes) and of the trivial predictors always-zero, always-mean
+        and per-axis median; `object_symbols` and `action_symbols`, the share of each.
+
+    Args:
+        model: The model.
+        direct: The network without a bottleneck.
+        kept: What it was trained on, from which the trivial predictors come.
+        held_out: What it is measured on.
+    """
+    effects = np.asarray(held_out.effects, dtype=np.float64)
+    coded, _ = model.predict_from_codes(held_out.features, held_out.actions)
+    uncut, _ = model.predict(held_out.features, held_out.actions)
+    predictors = {
+        "model": coded,
+        "always zero": np.zeros_like(effects),
+        "always mean": np.broadcast_to(kept.effects.mean(0), effects.shape),
+        "per-axis median": np.broadcast_to(np.median(kept.effects, axis=0), effects.shape),
+    }
+    r2_coded, r2 = r_squared(coded, effects), r_squared(uncut, effects)
+    r2_direct = r_squared(direct.predict(held_out.features, held_out.actions), effects)
+    varies = effects.std(0) > 0
+    mean_coded, mean_uncut, mean_direct = (
+        float(r2s[varies].mean()) if varies.any() else 0.0 for r2s in (r2_coded, r2, r2_direct)
+    )
+    return {
+        "held_out": len(held_out),
+        "r2_through_codes": mean_coded,
+        "r2_through_codes_by_axis": r2_coded.tolist(),
+        "r2": mean_uncut,
+        "r2_by_axis": r2.tolist(),
+        "r2_direct": mean_direct,
+        "r2_direct_by_axis": r2_direct.tolist(),
+        "share": share_of(mean_coded, mean_direct),
+        "mae": {name: np.abs(guess - effects).mean(0).tolist() for name, guess in predictors.items()},
+        "object_symbols": _shares(model.object_symbols(held_out.features)),
+        "action_symbols": _shares(model.action_symbols(held_out.actions)),
+    }
+
+
+def share_of(through_codes: float, direct: float) -> float | None:
+    """Divide the R2 through the codes by that without a bottleneck; None if the latter explains nothing.
+
+    Args:
+        through_codes: R2 of the effect predicted through the binary codes.
+        direct: R2 of a network without a bottleneck on the same data.
+    """
+    return through_codes / direct if direct > 0 else None
+
+
+def r_squared(
+    predicted: Float[np.ndarray, "N E"], observed: Float[np.ndarray, "N E"]
+) -> Float[np.ndarray, "E"]:
+    """Compute the share of the variance that is explained, per axis; 0 where there is no variance."""
+    residual = ((predicted - observed) ** 2).sum(0)
+    total = ((observed - observed.mean(0)) ** 2).sum(0)
+    return np.where(total > 1e-12, 1 - residual / np.maximum(total, 1e-12), 0.0)
+
+
+def _seed(seed: int, restart: int) -> int:
+    return int(np.random.default_rng([seed, restart]).integers(2**62))
+
+
+def _shares(symbols: tuple[str, ...]) -> dict[str, float]:
+    names, counts = np.unique(symbols, return_counts=True)
+    return {str(name): float(count) / len(symbols) for name, count in zip(names, counts, strict=True)}
+
+
+def _silent(stage: str, share: float) -> None:
+    """Report nothing."""

@@ -1,0 +1,159 @@
+"""Replaying a plan with the exact displacements that its operators promise, before it is believed."""
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from jaxtyping import Bool, Float
+
+from neurosym.grounding import Grounding, is_lift
+from neurosym.operators import Operator
+from neurosym.pddl.moves import chance
+from neurosym.pddl.plan_text import PlanStep
+from neurosym.problems import Problem
+from neurosym.wording import in_millimetres
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Replay:
+    """What a plan promises, step by step.
+
+    Attributes:
+        positions: Centres of the objects before the first step and after each [m]; a plan that fails ends
+            with the step that is impossible.
+        possible: Whether every step is possible.
+        valid: Whether every step is possible and the goal is met.
+        reason: Why not; empty if valid.
+        failed: The step that is impossible, and why, if one is.
+    """
+
+    positions: Float[np.ndarray, "steps M 3"]
+    possible: bool
+    valid: bool
+    reason: str
+    failed: tuple[PlanStep, str] | None = None
+
+
+def replay(steps: Sequence[PlanStep], problem: Problem, grounding: Grounding) -> Replay:
+    """Replay a plan with exact displacements.
+
+    Args:
+        steps: The plan.
+        problem: The problem it is for, which has every object that the plan names.
+        grounding: The learned domain.
+    """
+    positions = [problem.scene().positions]
+    room, apart = problem.room(grounding.table), footprints_apart(problem)
+    rests = np.ones(len(problem.objects), dtype=bool)
+    held_by: PlanStep | None = None
+    for number, step in enumerate(steps, start=1):
+        operator = grounding.operator_named(step.base)
+        moved = problem.object_names.index(step.object)
+        problem_with_hand = _hand_problem(step, operator, held_by)
+        if problem_with_hand:
+            return _failed(positions, number, step, problem_with_hand)
+        positions.append(_moved(positions[-1], moved, step, operator, grounding))
+        held_by = step if is_lift(operator) and not step.puts_down else None
+        rests[moved] = held_by is None
+        if reason := _place_problem(positions[-1], moved, rests, room, apart, problem.object_names):
+            return _failed(positions, number, step, reason)
+    reason = _missed_goal(positions[-1], problem)
+    return Replay(np.array(positions), True, not reason, reason)
+
+
+def hand_problem(steps: Sequence[PlanStep], grounding: Grounding) -> str:
+    """Say which step of a plan asks the hand for what it cannot do, or nothing if none does.
+
+    Args:
+        steps: The plan.
+        grounding: The learned domain.
+    """
+    held_by: PlanStep | None = None
+    for number, step in enumerate(steps, start=1):
+        operator = grounding.operator_named(step.base)
+        if operator.promise and (problem := _hand_problem(step, operator, held_by)):
+            return f"step {number}, {step.operator} {step.object}: {problem}"
+        held_by = step if is_lift(operator) and not step.puts_down else None
+    return ""
+
+
+def _hand_problem(step: PlanStep, operator: Operator, held_by: PlanStep | None) -> str:
+    if operator.promise is None:
+        return "the operator promises nothing"
+    if step.puts_down:
+        lifted = held_by is not None and (held_by.operator, held_by.object) == (step.base, step.object)
+        return "" if lifted else f"{step.object} is not held by {step.base}"
+    return "" if held_by is None else f"the hand still holds {held_by.object}"
+
+
+def _moved(
+    positions: Float[np.ndarray, "M 3"], moved: int, step: PlanStep, operator: Operator, grounding: Grounding
+) -> Float[np.ndarray, "M 3"]:
+    by = grounding.put_down_displacement if step.puts_down else grounding.displacement
+    after = positions.copy()
+    after[moved] += by(operator)
+    return after
+
+
+def expected_success(steps: Sequence[PlanStep], grounding: Grounding) -> float:
+    """Return the chance that all steps of a plan keep their promise, if they fail independently.
+
+    Args:
+        steps: The plan; a put-down belongs to its lift.
+        grounding: The learned domain.
+    """
+    chances = (chance(grounding.operator_named(step.base)) for step in steps if not step.puts_down)
+    return math.prod(chances, start=1.0)
+
+
+def footprints_apart(problem: Problem) -> Float[np.ndarray, "M M 2"]:
+    """Return how far apart the centres of two objects must be on x or y, not to stand in each other [m].
+
+    Footprints count as boxes along the axes. Of two that overlap at the start already nothing is asked.
+
+    Args:
+        problem: The problem.
+    """
+    sizes = np.array([item.features[:2] for item in problem.objects], dtype=float)
+    apart = (sizes[:, None] + sizes) / 2
+    spots = problem.scene().positions[:, :2]
+    apart[np.all(np.abs(spots[:, None] - spots) < apart, axis=-1)] = 0.0
+    return np.asarray(apart)
+
+
+def overlapping(
+    spot: Float[np.ndarray, "2"], others: Float[np.ndarray, "M 2"], apart: Float[np.ndarray, "M 2"]
+) -> Bool[np.ndarray, " M"]:
+    """Say which of some objects an object would stand in; see `footprints_apart`."""
+    return np.asarray(np.all(np.abs(others - spot) < apart, axis=-1))
+
+
+def _place_problem(
+    here: Float[np.ndarray, "M 3"],
+    moved: int,
+    rests: Bool[np.ndarray, " M"],
+    room: Float[np.ndarray, "2 M 2"],
+    apart: Float[np.ndarray, "M M 2"],
+    names: Sequence[str],
+) -> str:
+    spot = here[moved, :2]
+    if not np.all((spot >= room[0, moved]) & (spot <= room[1, moved])):
+        return f"{names[moved]} leaves the table at x = {spot[0]:.3f}, y = {spot[1]:.3f} m"
+    if rests[moved]:
+        for other in np.flatnonzero(overlapping(spot, here[:, :2], apart[moved]) & rests):
+            return f"{names[moved]} ends where {names[int(other)]} is"
+    return ""
+
+
+def _missed_goal(positions: Float[np.ndarray, "M 3"], problem: Problem) -> str:
+    for name, distance in problem.distances(positions).items():
+        if distance > problem.tolerance:
+            far = in_millimetres(distance, problem.tolerance)
+            return f"{name} ends {far} from its goal, {1000 * problem.tolerance:g} mm are allowed"
+    return ""
+
+
+def _failed(positions: list[Float[np.ndarray, "M 3"]], number: int, step: PlanStep, reason: str) -> Replay:
+    said = f"step {number}, {step.operator} {step.object}: {reason}"
+    return Replay(np.array(positions), False, False, said, (step, reason))

@@ -1,0 +1,1 @@
+"""Pictures: what happens in a world, as strips, films and stills."""

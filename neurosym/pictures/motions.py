@@ -1,0 +1,148 @@
+"""Motions worth looking at: explored interactions and rehearsed primitives, to be performed again."""
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from jaxtyping import Float
+
+from neurosym.data.interactions import Interactions
+from neurosym.errors import InvalidValue
+from neurosym.grounding import Grounding
+from neurosym.operators import TOLERANCE, Operator
+from neurosym.primitives.rehearsal import rehearsal_scene
+from neurosym.symbols import Categorise
+from neurosym.world import Outcome, Scene, World
+
+TRIES = 5
+"""Sampled objects of a category on which a primitive is tried until one does as promised."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Motion:
+    """An action on the only object of a scene, and what to call it.
+
+    Attributes:
+        title: What pictures of it are called.
+        scene: The object.
+        action: The action parameters.
+    """
+
+    title: str
+    scene: Scene
+    action: Float[np.ndarray, "A"]
+
+
+def recall_interaction(world: World, interactions: Interactions, number: int) -> tuple[Motion, bool]:
+    """Return an explored interaction as it can be performed again, and whether its scene is the very same.
+
+    Exploration draws the scene of each interaction from its seed and the interaction's number. If the data
+    do not say the seed, or other objects are drawn from it, the object stands in the middle of the table.
+
+    Args:
+        world: The world that draws the scene.
+        interactions: The data.
+        number: Which row, counted from 0.
+
+    Raises:
+        InvalidValue: If there is no such row, or it is of another world.
+    """
+    if not 0 <= number < len(interactions):
+        raise InvalidValue(
+            f"There is no interaction {number}; the data have {len(interactions)} rows, "
+            f"0 to {len(interactions) - 1}."
+        )
+    features = interactions.features[number]
+    sizes = len(world.feature_names), len(world.action_box.low)
+    if (found := (len(features), interactions.actions.shape[1])) != sizes:
+        raise InvalidValue(
+            f"The data have {found[0]} features and {found[1]} action parameters; "
+            f"the {world.name} world takes {sizes[0]} and {sizes[1]}."
+        )
+    drawn = _drawn_scene(world, interactions.origin.get("seed"), number)
+    is_same = drawn is not None and drawn.features[0].astype(np.float32).tobytes() == features.tobytes()
+    scene = drawn if drawn is not None and is_same else _middle_scene(world, features)
+    return Motion(f"interaction {number}", scene, interactions.actions[number]), is_same
+
+
+def _drawn_scene(world: World, seed: object, number: int) -> Scene | None:
+    if not isinstance(seed, int) or seed < 0:
+        return None
+    return world.sample_scene(np.random.default_rng([seed, number]), 1)
+
+
+def _middle_scene(world: World, features: Float[np.ndarray, "F"]) -> Scene:
+    """Put an object in the middle of the table; its third feature is its height."""
+    table = world.table
+    return Scene(
+        features=features[None].astype(float),
+        positions=np.array([[sum(table.x) / 2, sum(table.y) / 2, features[2] / 2]]),
+        orientations=np.array([[0.0, 0.0, 0.0, 1.0]]),
+    )
+
+
+def judge(interactions: Interactions, number: int, outcome: Outcome, is_same_scene: bool) -> str:
+    """Say whether an interaction that was performed again had the effect that is recorded.
+
+    Args:
+        interactions: The data.
+        number: Which row was performed.
+        outcome: What it did this time.
+        is_same_scene: Whether it started from the scene of the record.
+    """
+    recorded = interactions.effects[number]
+    effect = outcome.effect.astype(np.float32)
+    where = "" if is_same_scene else "its scene cannot be drawn again, so the object stood in the middle; "
+    if effect.tobytes() == recorded.tobytes():
+        return f"{where}the effect is the recorded one, byte for byte"
+    apart = 1000 * float(np.linalg.norm(effect - recorded))
+    why = "; the data come from another CPU, simulator or world.toml" if is_same_scene else ""
+    return f"{where}the effect is not the recorded one, but {apart:.3g} mm from it{why}"
+
+
+def primitive_motions(
+    world: World, grounding: Grounding, symbol: str, categorise: Categorise, *, objects: int, seed: int
+) -> tuple[Motion, ...]:
+    """Choose a sampled object of each category, for a primitive to do there what the domain promises.
+
+    The first object of the category is taken that does as promised, or else the first of the few tried.
+    If the domain promises nothing of the primitive, every category is shown.
+
+    Args:
+        world: The world to act in.
+        grounding: The learned domain.
+        symbol: The primitive's action symbol.
+        categorise: Gives the object symbols of features.
+        objects: How many objects rehearsal sampled.
+        seed: Where rehearsal's draws started.
+
+    Raises:
+        UnknownChoice: If there is no such primitive.
+    """
+    action = np.array(grounding.primitive(symbol).action)
+    operators = [operator for operator in grounding.operators.operators if operator.primitive == symbol]
+    promised = [operator for operator in operators if grounding.why_left_out(operator) is None]
+    scenes = [rehearsal_scene(world, seed, number) for number in range(objects)]
+    symbols = categorise(np.concatenate([scene.features for scene in scenes]))
+    motions = []
+    for operator in promised or operators:
+        members = [scene for scene, found in zip(scenes, symbols, strict=True) if found == operator.category]
+        if members:
+            reason = grounding.why_left_out(operator)
+            title = operator.name if reason is None else f"{operator.name} (not in the domain: {reason})"
+            motions.append(Motion(title, _as_promised(world, operator, members, action), action))
+    return tuple(motions)
+
+
+def _as_promised(
+    world: World, operator: Operator, scenes: Sequence[Scene], action: Float[np.ndarray, "A"]
+) -> Scene:
+    tried = (scene for scene in scenes[:TRIES] if _keeps_promise(operator, world.interact(scene, action, 0)))
+    return next(tried, scenes[0])
+
+
+def _keeps_promise(operator: Operator, outcome: Outcome) -> bool:
+    promise = operator.promise or operator.modes[0]
+    effect = outcome.effect if outcome.held else outcome.resting_effect
+    return promise.kind == outcome.kind and math.dist(effect, promise.outcome) <= TOLERANCE

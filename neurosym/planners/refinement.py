@@ -1,0 +1,202 @@
+"""From a problem to a plan that is believed: print PDDL, call a planner, read the plan, replay it.
+
+A replay with exact displacements says whether the plan is true. If it is not, its steps are put in another
+order, and if that does not help, it is planned again with smaller goal regions, and then on a finer grid.
+"""
+
+import dataclasses
+import tempfile
+import textwrap
+import time
+from collections import Counter
+from collections.abc import Callable
+from functools import partial
+from pathlib import Path
+
+import msgspec
+import numpy as np
+from jaxtyping import Float
+
+from neurosym.errors import InvalidPlan, UnknownChoice
+from neurosym.grounding import Grounding
+from neurosym.pddl.domain import domain_text
+from neurosym.pddl.moves import SAS, Encoding
+from neurosym.pddl.plan_text import parse_plan
+from neurosym.pddl.problem import STEPS, problem_text
+from neurosym.pddl.sas import sas_text
+from neurosym.planners.catalogue import PDDL_PLANNERS, PddlPlanner
+from neurosym.planners.counting import fewest_steps
+from neurosym.planners.fast_downward import SAS_SUFFIX
+from neurosym.planners.no_plan import explain_clash, explain_no_plan
+from neurosym.planners.one_by_one import plan_one_by_one
+from neurosym.planners.ordering import mend
+from neurosym.planners.result import PlanResult, PlanStatus
+from neurosym.problems import Problem
+from neurosym.world import Table
+
+ATTEMPTS = 4
+"""How often a problem is solved before its replay must be right; the later half on a finer grid."""
+FINER = 3
+"""How many times finer that grid is."""
+
+
+@dataclasses.dataclass(frozen=True, slots=True)
+class _Slack:
+    """How far plans must keep from the edge of what is allowed.
+
+    Attributes:
+        steps: How many steps with an object the rounding of is taken off its goal region.
+        margin: How many cells at the edges of the table are not used.
+        finer: How many times finer the grid is than that of the domain.
+    """
+
+    steps: int
+    margin: int = 0
+    finer: int = 1
+
+
+_Solve = Callable[[Problem, _Slack], PlanResult]
+
+
+def plan_pddl(
+    problem: Problem,
+    grounding: Grounding,
+    planner: str = "fast-downward",
+    *,
+    time_limit: float = 60.0,
+    encoding: Encoding | None = None,
+    whole: bool = False,
+) -> PlanResult:
+    """Solve a problem with a PDDL planner, and believe the plan only if its exact replay is right.
+
+    Args:
+        problem: The problem.
+        grounding: The learned domain.
+        planner: Name of the planner, a key of `PDDL_PLANNERS`.
+        time_limit: When to give up [s].
+        encoding: The encoding of the domain; the one that the planner does best with, if not given.
+        whole: Solve for all objects at once instead of one by one.
+
+    Raises:
+        UnknownChoice: If there is no such planner, or it does not take the encoding, or an object's category
+            is unknown.
+        PlannerMissing: If the planner is not installed.
+        InvalidValue: If an object stands off the table, or its name means something else in the domain.
+    """
+    if planner not in PDDL_PLANNERS:
+        raise UnknownChoice("planner", planner, PDDL_PLANNERS)
+    tool = PDDL_PLANNERS[planner]
+    chosen = tool.encoding_for(planner, encoding)
+    tool.check_installed(planner)
+    begin = time.perf_counter()
+    deadline = begin + time_limit
+    if problem.is_met(problem.scene().positions):
+        return PlanResult(PlanStatus.SOLVED, (), 0.0, "the goal is met at the start")
+    if reason := explain_clash(problem, grounding):
+        return PlanResult(PlanStatus.UNSOLVABLE, (), 0.0, reason)
+
+    at_once = whole or len(problem.objects) == 1
+
+    def attempt(learned: Grounding) -> PlanResult:
+        def solve(task: Problem, slack: _Slack) -> PlanResult:
+            left = deadline - time.perf_counter()
+            if left <= 0:
+                return PlanResult(PlanStatus.TIMEOUT, (), 0.0, f"no plan in {time_limit:g} s")
+            return _solve(task, learned, tool, left, chosen, slack)
+
+        believed = partial(_believed, grounding=learned, solve=solve, deadline=deadline)
+        return believed(problem) if at_once else plan_one_by_one(problem, learned, believed, deadline)
+
+    result = attempt(grounding)
+    if result.status is PlanStatus.FAILED and not at_once and not grounding.unit_costs:
+        # The most reliable plans are long, and long ones stand in each other's way; shorter ones may not.
+        shorter = attempt(msgspec.structs.replace(grounding, unit_costs=True))
+        if shorter.status is PlanStatus.SOLVED:
+            result = dataclasses.replace(shorter, reason=f"not the most reliable: {result.reason}")
+    return dataclasses.replace(result, seconds=time.perf_counter() - begin)
+
+
+def _believed(problem: Problem, grounding: Grounding, solve: _Solve, deadline: float) -> PlanResult:
+    """Solve a problem until the replay of the plan is right; each time with more slack, and then finer."""
+    slack, said = _Slack(STEPS), ""
+    for attempt in range(1, ATTEMPTS + 1):
+        result = solve(problem, slack)
+        if result.status is PlanStatus.UNSOLVABLE and (slack.steps or slack.margin):
+            # What has no plan in a smaller region may have one in the whole.
+            result = solve(problem, _Slack(0, 0, slack.finer))
+        if result.status is PlanStatus.UNSOLVABLE:
+            if said == "" and fewest_steps(problem, grounding, deadline=deadline) is None:
+                if time.perf_counter() < deadline:
+                    return _explained(result, problem, grounding)
+                return PlanResult(
+                    PlanStatus.TIMEOUT, (), 0.0, "no plan on this grid, and no time for finer ones"
+                )
+            wrong, longest = "that there is none on so coarse a grid", 0
+        elif result.status is not PlanStatus.SOLVED:
+            return result
+        else:
+            steps, checked = mend(result.steps, problem, grounding)
+            if checked.valid:
+                return dataclasses.replace(result, steps=steps, reason=said)
+            wrong = checked.reason
+            longest = max(Counter(step.object for step in steps).values())
+        said = f"attempt {attempt + 1}, after a replay that said: {wrong}"
+        finer = FINER if attempt >= ATTEMPTS // 2 else 1
+        steps_reckoned = STEPS if finer > slack.finer else 2 * slack.steps
+        slack = _Slack(max(steps_reckoned, longest), slack.margin + 1, finer)
+    reason = f"no plan was true when replayed, in {ATTEMPTS} attempts; the last: {wrong}"
+    return PlanResult(PlanStatus.FAILED, (), 0.0, reason)
+
+
+def _solve(
+    problem: Problem,
+    grounding: Grounding,
+    planner: PddlPlanner,
+    time_limit: float,
+    encoding: Encoding,
+    slack: _Slack,
+) -> PlanResult:
+    """Print domain and problem, in one file if in SAS+, call the planner, and read what it wrote."""
+    if problem.is_met(problem.scene().positions):
+        return PlanResult(PlanStatus.SOLVED, (), 0.0)
+    begin = time.perf_counter()
+    narrowed = _fitted(grounding, problem, max(grounding.cell, planner.cell) / slack.finer)
+    with tempfile.TemporaryDirectory(prefix="neurosym-pddl-") as name:
+        domain, task = Path(name) / "domain.pddl", Path(name) / "problem.pddl"
+        if encoding == SAS:
+            domain = task = Path(name) / f"problem{SAS_SUFFIX}"
+            task.write_text(sas_text(problem, narrowed, steps=slack.steps, margin=slack.margin))
+        else:
+            domain.write_text(domain_text(narrowed, encoding))
+            task.write_text(problem_text(problem, narrowed, encoding, steps=slack.steps, margin=slack.margin))
+        left = time_limit - (time.perf_counter() - begin)
+        answer = planner.solve(domain, task, time_limit=left)
+    try:
+        steps = parse_plan(answer.text, Path("its plan"), grounding, problem)
+    except InvalidPlan as error:
+        reason = f"what the planner wrote cannot be read: {textwrap.shorten(str(error), 200)}"
+        return PlanResult(PlanStatus.FAILED, (), answer.seconds, reason)
+    return PlanResult(answer.status, steps, answer.seconds, answer.reason)
+
+
+def _fitted(grounding: Grounding, problem: Problem, cell: float) -> Grounding:
+    """Keep only what the problem needs, on another grid, with a table that reaches to where objects stand."""
+    categories = {item.category for item in problem.objects}
+    kept = tuple(operator for operator in grounding.live if operator.category in categories)
+    (x_low, y_low), (x_high, y_high) = (edge.tolist() for edge in _edges(problem.room(grounding.table)))
+    return msgspec.structs.replace(
+        grounding,
+        cell=cell,
+        table=Table(x=(x_low, x_high), y=(y_low, y_high)),
+        operators=msgspec.structs.replace(grounding.operators, operators=kept),
+    )
+
+
+def _edges(room: Float[np.ndarray, "2 M 2"]) -> tuple[Float[np.ndarray, "2"], Float[np.ndarray, "2"]]:
+    return room[0].min(axis=0), room[1].max(axis=0)
+
+
+def _explained(result: PlanResult, problem: Problem, grounding: Grounding) -> PlanResult:
+    """Add to a result without a plan which goal is out of reach, if it was proved that there is none."""
+    why = explain_no_plan(problem, grounding)
+    return dataclasses.replace(result, reason="; ".join(filter(None, (result.reason, why))))

@@ -1,0 +1,179 @@
+"""Choosing among distilled actions: many encode to a symbol, and some are more predictable than others.
+
+A good action does nearly the same to all objects of a category, and something that no other symbol's action
+does to them (`variety.py`). That is first reckoned from what a network without a bottleneck predicts, and
+then measured: the few best of each symbol are auditioned in the world, and the best of those once more. The
+paper takes the candidate whose embedding is nearest to the code.
+"""
+
+from collections.abc import Callable, Sequence
+from itertools import groupby
+
+import numpy as np
+from jaxtyping import Float
+
+from neurosym.errors import UnknownChoice
+from neurosym.operators import Primitive
+from neurosym.primitives.rehearsal import perform_on_each
+from neurosym.primitives.variety import best_set, observe, worth_in_place
+from neurosym.progress import Progress
+from neurosym.symbols import Categorise
+from neurosym.world import Scene, WorldFactory
+
+PredictOutcomes = Callable[[np.ndarray, np.ndarray], np.ndarray]
+"""Predicts effects, and peak heights behind them, (N, O) [m], from features (N, F) and actions (N, A)."""
+
+CHOICES = ("predictable", "lowest-error")
+AUDITIONED = (4, 2)
+"""Candidates of each symbol that are auditioned, the first time and again."""
+AUDITION_OBJECTS = 24
+"""Objects on which each of them is performed, others each time."""
+OBJECTS_TO_PREDICT = 200
+"""Objects on which the effects of every candidate are predicted."""
+
+_STREAM = 0x6175  # keeps the objects of auditions apart from those of rehearsals
+
+
+def choose(
+    candidates: Sequence[Primitive],
+    choice: str,
+    *,
+    predict: PredictOutcomes,
+    features: Float[np.ndarray, "M F"],
+    categorise: Categorise,
+    world_factory: WorldFactory | None,
+    seed: int,
+    workers: int = 1,
+    progress: Progress | None = None,
+) -> tuple[Primitive, ...]:
+    """Choose one of the candidates for each symbol.
+
+    Args:
+        candidates: Distilled actions.
+        choice: One of `CHOICES`.
+        predict: A network that sees the objects themselves and not their symbols.
+        features: Objects to predict the effects on.
+        categorise: Gives the object symbols of features.
+        world_factory: Builds the world of the auditions; None if there is none.
+        seed: Where all draws start.
+        workers: How many processes; their number does not change the result.
+        progress: Called after each performance.
+
+    Raises:
+        UnknownChoice: If there is no such choice.
+    """
+    if choice not in CHOICES:
+        raise UnknownChoice("choice", choice, CHOICES)
+    if choice == "lowest-error":
+        return lowest_error(candidates)
+    count = 1 if world_factory is None else AUDITIONED[0]
+    few = shortlist(candidates, predict, features[:OBJECTS_TO_PREDICT], categorise, count)
+    if world_factory is None:
+        return few
+    return audition(world_factory, few, categorise, seed=seed, workers=workers, progress=progress)
+
+
+def lowest_error(candidates: Sequence[Primitive]) -> tuple[Primitive, ...]:
+    """Choose for each symbol the candidate of the lowest error to its code (the paper)."""
+    ordered, rivals = _by_symbol(candidates)
+    return tuple(min((ordered[n] for n in group), key=lambda rival: rival.code_error) for group in rivals)
+
+
+def shortlist(
+    candidates: Sequence[Primitive],
+    predict: PredictOutcomes,
+    features: Float[np.ndarray, "M F"],
+    categorise: Categorise,
+    count: int,
+) -> tuple[Primitive, ...]:
+    """Keep for each symbol the candidates that are predicted to be worth most among those of the others.
+
+    Args:
+        candidates: Distilled actions.
+        predict: A network that sees the objects themselves and not their symbols.
+        features: Objects to predict the effects on.
+        categorise: Gives the object symbols of features.
+        count: How many candidates are kept for each symbol.
+    """
+    symbols = np.array(categorise(features))
+    ordered, rivals = _by_symbol(candidates)
+    happens = [predict(features, np.tile(np.array(c.action), (len(features), 1))) for c in ordered]
+    return tuple(ordered[number] for number in _best_of_each(rivals, np.array(happens), symbols, count))
+
+
+def audition(
+    world_factory: WorldFactory,
+    shortlisted: Sequence[Primitive],
+    categorise: Categorise,
+    *,
+    objects: int = AUDITION_OBJECTS,
+    seed: int,
+    workers: int = 1,
+    progress: Progress | None = None,
+) -> tuple[Primitive, ...]:
+    """Perform the candidates on the same sampled objects, and choose those that together are worth most.
+
+    Two that move an object equally far differ if one carries it higher on the way. Who shone by luck is found
+    out by a second audition of the best. The objects are others than those that primitives are rehearsed on
+    afterwards.
+
+    Args:
+        world_factory: Builds the world; must survive pickling if there is more than one worker.
+        shortlisted: Candidates, one or more for each symbol.
+        categorise: Gives the object symbols of features.
+        objects: How many objects are sampled for each audition.
+        seed: Where all draws start.
+        workers: How many processes; their number does not change the result.
+        progress: Called after each performance.
+    """
+    world = world_factory()
+    few, rivals = _by_symbol(shortlisted)
+    again = sum(min(AUDITIONED[1], len(group)) for group in rivals)
+    total, scenes, done = objects * (len(few) + again), list[Scene](), 0
+    happened = [list[list[float]]() for _ in few]
+
+    def report(count: int, _: int) -> None:
+        if progress is not None:
+            progress(done + count, total)
+
+    for kept in (AUDITIONED[1], 1):
+        numbers = range(len(scenes), len(scenes) + objects)
+        scenes += [world.sample_scene(np.random.default_rng([seed, _STREAM, n]), 1) for n in numbers]
+        performed = perform_on_each(world_factory, few, scenes[-objects:], workers, report)
+        done += objects * len(few)
+        for rows, outcomes in zip(happened, performed, strict=True):
+            rows += [[*outcome.effect, outcome.peak_height] for outcome in outcomes]
+        symbols = np.array(categorise(np.concatenate([scene.features for scene in scenes])))
+        best = _best_of_each(rivals, np.array(happened), symbols, kept)
+        few, happened = [few[number] for number in best], [happened[number] for number in best]
+        rivals = _by_symbol(few)[1]
+    return tuple(few)
+
+
+def _best_of_each(
+    rivals: Sequence[Sequence[int]],
+    happens: Float[np.ndarray, "N M O"],
+    symbols: np.ndarray,
+    count: int,
+) -> list[int]:
+    """Keep those of each symbol that are worth most among the best set of the others, best first.
+
+    Args:
+        rivals: For each symbol, the numbers of its candidates.
+        happens: What each candidate does to each object.
+        symbols: Symbol of each object.
+        count: How many are kept of each symbol.
+    """
+    deeds = observe(happens, symbols)
+    chosen, kept = best_set(rivals, deeds), []
+    for place, group in enumerate(rivals):
+        values = worth_in_place(chosen, place, group, deeds)
+        kept += [group[number] for number in np.argsort(-np.array(values), kind="stable")[:count]]
+    return kept
+
+
+def _by_symbol(candidates: Sequence[Primitive]) -> tuple[list[Primitive], list[list[int]]]:
+    """Sort candidates by their symbols; returns them, and the numbers of those of each symbol."""
+    ordered = sorted(candidates, key=lambda candidate: candidate.symbol)
+    groups = groupby(range(len(ordered)), key=lambda number: ordered[number].symbol)
+    return ordered, [list(numbers) for _, numbers in groups]

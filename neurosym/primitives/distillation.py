@@ -1,0 +1,189 @@
+"""Distillation: from the symbol of an action back to parameters that can be performed.
+
+After the section "Distilling Parameters" of the paper: the encoder is frozen, and gradient descent moves the
+parameters of actions until their embedding is the +-1 code of the symbol. It starts from actions of the data
+that already have the symbol: some of every kind of outcome they had, since rare ones are worth knowing, too.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+import torch
+from jaxtyping import Float
+from torch import Tensor
+
+from neurosym.actions import ActionBox
+from neurosym.data.interactions import Interactions
+from neurosym.errors import InvalidValue
+from neurosym.learning.coclustering import kmeans
+from neurosym.learning.effect_model import EffectModel
+from neurosym.learning.network import one_thread
+from neurosym.operators import CONVERGED, Primitive
+from neurosym.progress import Progress
+from neurosym.symbols import all_symbols, signs
+
+_KINDS_OF_OUTCOME = 12
+_STREAM = 0x6469  # keeps distillation's draws apart from those of other stages
+
+
+@dataclass(frozen=True, slots=True)
+class DistillationConfig:
+    """How parameters are distilled.
+
+    Attributes:
+        candidates: How many actions of the data are started from, for each symbol; each leads to up to two.
+        steps: How many steps of gradient descent.
+        learning_rate: Size of a step, where the action box is scaled to [-1, 1].
+        momentum: Share of the last step that is kept.
+    """
+
+    candidates: int = 128
+    steps: int = 300
+    learning_rate: float = 0.05
+    momentum: float = 0.9
+
+    def __post_init__(self) -> None:
+        if self.candidates < 1 or self.steps < 0:
+            raise InvalidValue(f"candidates = {self.candidates} must be at least 1, steps = {self.steps} 0.")
+        if not self.learning_rate > 0 or not 0 <= self.momentum < 1:
+            raise InvalidValue(
+                f"learning_rate = {self.learning_rate} must be positive, "
+                f"momentum = {self.momentum} in [0, 1)."
+            )
+
+
+def distill(
+    model: EffectModel,
+    interactions: Interactions,
+    box: ActionBox,
+    *,
+    seed: int,
+    config: DistillationConfig | None = None,
+    progress: Progress | None = None,
+) -> tuple[Primitive, ...]:
+    """Find for each action symbol parameters whose embedding is its code: the candidates to choose from.
+
+    A symbol that no action of the data has is not used, and is left out. If no candidate of
+    a symbol comes within `CONVERGED` of the code, the nearest one is returned.
+
+    Args:
+        model: Whose action encoder is inverted.
+        interactions: The training data, from whose actions the search starts.
+        box: What the parameters must stay inside.
+        seed: Decides which of the actions.
+        config: How it is done.
+        progress: Called after each step.
+
+    Returns:
+        Candidates in the order of their symbols, the nearest to its code first. Each encodes to its symbol;
+        its `code_error` says how far its embedding still is from the code.
+    """
+    config, actions = config or DistillationConfig(), np.asarray(interactions.actions)
+    rng = np.random.default_rng([seed, _STREAM])
+    symbols = all_symbols(model.config.action_bits)
+    found = np.array(model.action_symbols(actions))
+    outcomes = np.column_stack([interactions.effects, interactions.peak_heights])
+    outcomes = outcomes / np.maximum(outcomes.std(0), 1e-9)
+    starts = {
+        symbol: draw_of_every_kind(np.flatnonzero(found == symbol), outcomes, config.candidates, rng)
+        for symbol in symbols
+    }
+    reached = [symbol for symbol in symbols if len(starts[symbol])]
+    begin = np.concatenate([actions[starts[symbol]] for symbol in reached])
+    owners = np.repeat(reached, [len(starts[symbol]) for symbol in reached])
+    ends = np.concatenate(_descend(model, begin, owners, box, config, progress))
+    owners = np.tile(owners, 2)
+    errors = code_errors(model, ends, owners)
+    errors[np.array(model.action_symbols(ends)) != owners] = np.inf
+    return tuple(
+        Primitive(symbol=symbol, action=tuple(ends[row].tolist()), code_error=float(errors[row]))
+        for symbol in reached
+        for row in _converged(np.flatnonzero(owners == symbol), errors)
+    )
+
+
+def _converged(rows: np.ndarray, errors: Float[np.ndarray, "N"]) -> list[int]:
+    """Sort the rows by error, and keep those within `CONVERGED`, or else the best one if it is finite."""
+    ordered: list[int] = rows[np.argsort(errors[rows], kind="stable")].tolist()
+    within = [row for row in ordered if errors[row] < CONVERGED]
+    return within or [row for row in ordered[:1] if np.isfinite(errors[row])]
+
+
+def code_errors(
+    model: EffectModel, actions: Float[np.ndarray, "N A"], symbols: np.ndarray
+) -> Float[np.ndarray, "N"]:
+    """Compute the mean squared error of each action's embedding to the +-1 code of its symbol.
+
+    Args:
+        model: Whose embeddings.
+        actions: The actions.
+        symbols: The symbol that each shall have.
+    """
+    targets = np.array([signs(symbol) for symbol in symbols])
+    return np.asarray(((model.action_codes(actions) - targets) ** 2).mean(1), dtype=np.float64)
+
+
+def _descend(
+    model: EffectModel,
+    begin: Float[np.ndarray, "N A"],
+    owners: np.ndarray,
+    box: ActionBox,
+    config: DistillationConfig,
+    progress: Progress | None,
+) -> tuple[Float[np.ndarray, "N A"], Float[np.ndarray, "N A"]]:
+    """Descend the error of every candidate at once, projected into the box.
+
+    Returns:
+        The first on the way of each that is within `CONVERGED`, and so does most nearly what the action did
+        that it started from; and the best.
+    """
+    middle, half = _tensor((box.low + box.high) / 2), _tensor((box.high - box.low) / 2).clamp(min=1e-9)
+    targets = _tensor(np.array([signs(symbol) for symbol in owners]))
+    scaled = ((_tensor(begin) - middle) / half).clamp(-1, 1).requires_grad_()
+    optimiser = torch.optim.SGD([scaled], lr=config.learning_rate, momentum=config.momentum)
+    best, best_errors = scaled.detach().clone(), torch.full((len(begin),), torch.inf)
+    first = best.clone()
+    was_training = model.training
+    model.eval()
+    with one_thread():
+        for step in range(config.steps + 1):
+            errors = ((model.embed_actions(middle + half * scaled) - targets) ** 2).mean(1)  # (N,)
+            better = errors.detach() < best_errors
+            searching = best_errors >= CONVERGED
+            first[searching & better] = scaled.detach()[searching & better]
+            best[better], best_errors[better] = scaled.detach()[better], errors.detach()[better]
+            if step < config.steps:
+                (scaled.grad,) = torch.autograd.grad(errors.sum(), scaled)
+                optimiser.step()
+                with torch.no_grad():
+                    scaled.clamp_(-1, 1)
+            if progress is not None:
+                progress(step, config.steps)
+    model.train(was_training)
+    ends = [(middle + half * found).numpy().astype(np.float64) for found in (first, best)]
+    return np.clip(ends[0], box.low, box.high), np.clip(ends[1], box.low, box.high)
+
+
+def draw_of_every_kind(
+    rows: np.ndarray, outcomes: Float[np.ndarray, "N D"], count: int, rng: np.random.Generator
+) -> np.ndarray:
+    """Draw some of the rows, equally many of each kind of outcome as far as there are so many.
+
+    Args:
+        rows: Numbers of interactions.
+        outcomes: What happened in each of all interactions, on comparable scales.
+        count: How many are drawn; all if there are fewer.
+        rng: Source of randomness, owned by the caller.
+    """
+    rows = rng.permutation(rows)
+    if len(rows) <= count:
+        return rows
+    kinds = kmeans(outcomes[rows], _KINDS_OF_OUTCOME, rng)
+    turns = np.empty(len(rows), dtype=int)
+    for kind in np.unique(kinds):
+        turns[kinds == kind] = np.arange(np.sum(kinds == kind))
+    return np.asarray(rows[np.argsort(turns, kind="stable")[:count]])
+
+
+def _tensor(values: np.ndarray) -> Tensor:
+    return torch.from_numpy(np.array(values, dtype=np.float32))

@@ -1,0 +1,144 @@
+"""What the page needs and takes long to make: pictures and the learning curve, each made once."""
+
+import base64
+import io
+from collections.abc import Callable, Sequence
+from pathlib import Path
+
+import msgspec
+import numpy as np
+from PIL import Image
+
+from neurosym.files import read_json, write_atomically, write_json
+from neurosym.pictures.stills import Stills, primitive_stills, run_stills
+from neurosym.progress import Progress
+from neurosym.report.examples import Example
+from neurosym.stages.folder import DomainFolder
+from neurosym.stages.layout import (
+    CURVE,
+    GROUNDING,
+    INTERACTIONS,
+    MODEL,
+    REPORT_PICTURES,
+    RUNS,
+    WORLD,
+    scene_file,
+)
+from neurosym.stages.manifest import Stage, rehearsal_options
+from neurosym.world import Frame
+
+STILL_SIZE = (480, 360)
+_QUALITY = 80
+
+
+class Strip(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
+    """A row of pictures in one image file.
+
+    Attributes:
+        title: What it shows.
+        captions: What each picture shows, from left to right.
+    """
+
+    title: str
+    captions: tuple[str, ...]
+
+
+class Shown(msgspec.Struct, frozen=True):
+    """A strip as a page shows it.
+
+    Attributes:
+        strip: What it shows.
+        source: The image itself, as a data URI.
+        width: How wide it is [pixels].
+        height: How high it is [pixels].
+    """
+
+    strip: Strip
+    source: str
+    width: int
+    height: int
+
+
+def curve_stage(folder: DomainFolder, progress: Progress | None = None) -> Stage:
+    """Fit to the first 512, 1024, ... interactions: `interactions.npz` -> `learning_curve.json`."""
+
+    def work() -> None:
+        from neurosym.data.interactions import Interactions
+        from neurosym.learning.learning_curve import learning_curve
+
+        interactions = Interactions.load(folder.require(INTERACTIONS))
+        write_json(folder / CURVE, learning_curve(interactions, progress=progress))
+
+    return Stage("learning curve", (INTERACTIONS,), (CURVE,), work)
+
+
+def primitive_stage(folder: DomainFolder, symbol: str) -> Stage:
+    """Perform a primitive: world, model and grounding -> `pictures/report/primitive-CODE.webp`."""
+    objects, seed = rehearsal_options(folder.manifest())
+
+    def make() -> Stills:
+        from neurosym.grounding import Grounding
+        from neurosym.learning.effect_model import EffectModel
+        from neurosym.worlds.world_file import read_world
+
+        world = read_world(folder.require(WORLD))()
+        grounding = Grounding.load(folder.require(GROUNDING))
+        categorise = EffectModel.load(folder.require(MODEL)).object_symbols
+        return primitive_stills(world, grounding, symbol, categorise, objects=objects, seed=seed)
+
+    options = {"objects": objects, "seed": seed}
+    return _strip_stage(folder, f"primitive-{symbol}", (WORLD, GROUNDING, MODEL), make, options)
+
+
+def run_stage(folder: DomainFolder, example: Example) -> Stage:
+    """Perform a run again: world, grounding, problem and run -> `pictures/report/run-NAME.webp`."""
+
+    def make() -> Stills:
+        from neurosym.grounding import Grounding
+        from neurosym.worlds.world_file import read_world
+
+        world = read_world(folder.require(WORLD))()
+        grounding = Grounding.load(folder.require(GROUNDING))
+        return run_stills(world, example.problem, grounding, example.run)
+
+    inputs = (WORLD, GROUNDING, scene_file(example.problem.name), f"{RUNS}/{example.path.name}")
+    return _strip_stage(folder, f"run-{example.name}", inputs, make, {})
+
+
+def _strip_stage(
+    folder: DomainFolder,
+    name: str,
+    inputs: tuple[str, ...],
+    make: Callable[[], Stills],
+    options: dict[str, int],
+) -> Stage:
+    files = image_file, about_file = f"{REPORT_PICTURES}/{name}.webp", f"{REPORT_PICTURES}/{name}.json"
+
+    def work() -> None:
+        stills = make()
+        (folder / REPORT_PICTURES).mkdir(parents=True, exist_ok=True)
+        write_atomically(folder / image_file, side_by_side(stills.frames))
+        write_json(folder / about_file, Strip(stills.title, stills.captions))
+
+    return Stage(f"picture {name}", inputs, files, work, options)
+
+
+def side_by_side(frames: Sequence[Frame]) -> bytes:
+    """Return pictures side by side, as a WebP image."""
+    small = [Image.fromarray(frame).resize(STILL_SIZE, Image.Resampling.LANCZOS) for frame in frames]
+    buffer = io.BytesIO()
+    Image.fromarray(np.hstack([np.asarray(image) for image in small])).save(buffer, "WEBP", quality=_QUALITY)
+    return buffer.getvalue()
+
+
+def shown(folder: DomainFolder, stage: Stage) -> Shown:
+    """Read the strip that a stage made."""
+    image_file, about_file = stage.outputs
+    strip = read_json(folder / about_file, Strip)
+    width, height = STILL_SIZE
+    return Shown(strip, data_uri(folder / image_file), width * len(strip.captions), height)
+
+
+def data_uri(path: Path) -> str:
+    """Return a WebP image as text that a page can hold."""
+    return f"data:image/webp;base64,{base64.b64encode(path.read_bytes()).decode()}"

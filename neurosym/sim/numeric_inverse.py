@@ -1,0 +1,225 @@
+"""Inverse kinematics of any arm that a URDF describes, by Newton's method on all points of a path at once.
+
+The forward kinematics is a product of exponentials (R. W. Brockett, 1984): with all joints at zero the file
+says where each axis lies and where the tool is; a joint angle turns all that follows about its axis.
+
+Every point is solved for on its own, always from the same home posture, so the angles are a function of the
+point: the same in any path and after any other. Of the many postures that an arm of more than six joints can
+reach a point in, the one nearest to home is taken; that makes them a smooth function, too.
+"""
+
+from dataclasses import dataclass
+from functools import lru_cache
+
+import numpy as np
+from jaxtyping import Bool, Float
+
+from neurosym.errors import InvalidValue
+from neurosym.sim.arm import TOOL_DOWN
+from neurosym.sim.bullet import pybullet
+
+MOST_STEPS = 100
+LARGEST_STEP = 0.5
+"""No joint goes further in one step of Newton's method [rad]; larger steps lose their way far from home."""
+TOLERANCE, STILL = 1e-7, 1e-5
+"""A point is solved for when its pose is this exact [m], [rad] and no joint wants to move by more [rad]."""
+_DAMPING = 1e-9
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Chain:
+    """The joints between an arm's base and its tool, while all joints are at zero, in the world.
+
+    Attributes:
+        slides: Which joints slide; the others turn.
+        axes: Their directions.
+        origins: A point on each axis [m].
+        limits: Least and greatest angle of each joint [rad]; for sliding ones [m].
+        tool: Pose of the tool.
+    """
+
+    slides: Bool[np.ndarray, "J"]
+    axes: Float[np.ndarray, "J 3"]
+    origins: Float[np.ndarray, "J 3"]
+    limits: Float[np.ndarray, "J 2"]
+    tool: Float[np.ndarray, "4 4"]
+
+    def twists(self) -> Float[np.ndarray, "J 4 4"]:
+        """Return the matrices whose exponentials are the motions about, or along, the axes."""
+        twists = np.zeros((len(self.axes), 4, 4))
+        turning = np.where(self.slides[:, None], 0.0, self.axes)
+        twists[:, :3, :3] = np.cross(np.eye(3), turning[:, None])  # x -> axis x x
+        twists[:, :3, 3] = np.where(self.slides[:, None], self.axes, np.cross(self.origins, turning))
+        return twists
+
+
+@dataclass(frozen=True, slots=True)
+class NumericInverse:
+    """Inverse kinematics of an arm, for `Arm.inverse_kinematics`: the hand points down.
+
+    Attributes:
+        urdf: File that describes the arm.
+        base: Where its base stands in the world [m].
+        joints: Indices of the J joints of the arm, in PyBullet's count.
+        tool: Index of the link whose frame is the tool point: its z axis points out of the hand, and the
+            fingers open along its y axis.
+        home: Joint angles [rad] of a posture above the table with the hand about downwards.
+    """
+
+    urdf: str
+    base: tuple[float, float, float]
+    joints: tuple[int, ...]
+    tool: int
+    home: tuple[float, ...]
+
+    def __post_init__(self) -> None:
+        if len(self.home) != len(self.joints):
+            raise InvalidValue(f"home has {len(self.home)} angles; the arm has {len(self.joints)} joints.")
+
+    def __call__(self, points: Float[np.ndarray, "N 3"]) -> Float[np.ndarray, "N J"]:
+        """Return the joint angles [rad] that put the tool point at each point, the hand pointing down.
+
+        Args:
+            points: Tool points in the world [m].
+
+        Raises:
+            InvalidValue: If a point is out of the arm's reach.
+        """
+        chain = read_chain(self.urdf, self.base, self.joints, self.tool)
+        home = np.array(self.home, dtype=float)
+        joints, solved = solve(chain, points, home)
+        within = (joints >= chain.limits[:, 0]) & (joints <= chain.limits[:, 1])
+        reached = solved & within.all(axis=1)
+        if not reached.all():
+            x, y, z = points[int(np.argmin(reached))]
+            raise InvalidValue(f"The point ({x:.3f}, {y:.3f}, {z:.3f}) m is out of the arm's reach.")
+        return joints
+
+
+def solve(
+    chain: Chain, points: Float[np.ndarray, "N 3"], home: Float[np.ndarray, "J"]
+) -> tuple[Float[np.ndarray, "N J"], Bool[np.ndarray, "N"]]:
+    """Find the joint angles nearest to home that bring the tool to each point, and which points were reached.
+
+    Args:
+        chain: The arm.
+        points: Tool points in the world [m].
+        home: Where the search begins [rad].
+    """
+    joints = np.tile(home, (len(points), 1))
+    open_ = np.arange(len(points))  # points not solved for yet
+    for _ in range(MOST_STEPS):
+        pose, jacobian = forward(chain, joints[open_])
+        turn = _turn_between(pose[:, :3, :3], TOOL_DOWN)
+        error = np.concatenate([points[open_] - pose[:, :3, 3], turn], axis=1)  # (N, 6)
+        step = _step(jacobian, error, home - joints[open_])
+        largest = np.abs(step).max(axis=1)
+        joints[open_] += step * np.minimum(1.0, LARGEST_STEP / np.maximum(largest, LARGEST_STEP))[:, None]
+        open_ = open_[(np.abs(error).max(axis=1) > TOLERANCE) | (largest > STILL)]
+        if not len(open_):
+            break
+    solved = np.ones(len(points), dtype=bool)
+    solved[open_] = False
+    return joints, solved
+
+
+def _step(
+    jacobian: Float[np.ndarray, "N 6 J"], error: Float[np.ndarray, "N 6"], homeward: Float[np.ndarray, "N J"]
+) -> Float[np.ndarray, "N J"]:
+    """Return the step that mends the error and, of all that do, ends nearest to home."""
+    rest = error - (jacobian @ homeward[..., None])[..., 0]
+    transposed = jacobian.transpose(0, 2, 1)
+    square = jacobian @ transposed + _DAMPING * np.eye(6)
+    return np.asarray(homeward + (transposed @ np.linalg.solve(square, rest[..., None]))[..., 0])
+
+
+def forward(
+    chain: Chain, joints: Float[np.ndarray, "N J"]
+) -> tuple[Float[np.ndarray, "N 4 4"], Float[np.ndarray, "N 6 J"]]:
+    """Return the tool's pose in the world and the geometric Jacobian of its point and orientation.
+
+    Args:
+        chain: The arm.
+        joints: Joint angles [rad].
+    """
+    slides, twists = chain.slides, chain.twists()
+    first = np.where(slides, joints, np.sin(joints))[..., None, None]
+    second = np.where(slides, 0.0, 1 - np.cos(joints))[..., None, None]
+    motions = np.eye(4) + first * twists + second * (twists @ twists)  # (N, J, 4, 4), Rodrigues
+    before = np.empty_like(motions)  # the motion of all joints before each
+    pose = np.broadcast_to(np.eye(4), (len(joints), 4, 4))
+    for joint in range(joints.shape[1]):
+        before[:, joint] = pose
+        pose = pose @ motions[:, joint]
+    pose = pose @ chain.tool
+    axes = (before[..., :3, :3] @ chain.axes[..., None])[..., 0]  # (N, J, 3)
+    origins = (before[..., :3, :3] @ chain.origins[..., None])[..., 0] + before[..., :3, 3]
+    swept = np.cross(axes, pose[:, None, :3, 3] - origins)
+    slide = slides[:, None]
+    jacobian = np.concatenate([np.where(slide, axes, swept), np.where(slide, 0.0, axes)], axis=2)
+    return pose, jacobian.transpose(0, 2, 1)
+
+
+def _turn_between(
+    turn: Float[np.ndarray, "N 3 3"], wanted: Float[np.ndarray, "3 3"]
+) -> Float[np.ndarray, "N 3"]:
+    """Return the rotation vector in the world that leads from each orientation to the wanted one [rad]."""
+    between = wanted @ turn.transpose(0, 2, 1)
+    twice_sine = np.stack([between[:, i, j] - between[:, j, i] for i, j in ((2, 1), (0, 2), (1, 0))], axis=1)
+    sine = np.linalg.norm(twice_sine, axis=1) / 2
+    angle = np.arctan2(sine, (np.trace(between, axis1=1, axis2=2) - 1) / 2)
+    return np.asarray(twice_sine / 2 * np.where(sine > 1e-9, angle / np.maximum(sine, 1e-9), 1.0)[:, None])
+
+
+@lru_cache
+def read_chain(urdf: str, base: tuple[float, float, float], joints: tuple[int, ...], tool: int) -> Chain:
+    """Read the geometry of an arm from its file.
+
+    Args:
+        urdf: The file.
+        base: Where the base stands in the world [m].
+        joints: Indices of the J joints.
+        tool: Index of the tool's link.
+
+    Raises:
+        InvalidValue: If PyBullet cannot read the file, or a joint neither turns nor slides.
+    """
+    client = pybullet.connect(pybullet.DIRECT)
+    try:
+        return _read_chain(client, urdf, base, joints, tool)
+    except pybullet.error as error:
+        raise InvalidValue(f"The arm cannot be read from {urdf}: {error}") from error
+    finally:
+        pybullet.disconnect(client)
+
+
+def _read_chain(
+    client: int, urdf: str, base: tuple[float, float, float], joints: tuple[int, ...], tool: int
+) -> Chain:
+    flags = pybullet.URDF_IGNORE_VISUAL_SHAPES | pybullet.URDF_IGNORE_COLLISION_SHAPES
+    body = pybullet.loadURDF(urdf, base, useFixedBase=True, flags=flags, physicsClientId=client)
+    infos = [pybullet.getJointInfo(body, joint, physicsClientId=client) for joint in joints]
+    for info in infos:
+        if info[2] not in (pybullet.JOINT_REVOLUTE, pybullet.JOINT_PRISMATIC):
+            raise InvalidValue(f"Joint {info[0]} ({info[1].decode()}) neither turns nor slides.")
+    for joint in range(pybullet.getNumJoints(body, physicsClientId=client)):
+        pybullet.resetJointState(body, joint, 0.0, physicsClientId=client)
+    frames = np.array([_frame(client, body, link) for link in (*joints, tool)])  # (J + 1, 4, 4)
+    lower, upper = (np.array([info[column] for info in infos]) for column in (8, 9))
+    unlimited = lower >= upper  # as PyBullet says it of continuous joints
+    limits = np.stack([np.where(unlimited, -np.inf, lower), np.where(unlimited, np.inf, upper)], axis=1)
+    return Chain(
+        slides=np.array([info[2] == pybullet.JOINT_PRISMATIC for info in infos]),
+        axes=(frames[:-1, :3, :3] @ np.array([info[13] for info in infos])[..., None])[..., 0],
+        origins=frames[:-1, :3, 3],
+        limits=limits,
+        tool=frames[-1],
+    )
+
+
+def _frame(client: int, body: int, link: int) -> Float[np.ndarray, "4 4"]:
+    state = pybullet.getLinkState(body, link, computeForwardKinematics=1, physicsClientId=client)
+    frame = np.eye(4)
+    frame[:3, :3] = np.array(pybullet.getMatrixFromQuaternion(state[5])).reshape(3, 3)
+    frame[:3, 3] = state[4]
+    return frame

@@ -1,0 +1,111 @@
+"""The stages that print PDDL: compiling a domain, and making problems for it."""
+
+from collections.abc import Mapping
+from typing import Any
+
+import numpy as np
+
+from neurosym.errors import InvalidValue
+from neurosym.files import read_json, write_atomically
+from neurosym.grounding import Grounding
+from neurosym.operators import OperatorTable
+from neurosym.pddl import compile_domain, domain_text, problem_text
+from neurosym.pddl.compiler import check_axes
+from neurosym.problems import Problem
+from neurosym.stages.folder import DomainFolder
+from neurosym.stages.layout import (
+    DOMAIN,
+    GROUNDING,
+    MODEL,
+    NUMERIC_DOMAIN,
+    OPERATORS_DOMAIN,
+    PRIMITIVES,
+    PROBLEMS,
+    SCENE,
+    WORLD,
+    problem_files,
+    scene_file,
+)
+from neurosym.stages.manifest import Stage
+from neurosym.wording import quoted
+from neurosym.worlds.world_file import read_world
+
+
+def compile_stage(folder: DomainFolder, *, cell: float) -> Stage:
+    """Compile the domain: `primitives.json` -> a domain in each encoding, and `grounding.json`.
+
+    Problems that are there already are printed again, so that they fit the new domain.
+    """
+
+    def work() -> None:
+        table = read_json(folder.require(PRIMITIVES), OperatorTable)
+        check_axes(table)
+        if not (folder / WORLD).exists():
+            raise InvalidValue(
+                f"{folder / WORLD} is missing: a domain also needs where objects may stand and how far the "
+                f"hand rises; `neurosym init {quoted(folder.path)} --world module:factory` writes it."
+            )
+        world = read_world(folder / WORLD)()
+        grounding = compile_domain(
+            table, name=world.name, cell=cell, table_bounds=world.table, lift_height=world.lift_height
+        )
+        write_atomically(folder / DOMAIN, domain_text(grounding, "stepwise"))
+        write_atomically(folder / OPERATORS_DOMAIN, domain_text(grounding, "operators"))
+        write_atomically(folder / NUMERIC_DOMAIN, domain_text(grounding, "numeric"))
+        grounding.save(folder / GROUNDING)
+        for scene in sorted((folder / PROBLEMS).glob(f"*{SCENE}")):
+            problem = Problem.load(scene)
+            for file, text in _printed(problem, grounding).items():
+                write_atomically(folder / file, text)
+
+    outputs = (DOMAIN, OPERATORS_DOMAIN, NUMERIC_DOMAIN, GROUNDING)
+    return Stage("compile-domain", (WORLD, PRIMITIVES), outputs, work, {"cell": cell})
+
+
+def problem_stage(
+    folder: DomainFolder,
+    *,
+    name: str,
+    objects: int,
+    seed: int,
+    actions: int = 1,
+    goals: Mapping[str, tuple[float, ...]] | None = None,
+) -> Stage:
+    """Make a problem: world, model and grounding -> `problems/NAME.pddl`, `.numeric.pddl`, `.scene.json`."""
+    scene = scene_file(name)
+
+    def work() -> None:
+        from neurosym.learning.effect_model import EffectModel
+        from neurosym.worlds.problem_drawing import draw_problem, set_problem
+
+        world = read_world(folder.require(WORLD))()
+        grounding = Grounding.load(folder.require(GROUNDING))
+        categorise = EffectModel.load(folder.require(MODEL)).object_symbols
+        if goals is None:
+            problem = draw_problem(world, categorise, name=name, objects=objects, actions=actions, seed=seed)
+        else:
+            problem = set_problem(world, categorise, goals, name=name, objects=objects, seed=seed)
+        printed = _printed(problem, grounding)
+        (folder / PROBLEMS).mkdir(exist_ok=True)
+        for file, text in printed.items():
+            write_atomically(folder / file, text)
+        problem.save(folder / scene)
+
+    options = {"objects": objects, "actions": actions, "seed": seed, "goals": _plain(goals)}
+    outputs = (*problem_files(name), scene)
+    return Stage(f"new-problem {name}", (WORLD, MODEL, GROUNDING), outputs, work, options)
+
+
+def _printed(problem: Problem, grounding: Grounding) -> dict[str, str]:
+    """Print a problem in both ways, by file."""
+    encodings = ("stepwise", "numeric")
+    files = zip(problem_files(problem.name), encodings, strict=True)
+    return {file: problem_text(problem, grounding, encoding) for file, encoding in files}
+
+
+def _plain(value: Any) -> Any:
+    if isinstance(value, Mapping):
+        return {key: _plain(entry) for key, entry in value.items()}
+    if isinstance(value, tuple | list):
+        return [_plain(entry) for entry in value]
+    return value.item() if isinstance(value, np.generic) else value

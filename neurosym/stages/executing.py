@@ -1,0 +1,179 @@
+"""The stages that run plans in the world, and that run their records again."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from neurosym.console import say
+from neurosym.errors import InvalidFile, InvalidValue, UnknownChoice
+from neurosym.execution.executor import REPLANS, Replanner, execute
+from neurosym.execution.record import Run, StepRecord
+from neurosym.execution.rerun import first_difference, rerun
+from neurosym.files import digest, read_json, write_json
+from neurosym.grounding import Grounding
+from neurosym.pddl.plan_text import read_plan
+from neurosym.pddl.validation import hand_problem
+from neurosym.planners import PLANNERS, PlanResult, plan
+from neurosym.problems import Problem
+from neurosym.stages.folder import DomainFolder
+from neurosym.stages.layout import GROUNDING, RUNS, WORLD, run_file, run_name, scene_file
+from neurosym.stages.manifest import Stage
+from neurosym.stages.planning import load_problem
+from neurosym.world import FrameSink, World
+from neurosym.worlds.world_file import read_world
+
+REPLANNER = "fast-downward"
+TIME_TO_REPLAN = 10.0
+"""When a planner that is asked for a new plan gives up [s]."""
+
+
+@dataclass(frozen=True, slots=True)
+class Showing:
+    """How a run is shown while it happens, or afterwards.
+
+    Attributes:
+        gif: Where an animated picture of it is written, if anywhere.
+        strip: Where a picture of each step is written, if anywhere.
+        gui: Whether it is shown live in a window.
+    """
+
+    gif: Path | None = None
+    strip: Path | None = None
+    gui: bool = False
+
+
+def execute_stage(
+    folder: DomainFolder,
+    name: str,
+    plan_file: Path,
+    *,
+    replanner: str = REPLANNER,
+    replans: int = REPLANS,
+    nudge_seed: int | None = None,
+    showing: Showing = Showing(),
+) -> Stage:
+    """Execute a plan: problem, grounding, world and a plan -> `runs/PROBLEM.PLAN.run.json`, and pictures.
+
+    Raises:
+        UnknownChoice: If there is no such planner to replan with.
+        InvalidValue: If a number is impossible.
+    """
+    if replanner not in PLANNERS:
+        raise UnknownChoice("planner", replanner, PLANNERS)
+    for option, value in (("replans", replans), ("disturb", nudge_seed or 0)):
+        if value < 0:
+            raise InvalidValue(f"{option} = {value} must be at least 0.")
+    record_file = run_file(name, plan_file)
+
+    def work() -> None:
+        grounding = Grounding.load(folder.require(GROUNDING))
+        world = read_world(folder.require(WORLD))()
+        problem = load_problem(folder, name, world)
+        steps = read_plan(plan_file, grounding, problem)
+        if impossible := hand_problem(steps, grounding):
+            raise InvalidFile(plan_file, impossible)
+        shown = _Shown(showing, world, problem)
+        run = execute(
+            world,
+            problem,
+            grounding,
+            steps,
+            replanner=replanner_named(replanner) if replans else None,
+            replans=replans,
+            nudge_seed=nudge_seed,
+            on_frame=shown.on_frame,
+            on_step=shown.on_step,
+        )
+        (folder / RUNS).mkdir(exist_ok=True)
+        write_json(folder / record_file, run)
+        shown.end(run)
+
+    inputs = (scene_file(name), GROUNDING, WORLD)
+    options: dict[str, Any] = {"plan": digest(plan_file), "replans": replans}
+    if replans:
+        options["replanner"] = replanner
+    if nudge_seed is not None:
+        options["disturb"] = nudge_seed
+    return Stage(f"execute {run_name(name, plan_file)}", inputs, (record_file,), work, options)
+
+
+def replanner_named(planner: str) -> Replanner:
+    """Return a planner such that a run can ask it for a new plan.
+
+    Args:
+        planner: One of `PLANNERS`.
+    """
+
+    def replan(problem: Problem, grounding: Grounding) -> PlanResult:
+        return plan(problem, grounding, planner, time_limit=TIME_TO_REPLAN)
+
+    return replan
+
+
+def replay_run(folder: DomainFolder, record: Path, showing: Showing = Showing()) -> tuple[Run, str]:
+    """Run the steps of a record again, and say where what happens differs from it.
+
+    Args:
+        folder: The domain folder.
+        record: A file that `execute_stage` wrote.
+        showing: How the run is shown.
+
+    Returns:
+        What the record says, and where it differs first from what happened now; nothing if their bytes are
+        the same.
+
+    Raises:
+        InvalidFile: If the file is no record of a run, or names what the domain does not have.
+    """
+    run = read_json(record, Run)
+    grounding = Grounding.load(folder.require(GROUNDING))
+    world = read_world(folder.require(WORLD))()
+    problem = load_problem(folder, run.problem, world)
+    try:
+        for step in run.steps:
+            grounding.operator_named(step.operator)
+            _check_object(step.object, problem)
+        if run.nudge:
+            _check_object(run.nudge.object, problem)
+    except UnknownChoice as error:
+        raise InvalidFile(record, str(error).rstrip(".")) from error
+    shown = _Shown(showing, world, problem)
+    again = rerun(world, problem, grounding, run, on_frame=shown.on_frame, on_step=shown.on_step)
+    shown.end(again)
+    return run, first_difference(run, again)
+
+
+def load_run(folder: DomainFolder, name: str, plan_file: Path) -> Run:
+    """Read what became of a plan."""
+    return read_json(folder / run_file(name, plan_file), Run)
+
+
+class _Shown:
+    """What is seen of a run: pictures are taken if files are asked for, or a window is opened."""
+
+    def __init__(self, showing: Showing, world: World, problem: Problem):
+        from neurosym.pictures.film import Film, ignore, open_window
+
+        self._showing = showing
+        self._film = Film(world, problem) if showing.gif or showing.strip else None
+        if showing.gui:
+            open_window(world)
+        self.on_frame: FrameSink | None = (
+            self._film.add_frame if self._film else ignore if showing.gui else None
+        )
+        self.on_step: Callable[[StepRecord], None] | None = self._film.end_step if self._film else None
+
+    def end(self, run: Run) -> None:
+        """Write the pictures, or hold the window for a while."""
+        from neurosym.pictures.film import hold_window
+
+        if self._film and not self._film.save(run, self._showing.gif, self._showing.strip):
+            say("no pictures: the plan has no step")
+        if self._showing.gui:
+            hold_window()
+
+
+def _check_object(name: str, problem: Problem) -> None:
+    if name not in problem.object_names:
+        raise UnknownChoice("object", name, problem.object_names)

@@ -1,0 +1,92 @@
+"""The stage that explores: `world.toml` -> `interactions.npz`."""
+
+from typing import Any
+
+from neurosym.console import progress_bar
+from neurosym.data.interactions import Interactions
+from neurosym.data.origin import is_explored
+from neurosym.errors import InvalidValue
+from neurosym.learning.training_config import Regime, regime_named
+from neurosym.stages.folder import DomainFolder
+from neurosym.stages.layout import INTERACTIONS, WORLD
+from neurosym.stages.manifest import Stage
+from neurosym.strategies import own_name, strategy_named
+from neurosym.wording import quoted
+from neurosym.worlds.world_file import origin_of, read_world
+
+
+def explore_stage(
+    folder: DomainFolder,
+    *,
+    strategy: str,
+    steps: int,
+    seed: int,
+    regime: str,
+    workers: int,
+    ray: str | None = None,
+    min_predicted_effect: float = 0.0,
+) -> Stage:
+    """Explore the world: `world.toml` -> `interactions.npz`, with a checkpoint after every block."""
+    chosen = check_choices(strategy, regime, min_predicted_effect)
+    strategy = own_name(strategy)
+
+    def work() -> None:
+        from neurosym.exploration.choice import ExplorationConfig
+        from neurosym.exploration.curiosity import LearningConfig
+        from neurosym.exploration.loop import explore
+
+        check_steps(folder, steps)
+        factory = read_world(folder.require(WORLD))
+        config = ExplorationConfig(
+            min_predicted_effect=min_predicted_effect,
+            learning=LearningConfig(
+                learning_rate=chosen.exploration_rate, loss_coefficient=chosen.training.loss_coefficient
+            ),
+        )
+        with progress_bar(f"exploring ({strategy})") as advance:
+            interactions = explore(
+                factory,
+                steps=steps,
+                strategy=strategy,
+                seed=seed,
+                workers=workers,
+                ray=ray,
+                checkpoint=folder.path,
+                config=config,
+                model_config=chosen.exploration,
+                origin=origin_of(factory),
+                progress=advance,
+            )
+        interactions.save(folder / INTERACTIONS)
+
+    options: dict[str, Any] = {"strategy": strategy, "steps": steps, "seed": seed, "regime": regime}
+    if min_predicted_effect:
+        options["min_predicted_effect"] = min_predicted_effect
+    return Stage("explore", (WORLD,), (INTERACTIONS,), work, options)
+
+
+def check_choices(strategy: str, regime: str, min_predicted_effect: float = 0.0) -> Regime:
+    """Return a regime, or raise unless there are such a strategy and regime, and they can be combined."""
+    strategy_named(strategy, min_predicted_effect)
+    return regime_named(regime)
+
+
+def has_own_data(folder: DomainFolder) -> bool:
+    """Say whether the interactions in a folder are a user's own."""
+    path = folder / INTERACTIONS
+    return path.exists() and not is_explored(Interactions.load(path).origin)
+
+
+def check_steps(folder: DomainFolder, steps: int) -> None:
+    """Refuse to replace interactions by fewer, or a user's own by any."""
+    path = folder / INTERACTIONS
+    if steps <= 0 or not path.exists():
+        return
+    if has_own_data(folder):
+        raise InvalidValue(
+            f"{path} holds data which `neurosym explore` did not make; move it away first, or learn from it: "
+            f"`neurosym train {quoted(folder.path)}`."
+        )
+    if (count := len(Interactions.load(path))) > steps:
+        said = f"{path} holds {count} interactions already, more than {steps}"
+        raise InvalidValue(f"{said}; remove it, or ask for more.")

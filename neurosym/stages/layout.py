@@ -1,0 +1,96 @@
+"""What a domain folder holds: the name of every file, who writes it, and what it says.
+
+Paths are relative to the folder. Each command reads what stands there and adds its own files, so that one can
+stop, look, put another file in the place of one (data of one's own, another planner's plan), and go on.
+While it explores, the folder also holds `exploration.safetensors` and `interactions.partial.npz`, which an
+interrupted exploration goes on from.
+"""
+
+from pathlib import Path
+
+WORLD = "world.toml"
+"""`init`: which world it is of, and the world's options."""
+INTERACTIONS = "interactions.npz"
+"""`explore`, or a script of a user's own (docs/data.md): a row for each interaction."""
+MODEL = "effect_model.safetensors"
+"""`train`: the network whose bits are the symbols."""
+DIRECT_MODEL = "direct_model.safetensors"
+"""`train`: the network without a bottleneck that taught it."""
+TRAINING = "training.json"
+"""`train`: how well the model fits, on interactions held out from training."""
+PRIMITIVES = "primitives.json"
+"""`distill`: the parameters of each symbol, and what they do to each category: the table of operators."""
+DOMAIN = "domain.pddl"
+"""`compile-domain`: the domain, one axis at a time."""
+OPERATORS_DOMAIN = "domain-operators.pddl"
+"""`compile-domain`: the same with an action for each operator."""
+NUMERIC_DOMAIN = "domain-numeric.pddl"
+"""`compile-domain`: the same in numbers (PDDL 2.1)."""
+GROUNDING = "grounding.json"
+"""`compile-domain`: what planning and execution need to know; no network is needed from here on."""
+PROBLEMS = "problems"
+"""`new-problem`: NAME.scene.json (the problem), NAME.pddl and NAME.numeric.pddl (for other planners)."""
+PLANS = "plans"
+"""`plan`: NAME.PLANNER.plan, and how planning went, NAME.PLANNER.json."""
+RUNS = "runs"
+"""`execute`: what became of each plan."""
+PICTURES = "pictures"
+"""`show` and `figures`: pictures; those of the page are in `report`."""
+REPORT_PICTURES = "pictures/report"
+"""`report`: the pictures of the page."""
+COMPARISONS = "comparison"
+"""`compare`: a folder for each kind of task, with a file for each task."""
+KINDS_FOUND = "kinds.json"
+"""`evaluate`: the kinds of primitive that there are."""
+CURVE = "learning_curve.json"
+"""`report --curve`: how the fit grows with the data."""
+PAGE = "report.html"
+"""`report`: the page."""
+MANIFEST = "manifest.json"
+"""Every command: how its files came about."""
+
+COMMANDS = {
+    WORLD: "init",
+    INTERACTIONS: "explore",
+    MODEL: "train",
+    DIRECT_MODEL: "train",
+    PRIMITIVES: "distill",
+    DOMAIN: "compile-domain",
+    OPERATORS_DOMAIN: "compile-domain",
+    NUMERIC_DOMAIN: "compile-domain",
+    GROUNDING: "compile-domain",
+}
+"""Which command writes each file that a later stage reads."""
+
+SCENE = ".scene.json"
+"""What the file of a problem as we read it ends with."""
+NUMERIC = ".numeric.pddl"
+"""What the file of a problem in the numeric encoding ends with; the one on a grid is NAME.pddl."""
+RECORD = ".run.json"
+"""What the file of a record of a run ends with."""
+
+
+def scene_file(problem: str) -> str:
+    """Name the file of a problem as we read it."""
+    return f"{PROBLEMS}/{problem}{SCENE}"
+
+
+def problem_files(problem: str) -> tuple[str, str]:
+    """Name a problem's files for other planners, on a grid and in numbers."""
+    return f"{PROBLEMS}/{problem}.pddl", f"{PROBLEMS}/{problem}{NUMERIC}"
+
+
+def plan_files(problem: str, planner: str) -> tuple[str, str]:
+    """Name the files of a plan and of the record of how planning went."""
+    return f"{PLANS}/{problem}.{planner}.plan", f"{PLANS}/{problem}.{planner}.json"
+
+
+def run_file(problem: str, plan_file: Path) -> str:
+    """Name the file that says what became of a plan for a problem."""
+    return f"{RUNS}/{run_name(problem, plan_file)}{RECORD}"
+
+
+def run_name(problem: str, plan_file: Path) -> str:
+    """Name a run after its problem and its plan, whose name mostly begins with the problem's."""
+    stem = plan_file.stem
+    return stem if stem.startswith(f"{problem}.") else f"{problem}.{stem}"

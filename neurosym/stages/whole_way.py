@@ -1,0 +1,106 @@
+"""The whole way in one call, doing nothing twice."""
+
+from dataclasses import dataclass
+
+from neurosym.console import say, say_next, show_table
+from neurosym.errors import InvalidValue
+from neurosym.files import read_json
+from neurosym.stages.compiling import compile_stage, problem_stage
+from neurosym.stages.distilling import distill_stage
+from neurosym.stages.executing import execute_stage, load_run
+from neurosym.stages.exploring import explore_stage
+from neurosym.stages.folder import DomainFolder
+from neurosym.stages.layout import plan_files
+from neurosym.stages.manifest import Stage
+from neurosym.stages.planning import PlanRecord, plan_stage
+from neurosym.stages.training import train_stage
+from neurosym.wording import quoted
+
+PLANNER = "fast-downward"
+TIME_LIMIT = 60.0
+CELL = 0.005
+MOST_PROBLEMS = 30
+"""How many problems are drawn at most, if none of those asked for has a plan."""
+
+
+def go_the_whole_way(
+    folder: DomainFolder,
+    *,
+    strategy: str,
+    steps: int,
+    seed: int,
+    regime: str,
+    workers: int,
+    rehearsals: int,
+    problems: int,
+    min_predicted_effect: float = 0.0,
+) -> None:
+    """Explore, train, distil, compile, draw problems, plan with Fast Downward, and execute what was found.
+
+    Args:
+        folder: The domain folder, with a `world.toml`.
+        strategy: How exploration chooses actions.
+        steps: Interactions to make.
+        seed: Where all random draws start; problem number i is drawn with seed + i.
+        regime: Network and training.
+        workers: Processes that simulate.
+        rehearsals: Objects that each primitive is rehearsed on.
+        problems: How many problems to draw; more, if none of them has a plan.
+        min_predicted_effect: Only actions with at least this predicted sum of absolute displacements are
+            explored, if there are any [m].
+
+    Raises:
+        InvalidValue: If a number is impossible.
+    """
+    if problems < 0:
+        raise InvalidValue(f"problems = {problems} must be at least 0.")
+    learning = (
+        explore_stage(
+            folder,
+            strategy=strategy,
+            steps=steps,
+            seed=seed,
+            regime=regime,
+            workers=workers,
+            min_predicted_effect=min_predicted_effect,
+        ),
+        train_stage(folder, seed=seed, regime=regime),
+        distill_stage(folder, objects=rehearsals, seed=seed, workers=workers),
+        compile_stage(folder, cell=CELL),
+    )
+    for stage in learning:
+        _perform(folder, stage)
+    rows = [_try_problem(folder, number, seed) for number in range(1, problems + 1)]
+    while problems and len(rows) < MOST_PROBLEMS and not any(row.executed for row in rows):
+        rows.append(_try_problem(folder, len(rows) + 1, seed))
+    if rows:
+        columns = ["problem", "objects", "plan", "steps", "seconds", "goal", "why not"]
+        show_table(f"{len(rows)} problems drawn from the world", columns, [row.cells for row in rows])
+    say(f"everything lies in {folder.path}; {folder / 'domain.pddl'} is the domain")
+    say_next(f"neurosym plan {quoted(folder.path)} task-01 --planner bfs")
+
+
+@dataclass(frozen=True, slots=True)
+class _Row:
+    cells: tuple[str, ...]
+    executed: bool
+
+
+def _try_problem(folder: DomainFolder, number: int, seed: int) -> _Row:
+    """Draw a problem, plan it, and execute the plan if there is one."""
+    name, objects = f"task-{number:02d}", 2 - number % 2
+    _perform(folder, problem_stage(folder, name=name, objects=objects, seed=seed + number))
+    _perform(folder, plan_stage(folder, name, planner=PLANNER, time_limit=TIME_LIMIT))
+    plan_file, record_file = plan_files(name, PLANNER)
+    record = read_json(folder / record_file, PlanRecord)
+    cells = (name, str(objects), record.status, str(len(record.steps)), f"{record.seconds:.2f}")
+    if not record.solved:
+        return _Row((*cells, "-", record.reason), executed=False)
+    _perform(folder, execute_stage(folder, name, folder / plan_file))
+    run = load_run(folder, name, folder / plan_file)
+    return _Row((*cells, "reached" if run.reached else "missed", run.reason), executed=True)
+
+
+def _perform(folder: DomainFolder, stage: Stage) -> None:
+    done = folder.perform(stage, again=False)
+    say(f"{stage.name}: {'done' if done else 'up to date'}")

@@ -1,0 +1,1 @@
+"""Worlds: ours and custom ones, made from `world.toml`, checked, and performing in many processes."""

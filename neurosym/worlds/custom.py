@@ -1,0 +1,187 @@
+"""Worlds of your own: `module:factory` names the function or class that makes one.
+
+A domain folder may come from a stranger, and its `world.toml` says what is called, and with which options.
+So no module is taken from inside the folder, and nothing is called that does not make worlds (`os:system`).
+"""
+
+import importlib
+import importlib.util
+import inspect
+import math
+import re
+import sys
+from collections.abc import Callable
+from functools import partial
+from importlib.machinery import ModuleSpec
+from pathlib import Path
+from typing import Any, get_type_hints
+
+from neurosym.errors import InvalidWorld
+from neurosym.world import World
+from neurosym.worlds.check import check_attributes, told
+
+Factory = Callable[..., Any]
+_NAME = re.compile(r"([^\W\d]\w*(?:\.[^\W\d]\w*)*):([^\W\d]\w*)")
+
+
+def is_own(name: str) -> bool:
+    """Say whether a world's name is that of somebody's own, `module:factory`."""
+    return ":" in name
+
+
+def make_own_world(name: str, options: dict[str, Any]) -> World:
+    """Make a world of one's own.
+
+    Args:
+        name: `module:factory`; the module can be imported.
+        options: What to call the factory with, by keyword.
+
+    Raises:
+        InvalidWorld: If there is no such factory, it rejects the options, or does not return a world.
+    """
+    factory = load_factory(name)
+    _check_options(name, factory, options)
+    try:
+        world = factory(**options)
+    except Exception as error:
+        raise InvalidWorld(name, f"cannot be made with its options: {told(error)}") from error
+    check_attributes(world, name)
+    return world  # type: ignore[no-any-return]
+
+
+def load_factory(name: str) -> Factory:
+    """Import the factory of a world.
+
+    Args:
+        name: `module:factory`.
+
+    Raises:
+        InvalidWorld: If there is none, or it does not make worlds.
+    """
+    module_name, attribute = _split(name)
+    module = _guarded(name, module_name, partial(importlib.import_module, module_name))
+    if not hasattr(module, attribute):
+        raise InvalidWorld(name, f"cannot be found: the module {module_name!r} has no {attribute!r}")
+    factory = getattr(module, attribute)
+    if not callable(factory):
+        kind = type(factory).__name__
+        raise InvalidWorld(name, f"is not callable but of type {kind}; name a class or a function")
+    if not _makes_worlds(factory):
+        raise InvalidWorld(
+            name,
+            "is not known to make worlds; name a class that has the methods of World, or annotate -> World",
+        )
+    return factory  # type: ignore[no-any-return]
+
+
+def default_options(factory: Factory) -> dict[str, Any]:
+    """Return the options of a factory whose defaults can stand in a TOML file."""
+    return {name: p.default for name, p in _parameters(factory).items() if _is_plain(p.default)}
+
+
+def missing_options(factory: Factory, options: dict[str, Any]) -> list[str]:
+    """List the options that a factory needs and is not given."""
+    needed = [name for name, p in _parameters(factory).items() if p.default is inspect.Parameter.empty]
+    return [name for name in needed if name not in options]
+
+
+def admit(name: str, folder: Path) -> None:
+    """Let a world's module be imported from the current folder too, but not from inside a domain folder.
+
+    Worker processes inherit the search path.
+
+    Args:
+        name: `module:factory`.
+        folder: The domain folder.
+
+    Raises:
+        InvalidWorld: If the module is not found, or lies in the domain folder.
+    """
+    module_name, _ = _split(name)
+    inside, here = folder.resolve(), Path.cwd()
+    if str(here) not in sys.path and not here.is_relative_to(inside):
+        sys.path.append(str(here))
+    importlib.invalidate_caches()
+    parts = module_name.split(".")
+    for depth in range(1, len(parts) + 1):
+        part = ".".join(parts[:depth])  # looking for a.b imports a, which has been looked at by then
+        spec = _guarded(name, module_name, partial(importlib.util.find_spec, part))
+        if spec is None:
+            raise _no_module(name, module_name)
+        if any(place.is_relative_to(inside) for place in _places(spec)):
+            raise InvalidWorld(
+                name,
+                f"has its code in the domain folder {folder}; a domain folder must not bring code of its own",
+            )
+
+
+def _split(name: str) -> tuple[str, str]:
+    match = _NAME.fullmatch(name)
+    if match is None:
+        raise InvalidWorld(name, "is not of the form module:factory")
+    return match[1], match[2]
+
+
+def _guarded(name: str, module_name: str, call: Callable[[], Any]) -> Any:
+    try:
+        return call()
+    except (Exception, SystemExit) as error:
+        if isinstance(error, ModuleNotFoundError) and f"{module_name}.".startswith(f"{error.name}."):
+            raise _no_module(name, module_name) from error
+        raise InvalidWorld(name, f"cannot be imported: {told(error)}") from error
+
+
+def _no_module(name: str, module_name: str) -> InvalidWorld:
+    return InvalidWorld(
+        name, f"cannot be found: no module {module_name!r} is installed or stands in the current folder"
+    )
+
+
+def _places(spec: ModuleSpec) -> list[Path]:
+    files = [spec.origin] if spec.has_location and spec.origin else []
+    return [Path(place).resolve() for place in (*files, *(spec.submodule_search_locations or ()))]
+
+
+def _makes_worlds(factory: Any) -> bool:
+    """Say whether a factory is a world's class, or is annotated with one, or stands in a module with one."""
+    while isinstance(factory, partial):
+        factory = factory.func
+    if isinstance(factory, type):
+        return _is_world_class(factory)
+    try:
+        returned = get_type_hints(factory).get("return")
+    except Exception:  # annotations can hold anything
+        returned = None
+    beside = getattr(inspect.unwrap(factory), "__globals__", {}).values()
+    return _is_world_class(returned) or any(_is_world_class(kind) for kind in beside if kind is not World)
+
+
+def _is_world_class(kind: Any) -> bool:
+    return isinstance(kind, type) and hasattr(kind, "sample_scene") and hasattr(kind, "interact")
+
+
+def _check_options(name: str, factory: Factory, options: dict[str, Any]) -> None:
+    known = _parameters(factory)
+    takes_any = any(p.kind is p.VAR_KEYWORD for p in _signature(factory))
+    for option in options:
+        if option not in known and not takes_any:
+            raise InvalidWorld(name, f"has no option {option!r}; valid: {', '.join(known) or 'none'}")
+    if missing := missing_options(factory, options):
+        raise InvalidWorld(name, f"needs the option {missing[0]!r}, which has no default")
+
+
+def _parameters(factory: Factory) -> dict[str, inspect.Parameter]:
+    by_keyword = (inspect.Parameter.POSITIONAL_OR_KEYWORD, inspect.Parameter.KEYWORD_ONLY)
+    return {p.name: p for p in _signature(factory) if p.kind in by_keyword}
+
+
+def _signature(factory: Factory) -> list[inspect.Parameter]:
+    return list(inspect.signature(factory).parameters.values())
+
+
+def _is_plain(value: Any) -> bool:
+    if isinstance(value, list | tuple):
+        return all(map(_is_plain, value))
+    if isinstance(value, dict):
+        return all(isinstance(key, str) and _is_plain(entry) for key, entry in value.items())
+    return isinstance(value, bool | int | str) or (isinstance(value, float) and math.isfinite(value))

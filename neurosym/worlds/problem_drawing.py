@@ -1,0 +1,146 @@
+"""Making problems: tasks drawn from the world as the paper draws them, or goals given by hand."""
+
+from collections.abc import Mapping, Sequence
+
+import numpy as np
+
+from neurosym.errors import InvalidValue
+from neurosym.operators import TOLERANCE, Vector, vector
+from neurosym.problems import Problem, SceneObject, check_goals, goal_heights
+from neurosym.symbols import Categorise
+from neurosym.world import Outcome, Scene, World
+
+_MOST_DRAWS = 1000
+_TASKS = 0x7461736B  # keeps the randomness of tasks apart from that of exploration and rehearsal
+
+
+def draw_problem(
+    world: World,
+    categorise: Categorise,
+    *,
+    name: str,
+    objects: int,
+    seed: int,
+    actions: int = 1,
+    tolerance: float = TOLERANCE,
+) -> Problem:
+    """Draw a task as section III-E does: random scene, random action, and what results is the goal.
+
+    Goals may be in mid-air. Draws whose start already meets the goal, or whose result lies off the table, are
+    thrown away and drawn again; the problem's provenance counts them. Several actions make harder tasks: each
+    begins where everything came to rest after the one before.
+
+    Args:
+        world: The world that the random action is performed in.
+        categorise: Gives objects their symbols.
+        name: Name of the problem.
+        objects: How many objects.
+        seed: Same seed, same problem.
+        actions: How many random actions lead to the goal.
+        tolerance: How near each object must come to its goal [m].
+
+    Raises:
+        InvalidValue: If the objects do not fit, or no draw moves anything.
+    """
+    for kind, count in (("object", objects), ("action", actions)):
+        if count < 1:
+            raise InvalidValue(f"A problem needs at least one {kind}, not {count}.")
+    for draw in range(_MOST_DRAWS):
+        rng = np.random.default_rng([_TASKS, seed, draw])
+        scene = world.sample_scene(rng, objects)
+        outcomes = _act_at_random(world, scene, actions, rng)
+        goals = dict(zip(item_names(objects), map(vector, outcomes[-1].lifted.positions), strict=True))
+        problem = Problem(
+            name=name,
+            objects=_items(outcomes[0].start, categorise),
+            goals=goals,
+            tolerance=tolerance,
+            provenance=f"drawn with seed {seed}: {_told(outcomes)}; draw {draw + 1}, earlier ones met at the "
+            "start or off the table",
+        )
+        stays = all(world.table.contains(spot) for outcome in outcomes for spot in outcome.lifted.positions)
+        if stays and not problem.is_met(scene.positions):
+            return problem
+    raise InvalidValue(f"None of {_MOST_DRAWS} random actions moves an object by more than {tolerance} m.")
+
+
+def _act_at_random(world: World, scene: Scene, actions: int, rng: np.random.Generator) -> list[Outcome]:
+    """Perform random actions on random objects, one after another."""
+    outcomes: list[Outcome] = []
+    for _ in range(actions):
+        target = int(rng.integers(len(scene)))
+        outcomes.append(world.interact(scene, world.action_box.sample(rng, 1)[0], target))
+        scene = outcomes[-1].end
+    return outcomes
+
+
+def _told(outcomes: Sequence[Outcome]) -> str:
+    names = item_names(len(outcomes[0].start))
+    count = "one random action" if len(outcomes) == 1 else f"{len(outcomes)} random actions"
+    return f"{count} on {', '.join(names[outcome.target] for outcome in outcomes)}"
+
+
+def set_problem(
+    world: World,
+    categorise: Categorise,
+    goals: Mapping[str, tuple[float, ...]],
+    *,
+    name: str,
+    objects: int,
+    seed: int,
+    tolerance: float = TOLERANCE,
+) -> Problem:
+    """Draw a scene and set goals in it by hand.
+
+    Args:
+        world: The world that the scene is drawn from.
+        categorise: Gives objects their symbols.
+        goals: Where the centre of an object shall come to be [m], by its name (`item-01`, ...): x, y, and z
+            unless it is to rest on the table.
+        name: Name of the problem.
+        objects: How many objects.
+        seed: Same seed, same scene.
+        tolerance: How near each object must come to its goal [m].
+
+    Raises:
+        InvalidValue: If the objects do not fit, or a goal names none of them or lies out of reach.
+    """
+    scene = world.sample_scene(np.random.default_rng([_TASKS, seed]), objects)
+    items = _items(scene, categorise)
+    resting = {item.name: item.position[2] for item in items}
+    problem = Problem(
+        name=name,
+        objects=items,
+        goals={item: _completed(item, goal, resting.get(item, 0.0)) for item, goal in goals.items()},
+        tolerance=tolerance,
+        provenance=f"scene drawn with seed {seed}, goals by hand",
+    )
+    check_goals(problem, world.table, goal_heights(problem, world.lift_height))
+    return problem
+
+
+def item_names(objects: int) -> tuple[str, ...]:
+    """Return what the objects of a made scene are called: `item-01`, `item-02`, ..."""
+    return tuple(f"item-{number:02d}" for number in range(1, objects + 1))
+
+
+def _items(scene: Scene, categorise: Categorise) -> tuple[SceneObject, ...]:
+    rows = zip(
+        item_names(len(scene)),
+        categorise(scene.features),
+        scene.features.tolist(),
+        map(vector, scene.positions),
+        scene.orientations.tolist(),
+        strict=True,
+    )
+    return tuple(
+        SceneObject(name, category, tuple(features), position, (*orientation,))
+        for name, category, features, position, orientation in rows
+    )
+
+
+def _completed(item: str, goal: tuple[float, ...], resting_height: float) -> Vector:
+    if len(goal) not in (2, 3) or not np.all(np.isfinite(goal)):
+        raise InvalidValue(f"The goal of {item} is {goal}; give x,y or x,y,z in metres.")
+    x, y, z = (*goal, resting_height)[:3]
+    return (x, y, z)

@@ -1,0 +1,214 @@
+"""What the evaluation of planning counts, and what it writes before anything is measured."""
+
+import json
+
+import msgspec
+import pytest
+from places import ROOT
+
+from neurosym.evaluation.comparison import Attempt, TaskRecord
+from neurosym.execution.summary import Execution
+from neurosym.grounding import Grounding
+from neurosym.pddl.moves import cost
+from neurosym.problems import Problem, SceneObject
+from tools.benchmarks.planning import evaluate, jobs, measures, tally, tasks
+
+BOTH = ("bfs", "fast-downward")
+
+
+def execution(reached: bool, **changes: object) -> Execution:
+    kind = "" if reached else "a grasp failed"
+    return msgspec.structs.replace(
+        Execution(reached, kind, kind, {"item-01": 0.01}, 2, 1, 0, 1, 0, ()), **changes
+    )
+
+
+def attempt(*, valid: bool = True, blind: bool = True, replanned: bool = True, **changes: object) -> Attempt:
+    found = Attempt("solved", "", (("push", "item-01"),), 0.2, 1, "" if valid else "elsewhere")
+    runs = {"open_loop": execution(blind), "replanned": execution(replanned)}
+    return msgspec.structs.replace(found, **runs, promised_miss=0.0, predicted_miss=0.0, **changes)
+
+
+def record(number: int, bfs: Attempt, pddl: Attempt, **others: Attempt) -> TaskRecord:
+    item = SceneObject("item-01", "00", (0.05, 0.05, 0.05, 0.0), (0.6, 0.0, 0.025))
+    problem = Problem(f"drawn-{number:05d}", (item,), {"item-01": (0.7, 0.0, 0.025)})
+    return TaskRecord(problem, False, {"bfs": bfs, "fast-downward": pddl, **others})
+
+
+NO_PLAN = Attempt("unsolvable", "too far")
+
+
+def test_table3_is_the_mean_over_seeds_of_shares_of_all_tasks():
+    good, bad = attempt(), attempt(valid=False, blind=False, replanned=False)
+    by_seed = {
+        "1": [record(0, good, good), record(1, bad, good)],
+        "2": [record(0, NO_PLAN, attempt(blind=False)), record(1, bad, good)],
+    }
+    cell = tally.table3_cell(by_seed, BOTH)
+    bfs, pddl = cell["bfs"], cell["fast-downward"]
+    assert (bfs["found"], bfs["valid"], bfs["reached"]) == (0.75, 0.25, 0.25)
+    assert (pddl["reached"], pddl["reached_with_replanning"]) == (0.75, 1.0)
+    assert pddl["spread"]["reached"] == pytest.approx(0.25)
+    assert pddl["by_seed"]["2"]["reached"] == 0.5
+    assert pddl["tasks"] == 4
+
+
+def test_tasks_met_at_the_start_are_in_no_share():
+    done = msgspec.structs.replace(record(0, NO_PLAN, NO_PLAN), met_at_start=True, attempts={})
+    cell = tally.table3_cell({"1": [done, record(1, attempt(), attempt())]}, BOTH)
+    assert (cell["bfs"]["found"], cell["bfs"]["tasks"], cell["bfs"]["met_at_start"]) == (1.0, 1, 1)
+
+
+def test_seed_that_was_not_measured_has_no_part_in_the_mean():
+    cell = tally.table3_cell({"1": [], "2": [record(0, attempt(), attempt())]}, BOTH)
+    assert list(cell["bfs"]["by_seed"]) == ["2"]
+    assert tally.table3_cell({"1": []}, BOTH) == {}
+
+
+def test_symbolic_shares_are_of_the_tasks_that_the_other_planner_solves():
+    def entry(number: int, pddl: Attempt, searched: Attempt, exact: Attempt) -> dict:
+        kept = record(number, NO_PLAN, pddl, counting=exact, **{"bfs-operators": searched})
+        return {"record": msgspec.to_builtins(kept), "fewest": 1}
+
+    longer = attempt(primitives=3)
+    entries = [
+        entry(0, attempt(), attempt(), attempt()),
+        entry(1, NO_PLAN, attempt(), attempt()),
+        entry(2, longer, NO_PLAN, attempt()),
+        entry(3, attempt(valid=False), NO_PLAN, NO_PLAN),
+    ]
+    cell = tally.symbolic_cell(entries)
+    assert cell["valid_share"] == pytest.approx(2 / 3)
+    assert (cell["bfs_solves"], cell["solved_when_bfs_solves"]) == (2, 0.5)
+    assert cell["solved_when_counting_solves"] == pytest.approx(2 / 3)
+    assert cell["extra_steps"] == pytest.approx(2 / 3)
+    assert tally.whole([cell, cell])["valid_share"] == pytest.approx(2 / 3)
+
+
+def test_costs_are_compared_on_the_same_tasks_even_if_some_are_not_measured_yet():
+    records = [record(0, NO_PLAN, attempt()), record(1, NO_PLAN, attempt(blind=False))]
+    later = {"task": "drawn-00001", "status": "solved", "primitives": 2}
+    later["run"] = msgspec.to_builtins(execution(True))
+    cell = tally.costs([later, {"task": "drawn-00007", "status": "solved"}], records)
+    assert (cell["both_found"], cell["with_costs"], cell["without_costs"]) == (1, 0.0, 1.0)
+
+
+def test_disturbed_runs_without_a_plan_or_a_nudge_are_told_apart():
+    run = msgspec.to_builtins(execution(False))
+    entries = [
+        {"task": "a", "solvable": False},
+        {"task": "b", "solvable": True, "nudge": None, "run": run},
+        {"task": "c", "solvable": True, "nudge": {"object": "item-01"}, "run": run},
+        {"task": "d", "solvable": True, "nudge": {"object": "item-01"}, "run": {**run, "reached": True}},
+    ]
+    cell = tally.disturbed(entries)
+    assert (cell["without_plan"], cell["nudged"], cell["share"]) == (1, 2, 0.5)
+    assert cell["missed"] == {"a grasp failed": 1}
+
+
+def test_scaling_tells_what_was_not_tried():
+    solved = {"status": "solved", "seconds": 2.0, "fewest": 4, "primitives": 5, "valid": True, "reason": ""}
+    rows = [solved, {"status": "timeout", "seconds": 60.0, "fewest": 4, "reason": "late"}]
+    memory = {"children": 90.0, "own": 50.0}
+    cell = tally.scaling_cell({"rows": [*rows, {"status": "not tried"}], "megabytes": memory})
+    assert (cell["solved"], cell["seconds"], cell["over_fewest"], cell["megabytes"]) == (1, 2.0, 1.25, 90.0)
+    assert cell["status"] == {"not tried": 1, "solved": 1, "timeout": 1}
+
+
+def test_every_job_has_a_name_of_its_own_and_tasks_are_drawn_before_they_are_used(tmp_path):
+    size = jobs.size_of(2, 2560)
+    turns = [list(turn) for _, turn in jobs.jobs_in_turn(tmp_path, size, learn=True)]
+    names = [name for turn in turns for name in turn]
+    assert len(set(names)) == len(names)
+    assert all(name.startswith("drawn-") for name in turns[0])
+    assert names.index("learn-random-2-2560") > names.index("learn-random-1-2560")
+    assert sum(name.startswith("table3-shipped") for name in names) == 40
+
+
+def test_nothing_measured_is_written_as_nothing_and_counted(tmp_path):
+    size = jobs.size_of(1, 2560)
+    (tmp_path / "jobs").mkdir()
+    evaluate.write_results(tmp_path, tmp_path, size)
+    summary = json.loads((tmp_path / "planning.json").read_text())
+    keys = {"valid_share", "solved_when_bfs_solves", "table3", "planners", "scaling", "command", "versions"}
+    assert keys <= set(summary)
+    assert summary["table3"]["curiosity"] == {"single": {}, "double": {}}
+    assert summary["valid_share"] is None
+    assert f"**Not finished**: {summary['missing']} jobs" in (tmp_path / "planning.md").read_text()
+    assert "not measured yet" in (tmp_path / "scaling.md").read_text()
+    for name in ("planning.png", "scaling.png"):
+        assert (tmp_path / name).stat().st_size > 1000
+
+
+def test_what_was_measured_comes_into_the_tables(tmp_path):
+    size = jobs.size_of(1, 2560)
+    (tmp_path / "jobs").mkdir()
+    names = list(jobs.table3_jobs(tmp_path, size, "shipped", 0.05))
+    measured = [msgspec.to_builtins(record(n, attempt(valid=False), attempt())) for n in range(10)]
+    (tmp_path / "jobs" / f"{names[0]}.json").write_text(json.dumps(measured))
+    evaluate.write_results(tmp_path, tmp_path, size)
+    summary = json.loads((tmp_path / "planning.json").read_text())
+    single = summary["table3"]["shipped"]["single"]
+    assert single["fast-downward"]["reached_with_replanning"] == 1.0
+    assert single["bfs"]["valid"] == 0.0
+    page = (tmp_path / "planning.md").read_text()
+    assert "| shipped | single | fast-downward | 1 | 10 | 100 % | 100 % | 100 % | 100 % |" in page
+
+
+def test_flat_operators_cost_alike_and_move_as_before():
+
+    grounding = Grounding.load(ROOT / "domains/tabletop/grounding.json")
+    flat = measures.flattened(grounding)
+    assert len({cost(operator) for operator in flat.live}) == 1
+    assert len({cost(operator) for operator in grounding.live}) > 5
+    assert [operator.name for operator in flat.live] == [operator.name for operator in grounding.live]
+    for before, after in zip(grounding.live, flat.live, strict=True):
+        assert flat.displacement(after) == grounding.displacement(before)
+
+
+@pytest.mark.parametrize("objects", [1, 6])
+def test_symbolic_task_can_be_solved_and_none_of_its_objects_is_at_its_goal(objects):
+
+    from neurosym.planners.counting import fewest_steps
+
+    bench = measures.bench_of(ROOT / "domains/tabletop")
+    task = tasks.draw_symbolic(bench, objects, "hard", 3)
+    assert task == tasks.draw_symbolic(bench, objects, "hard", 3)
+    assert min(task.distances(task.scene().positions).values()) > 0.05
+    assert fewest_steps(task, bench.setting.grounding)
+
+
+def test_published_pages_tell_what_was_measured():
+    from tools.benchmarks.planning.scaling_tables import scaling_page
+    from tools.benchmarks.planning.tables import page
+
+    results = ROOT / "docs/results"
+    if not (results / "planning.json").exists():
+        pytest.skip("nothing is published yet")
+    summary = json.loads((results / "planning.json").read_text())
+    assert page(summary) == (results / "planning.md").read_text()
+    assert scaling_page(summary) == (results / "scaling.md").read_text()
+    assert summary["scaling"] == json.loads((results / "scaling.json").read_text())
+
+
+def test_records_go_into_an_archive_and_come_back(tmp_path):
+    there, back = tmp_path / "there", tmp_path / "back"
+    there.mkdir()
+    back.mkdir()
+    (there / "table3-random-2-0123abcd-50mm-1-000-10.json").write_text("[1]\n")
+    (there / "other.json").write_text("[2]\n")
+    (back / "other.json").write_text("[3]\n")
+    evaluate.pack(there, tmp_path / "a.zip")
+    evaluate.pack(there, tmp_path / "b.zip")
+    assert (tmp_path / "a.zip").read_bytes() == (tmp_path / "b.zip").read_bytes()
+    evaluate.unpack(tmp_path / "a.zip", back)
+    evaluate.unpack(tmp_path / "none.zip", back)
+    assert (back / "other.json").read_text() == "[3]\n"
+    assert (back / "table3-random-2-0123abcd-50mm-1-000-10.json").read_text() == "[1]\n"
+
+
+def test_domain_that_is_not_there_any_more_is_known_by_its_records(tmp_path):
+    assert "-none-" in jobs.table3_prefix(tmp_path, "random-2", 0.05) + "-"
+    (tmp_path / "jobs").mkdir()
+    (tmp_path / "jobs" / "table3-random-2-0123abcd-50mm-1-000-10.json").write_text("[]")
+    assert jobs.table3_prefix(tmp_path, "random-2", 0.05) == "table3-random-2-0123abcd-50mm"

@@ -1,0 +1,51 @@
+"""The six primitives can be done by hand on every shape: the world does what it is asked."""
+
+import numpy as np
+import pytest
+
+from neurosym.actions import three_waypoints
+from neurosym.sim.config import TabletopConfig
+from neurosym.sim.shapes import SHAPES
+from neurosym.sim.tabletop import Tabletop
+from tools.benchmarks.world.hand_written import HAND_WRITTEN
+
+SOLID_TOO_WIDE = np.array([0.17, 0.17, 0.06, 0.0])
+OPEN_TOO_WIDE = np.array([0.1, 0.17, 0.06, 1.0])
+
+
+def scenes_of(shape, count):
+    world = Tabletop(TabletopConfig(shapes={shape: 1.0}))
+    return [world.sample_scene(np.random.default_rng([21, number]), 1) for number in range(count)]
+
+
+@pytest.mark.parametrize("shape", SHAPES)
+@pytest.mark.parametrize("name", HAND_WRITTEN)
+def test_primitive_succeeds_on_objects_that_afford_it(name, shape):
+    primitive, world = HAND_WRITTEN[name], Tabletop()
+    tried = [(scene, primitive.action(scene.features[0])) for scene in scenes_of(shape, 30)]
+    afforded = [(scene, action) for scene, action in tried if action is not None][:2]
+    assert afforded
+    assert [primitive.failure(world.interact(scene, action, 0)) for scene, action in afforded] == ["", ""]
+
+
+@pytest.mark.parametrize("shape", SHAPES)
+def test_hand_written_actions_lie_in_the_action_box(shape):
+    box = three_waypoints()
+    for scene in scenes_of(shape, 50):
+        for primitive in HAND_WRITTEN.values():
+            action = primitive.action(scene.features[0])
+            assert action is None or box.contains(action)
+
+
+def test_solid_object_too_wide_to_span_affords_nothing():
+    assert all(primitive.action(SOLID_TOO_WIDE) is None for primitive in HAND_WRITTEN.values())
+
+
+def test_open_object_too_wide_to_span_is_grasped_by_a_wall():
+    assert HAND_WRITTEN["grasp"].action(OPEN_TOO_WIDE)[1] == pytest.approx(0.05)
+
+
+def test_a_primitive_that_is_not_done_is_not_called_a_success():
+    scene = scenes_of("box", 1)[0]
+    outcome = Tabletop().interact(scene, np.tile([0.0, 0.0, 0.02, 0.0], 3), 0)
+    assert all(primitive.failure(outcome) for primitive in HAND_WRITTEN.values())

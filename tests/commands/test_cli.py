@@ -1,0 +1,164 @@
+"""The command line: what it writes, and what it says."""
+
+import json
+
+from command_line import neurosym
+from conftest import RUN_TOY
+
+from neurosym.data.interactions import Interactions
+from neurosym.files import read_json
+from neurosym.operators import OperatorTable
+from neurosym.stages.folder import DomainFolder
+
+
+def test_run_leaves_every_file_of_the_design(toy_folder):
+    for name in (
+        "world.toml",
+        "interactions.npz",
+        "effect_model.safetensors",
+        "direct_model.safetensors",
+        "training.json",
+        "primitives.json",
+        "domain.pddl",
+        "domain-operators.pddl",
+        "grounding.json",
+        "manifest.json",
+        "problems/task-01.pddl",
+        "problems/task-02.scene.json",
+        "plans/task-01.fast-downward.json",
+    ):
+        assert (toy_folder / name).is_file(), name
+
+
+def test_second_run_does_nothing_again(folder, capsys):
+    before = {path: path.stat().st_mtime_ns for path in folder.rglob("*") if path.is_file()}
+    assert neurosym("run", folder, *RUN_TOY) == 0
+    assert ": done" not in capsys.readouterr().out
+    assert {path: path.stat().st_mtime_ns for path in folder.rglob("*") if path.is_file()} == before
+
+
+def test_run_does_again_only_what_a_change_touches(folder, capsys):
+    (folder / "grounding.json").unlink()
+    assert neurosym("run", folder, *RUN_TOY) == 0
+    said = capsys.readouterr().out
+    assert "distill: up to date" in said
+    assert "compile-domain: done" in said
+
+
+def test_each_stage_says_what_to_type_next(folder, capsys):
+    assert neurosym("compile-domain", folder) == 0
+    assert f"next: neurosym new-problem {folder}" in capsys.readouterr().out
+
+
+def test_distill_can_choose_as_the_paper_does(folder):
+    before = read_json(folder / "primitives.json", OperatorTable)
+    assert neurosym("distill", folder, "--choice", "lowest-error", "--objects", 40, "--seed", 3) == 0
+    after = read_json(folder / "primitives.json", OperatorTable)
+    assert [p.symbol for p in after.primitives] == [p.symbol for p in before.primitives]
+    assert all(
+        now.code_error <= then.code_error
+        for now, then in zip(after.primitives, before.primitives, strict=True)
+    )
+    assert after.primitives != before.primitives
+    assert DomainFolder(folder).manifest().stages["distill"].options["choice"] == "lowest-error"
+
+
+def test_bfs_over_the_network_finds_plans_for_drawn_tasks(folder):
+    codes = set()
+    for seed in range(8):
+        assert neurosym("new-problem", folder, "--name", "drawn", "--seed", seed) == 0
+        codes.add(neurosym("plan", folder, "drawn", "--planner", "bfs"))
+    assert 0 in codes
+    assert codes <= {0, 3}
+
+
+def test_goal_set_by_hand_is_planned_and_reached(folder, capsys):
+    scene, plan = folder / "problems/mine.scene.json", folder / "plans/mine.fast-downward.plan"
+    strip, gif = folder / "mine.png", folder / "mine.gif"
+    pictures = ("--strip", strip, "--gif", gif)
+    for seed in range(12):  # some objects do not budge; the first that does will do
+        mine = ("new-problem", folder, "--name", "mine", "--seed", seed, "--goal")
+        assert neurosym(*mine, "item-01=0.7,0") == 0
+        x, y, _ = json.loads(scene.read_text())["objects"][0]["position"]
+        neurosym(*mine, f"item-01={x},{y + (0.08 if y < 0 else -0.08)}")
+        if neurosym("plan", folder, "mine") == 0:
+            capsys.readouterr()
+            if neurosym("execute", folder, "mine", plan, *pictures) == 0:
+                break
+    assert "goal reached" in capsys.readouterr().out
+    assert strip.read_bytes().startswith(b"\x89PNG")
+    assert gif.read_bytes().startswith(b"GIF")
+    record = folder / "runs/mine.fast-downward.run.json"
+    assert json.loads(record.read_text())["reached"]
+    assert neurosym("execute", folder, "mine", plan, "--disturb", "3") in (0, 3)
+    assert "was nudged by" in capsys.readouterr().out
+    assert neurosym("replay", folder, record) == 0
+    assert "byte for byte" in capsys.readouterr().out
+    record.write_text(record.read_text().replace('"touched": []', '"touched": ["item-01"]'))
+    assert neurosym("replay", folder, record) == 3
+    assert "something else happened" in capsys.readouterr().out
+
+
+def test_new_problem_takes_the_first_free_name(folder, capsys):
+    before = (folder / "problems/task-01.scene.json").read_bytes()
+    assert neurosym("new-problem", folder) == 0
+    assert f"wrote {folder}/problems/task-03.pddl" in capsys.readouterr().out
+    assert neurosym("new-problem", folder) == 0
+    assert (folder / "problems/task-04.scene.json").is_file()
+    assert (folder / "problems/task-01.scene.json").read_bytes() == before
+
+
+def test_problem_that_is_replaced_is_told_with_its_stale_plans(folder, capsys):
+    for seed, is_another in ((8, True), (8, False), (9, True)):
+        assert neurosym("new-problem", folder, "--name", "task-01", "--seed", seed) == 0
+        said = capsys.readouterr().out
+        assert f"replaced {folder}/problems/task-01.pddl" in said
+        note = "note: made for the former task-01, and stale now: plans/task-01.fast-downward.json"
+        assert (note in said) == is_another
+
+
+def test_goal_out_of_reach_is_a_result_with_its_reason(folder, capsys):
+    assert neurosym("new-problem", folder, "--name", "high", "--goal", "item-01=0.7,0.0,0.39") == 0
+    for planner in ("bfs", "fast-downward"):
+        assert neurosym("plan", folder, "high", "--planner", planner) == 3
+        said = capsys.readouterr().out
+        assert "no plan for high" in said
+        assert "item-01 cannot reach its goal" in said
+        assert not (folder / f"plans/high.{planner}.plan").exists()
+
+
+def test_plan_that_misses_the_goal_is_a_result(folder, capsys):
+    (folder / "empty.plan").write_text("; nothing\n")
+    assert neurosym("execute", folder, "task-01", folder / "empty.plan", "--replans", "0") == 3
+    assert "goal missed" in capsys.readouterr().out
+
+
+def test_plan_that_is_named_after_another_problem_is_noted(folder, capsys):
+    assert neurosym("new-problem", folder, "--name", "other", "--seed", "4") == 0
+    (folder / "task-01.my.plan").touch()
+    assert neurosym("execute", folder, "other", folder / "task-01.my.plan", "--replans", "0") == 3
+    assert "task-01.my.plan seems to be made for task-01, not for other" in capsys.readouterr().out
+
+
+def test_help_names_every_command(capsys):
+    assert neurosym("--help") == 0
+    said = capsys.readouterr().out
+    for command in ("explore", "train", "distill", "compile-domain", "new-problem", "plan", "execute", "run"):
+        assert command in said
+
+
+def test_manifest_tells_how_each_file_came_about(toy_folder):
+    stages = DomainFolder(toy_folder).manifest().stages
+    assert stages["explore"].options["seed"] == 3
+    assert stages["explore"].options["steps"] == 1024
+    assert "domain.pddl" in stages["compile-domain"].outputs
+
+
+def test_explored_data_say_by_what_effect_their_actions_were_filtered(tmp_path):
+    assert neurosym("init", tmp_path, "--world", "toy") == 0
+    options = ["--steps", "5", "--regime", "quick", "--workers", "1", "--min-predicted-effect", "0.05"]
+    assert neurosym("explore", tmp_path, *options) == 0
+    origin = Interactions.load(tmp_path / "interactions.npz").origin
+    assert (origin["strategy"], origin["min_predicted_effect"]) == ("disagreement", 0.05)
+    recorded = json.loads((tmp_path / "manifest.json").read_text())["stages"]["explore"]["options"]
+    assert recorded["min_predicted_effect"] == 0.05

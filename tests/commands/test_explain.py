@@ -1,0 +1,108 @@
+"""`neurosym explain` prints or writes the meaning of symbols from whatever of a domain folder is there."""
+
+import pytest
+from command_line import neurosym, refusal
+from own_data import own_columns, write_data
+from shipped import FOLDER, GROUNDING
+from tables import table
+
+from neurosym.commands.explain_text import explanation_page
+from neurosym.explain.from_folder import explain_folder
+from neurosym.files import read_json, write_json
+from neurosym.grounding import Grounding
+from neurosym.operators import OperatorTable
+from neurosym.stages.folder import DomainFolder
+
+
+def test_shipped_domain_is_explained_under_its_own_names():
+    rows = [row for action in explain_folder(FOLDER).actions for row in action.effects]
+    learned = [operator for operator in GROUNDING.operators.operators if operator.promised is None]
+    assert {row.operator for row in rows} == {operator.name for operator in learned}
+    printed = (FOLDER / "domain-operators.pddl").read_text()
+    for row in rows:
+        assert (row.domain == "yes") == (f"(:action {row.operator}\n" in printed)
+
+
+def test_command_prints_every_symbol_and_what_to_type_next(folder, capsys):
+    assert neurosym("explain", folder) == 0
+    said = capsys.readouterr().out
+    operators = read_json(folder / "primitives.json", OperatorTable)
+    for primitive in operators.primitives:
+        assert f"Action symbol {primitive.symbol}: " in said
+    for category in operators.categories:
+        assert f"Object symbol {category.symbol}: {category.name}" in said
+    assert "next: neurosym show" in said
+
+
+def test_operator_left_out_is_printed_with_its_reason(folder, capsys):
+    assert neurosym("explain", folder) == 0
+    said = " ".join(capsys.readouterr().out.split())
+    learned = Grounding.load(folder / "grounding.json")
+    assert learned.left_out
+    for name, reason in learned.left_out.items():
+        left_out = learned.operator_named(name)
+        promised = f"{left_out.trials} trials, {left_out.successes} as promised"
+        assert f"- {name} ({promised}, not in the domain: {reason})" in said
+    for operator in learned.live:
+        promised = f"{operator.trials} trials, {operator.successes} as promised"
+        assert f"- {operator.name} ({promised}, in the domain)" in said
+
+
+def test_page_is_the_same_markdown_every_time(folder, capsys):
+    page = folder / "symbols.md"
+    assert neurosym("explain", folder, "--output", page) == 0
+    assert f"wrote {page}" in capsys.readouterr().out
+    assert page.read_text() == explanation_page(explain_folder(DomainFolder(folder)), folder.name)
+    tables = [line for line in page.read_text().splitlines() if line.startswith("|")]
+    assert {line.count("|") for line in tables} == {9}
+
+
+@pytest.mark.parametrize("name", ["symbols.html", "nowhere/symbols.md", "."])
+def test_page_that_cannot_be_written_is_refused(folder, name, capsys):
+    said = refusal(capsys, "explain", folder, "--output", folder / name)
+    assert "name a file that ends in .md, in an existing folder" in said
+
+
+def test_table_of_operators_alone_is_enough(tmp_path, capsys):
+    write_json(tmp_path / "primitives.json", table())
+    assert neurosym("explain", tmp_path) == 0
+    said = capsys.readouterr().out
+    assert "There is no world.toml here" in said
+    assert "in the domain" not in said
+    assert "next:" not in said  # there is nothing to compile a domain with
+
+
+def test_features_are_called_as_data_of_ones_own_call_them(tmp_path, capsys):
+    write_json(tmp_path / "primitives.json", table())
+    columns = own_columns()
+    columns["features"] = columns["features"][:, :4]
+    write_data(tmp_path, columns, {"feature_names": ["mass", "grip", "age", "hue"]})
+    assert neurosym("explain", tmp_path) == 0
+    assert "mass 0.05 ± 0.01, grip 0.05 ± 0.01" in capsys.readouterr().out
+
+
+def test_without_a_grounding_the_reasons_are_those_of_the_usual_grid(folder):
+    compiled = explain_folder(DomainFolder(folder))
+    (folder / "grounding.json").unlink()
+    derived = explain_folder(DomainFolder(folder))
+    assert derived.actions == compiled.actions
+    assert "cells of 5 mm" in derived.summary[-1]
+
+
+def test_grounding_of_another_table_is_pointed_out(folder):
+    write_json(folder / "primitives.json", table())
+    explanation = explain_folder(DomainFolder(folder))
+    assert "compiled from another primitives.json" in explanation.summary[-1]
+    assert not any(row.domain for action in explanation.actions for row in action.effects)
+
+
+@pytest.mark.parametrize("file", ["primitives.json", "grounding.json", "world.toml"])
+def test_damaged_file_is_refused_by_name(folder, file, capsys):
+    (folder / file).write_bytes(b"\x00garbage")
+    assert file in refusal(capsys, "explain", folder)
+
+
+def test_missing_table_or_folder_is_refused(folder, capsys):
+    (folder / "primitives.json").unlink()
+    assert f"`neurosym distill {folder}` writes it" in refusal(capsys, "explain", folder)
+    assert "no folder" in refusal(capsys, "explain", folder / "nowhere")

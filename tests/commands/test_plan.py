@@ -1,0 +1,180 @@
+"""`neurosym plan`: what its options write and say, on a domain that nobody had to learn."""
+
+import json
+import shlex
+import subprocess
+import sys
+from pathlib import Path
+
+import msgspec
+import numpy as np
+import pytest
+import toy_domain
+from command_line import neurosym, refusal
+
+from neurosym.pddl.problem import problem_text
+from neurosym.planners import PlanResult, PlanStatus, predicted_branching
+from neurosym.problems import Problem
+from neurosym.stages import planning
+
+
+@pytest.fixture
+def bare(tmp_path: Path) -> Path:
+    """A folder with the toy world's grounding and four problems, of all kinds."""
+    learned = toy_domain.grounding()
+    (tmp_path / "problems").mkdir()
+    learned.save(tmp_path / "grounding.json")
+    cubes = toy_domain.problem({"item-01": (0.68, 0.08, 0.025), "item-02": (0.8, 0.1, 0.025)})
+    far = {"item-01": (0.42, 0.0, 0.025), "item-02": (0.8, 0.18, 0.025)}
+    air = {"item-01": (0.6, 0.0, 0.225), "item-02": (0.8, 0.1, 0.225)}
+    for name, goals in (("easy", cubes.goals), ("far", far), ("air", air)):
+        save(msgspec.structs.replace(cubes, name=name, goals=goals), tmp_path)
+    loose = {"item-01": (0.66, 0.05, 0.025), "item-02": (0.8, 0.1, 0.025)}
+    save(msgspec.structs.replace(cubes, name="loose", goals=loose, tolerance=0.07), tmp_path)
+    return tmp_path
+
+
+def save(task: Problem, folder: Path) -> None:
+    task.save(folder / f"problems/{task.name}.scene.json")
+    (folder / f"problems/{task.name}.pddl").write_text(problem_text(task, toy_domain.grounding()))
+
+
+def test_alternatives_are_written_beside_the_plan_and_replaced_with_it(bare, capsys):
+    assert neurosym("plan", bare, "loose", "--planner", "counting", "--alternatives", "2") == 0
+    said = capsys.readouterr().out
+    assert "95% likely to go as promised" in said
+    assert "only 1 other plan of at most 2 more primitives an object was found" in said
+    record = json.loads((bare / "plans/loose.counting.json").read_text())
+    files = [one["file"] for one in record["alternatives"]]
+    assert sorted(path.name for path in (bare / "plans").glob("*-alt-*")) == [Path(one).name for one in files]
+    assert files[0] == "plans/loose.counting-alt-1.plan"
+    assert record["chance"] == pytest.approx(21 / 22, abs=1e-4)
+    assert neurosym("plan", bare, "loose", "--planner", "counting") == 0
+    assert list((bare / "plans").glob("*-alt-*")) == []
+
+
+def test_folder_with_a_blank_is_quoted_in_what_to_type_next(bare, capsys):
+    folder = bare.rename(bare.parent / "my domain")
+    assert neurosym("plan", folder, "easy", "--planner", "counting") == 0
+    said = capsys.readouterr().out.splitlines()[-1].removeprefix("next: ")
+    plan = f"{folder}/plans/easy.counting.plan"
+    assert shlex.split(said) == ["neurosym", "execute", str(folder), "easy", plan]
+    assert f"`neurosym init '{folder}'`" in refusal(capsys, "execute", folder, "easy", plan)
+    assert f"`neurosym plan '{folder}' easy`" in refusal(capsys, "execute", folder, "easy", "none.plan")
+
+
+def test_fewer_than_no_alternatives_are_refused(bare, capsys):
+    assert neurosym("plan", bare, "easy", "--alternatives", "-1") == 2
+    assert "alternatives = -1 must be at least 0" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("planner", ["counting", "fast-downward"])
+def test_nearest_plan_is_written_and_the_goal_still_missed(bare, capsys, planner):
+    plan = bare / f"plans/far.{planner}.plan"
+    assert neurosym("plan", bare, "far", "--planner", planner) == 3
+    assert "out of every primitive's reach" in capsys.readouterr().out
+    assert not plan.exists()
+    assert neurosym("plan", bare, "far", "--planner", planner, "--nearest") == 3
+    assert "at the end, item-01 180 mm from its goal" in capsys.readouterr().out
+    assert plan.read_text().splitlines()[0] == "(push-left-001-cube item-02)"
+
+
+@pytest.fixture
+def idle_network(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A network that predicts of every primitive that it moves nothing."""
+
+    def idle(_folder, problem, grounding):
+        shape = (len(problem.objects), len(grounding.operators.primitives), 3)
+        return predicted_branching(problem, grounding, np.zeros(shape))
+
+    monkeypatch.setattr(planning, "_branching", idle)
+
+
+@pytest.mark.usefixtures("idle_network")
+def test_bfs_speaks_of_what_the_network_predicts_and_says_what_the_rehearsals_know(bare, capsys):
+    assert neurosym("plan", bare, "easy", "--planner", "bfs") == 3
+    said = capsys.readouterr().out
+    assert "): by what the network predicts, item-01 cannot reach its goal" in said
+    assert "by the rehearsed effects there is a plan of 2 primitives: try another planner" in said
+    assert neurosym("plan", bare, "far", "--planner", "bfs") == 3
+    assert "by the rehearsed effects" not in capsys.readouterr().out
+    assert neurosym("plan", bare, "air", "--planner", "bfs", "--nearest") == 3
+    assert "at the end, item-01 200 mm from its goal; by what" in capsys.readouterr().out
+
+
+@pytest.mark.usefixtures("idle_network")
+def test_nearest_plan_that_meets_the_goal_is_a_plan(bare, capsys):
+    assert neurosym("plan", bare, "easy", "--planner", "bfs", "--nearest") == 0
+    said = capsys.readouterr().out
+    assert "meets the goal by the rehearsed effects; bfs, over what the network predicts, found none" in said
+    assert "cannot reach" not in said
+
+
+def test_planner_whose_plans_do_not_come_true_is_told_of_one_that_does(bare, capsys, monkeypatch):
+    failed = PlanResult(PlanStatus.FAILED, (), 0.5, "no plan was true when replayed")
+    monkeypatch.setattr(planning, "plan", lambda *_args, **_kwargs: failed)
+    assert neurosym("plan", bare, "easy") == 3
+    assert "was true when replayed; by the rehearsed effects there is a plan of 2" in capsys.readouterr().out
+    assert neurosym("plan", bare, "easy", "--nearest") == 0
+    assert "meets the goal by the rehearsed effects; fast-downward found none" in capsys.readouterr().out
+    timeout = PlanResult(PlanStatus.TIMEOUT, (), 2.0, "no plan to the nearest point in 2 s")
+    monkeypatch.setattr(planning, "plan_nearest", lambda *_args, **_kwargs: timeout)
+    assert neurosym("plan", bare, "easy", "--nearest") == 3
+    assert "(failed, 2.50 s): no plan was true when replayed; no plan to the" in capsys.readouterr().out
+
+
+@pytest.mark.parametrize(
+    ("planner", "options"),
+    [
+        ("bfs", ["--encoding", "nonsense"]),
+        ("counting", ["--encoding", "sas"]),
+        ("counting", ["--whole"]),
+        ("bfs", ["--whole"]),
+        ("bfs", ["--unit-costs"]),
+    ],
+)
+def test_option_that_a_planner_does_not_take_is_refused(bare, capsys, planner, options):
+    said = refusal(capsys, "plan", bare, "easy", "--planner", planner, *options)
+    assert (
+        f"The planner {planner} does not take {options[0].removeprefix('--')}; valid with it: aries" in said
+    )
+    assert ("counting," in said) == ("--unit-costs" in options)
+
+
+def test_counting_takes_unit_costs(bare):
+    assert neurosym("plan", bare, "easy", "--planner", "counting", "--unit-costs") == 0
+
+
+def test_nearest_holds_one_of_two(bare, capsys):
+    assert neurosym("plan", bare, "air", "--nearest") == 3
+    assert "there is one hand" in capsys.readouterr().out
+    assert "lift-000-cube" in (bare / "plans/air.fast-downward.plan").read_text()
+
+
+def test_whole_and_unit_costs_are_noted_in_the_manifest(bare):
+    assert neurosym("plan", bare, "easy", "--whole", "--unit-costs") == 0
+    stages = json.loads((bare / "manifest.json").read_text())["stages"]
+    assert stages["plan easy fast-downward"]["options"]["whole"] is True
+    assert stages["plan easy fast-downward"]["options"]["unit_costs"] is True
+
+
+def test_object_off_the_table_is_refused_in_a_problem_of_a_user(bare, capsys):
+    task = Problem.load(bare / "problems/easy.scene.json")
+    off = msgspec.structs.replace(task.objects[0], position=(1.05, 0.0, 0.025))
+    msgspec.structs.replace(task, objects=(off, task.objects[1])).save(bare / "problems/easy.scene.json")
+    for planner in ("bfs", "counting", "fast-downward"):
+        assert neurosym("plan", bare, "easy", "--planner", planner) == 2
+        assert "item-01 stands at x = 1.05" in capsys.readouterr().err
+
+
+def test_planning_with_fast_downward_loads_neither_torch_nor_unified_planning(bare):
+    code = (
+        "import sys\nfrom neurosym.commands.cli import main\n"
+        f"try:\n    main(['plan', {str(bare)!r}, 'easy'])\nexcept SystemExit as ended:\n"
+        "    print(ended.code, *sys.modules)\n"
+    )
+    ran = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    code, *loaded = ran.stdout.splitlines()[-1].split()
+    assert code == "0"
+    assert not {"torch", "unified_planning", "pybullet"} & set(loaded)
+    assert "neurosym.planners.fast_downward" in loaded

@@ -1,0 +1,92 @@
+"""The six kinds of primitive of Table II, by outcomes made for the purpose."""
+
+import numpy as np
+import pytest
+
+from neurosym.evaluation.primitive_kinds import KINDS, kind_of, kinds_found
+from neurosym.naming import CARRIED
+from neurosym.operators import Primitive
+from neurosym.primitives.rehearsal import Rehearsals
+from neurosym.world import Outcome, Scene
+
+LIFT_HEIGHT = 0.2
+
+
+def an_outcome(shift=(0.0, 0.0, 0.0), rest=None, **flags):
+    def scene(offset):
+        return Scene(np.ones((1, 4)), np.array([offset], dtype=float), np.array([[0.0, 0, 0, 1]]))
+
+    flags = {"held": False, "toppled": False, "lost": False, "peak_height": 0.0, **flags}
+    return Outcome(scene((0, 0, 0)), scene(shift), scene(shift if rest is None else rest), 0, **flags)
+
+
+OF_KIND = {
+    "right push": an_outcome((0.0, -0.05, 0.0)),
+    "left push": an_outcome((0.02, 0.05, 0.0)),
+    "forward push": an_outcome((0.05, -0.02, 0.0)),
+    "pull": an_outcome((-0.031, 0.0, 0.0)),
+    "grasp": an_outcome((0.0, 0.0, 0.19), (0.0, 0.0, 0.0), held=True, peak_height=0.19),
+    "pick and place": an_outcome((0.03, -0.03, 0.0), peak_height=0.05),
+}
+OF_NO_KIND = {
+    "nothing": an_outcome(),
+    "too short": an_outcome((0.029, 0.0, 0.0)),
+    "askew": an_outcome((0.05, 0.026, 0.0)),
+    "toppled": an_outcome((0.05, 0.0, 0.0), toppled=True),
+    "lost": an_outcome((0.5, 0.0, -0.5), lost=True),
+    "lost from the hand": an_outcome((0.0, 0.0, 0.2), (0.5, 0, -0.5), lost=True, held=True),
+    "hardly lifted": an_outcome((0.0, 0.0, 0.09), (0.0, 0.0, 0.0), held=True, peak_height=0.09),
+    "carried nowhere": an_outcome((0.0, 0.02, 0.0), peak_height=0.05),
+}
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_each_kind_is_recognised(kind):
+    assert kind_of(OF_KIND[kind], LIFT_HEIGHT) == kind
+
+
+@pytest.mark.parametrize("what", OF_NO_KIND)
+def test_what_is_of_no_kind_is_called_none(what):
+    assert kind_of(OF_NO_KIND[what], LIFT_HEIGHT) is None
+
+
+def test_push_that_rises_is_a_pick_and_place_only_above_what_counts_as_carried():
+    assert kind_of(an_outcome((0.05, 0, 0), peak_height=CARRIED), LIFT_HEIGHT) == "forward push"
+    assert kind_of(an_outcome((0.05, 0, 0), peak_height=CARRIED + 1e-6), LIFT_HEIGHT) == "pick and place"
+
+
+def test_kind_is_judged_at_rest():
+    dropped = an_outcome((0.0, 0.0, 0.02), (0.05, 0.0, 0.0))
+    assert kind_of(dropped, LIFT_HEIGHT) == "forward push"
+
+
+def rehearsals(symbols, *columns):
+    """Primitives 000, 001, ... that turned out so on objects of these symbols."""
+    primitives = tuple(Primitive(f"{n:03b}", (0.0,) * 12, 0.0) for n in range(len(columns)))
+    return Rehearsals(primitives, np.zeros((len(symbols), 4)), np.array(symbols), tuple(map(tuple, columns)))
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_kind_counts_as_found_where_enough_rehearsals_were_of_it(kind):
+    it, other = OF_KIND[kind], OF_NO_KIND["nothing"]
+    symbols = ["00"] * 10 + ["11"] * 10
+    found = kinds_found(
+        rehearsals(symbols, [other] * 20, [it] * 6 + [other] * 4 + [it] * 5 + [other] * 5), LIFT_HEIGHT
+    )
+    assert set(found) == set(KINDS)
+    assert found[kind] == (("001", "00"),)
+    assert all(not pairs for name, pairs in found.items() if name != kind)
+
+
+def test_one_primitive_may_be_of_two_kinds_for_different_objects():
+    grasp, push = OF_KIND["grasp"], OF_KIND["pull"]
+    found = kinds_found(rehearsals(["0"] * 5 + ["1"] * 5, [grasp] * 5 + [push] * 5), LIFT_HEIGHT)
+    assert (found["grasp"], found["pull"]) == ((("000", "0"),), (("000", "1"),))
+
+
+def test_kind_that_only_a_rare_object_symbol_shows_is_not_found():
+    grasp, other = OF_KIND["grasp"], OF_NO_KIND["nothing"]
+    for rare, is_found in ((9, False), (10, True)):
+        symbols = ["1"] * rare + ["0"] * (100 - rare)
+        found = kinds_found(rehearsals(symbols, [grasp] * rare + [other] * (100 - rare)), LIFT_HEIGHT)
+        assert bool(found["grasp"]) == is_found

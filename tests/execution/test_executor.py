@@ -1,0 +1,106 @@
+"""Execution on the toy world, where every promise can be kept exactly or broken on purpose."""
+
+from pathlib import Path
+
+import msgspec
+import pytest
+from toy_domain import LEFT, WORLD, grounding, problem
+
+from neurosym.execution.executor import execute
+from neurosym.execution.record import Run
+from neurosym.files import read_json, write_json
+from neurosym.operators import Primitive
+from neurosym.pddl.plan_text import PlanStep
+from neurosym.problems import Problem, SceneObject
+from neurosym.stages.layout import run_file
+
+PUSH_LEFT = PlanStep("push-left-001-cube", "item-01")
+LIFT = PlanStep("lift-000-cube", "item-01")
+PUT_DOWN = PlanStep("put-down-lift-000-cube", "item-01")
+
+
+def test_plan_that_keeps_its_promises_reaches_the_goal():
+    run = execute(WORLD, problem({"item-01": (0.6, 0.16, 0.025)}), grounding(), [PUSH_LEFT, PUSH_LEFT])
+    assert run.reached
+    assert run.reason == ""
+    assert [step.as_promised for step in run.steps] == [True, True]
+    assert run.steps[1].positions["item-01"] == pytest.approx((0.6, 0.16, 0.025))
+    assert run.steps[1].positions["item-02"] == pytest.approx((0.8, 0.1, 0.025))
+
+
+def test_plan_may_end_with_the_object_held():
+    run = execute(WORLD, problem({"item-01": (0.6, 0.0, 0.225)}), grounding(), [LIFT])
+    assert run.reached
+    assert run.steps[0].happened == "held"
+
+
+def test_lift_that_is_not_last_is_put_down_before_the_next_step():
+    plan = [LIFT, PUT_DOWN, PUSH_LEFT]
+    run = execute(WORLD, problem({"item-01": (0.6, 0.08, 0.025)}), grounding(), plan)
+    assert run.reached
+    assert len(run.steps) == 2
+    assert run.steps[0].positions["item-01"] == pytest.approx((0.6, 0.0, 0.025))
+
+
+def test_lift_followed_by_its_put_down_ends_on_the_table():
+    run = execute(WORLD, problem({"item-01": (0.6, 0.0, 0.025)}), grounding(), [LIFT, PUT_DOWN])
+    assert run.reached
+
+
+def test_empty_plan_leaves_everything_where_it_was():
+    run = execute(WORLD, problem({"item-01": (0.6, 0.08, 0.025)}), grounding(), [])
+    assert not run.reached
+    assert run.distances["item-01"] == pytest.approx(0.08)
+
+
+def test_problem_without_goals_misses_none():
+    run = execute(WORLD, problem({}), grounding(), [PUSH_LEFT])
+    assert run.reached
+    assert run.reason == ""
+
+
+def test_broken_promise_is_told_with_what_happened_instead():
+    true = grounding()
+    primitives = tuple(Primitive(p.symbol, LEFT, 0.0) for p in true.operators.primitives)
+    wrong = msgspec.structs.replace(
+        true, operators=msgspec.structs.replace(true.operators, primitives=primitives)
+    )
+    run = execute(WORLD, problem({"item-01": (0.6, 0.0, 0.225)}), wrong, [LIFT])
+    assert not run.reached
+    assert not run.steps[0].as_promised
+    assert run.steps[0].promised == "held"
+    assert run.steps[0].happened == "resting"
+    assert run.steps[0].effect == pytest.approx((0.0, 0.08, 0.0))
+    assert "step 1, lift-000-cube: promised held, ended resting" in run.reason
+
+
+def test_execution_stops_when_an_object_is_lost():
+    cube = SceneObject("item-01", "00", (0.05, 0.05, 0.05, 0.0), (0.6, 0.25, 0.025))
+    edge = Problem("edge", (cube,), {"item-01": (0.6, 0.1, 0.025)})
+    run = execute(WORLD, edge, grounding(), [PUSH_LEFT, PUSH_LEFT])
+    assert [step.happened for step in run.steps] == ["lost"]
+    assert not run.reached
+
+
+def test_each_step_is_announced_as_soon_as_it_is_done():
+    seen = []
+    execute(
+        WORLD,
+        problem({"item-01": (0.6, 0.08, 0.025)}),
+        grounding(),
+        [PUSH_LEFT, PUSH_LEFT],
+        on_step=seen.append,
+    )
+    assert [record.operator for record in seen] == ["push-left-001-cube"] * 2
+
+
+def test_record_reads_back_as_it_was_written(tmp_path):
+    run = execute(WORLD, problem({"item-01": (0.6, 0.08, 0.025)}), grounding(), [PUSH_LEFT])
+    write_json(tmp_path / "run.json", run)
+    assert read_json(tmp_path / "run.json", Run) == run
+
+
+def test_record_is_named_after_problem_and_plan():
+    assert run_file("task-02", Path("my.plan")) == "runs/task-02.my.run.json"
+    assert run_file("task-02", Path("plans/task-02.bfs.plan")) == "runs/task-02.bfs.run.json"
+    assert run_file("task-02", Path("plans/task-03.bfs.plan")) == "runs/task-02.task-03.bfs.run.json"

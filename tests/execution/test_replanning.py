@@ -1,0 +1,166 @@
+"""Replanning: a run goes on until the goal is met, from whatever is seen, and its record can be run again."""
+
+import dataclasses
+
+import msgspec
+import pytest
+from toy_domain import LEFT, WORLD, grounding, problem
+
+from neurosym.commands.tables import show_run
+from neurosym.execution.executor import execute
+from neurosym.execution.nudges import LEAST, MOST, Nudger, nudged
+from neurosym.execution.rerun import first_difference, rerun
+from neurosym.grounding import Grounding
+from neurosym.pddl.plan_text import PlanStep
+from neurosym.planners import PlanResult, PlanStatus, plan
+from neurosym.problems import Problem
+from neurosym.world import Table
+
+PUSH_LEFT = PlanStep("push-left-001-cube", "item-01")
+LIFT = PlanStep("lift-000-cube", "item-01")
+AWAY = {"item-01": (0.6, 0.16, 0.025)}
+
+
+def replanner(task: Problem, learned: Grounding) -> PlanResult:
+    return plan(task, learned, "fast-downward")
+
+
+def no_plan(task: Problem, learned: Grounding) -> PlanResult:
+    return PlanResult(PlanStatus.UNSOLVABLE, (), 0.0, "there is none")
+
+
+def test_plan_that_misses_the_goal_is_replaced_before_it_begins():
+    run = execute(WORLD, problem(AWAY), grounding(), [PUSH_LEFT], replanner=replanner)
+    assert run.reached
+    assert [step.operator for step in run.steps] == ["push-left-001-cube"] * 2
+    assert run.replans == 1
+    assert run.replannings[0].before_step == 1
+    assert "80 mm from its goal" in run.replannings[0].why
+
+
+def test_plan_that_does_as_promised_is_never_replaced():
+    run = execute(WORLD, problem(AWAY), grounding(), [PUSH_LEFT, PUSH_LEFT], replanner=replanner)
+    assert run.reached
+    assert run.replans == 0
+
+
+def test_object_held_in_vain_is_put_down_before_anything_else():
+    task, true = problem({"item-01": (0.68, 0.0, 0.225)}), grounding()
+    lift = true.operator_named("lift-000-cube")
+    askew = msgspec.structs.replace(
+        lift, modes=(msgspec.structs.replace(lift.modes[0], effect=(0.08, 0.0, 0.2)),)
+    )
+    others = tuple(operator for operator in true.operators.operators if operator is not lift)
+    wrong = msgspec.structs.replace(
+        true, operators=msgspec.structs.replace(true.operators, operators=(askew, *others))
+    )
+    run = execute(WORLD, task, wrong, [LIFT], replanner=replanner)
+    assert run.reached
+    assert [(step.happened, step.put_down) for step in run.steps] == [
+        ("held", True),
+        ("resting", True),
+        ("held", False),
+    ]
+    assert run.steps[0].positions["item-01"] == pytest.approx((0.6, 0.0, 0.025))
+    assert first_difference(run, rerun(WORLD, task, wrong, run)) == ""
+
+
+def test_operator_that_does_something_else_is_believed_to_do_it_again():
+    true = grounding()
+    pushing = tuple(
+        msgspec.structs.replace(p, action=LEFT) if p.symbol == "010" else p for p in true.operators.primitives
+    )
+    wrong = msgspec.structs.replace(
+        true, operators=msgspec.structs.replace(true.operators, primitives=pushing)
+    )
+    task = problem({"item-01": (0.68, 0.0, 0.025)})
+    first = plan(task, wrong, "fast-downward")
+    run = execute(WORLD, task, wrong, first.steps, replanner=replanner)
+    assert not run.reached
+    assert run.steps[0].operator == "push-forward-010-cube"
+    assert run.steps[0].effect == pytest.approx((0.0, 0.08, 0.0))
+    assert run.replannings[-1].reason
+    assert "no plan" in run.reason or "cannot" in run.reason
+
+
+def test_without_a_new_plan_the_old_one_is_gone_on_with():
+    run = execute(WORLD, problem(AWAY), grounding(), [PUSH_LEFT], replanner=no_plan)
+    assert len(run.steps) == 1
+    assert [replanning.reason for replanning in run.replannings] == ["there is none"] * 2
+    assert "there is none" in run.reason
+
+
+def test_budget_of_new_plans_is_kept():
+    assert execute(WORLD, problem(AWAY), grounding(), [], replanner=replanner, replans=0).steps == ()
+
+
+@pytest.mark.parametrize("seed", range(6))
+def test_nudged_object_still_comes_to_its_goal(seed: int):
+    plain = [PUSH_LEFT, PUSH_LEFT]
+    run = execute(WORLD, problem(AWAY), grounding(), plain, replanner=replanner, nudge_seed=seed)
+    assert run.nudge is not None
+    assert run.reached
+    again = rerun(WORLD, problem(AWAY), grounding(), run)
+    assert msgspec.json.encode(again) == msgspec.json.encode(run)
+    assert first_difference(run, again) == ""
+
+
+def test_nudges_come_from_their_seed_and_keep_objects_on_the_table():
+    scene, task = problem(AWAY).scene(), problem(AWAY)
+    seen = [Nudger(seed, 3).nudge(task, scene, WORLD.table) for seed in range(30)]
+    assert seen == [Nudger(seed, 3).nudge(task, scene, WORLD.table) for seed in range(30)]
+    assert {nudge.before_step for nudge in seen if nudge} == {1, 2, 3}
+    assert {nudge.object for nudge in seen if nudge} == {"item-01", "item-02"}
+    for nudge in seen:
+        assert nudge is not None
+        x, y, z = nudge.by
+        assert LEAST <= (x**2 + y**2) ** 0.5 <= MOST
+        assert z == 0.0
+        moved = nudged(scene, nudge, task).positions
+        assert all(map(WORLD.table.contains, moved))
+    assert Nudger(0, 3).nudge(task, scene, Table((0.0, 0.1), (0.0, 0.1))) is None
+
+
+def test_record_that_was_tampered_with_is_told_by_its_step():
+    run = execute(WORLD, problem(AWAY), grounding(), [PUSH_LEFT, PUSH_LEFT])
+    other = msgspec.structs.replace(run.steps[1], effect=(0.0, 0.0, 0.0))
+    false = msgspec.structs.replace(run, steps=(run.steps[0], other))
+    again = rerun(WORLD, problem(AWAY), grounding(), false)
+    assert first_difference(false, again) == "effect of step 2, push-left-001-cube item-01"
+
+
+def test_only_the_field_that_was_changed_is_named():
+    run = execute(WORLD, problem(AWAY), grounding(), [PUSH_LEFT, PUSH_LEFT])
+    false = msgspec.structs.replace(run, reached=False)
+    assert first_difference(false, rerun(WORLD, problem(AWAY), grounding(), false)) == "reached"
+
+
+def test_run_again_ends_with_the_first_step_that_goes_another_way():
+    run = execute(WORLD, problem(AWAY), grounding(), [PUSH_LEFT, PUSH_LEFT])
+    false = msgspec.structs.replace(run, steps=(*run.steps, *run.steps * 1000))
+    again = rerun(WORLD, problem(AWAY), grounding(), false)
+    assert len(again.steps) == 3
+    assert first_difference(false, again) == "effect of step 3, push-left-001-cube item-01"
+
+
+def test_why_a_plan_is_replaced_names_the_step_as_the_user_does(capsys):
+    """A push goes farther than promised, and by what was seen the next one would leave the table."""
+    true = grounding()
+    push = true.operator_named("push-left-001-cube")
+    short = (0.0, 0.05, 0.0)
+    mode = msgspec.structs.replace(push.modes[0], effect=short, resting_effect=short)
+    others = tuple(operator for operator in true.operators.operators if operator is not push)
+    operators = (msgspec.structs.replace(push, modes=(mode,)), *others)
+    learned = msgspec.structs.replace(
+        true,
+        table=dataclasses.replace(WORLD.table, y=(-0.3, 0.14)),
+        operators=msgspec.structs.replace(true.operators, operators=operators),
+    )
+    task = problem({"item-01": (0.6, 0.135, 0.025)})
+    run = execute(WORLD, task, learned, [PUSH_LEFT, PUSH_LEFT], replanner=no_plan)
+    assert run.replannings[0].before_step == 2
+    assert run.replannings[0].why.startswith("push-left-001-cube item-01: item-01 leaves the table at x")
+    plan = (("lift-000-cube", "item-01"), ("put-down-lift-000-cube", "item-01"))
+    new = msgspec.structs.replace(run.replannings[0], plan=plan)
+    show_run(msgspec.structs.replace(run, replannings=(new,)))
+    assert "0.160 m: 1 step\n" in capsys.readouterr().out

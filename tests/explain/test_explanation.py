@@ -1,0 +1,233 @@
+"""`explain` says in words what symbols mean, under the names that the compiler uses, and for any table."""
+
+import re
+
+import msgspec
+import numpy as np
+import pytest
+from shipped import GROUNDING
+from tables import grounding, mode, table
+
+from neurosym.actions import three_waypoints
+from neurosym.errors import InvalidValue
+from neurosym.explain.action_words import action_in_words, displacement_in_words, place_in_words
+from neurosym.explain.explanation import explain
+from neurosym.explain.likeness import Likenesses, typical
+from neurosym.explain.object_words import objects_in_words, type_shares
+from neurosym.operators import Category, Operator, OperatorTable, Primitive
+
+GRIPPER = three_waypoints().gripper.tolist()
+FEATURES = ("s_x", "s_y", "d", "t")
+
+
+def two_primitives(first, second, *, share=1.0) -> OperatorTable:
+    """A table of two primitives on one category, with these effects."""
+    modes = {"0": first, "1": second}
+    return OperatorTable(
+        (Category("0", "thing", share, (1.0,), (0.0,)),),
+        tuple(Primitive(symbol, (0.5, 2.0), 0.0) for symbol in modes),
+        tuple(Operator(f"act-{symbol}-thing", "0", symbol, 20, (modes[symbol],)) for symbol in modes),
+    )
+
+
+def said_of(explanation, symbol):
+    return next(action for action in explanation.actions if action.symbol == symbol)
+
+
+def test_action_is_told_from_start_to_rise():
+    action = (-0.042, 0.044, -0.025, 0.84, -0.028, 0.0, 0.0, 0.1, 0.0, 0.0, 0.01, 0.2)
+    assert action_in_words(action, GRIPPER) == (
+        "The hand starts open, 42 mm back and 44 mm left of the object's centre, 25 mm below it.",
+        "It closes there and moves to 28 mm back of the centre, level with it.",
+        "Still closed, it moves to 10 mm above the centre.",
+        "It rises closed; from start to end it has moved 42 mm forward, 44 mm right, 35 mm up.",
+    )
+
+
+def test_hand_is_open_exactly_from_one_half_on():
+    nowhere = (0.0, 0.0, 0.0)
+    told = action_in_words((*nowhere, 0.5, *nowhere, 0.499, *nowhere, 0.5), GRIPPER)
+    assert [sentence.split()[1] for sentence in told[1:3]] == ["closes", "opens"]
+    assert "starts open, at the object's centre" in told[0]
+
+
+def test_words_give_the_numbers_back():
+    rng = np.random.default_rng(3)
+    signs = {"forward": 1, "back": -1, "left": 1, "right": -1, "up": 1, "down": -1}
+    axes = {"forward": 0, "back": 0, "left": 1, "right": 1, "up": 2, "down": 2}
+    for vector in rng.uniform(-0.3, 0.3, size=(100, 3)):
+        read = np.zeros(3)
+        for millimetres, word in re.findall(r"(\d+) mm (\w+)", displacement_in_words(vector.tolist())):
+            read[axes[word]] = signs[word] * int(millimetres)
+        np.testing.assert_array_equal(read, np.round(1000 * vector))
+
+
+def test_point_at_a_place_is_said_to_be_there():
+    assert place_in_words((0.0002, 0.0, -0.0001), "the centre") == "at the centre"
+
+
+@pytest.mark.parametrize("gripper", [(), [False] * 12, GRIPPER[:8]])
+def test_parameters_that_are_no_waypoints_stay_numbers(gripper):
+    assert action_in_words((0.5,) * 12, gripper) == (f"Its parameters are {', '.join(['0.5'] * 12)}.",)
+
+
+@pytest.mark.parametrize("types", [[0, 0, 1, 2], [1, 1], [0], [2, 0, 0, 0, 2], [0, 1, 1]])
+def test_shares_of_types_follow_from_mean_and_spread(types):
+    shares = type_shares(float(np.mean(types)), float(np.std(types)))
+    np.testing.assert_allclose(shares, [types.count(kind) / len(types) for kind in range(3)], atol=1e-12)
+
+
+def test_numbers_that_are_no_types_are_not_told_as_types():
+    assert type_shares(7.0, 1.0) is None
+    odd = Category("0", "odd", 1.0, (7.0,), (1.0,))
+    assert objects_in_words(odd, ("t",)) == ("100% of the objects have this symbol: t 7 ± 1.",)
+
+
+def test_objects_are_told_by_size_and_type():
+    tray = Category("11", "tray", 0.4, (0.12, 0.1, 0.04, 1.0), (0.02, 0.02, 0.01, 0.0))
+    assert objects_in_words(tray, FEATURES) == (
+        "40% of the objects have this symbol: 120 ± 20 mm from back to front, 100 ± 20 mm from right to "
+        "left, 40 ± 10 mm high.",
+        "Of them, all are open at the top.",
+    )
+    assert "f1 0.12 ± 0.02" in objects_in_words(tray)[0]
+
+
+def test_names_are_those_of_the_table_and_reasons_those_of_the_grounding():
+    explanation = explain(table(), why_left_out=grounding().why_left_out)
+    domain = {row.operator: row.domain for action in explanation.actions for row in action.effects}
+    reasons = grounding().left_out
+    assert domain == {
+        operator.name: f"no: {reasons[operator.name]}" if operator.name in reasons else "yes"
+        for operator in table().operators
+    }
+    assert [category.title for category in explanation.objects] == ["block", "tray"]
+
+
+def test_every_mode_has_its_row_with_mean_spread_and_share():
+    lift, away = said_of(explain(table()), "010").effects[:2]
+    assert (lift.ends, lift.share, lift.trials, lift.promised) == ("held", 0.8, 20, 15)
+    assert lift.effect == "12 mm forward, 21 mm right, 203 mm up"
+    assert lift.spread == "± 4, 3, 1 mm"
+    assert away.operator == lift.operator
+    assert away.ends == "at rest"
+
+
+def test_carrying_is_told_from_pushing_by_how_high_the_object_was():
+    first, *others = table().operators
+    (mode,) = first.modes
+    carried = msgspec.structs.replace(first, modes=(msgspec.structs.replace(mode, peak_height=0.12),))
+    placed = explain(msgspec.structs.replace(table(), operators=(carried, *others)))
+    assert (
+        said_of(placed, "000").effects[0].effect == "2 mm forward, 83 mm left, carried 120 mm high on the way"
+    )
+
+
+def test_effects_averaged_from_data_are_not_said_to_be_what_the_parameters_do():
+    assert "not what the distilled parameters do" in " ".join(
+        explain(msgspec.structs.replace(table(), measured="data")).summary
+    )
+    assert "not what the distilled" not in " ".join(explain(table()).summary)
+
+
+def naive_nearest(operators: OperatorTable, symbol: str) -> tuple[float, str]:
+    shares = {category.symbol: category.share for category in operators.categories}
+    promised = {(op.primitive, op.category): typical(op).outcome for op in operators.operators}
+    found = []
+    for other in {op.primitive for op in operators.operators} - {symbol}:
+        both = [c for c in shares if (symbol, c) in promised and (other, c) in promised]
+        apart = sum(
+            shares[c] * np.linalg.norm(np.subtract(promised[symbol, c], promised[other, c])) for c in both
+        )
+        found.append((apart / sum(shares[c] for c in both), other))
+    return min(found)
+
+
+@pytest.mark.parametrize("operators", [table(), GROUNDING.operators], ids=["by hand", "shipped"])
+def test_nearest_competitor_is_the_one_that_a_naive_search_finds(operators):
+    for primitive in operators.primitives:
+        apart, other = naive_nearest(operators, primitive.symbol)
+        nearest = Likenesses(operators).nearest_action(primitive.symbol)
+        assert nearest.other == other
+        assert nearest.apart == pytest.approx(apart)
+
+
+def test_competitor_is_named_with_distance_and_difference():
+    said = said_of(explain(two_primitives(mode((0.05, 0.0, 0.0)), mode((0.0, 0.0, 0.2), kind="held"))), "0")
+    assert said.compared == (
+        "Nearest competitor: 1, 206 mm apart on average over the objects. They differ most on thing "
+        "(206 mm): 0 leaves it at rest 50 mm forward, 1 held 200 mm up."
+    )
+
+
+@pytest.mark.parametrize(
+    ("first", "second", "verdict"),
+    [
+        (mode((0.05, 0.0, 0.0)), mode((0.059, 0.0, 0.0)), "1 do"),
+        (mode((0.05, 0.0, 0.0)), mode((0.061, 0.0, 0.0)), "2 do"),
+        (mode((0.05, 0.0, 0.0)), mode((0.05, 0.0, 0.0), kind="held"), "2 do"),
+        (mode((0.005, 0.0, 0.0)), mode((0.05, 0.0, 0.0)), "1 idle"),
+    ],
+)
+def test_duplicates_and_idle_symbols_follow_the_stated_criterion(first, second, verdict):
+    sorting = Likenesses(two_primitives(first, second)).sort_out()
+    count, kind = verdict.split()
+    assert len(sorting.own if kind == "do" else sorting.idle) == int(count)
+    if verdict == "1 do":
+        assert sorting.duplicates == {"1": "0"}
+
+
+def test_unused_codes_are_named():
+    hollow = Category("10", "unseen-10", 0.0, (), ())
+    explanation = explain(msgspec.structs.replace(table(), categories=(*table().categories, hollow)))
+    assert (
+        "Action codes never reached, so that nothing was distilled: 011, 100, 101, 110."
+        in explanation.summary
+    )
+    assert "Object codes that no sampled object has: unseen-10." in explanation.summary
+    assert explanation.objects[2].about.startswith("None of the sampled objects")
+    assert explanation.objects[2].compared == ""
+
+
+def with_axes(operators: OperatorTable, axes: int) -> OperatorTable:
+    """The same table with effects of another number of axes, as data of a user's own may have them."""
+
+    def changed(found):
+        vectors = ("effect", "spread", "resting_effect", "resting_spread")
+        return msgspec.structs.replace(found, **{name: (getattr(found, name) * 2)[:axes] for name in vectors})
+
+    return msgspec.structs.replace(
+        operators,
+        operators=tuple(
+            msgspec.structs.replace(operator, modes=tuple(changed(found) for found in operator.modes))
+            for operator in operators.operators
+        ),
+    )
+
+
+@pytest.mark.parametrize("axes", [1, 2, 5])
+def test_effects_of_any_number_of_axes_are_plain_numbers(axes):
+    explanation = explain(with_axes(table(), axes), feature_names=FEATURES)
+    rows = [row for action in explanation.actions for row in action.effects]
+    assert all(len(row.effect.split(", ")) == axes for row in rows)
+    assert not any("mm" in text for row in rows for text in (row.effect, row.spread))
+    assert all("mm" not in action.compared for action in explanation.actions)
+
+
+@pytest.mark.parametrize(
+    ("change", "message"),
+    [
+        ({"primitives": ()}, "no primitives"),
+        ({"primitives": (Primitive("0x1", (), 0.0),)}, "not codes"),
+        ({"categories": (Category("00", "block", 1.0, (0.1,), ()),)}, "spread for each mean"),
+        ({"categories": table().categories[:1]}, "unknown primitive or category"),
+    ],
+)
+def test_table_that_does_not_fit_together_is_refused(change, message):
+    with pytest.raises(InvalidValue, match=message):
+        explain(msgspec.structs.replace(table(), **change))
+
+
+def test_table_without_a_single_trial_is_explained():
+    explanation = explain(msgspec.structs.replace(table(), operators=()))
+    assert {action.title for action in explanation.actions} == {"never tried"}

@@ -1,0 +1,154 @@
+"""Recipes of the final fit: what is descended is what was meant, and what is taught gets into the bits."""
+
+from dataclasses import replace
+from itertools import product
+
+import numpy as np
+import pytest
+import torch
+from toy_learning import toy_data
+
+from neurosym.data.interactions import Interactions
+from neurosym.learning.model_config import DirectConfig, ModelConfig
+from neurosym.learning.teaching import code_probabilities, draw_alike, expected_error
+from neurosym.learning.training import train
+from neurosym.learning.training_config import TrainingConfig
+from neurosym.worlds.toy import make_world
+
+SMALL_FIT = TrainingConfig(
+    epochs=20,
+    batch=128,
+    direct=DirectConfig(hidden=64),
+    direct_epochs=40,
+    direct_batch=128,
+    table_actions=300,
+    table_objects=32,
+    table_restarts=3,
+    named_actions=4000,
+    named_objects=600,
+    naming_starts=1,
+    naming_steps=400,
+    naming_batch=96,
+    imagined_actions=128,
+    imagined_objects=8,
+    code_steps=100,
+    imagined=4000,
+    imagined_epochs=15,
+    refit_epochs=15,
+)
+"""Learns the toy world well enough, in a few seconds."""
+
+
+def some_probabilities(rng, rows, bits):
+    return code_probabilities(torch.tensor(rng.uniform(-1, 1, size=(rows, bits)), dtype=torch.float32))
+
+
+@pytest.mark.parametrize("bits", [1, 2, 3, 5])
+def test_code_probabilities_are_products_over_the_bits_and_sum_to_one(bits):
+    embeddings = np.random.default_rng(bits).uniform(-1, 1, size=(7, bits)).astype(np.float32)
+    found = code_probabilities(torch.from_numpy(embeddings)).numpy()
+    np.testing.assert_allclose(found.sum(1), 1, atol=1e-6)
+    for row, z in enumerate(embeddings):
+        for number, code in enumerate(product((0, 1), repeat=bits)):
+            likely = 1.0
+            for bit, value in zip(code, z, strict=True):
+                likely *= (1 + value) / 2 if bit else (1 - value) / 2
+            assert found[row, number] == pytest.approx(likely, abs=1e-6)
+
+
+def test_code_of_a_saturated_embedding_is_certain():
+    found = code_probabilities(torch.tensor([[1.0, -1.0, 1.0]]))
+    assert found.argmax() == 0b101
+    assert found.max() == 1
+
+
+def test_expected_error_is_that_of_drawing_every_code_in_turn():
+    rng = np.random.default_rng(0)
+    by_action, by_object = some_probabilities(rng, 6, 3), some_probabilities(rng, 4, 2)
+    effects, targets = (torch.from_numpy(rng.normal(size=(n, m, 3))).float() for n, m in ((8, 4), (6, 4)))
+    total = 0.0
+    for r, c, i, j in product(range(6), range(4), range(8), range(4)):
+        square = float(((targets[r, c] - effects[i, j]) ** 2).sum())
+        total += float(by_action[r, i] * by_object[c, j]) * square / (6 * 4)
+    assert float(expected_error(by_action, by_object, effects, targets)) == pytest.approx(total, rel=1e-5)
+
+
+def test_taught_bits_say_more_than_those_of_the_joint_fit_and_every_code_is_used():
+    data, network = toy_data(1200), ModelConfig(hidden=64)
+    taught = train(data, config=SMALL_FIT, model_config=network, seed=0)
+    joint = train(data, config=replace(SMALL_FIT, recipe="joint"), model_config=network, seed=0)
+    assert taught.report["r2_through_codes"] > joint.report["r2_through_codes"] + 0.2
+    assert taught.report["r2_direct"] == joint.report["r2_direct"]
+    assert taught.report["share"] > 0.7
+    symbols = np.array(taught.model.action_symbols(data.actions))
+    assert len(set(symbols)) == 8
+    assert len(set(taught.model.object_symbols(data.features))) == 4
+    pushes = direction_of_pushes(data.actions)
+    favourites = {}
+    for push in range(4):
+        names, counts = np.unique(symbols[pushes == push], return_counts=True)
+        assert counts.max() > 0.7 * counts.sum()
+        favourites[push] = names[counts.argmax()]
+    assert len(set(favourites.values())) == 4
+
+
+def test_drawn_alike_are_of_the_same_code_or_else_of_the_nearest_there_is():
+    there = torch.tensor([[1.0, 1, 1], [1, 1, 1], [-1, -1, -1], [-1, 1, -1]])
+    wanted = torch.tensor([[1.0, 1, 1]] * 50 + [[-1.0, -1, -1]] * 20 + [[-1.0, -1, 1]] * 20)
+    drawn = draw_alike(wanted, there, torch.Generator().manual_seed(0))
+    assert set(drawn[:50].tolist()) == {0, 1}
+    assert set(drawn[50:70].tolist()) == {2}
+    assert set(drawn[70:].tolist()) == {2}
+
+
+def test_decoder_expects_what_actions_do_that_nobody_chose_for_their_effect():
+    """Nine of ten pushes that would move something are left out of the data."""
+    every = toy_data(2000)
+    moved = np.abs(every.effects).sum(1) > 0
+    rare = np.random.default_rng(0).uniform(size=len(every)) < 0.1
+    chosen, test = every[~moved | rare], toy_data(3000)[2000:]
+    errors, direct = {}, None
+    for source in ("imagined", "data"):
+        config = replace(SMALL_FIT, decoder_learns_from=source, direct_epochs=20, code_steps=30)
+        trained = train(chosen, config=config, model_config=ModelConfig(hidden=64), seed=0, direct=direct)
+        direct = trained.direct
+        mean, _ = trained.model.predict_from_codes(test.features, test.actions)
+        errors[source] = np.mean((mean - test.effects) ** 2)
+    assert errors["imagined"] < errors["data"]
+
+
+def planted_kinds(count):
+    """Perform lifts, pushes in four directions and nothing, each a little different every time."""
+    world, rng = make_world(), np.random.default_rng(0)
+    travels = np.array([[0, 0], [0.08, 0], [-0.08, 0], [0, 0.08], [0, -0.08], [0, 0]])
+    kinds = rng.integers(6, size=count)
+    waypoints = 0.003 * rng.normal(size=(count, 3, 4))
+    waypoints[:, 0, :2] -= travels[kinds] / 2
+    waypoints[:, 2, :2] += travels[kinds] / 2
+    waypoints[:, :, 3] += 0.9
+    waypoints[kinds == 0, 2, 3] -= 0.8
+    actions = waypoints.reshape(count, 12)
+    outcomes = [world.interact(world.sample_scene(rng, 1), action, 0) for action in actions]
+    box = {"action_low": world.action_box.low.tolist(), "action_high": world.action_box.high.tolist()}
+    return Interactions.from_outcomes(outcomes, actions, {"gripper_columns": [3, 7, 11], **box}), kinds
+
+
+def test_actions_that_lie_together_in_few_places_of_their_box_are_told_apart():
+    data, kinds = planted_kinds(1500)
+    trained = train(data, config=SMALL_FIT, model_config=ModelConfig(hidden=64), seed=0)
+    assert trained.report["share"] > 0.7
+    symbols = np.array(trained.model.action_symbols(data.actions))
+    meant = {symbol: np.bincount(kinds[symbols == symbol]) for symbol in set(symbols.tolist())}
+    of_the_code_s_kind = sum(counts.max() for counts in meant.values())
+    assert of_the_code_s_kind > 0.95 * len(data)
+    assert len({counts.argmax() for counts in meant.values()}) >= 5
+
+
+def direction_of_pushes(actions):
+    """Number the direction of each push by the rules of the toy world; -1 for what is none."""
+    waypoints = actions.reshape(-1, 3, 4)
+    travels = waypoints[:, 2, :2] - waypoints[:, 0, :2]
+    axes = np.abs(travels).argmax(1)
+    along = travels[np.arange(len(travels)), axes]
+    is_lift = (waypoints[:, 0, 3] >= 0.5) & (waypoints[:, 2, 3] < 0.5)
+    return np.where(is_lift | (np.abs(along) < 0.02), -1, 2 * axes + (along > 0))

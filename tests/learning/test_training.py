@@ -1,0 +1,237 @@
+"""Training makes bits that hold what the effect needs, and always the same ones."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+import torch
+from toy_learning import BRIEF, MOMENT, SMALL, toy_data
+
+from neurosym.data.dimensions import Dimensions
+from neurosym.data.interactions import Interactions
+from neurosym.data.origin import mirrors_of
+from neurosym.errors import InvalidValue
+from neurosym.learning.direct_model import DirectModel
+from neurosym.learning.effect_model import EffectModel
+from neurosym.learning.losses import negative_log_likelihood, nt_xent, reproducible, run_epochs, total_loss
+from neurosym.learning.model_config import ModelConfig
+from neurosym.learning.recipes import RECIPES
+from neurosym.learning.samples import samples_of
+from neurosym.learning.training import assess, r_squared, share_of, split, train
+from neurosym.learning.training_config import REGIMES, TrainingConfig
+from neurosym.strategies import has_high_effect
+
+
+def test_nll_is_that_of_the_normal_distribution():
+    generator = torch.Generator().manual_seed(0)
+    mean, log_variance, effects = torch.randn(3, 20, 3, generator=generator)
+    normal = torch.distributions.Normal(mean, (log_variance / 2).exp())
+    torch.testing.assert_close(
+        negative_log_likelihood(mean, log_variance, effects), -normal.log_prob(effects).mean()
+    )
+
+
+def test_nt_xent_agrees_with_eq_8_read_naively():
+    z = torch.randn(12, 5, generator=torch.Generator().manual_seed(0))
+    unit = z / z.norm(dim=1, keepdim=True)
+    total = 0.0
+    for i in range(12):
+        s = [float(unit[i] @ unit[j]) for j in range(12)]
+        total -= np.log(np.exp(s[i] / 0.5) / sum(np.exp(value / 0.5) for value in s)) / 12
+    assert float(nt_xent(z, 0.5)) == pytest.approx(total, rel=1e-5)
+
+
+def test_the_coefficient_multiplies_both_terms():
+    data, model = toy_data(300), EffectModel(Dimensions(), SMALL).eval()
+    batch = [torch.from_numpy(column) for column in (data.features, data.actions, data.effects)]
+    with reproducible(0):
+        one, half = (total_loss(model, *batch, coefficient=c, temperature=0.1).item() for c in (1.0, 0.5))
+        without = total_loss(model, *batch, coefficient=1.0, temperature=None).item()
+    assert half == pytest.approx(one / 2)
+    assert one != without
+
+
+def test_every_sample_is_seen_once_in_an_epoch():
+    weight = torch.nn.Parameter(torch.zeros(1))
+    seen = []
+
+    def loss_of(rows):
+        seen.extend(rows.tolist())
+        return weight.sum()
+
+    optimiser = torch.optim.SGD([weight], lr=0.1)
+    run_epochs(loss_of, 23, optimiser, torch.Generator(), epochs=3, batch=5, clip_norm=1.0, decay=True)
+    assert sorted(seen) == sorted([*range(23)] * 3)
+    assert optimiser.param_groups[0]["lr"] == 0.1
+
+
+@pytest.mark.parametrize("recipe", RECIPES)
+def test_the_same_seed_gives_the_same_bytes(recipe, tmp_path):
+    config = replace(BRIEF, recipe=recipe)
+    for name, seed in (("a", 5), ("b", 5), ("c", 6)):
+        trained = train(toy_data(300), config=config, model_config=SMALL, seed=seed)
+        trained.model.save(tmp_path / name)
+        trained.direct.save(tmp_path / f"{name}-direct")
+        torch.rand(3)  # what happens outside changes nothing
+    for kind in ("", "-direct"):
+        a, b, c = ((tmp_path / f"{name}{kind}").read_bytes() for name in "abc")
+        assert a == b != c
+
+
+def test_training_leaves_the_callers_random_state_alone():
+    before = torch.random.get_rng_state()
+    with reproducible(3):
+        torch.rand(5)
+    assert torch.equal(before, torch.random.get_rng_state())
+
+
+def test_the_best_restart_is_kept():
+    config = replace(BRIEF, recipe="refit", restarts=3)
+    report = train(toy_data(300), config=config, model_config=SMALL, seed=0).report
+    assert report["r2_through_codes"] == max(report["restarts"])
+    assert len(set(report["restarts"])) == 3
+
+
+@pytest.mark.parametrize("strategy", ["active", "random", "disagreement"])
+def test_data_of_a_baseline_are_learned_as_that_baseline_learns(strategy):
+    data = replace(toy_data(400), origin={**toy_data(400).origin, "strategy": strategy})
+    used = data[has_high_effect(data.effects)] if strategy == "active" else data
+    model = train(data, config=BRIEF, model_config=SMALL, seed=0).model
+    assert model.config.head == ("gaussian" if strategy == "disagreement" else "mean")
+    assert model.trained_by["interactions"] == len(used)
+    kept, _ = split(used, BRIEF.validation_share, 0)
+    squares = (kept.effects - model.effect_mean.numpy()) ** 2
+    np.testing.assert_allclose(model.effect_std, np.sqrt(squares.mean(0)), rtol=1e-4)
+
+
+def test_effects_that_are_not_standardised_stay_in_metres():
+    config = replace(BRIEF, standardise=False)
+    trained = train(toy_data(300), config=config, model_config=SMALL, seed=0)
+    assert trained.model.effect_std.tolist() == [1, 1, 1]
+    assert trained.model.effect_mean.tolist() == [0, 0, 0]
+    assert all(trained.direct.effect_std < 0.2)  # the yardstick is
+
+
+def test_mirrors_are_made_use_of_only_if_the_origin_names_them_and_the_config_allows():
+    data = toy_data(300)
+    unknown = replace(data, origin={k: v for k, v in data.origin.items() if k != "mirrors"})
+    assert len(mirrors_of(data.origin)) == 2
+    assert samples_of(data).mirrors == mirrors_of(data.origin)
+    assert samples_of(data, mirrors=False).mirrors == samples_of(unknown).mirrors == ()
+    means = [
+        train(rows, config=replace(BRIEF, mirrors=mirrors), model_config=SMALL, seed=0).model.effect_mean
+        for rows, mirrors in ((data, True), (data, False), (unknown, True))
+    ]
+    assert means[0][:2].tolist() == [0, 0]  # left as often as right, in the mirror
+    assert all(means[1][:2] != 0)
+    assert torch.equal(means[1], means[2])
+
+
+def test_batches_are_seen_through_each_mirror_half_of_the_time():
+    samples = samples_of(toy_data(300))
+    _, actions, effects = samples.batch(torch.zeros(2000, dtype=torch.int64), torch.Generator())
+    for axis in (0, 1):
+        flipped = actions[:, axis] == -samples.actions[0, axis]
+        assert 0.45 < flipped.float().mean() < 0.55
+        signs = torch.where(flipped, -1.0, 1.0)
+        torch.testing.assert_close(actions[:, axis + 8], signs * samples.actions[0, axis + 8])
+        torch.testing.assert_close(effects[:, axis], signs * samples.effects[0, axis])
+    assert torch.all(effects[:, 2] == samples.effects[0, 2])
+
+
+def test_held_out_interactions_are_not_trained_on():
+    data = toy_data(300)
+    kept, held_out = split(data, 0.2, seed=1)
+    rows = {tuple(row) for row in kept.actions.tolist()}
+    assert not rows & {tuple(row) for row in held_out.actions.tolist()}
+    assert (len(kept), len(held_out)) == (240, 60)
+
+
+def test_trivial_predictors_stand_beside_the_model():
+    data = toy_data(300)
+    kept, held_out = split(data, 0.2, seed=1)
+    model, direct = EffectModel(Dimensions(), SMALL).eval(), DirectModel(Dimensions(), BRIEF.direct).eval()
+    report = assess(model, direct, kept, held_out)
+    np.testing.assert_allclose(report["mae"]["always zero"], np.abs(held_out.effects).mean(0), rtol=1e-5)
+    assert set(report["mae"]) == {"model", "always zero", "always mean", "per-axis median"}
+    direct_r2 = r_squared(direct.predict(held_out.features, held_out.actions), held_out.effects)
+    assert report["r2_direct_by_axis"] == pytest.approx(direct_r2.tolist(), rel=1e-4, abs=1e-5)
+
+
+def test_there_is_no_share_of_what_explains_nothing():
+    assert share_of(0.3, 0.6) == pytest.approx(0.5)
+    assert share_of(-0.2, -0.3) is None
+    assert share_of(0.1, 0.0) is None
+
+
+def test_axes_that_never_change_are_left_out_of_the_mean():
+    data = toy_data(300)
+    still = replace(data, effects=data.effects * np.array([1, 1, 0], dtype=np.float32))
+    kept, held_out = split(still, 0.2, seed=1)
+    model, direct = EffectModel(Dimensions(), SMALL).eval(), DirectModel(Dimensions(), BRIEF.direct).eval()
+    report = assess(model, direct, kept, held_out)
+    assert report["r2_direct"] == pytest.approx(np.mean(report["r2_direct_by_axis"][:2]))
+
+
+def test_r_squared_is_one_for_the_truth_and_zero_for_the_mean():
+    truth = np.random.default_rng(0).normal(size=(50, 2))
+    np.testing.assert_allclose(r_squared(truth, truth), 1)
+    np.testing.assert_allclose(r_squared(np.tile(truth.mean(0), (50, 1)), truth), 0, atol=1e-12)
+    assert r_squared(truth, np.zeros((50, 2))).tolist() == [0, 0]
+
+
+def test_data_of_other_dimensions_can_be_learned():
+    rng = np.random.default_rng(0)
+    features, actions = rng.uniform(size=(200, 2)), rng.uniform(size=(200, 5))
+    flags = np.zeros(200, dtype=bool)
+    effects = actions[:, :1].copy()
+    data = Interactions(features, actions, effects, effects, flags, flags, flags, np.zeros(200))
+    trained = train(data, config=BRIEF, model_config=ModelConfig(1, 2, hidden=8), seed=0)
+    assert trained.model.dimensions == trained.direct.dimensions == Dimensions(2, 5, 1, ())
+    assert len(trained.report["r2_through_codes_by_axis"]) == 1
+
+
+def test_too_few_interactions_are_refused():
+    with pytest.raises(InvalidValue, match="too few"):
+        train(toy_data(300)[:10], seed=0)
+
+
+def test_both_networks_say_what_trained_them(tmp_path):
+    trained = train(toy_data(300), config=BRIEF, model_config=SMALL, seed=9)
+    for network in (trained.model, trained.direct):
+        network.save(tmp_path / "m")
+        trained_by = type(network).load(tmp_path / "m").trained_by
+        assert trained_by["seed"] == 9
+        assert trained_by["training"]["recipe"] == "taught"
+        assert trained_by["training"]["direct"]["hidden"] == 16
+        assert trained_by["origin"]["strategy"] == "random"
+
+
+def test_the_papers_regime_has_the_papers_numbers():
+    paper = REGIMES["paper"]
+    assert (paper.training.learning_rate, paper.training.loss_coefficient) == (1e-5, 0.01)
+    assert paper.model.gripper_sharpness is None
+    assert paper.training.recipe == "joint"
+    assert not paper.training.mirrors
+    assert not paper.training.standardise
+
+
+_IMPOSSIBLE = [
+    {"epochs": 0},
+    {"direct_epochs": 0},
+    {"code_steps": 0},
+    {"validation_share": 1.0},
+    {"learning_rate": 0.0},
+]
+
+
+def test_encoders_take_more_steps_for_each_bit_of_action_symbols_beyond_three():
+    config = TrainingConfig(naming_steps=10, code_steps=20)
+    assert config.for_bits(3) == config.for_bits(2) == config
+    assert config.for_bits(6) == replace(config, naming_steps=40, code_steps=80)
+
+
+@pytest.mark.parametrize("option", _IMPOSSIBLE)
+def test_impossible_options_are_refused(option):
+    with pytest.raises(InvalidValue, match=next(iter(option))):
+        TrainingConfig(**{**MOMENT, **option})

@@ -1,0 +1,70 @@
+"""Outcomes: each that is seen often enough is an operator of its own, and planners may hope for any."""
+
+import msgspec
+import pytest
+from tables import BOUNDS, grounding, item, mode, table
+
+from neurosym.operators import Operator
+from neurosym.pddl import compile_domain, domain_text
+from neurosym.pddl.determinisation import with_every_outcome
+from neurosym.pddl.moves import cost
+from neurosym.planners import PlanStatus, branching_of, plan
+from neurosym.problems import Problem
+
+HELD = mode((0.012, -0.021, 0.203), kind="held", count=14, near=14, resting=(0.014, -0.023, 0.0))
+SLIPPED = mode((0.06, 0.0, 0.0), count=6, near=5)
+
+
+def of(*modes) -> list[Operator]:
+    operator = Operator("lift-010-block", "00", "010", 20, tuple(modes))
+    changed = tuple(operator if op.name == operator.name else op for op in table().operators)
+    expanded = with_every_outcome(msgspec.structs.replace(table(), operators=changed))
+    return [op for op in expanded.operators if (op.category, op.primitive) == ("00", "010")]
+
+
+def shares(*modes):
+    return tuple(msgspec.structs.replace(each, share=each.count / 20) for each in modes)
+
+
+def test_each_outcome_at_rest_or_held_is_an_operator_that_is_named_for_it():
+    likeliest, other = of(*shares(HELD, SLIPPED))
+    assert (likeliest.name, likeliest.promised) == ("lift-010-block", None)
+    assert (other.name, other.promised) == ("push-forward-010-block", "resting")
+    assert other.promise is not None
+    assert (other.promise.outcome, other.successes, other.trials) == ((0.06, 0.0, 0.0), 5, 20)
+
+
+@pytest.mark.parametrize(
+    "unwanted",
+    [mode((0.06, 0.0, 0.0), count=1, near=1), mode((0.06, 0.0, 0.0), kind="toppled", count=6)],
+    ids=["too rare", "toppled"],
+)
+def test_what_is_too_rare_or_neither_upright_nor_held_is_no_operator(unwanted):
+    assert len(of(*shares(HELD, unwanted))) == 1
+
+
+def test_rarer_outcomes_cost_more():
+    likeliest, other = of(*shares(HELD, SLIPPED))
+    assert cost(other) > 3 * cost(likeliest)
+
+
+def test_compiled_domain_has_every_outcome_as_an_action_and_as_a_choice():
+    changed = tuple(
+        msgspec.structs.replace(op, modes=shares(HELD, SLIPPED)) if op.name == "lift-010-block" else op
+        for op in table().operators
+    )
+    learned = compile_domain(
+        msgspec.structs.replace(table(), operators=changed),
+        name="tabletop",
+        table_bounds=BOUNDS,
+        lift_height=0.2,
+    )
+    text = domain_text(learned)
+    assert "(:action lift-010-block" in text
+    assert "(:action push-forward-010-block" in text
+    problem = Problem("p", (item("item-01", 0.5, 0.0),), {"item-01": (0.56, 0.0, 0.025)}, tolerance=0.01)
+    assert "push-forward-010-block" in branching_of(problem, learned)[1][0]
+    found = plan(problem, learned)
+    assert found.status is PlanStatus.SOLVED
+    assert [step.operator for step in found.steps] == ["push-forward-010-block"]
+    assert plan(problem, grounding()).status is not PlanStatus.SOLVED

@@ -1,0 +1,68 @@
+"""What we write in SAS+ ourselves, beside what Fast Downward's own translator makes of our PDDL."""
+
+from pathlib import Path
+
+import msgspec
+import pytest
+from tables import grounding, item, problem, total_cost
+
+from neurosym.errors import InvalidValue
+from neurosym.grounding import Grounding
+from neurosym.pddl.sas import sas_text
+from neurosym.planners import PlanStatus, plan_pddl
+from neurosym.planners.fast_downward import PORTFOLIO, Search, plan_fast_downward
+from neurosym.problems import Problem
+
+SHIPPED = Path("domains/tabletop")
+
+
+@pytest.mark.parametrize("name", ["task-01", "task-02", "task-04"])
+def test_search_finds_the_very_plan_that_it_finds_after_translation(name: str):
+    learned = Grounding.load(SHIPPED / "grounding.json")
+    task = Problem.load(SHIPPED / "problems" / f"{name}.scene.json")
+    ours, theirs = (plan_pddl(task, learned, encoding=encoding) for encoding in ("sas", "stepwise"))
+    assert ours.status is theirs.status is PlanStatus.SOLVED, (ours.reason, theirs.reason)
+    assert ours.steps == theirs.steps
+
+
+@pytest.mark.parametrize("search", PORTFOLIO, ids=lambda one: one.configuration[:12])
+def test_every_search_of_the_portfolio_takes_it(search: Search, tmp_path: Path):
+    file = tmp_path / "task.sas"
+    file.write_text(sas_text(problem(), grounding()))
+    answer = plan_fast_downward(file, file, time_limit=60.0, searches=(search,))
+    assert answer.status is PlanStatus.SOLVED, answer.reason
+
+
+def test_objects_solved_at_once_cost_as_much_as_after_translation():
+    ours, theirs = (
+        plan_pddl(problem(), grounding(), encoding=name, whole=True) for name in ("sas", "stepwise")
+    )
+    assert ours.status is theirs.status is PlanStatus.SOLVED, (ours.reason, theirs.reason)
+    assert total_cost(ours.steps) == total_cost(theirs.steps)
+
+
+def test_goal_in_a_corner_has_no_plan_in_either():
+    nowhere = Problem("p", (item("item-01", 0.45, 0.01),), {"item-01": (0.45, 0.01, 0.4)})
+    found = {name: plan_pddl(nowhere, grounding(), encoding=name).status for name in ("sas", "stepwise")}
+    assert set(found.values()) == {PlanStatus.UNSOLVABLE}
+
+
+def test_a_step_moves_one_coordinate_and_the_lock_keeps_others_out():
+    learned = Grounding.load(SHIPPED / "grounding.json")
+    task = Problem.load(SHIPPED / "problems" / "task-01.scene.json")
+    names = [block.splitlines()[1] for block in sas_text(task, learned).split("begin_operator")[1:]]
+    assert len(names) == len(set(names))
+    assert all(len(name.split()) == 4 for name in names if not name.startswith("reach-goal"))
+
+
+def test_object_without_a_goal_is_left_out():
+    task = problem()
+    fewer = msgspec.structs.replace(task, goals={"item-01": task.goals["item-01"]})
+    assert "item-02" in sas_text(task, grounding())
+    assert "item-02" not in sas_text(fewer, grounding())
+
+
+def test_name_that_the_domain_uses_is_refused():
+    task = Problem("p", (item("movable", 0.45, 0.01),), {"movable": (0.5, 0.01, 0.025)})
+    with pytest.raises(InvalidValue, match="No object can be called movable"):
+        sas_text(task, grounding())

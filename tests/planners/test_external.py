@@ -1,0 +1,153 @@
+"""Planners that crash, print rubbish, write malformed plans or never end: results, and nothing is left.
+
+A planner here is a Python script of a few lines, called as the real ones are.
+"""
+
+import subprocess
+import sys
+import tempfile
+import time
+from collections.abc import Sequence
+from functools import partial
+from pathlib import Path
+
+import pytest
+from processes import alive
+from tables import grounding, item
+
+from neurosym.errors import UnknownChoice
+from neurosym.pddl.validation import replay
+from neurosym.planners import PDDL_PLANNERS, PlanResult, PlanStatus, plan_pddl
+from neurosym.planners.catalogue import PddlPlanner
+from neurosym.planners.external import PlannerMissing, Program, plan_program
+from neurosym.planners.process import run_limited
+from neurosym.problems import Problem
+
+TASK = Problem("p", (item("item-01", 0.5, 0.0),), {"item-01": (0.571, -0.012, 0.025)})
+
+
+@pytest.fixture
+def scratch(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """An empty folder that stands in for the system's folder of temporary files."""
+    folder = tmp_path / "scratch"
+    folder.mkdir()
+    monkeypatch.setattr(tempfile, "tempdir", str(folder))
+    return folder
+
+
+def solved_by(script: str, *, time_limit: float = 20.0, encoding: str = "numeric") -> PlanResult:
+    """What comes of planning with a script as the planner."""
+
+    def arguments(_: Path, domain: str, problem: str, limit: float) -> Sequence[str]:
+        return (sys.executable, "-c", script, domain, problem)
+
+    program = Program("Script", "neurosym", "neurosym", arguments, plans="plan*")
+    tool = PddlPlanner("a script", partial(plan_program, program=program), (encoding,), 0.0, program.missing)
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setitem(PDDL_PLANNERS, "script", tool)
+        return plan_pddl(TASK, grounding(), "script", time_limit=time_limit)
+
+
+def writes(text: str) -> str:
+    return f"open('plan', 'w').write({text!r})"
+
+
+def test_a_script_can_be_a_planner(scratch: Path):
+    found = solved_by(writes("0: (PUSH-AWAY-001-BLOCK ITEM-01) [1]\n; cost 16\n"))
+    assert (found.status, len(found.steps)) == (PlanStatus.SOLVED, 1), found.reason
+    assert list(scratch.iterdir()) == []
+
+
+@pytest.mark.parametrize(
+    ("script", "reason"),
+    [
+        ("raise SystemExit('no memory left')", "Script ended with code 1: no memory left"),
+        ("import os; os.abort()", "Script ended with code -6: it said nothing"),
+        ("import os; os.kill(os.getpid(), 9)", "code -9"),
+        ("print('all is well')", "Script ended with code 0: all is well"),
+        ("import os; os.write(1, bytes(range(256)) * 1000)", "Script ended with code 0"),
+        ("print('\\x1b[31m' + 'many words ' * 1000)", "[...]"),
+        (writes(""), "Script ended with code 0"),
+        (writes("(push-away-001-block item-01"), "line 1: '(push-away-001-block item-01' is not of the form"),
+        (writes("; fine\n(fly item-01)\n"), "line 2: There is no operator 'fly'"),
+        (writes("(push-away-001-block item-77)"), "line 1: There is no object 'item-77'"),
+        (writes("(lift-010-block item-01)\n" * 3), "the hand still holds item-01"),
+        (writes("(push-left-000-block item-01)"), "mm from its goal"),
+        ("open('plan', 'wb').write(b'(\\xff\\xfe\\x00')", "cannot be read"),
+        ("import os; os.mkdir('plan')", "Script ended with code 0"),
+        ("open('plan', 'w').write('(a b)\\n' * 1000000)", "Script ended with code 0"),
+    ],
+)
+def test_bad_planner_is_a_result_in_one_sentence(scratch: Path, script: str, reason: str):
+    found = solved_by(script)
+    assert (found.status, found.steps) == (PlanStatus.FAILED, ())
+    assert reason in found.reason
+    assert len(found.reason) < 400
+    assert "\n" not in found.reason
+    assert found.reason.isprintable()
+    assert list(scratch.iterdir()) == []
+
+
+SLEEP = "import time; time.sleep(60)"
+ORPHAN = """import os, subprocess, sys, tempfile, time
+open(os.path.join(tempfile.gettempdir(), 'left'), 'w').write('x')
+if os.fork() == 0:
+    os.setsid()
+    subprocess.Popen([sys.executable, '-c', 'import time; time.sleep(60)', sys.argv[1]])
+    os._exit(0)
+"""
+
+
+@pytest.mark.parametrize("script", [SLEEP, "while True: print('rubbish')", ORPHAN + SLEEP])
+def test_planner_that_never_ends_is_ended_with_all_its_children(scratch: Path, script: str):
+    begin = time.perf_counter()
+    found = solved_by(script, time_limit=1.0)
+    assert found.status is PlanStatus.TIMEOUT
+    assert time.perf_counter() - begin < 2.0
+    assert alive(str(scratch)) == []
+    assert list(scratch.iterdir()) == []
+
+
+def test_children_that_outlive_their_planner_are_ended(scratch: Path):
+    found = solved_by(ORPHAN + writes("(push-away-001-block item-01)"))
+    assert found.status is PlanStatus.SOLVED, found.reason
+    assert alive(str(scratch)) == []
+    assert list(scratch.iterdir()) == []
+
+
+def test_an_orphan_would_be_seen(tmp_path: Path):
+    """The counter-test: what the tests above look for is there until it is killed."""
+    subprocess.run([sys.executable, "-c", ORPHAN.replace("60", "3"), str(tmp_path)], cwd=tmp_path, check=True)
+    assert any(alive(str(tmp_path)) or time.sleep(0.02) for _ in range(100))
+
+
+def test_temporary_files_of_a_planner_go_where_it_runs(tmp_path: Path):
+    code = "import tempfile; print(tempfile.mkdtemp())"
+    finished = run_limited([sys.executable, "-c", code], tmp_path, 10.0)
+    assert Path(finished.last_words).parent == tmp_path
+
+
+def test_planner_that_is_not_installed_is_refused_with_what_to_do(monkeypatch: pytest.MonkeyPatch):
+    nowhere = Program("Nobody", "no_such_package", "no-such-package", lambda *_: ("true",))
+    monkeypatch.setitem(PDDL_PLANNERS, "nobody", PddlPlanner("", plan_program, missing=nowhere.missing))
+    with pytest.raises(PlannerMissing, match="nobody is not installed; `pip install no-such-package`"):
+        plan_pddl(TASK, grounding(), "nobody")
+    lacking = Program(
+        "Nobody", "neurosym", "neurosym", lambda *_: ("true",), needs=("no-such-command", "a shop")
+    )
+    assert lacking.missing() == "it needs no-such-command, which a shop brings"
+
+
+def test_encoding_that_a_planner_does_not_take_is_refused():
+    with pytest.raises(UnknownChoice, match="'numeric'; valid: operators, sas, stepwise"):
+        plan_pddl(TASK, grounding(), "fast-downward", encoding="numeric")
+
+
+@pytest.mark.parametrize("name", sorted(name for name in PDDL_PLANNERS if not name.startswith("up-")))
+def test_every_planner_that_is_here_finds_the_way(name: str):
+    if PDDL_PLANNERS[name].missing():
+        pytest.skip("not installed")
+    found = plan_pddl(TASK, grounding(), name)
+    assert found.status is PlanStatus.SOLVED, found.reason
+    assert replay(found.steps, TASK, grounding()).valid
+    assert len(found.steps) == 1 or name == "lpg"  # which is soon there, with longer plans

@@ -1,0 +1,154 @@
+"""Choosing among candidates: what is sure and does something wins."""
+
+import numpy as np
+import pytest
+
+from neurosym.errors import UnknownChoice
+from neurosym.operators import Primitive
+from neurosym.primitives.audition import CHOICES, audition, choose, lowest_error, shortlist
+from neurosym.primitives.rehearsal import rehearsal_scene
+from neurosym.world import Scene
+from neurosym.worlds.toy import LONGEST_PUSH, WIDEST_GRASP, ToyWorld, make_world
+from neurosym.worlds.workers import Task
+
+SHORT = (0.0, -0.005, 0.0, 0.1, 0.0, 0.0, 0.0, 0.1, 0.0, 0.005, 0.0, 0.1)  # too short to push anything
+LEFT = (0.0, -0.04, 0.0, 0.1, 0.0, 0.0, 0.0, 0.1, 0.0, 0.04, 0.0, 0.1)
+FORWARD = (-0.04, 0.0, 0.0, 0.1, 0.0, 0.0, 0.0, 0.1, 0.04, 0.0, 0.0, 0.1)
+LIFT = (0.0, 0.0, 0.0, 0.9, 0.0, 0.0, 0.0, 0.9, 0.0, 0.0, 0.0, 0.1)
+RIVALS = (
+    Primitive("001", SHORT, 0.001),
+    Primitive("001", LEFT, 0.02),
+    Primitive("100", LIFT, 0.03),
+    Primitive("100", SHORT, 0.002),
+)
+
+
+def by_affordance(features):
+    graspable = (features[:, 3] >= 0.5) | (features[:, 1] <= WIDEST_GRASP)
+    return tuple(f"{int(g)}{int(p)}" for g, p in zip(graspable, features[:, 0] <= LONGEST_PUSH, strict=True))
+
+
+def alike(features):
+    return ("00",) * len(features)
+
+
+def foretell(features, actions):
+    """Say what the toy world would do, by trying it."""
+    world, upright = make_world(), np.array([[0.0, 0.0, 0.0, 1.0]])
+    middle = np.array([[0.7, 0.0, 0.0]])
+    outcomes = [
+        world.interact(Scene(row[None], middle, upright), action, 0)
+        for row, action in zip(features, actions, strict=True)
+    ]
+    return np.array([outcome.effect for outcome in outcomes])
+
+
+def some_features(count=40):
+    scenes = [make_world().sample_scene(np.random.default_rng([5, n]), 1) for n in range(count)]
+    return np.concatenate([scene.features for scene in scenes])
+
+
+class Watched(ToyWorld):
+    """A toy world that remembers what it was asked to do."""
+
+    asked: list[Task]
+
+    def __init__(self):
+        super().__init__(make_world().config)
+        self.asked = []
+
+    def interact(self, scene, action, target, **options):  # noqa: D102
+        self.asked.append(Task(scene, action, target))
+        return super().interact(scene, action, target, **options)
+
+
+def test_lowest_error_takes_the_nearest_to_the_code_of_each_symbol():
+    assert lowest_error(RIVALS) == (RIVALS[0], RIVALS[3])
+
+
+def test_shortlist_keeps_the_best_few_of_each_symbol_best_first():
+    features = some_features()
+    few = shortlist(RIVALS, foretell, features, by_affordance, 1)
+    assert few == (RIVALS[1], RIVALS[2])
+    both = shortlist(RIVALS, foretell, features, by_affordance, 2)
+    assert both == (RIVALS[1], RIVALS[0], RIVALS[2], RIVALS[3])
+
+
+def test_audition_finds_what_works_whatever_was_foretold():
+    for rivals in (RIVALS, RIVALS[::-1]):
+        chosen = audition(make_world, rivals, by_affordance, objects=12, seed=0)
+        assert [(one.symbol, one.action) for one in chosen] == [("001", LEFT), ("100", LIFT)]
+
+
+def test_audition_prefers_what_does_the_same_to_every_object_of_a_category():
+    rivals = (Primitive("0", LEFT, 0.0), Primitive("0", LIFT, 0.0))
+    pushable = audition(make_world, rivals, lambda f: tuple(s[1] for s in by_affordance(f)), seed=0)
+    graspable = audition(make_world, rivals, lambda f: tuple(s[0] for s in by_affordance(f)), seed=0)
+    assert (pushable[0].action, graspable[0].action) == (LEFT, LIFT)
+
+
+def test_auditions_are_the_same_for_any_number_of_workers():
+    one, two = (audition(make_world, RIVALS, alike, objects=9, seed=4, workers=workers) for workers in (1, 2))
+    assert one == two
+
+
+def test_auditions_are_on_other_objects_than_rehearsals_and_the_same_for_every_candidate():
+    world = Watched()
+    told = []
+    audition(lambda: world, RIVALS[:2], alike, objects=5, seed=3, progress=lambda *n: told.append(n))
+    auditioned = [tuple(task.scene.features[0]) for task in world.asked]
+    assert auditioned[:5] == auditioned[5:10]
+    assert auditioned[10:15] == auditioned[15:]
+    assert len(set(auditioned)) == 10  # the second audition is on others
+    rehearsed = {tuple(rehearsal_scene(world, 3, n).features[0]) for n in range(10)}
+    assert not rehearsed & set(auditioned)
+    assert told == [(n, 20) for n in range(1, 21)]
+
+
+class Lucky(ToyWorld):
+    """A toy world in which `SHORT` does something while the first audition lasts."""
+
+    def __init__(self):
+        super().__init__(make_world().config)
+        self.performed = 0
+
+    def interact(self, scene, action, target, **options):  # noqa: D102
+        self.performed += 1
+        lucky = tuple(action) == SHORT and self.performed <= 2 * 12
+        return super().interact(scene, np.array(FORWARD) if lucky else action, target, **options)
+
+
+def test_who_shone_by_luck_is_found_out_by_the_second_audition():
+    rivals = (Primitive("0", SHORT, 0.0), Primitive("0", LEFT, 0.0))
+    world = Lucky()
+    assert audition(lambda: world, rivals, by_affordance, objects=12, seed=0)[0].action == LEFT
+    assert world.performed == 4 * 12
+
+
+def test_without_a_world_the_choice_rests_on_what_is_foretold():
+    options = {"predict": foretell, "features": some_features(), "categorise": by_affordance, "seed": 0}
+    assert choose(RIVALS, "predictable", world_factory=None, **options) == (RIVALS[1], RIVALS[2])
+    assert choose(RIVALS, "lowest-error", world_factory=None, **options) == (RIVALS[0], RIVALS[3])
+
+
+def test_the_world_has_the_last_word():
+    def wrong(features, actions):
+        return 0.1 * np.abs(actions[:, 5:8] - 0.1)  # SHORT as good as LEFT, which comes later
+
+    options = {"features": some_features(), "categorise": by_affordance, "seed": 0, "workers": 1}
+    assert choose(RIVALS, "predictable", predict=wrong, world_factory=make_world, **options)[0] == RIVALS[1]
+    assert choose(RIVALS, "predictable", predict=wrong, world_factory=None, **options)[0] == RIVALS[0]
+
+
+def test_unknown_choice_is_refused_with_the_valid_ones():
+    with pytest.raises(UnknownChoice, match="no choice 'luck'; valid: lowest-error, predictable"):
+        choose(
+            RIVALS,
+            "luck",
+            predict=foretell,
+            features=some_features(2),
+            categorise=alike,
+            world_factory=None,
+            seed=0,
+        )
+    assert set(CHOICES) == {"predictable", "lowest-error"}

@@ -1,0 +1,85 @@
+"""Without a world, effects are averaged over the rows of the data, kind by kind."""
+
+import numpy as np
+import pytest
+
+from neurosym.data.interactions import Interactions
+from neurosym.errors import InvalidValue
+from neurosym.operators import Primitive
+from neurosym.primitives.averaging import average, kinds_of
+
+PRIMITIVES = (Primitive("1", (0.5, 0.5), 0.0), Primitive("0", (-0.5, 0.5), 0.0))
+
+
+def some_data(rows=200, axes=3, **origin):
+    rng = np.random.default_rng(1)
+    held, toppled, lost = rng.uniform(size=(3, rows)) < 0.2
+    effects, resting = rng.normal(0, 0.05, size=(2, rows, axes)).astype(np.float32)
+    features, actions = rng.uniform(-1, 1, size=(2, rows, 2)).astype(np.float32)
+    peaks = rng.uniform(size=rows).astype(np.float32)
+    return Interactions(features, actions, effects, resting, held, toppled, lost, peaks, origin)
+
+
+def first_sign(values):
+    return tuple("1" if value > 0 else "0" for value in values[:, 0])
+
+
+def both_signs(values):
+    return tuple(f"{int(a > 0)}{int(b > 0)}" for a, b in values)
+
+
+def naive_kind(data, row):
+    for kind in ("lost", "held", "toppled"):
+        if getattr(data, kind)[row]:
+            return kind
+    return "resting"
+
+
+def test_kinds_are_told_as_a_world_tells_them():
+    data = some_data()
+    assert kinds_of(data) == [naive_kind(data, row) for row in range(len(data))]
+
+
+@pytest.mark.parametrize("axes", [1, 2, 3, 5])
+def test_table_agrees_with_a_naive_average(axes):
+    data = some_data(axes=axes)
+    table = average(data, PRIMITIVES, both_signs, first_sign)
+    assert table.measured == "data"
+    assert table.axes == axes
+    assert len(table.operators) == 8
+    for operator in table.operators:
+        rows = [
+            row
+            for row in range(len(data))
+            if first_sign(data.actions)[row] == operator.primitive
+            and both_signs(data.features)[row] == operator.category
+        ]
+        assert operator.trials == len(rows) == sum(mode.count for mode in operator.modes)
+        for mode in operator.modes:
+            own = [row for row in rows if naive_kind(data, row) == mode.kind]
+            assert mode.count == len(own)
+            for told, column in ((mode.effect, data.effects), (mode.resting_effect, data.resting_effects)):
+                np.testing.assert_allclose(told, np.mean([column[row] for row in own], axis=0), atol=1e-7)
+            assert mode.peak_height == pytest.approx(np.mean([data.peak_heights[row] for row in own]))
+
+
+def test_pairs_and_primitives_that_no_row_has_are_left_out():
+    data = some_data()
+    table = average(data, PRIMITIVES, lambda rows: ("00",) * len(rows), lambda rows: ("1",) * len(rows))
+    assert [(operator.category, operator.primitive) for operator in table.operators] == [("00", "1")]
+    assert [category.name for category in table.categories] == [
+        "kind-00",
+        "unseen-01",
+        "unseen-10",
+        "unseen-11",
+    ]
+
+
+def test_categories_are_named_after_features_that_have_our_names():
+    table = average(some_data(feature_names=["t", "mass"]), PRIMITIVES, both_signs, first_sign)
+    assert {category.name.split("-")[0] for category in table.categories} <= {"hollow", "solid", "any"}
+
+
+def test_nothing_can_be_averaged_without_primitives():
+    with pytest.raises(InvalidValue, match="without primitives"):
+        average(some_data(), (), both_signs, first_sign)

@@ -1,0 +1,132 @@
+"""Distilled parameters encode to their symbols and stay inside the action box."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+import torch
+from toy_learning import toy_data
+
+from neurosym.data.dimensions import Dimensions
+from neurosym.errors import InvalidValue
+from neurosym.learning.effect_model import EffectModel
+from neurosym.learning.losses import reproducible
+from neurosym.learning.model_config import ModelConfig
+from neurosym.operators import CONVERGED, OperatorTable
+from neurosym.primitives.distillation import (
+    DistillationConfig,
+    code_errors,
+    distill,
+    draw_of_every_kind,
+)
+from neurosym.symbols import all_symbols
+from neurosym.worlds.toy import make_world
+
+FEW = DistillationConfig(candidates=4, steps=40)
+BOX = make_world().action_box
+DATA = toy_data(500)
+
+
+def a_model(bits=3):
+    with reproducible(0):
+        model = EffectModel(Dimensions(), ModelConfig(action_bits=bits)).train()
+        with torch.no_grad():
+            for _ in range(50):
+                model.embed_actions(torch.from_numpy(DATA.actions))  # lets batch statistics settle
+            codes = model.eval().embed_actions(torch.from_numpy(DATA.actions))
+            last = model.action_encoder[-2]
+            last.bias -= codes.atanh().median(0).values  # so that every bit is used
+            last.weight *= 100
+            last.bias *= 100
+    return model
+
+
+def by_symbol(candidates):
+    symbols = sorted({candidate.symbol for candidate in candidates})
+    return {symbol: [c for c in candidates if c.symbol == symbol] for symbol in symbols}
+
+
+def test_starts_are_of_every_kind_of_outcome_however_rare():
+    rng = np.random.default_rng(0)
+    outcomes = rng.normal(size=(2000, 4)) * 0.05
+    rare = rng.permutation(2000)[:20]
+    outcomes[rare, 2] += 3
+    rows = np.setdiff1d(np.arange(2000), rare[:10])  # half of the rare ones have another symbol
+    drawn = draw_of_every_kind(rows, outcomes, 120, rng)
+    assert len(set(drawn.tolist())) == 120
+    assert set(drawn) <= set(rows)
+    assert set(rare[10:]) <= set(drawn)
+    few = draw_of_every_kind(rows[:50], outcomes, 120, rng)
+    assert sorted(few) == rows[:50].tolist()
+
+
+def test_every_candidate_encodes_to_its_symbol_and_lies_in_the_box():
+    model = a_model()
+    candidates = distill(model, DATA, BOX, seed=0, config=FEW)
+    assert len(by_symbol(candidates)) >= 4
+    for candidate in candidates:
+        action = np.array(candidate.action)
+        assert BOX.contains(action)
+        assert model.action_symbols(action[None]) == (candidate.symbol,)
+        (error,) = code_errors(model, action[None], np.array([candidate.symbol]))
+        assert candidate.code_error == pytest.approx(error, rel=1e-4)
+
+
+def test_all_candidates_have_converged_or_there_is_only_the_best_one():
+    model = a_model()
+    counts = []
+    for steps in (0, 5, 40):
+        found = by_symbol(distill(model, DATA, BOX, seed=0, config=replace(FEW, candidates=12, steps=steps)))
+        for candidates in found.values():
+            errors = [candidate.code_error for candidate in candidates]
+            assert errors == sorted(errors)
+            assert len(errors) == 1 or max(errors) < CONVERGED
+            assert len(errors) <= 2 * 12
+        counts.append(sum(map(len, found.values())))
+    assert counts[0] < counts[-1]  # the longer the descent, the more arrive
+
+
+def test_descent_lowers_the_error_of_the_best_start():
+    model = a_model()
+    starts = distill(model, DATA, BOX, seed=0, config=replace(FEW, steps=0))
+    ends = distill(model, DATA, BOX, seed=0, config=FEW)
+    before, after = (
+        {symbol: found[0].code_error for symbol, found in by_symbol(all_found).items()}
+        for all_found in (starts, ends)
+    )
+    assert before.keys() == after.keys()
+    assert all(after[symbol] <= before[symbol] for symbol in before)
+    assert sum(after.values()) < 0.7 * sum(before.values())
+
+
+def test_symbols_of_no_action_are_left_out_and_can_be_listed():
+    model = a_model()
+    used = set(model.action_symbols(DATA.actions))
+    rows = np.array([symbol == min(used) for symbol in model.action_symbols(DATA.actions)])
+    primitives = distill(model, DATA[rows], BOX, seed=0, config=FEW)
+    assert {primitive.symbol for primitive in primitives} == {min(used)}
+    table = OperatorTable((), primitives[:1], ())
+    assert table.unreached == tuple(s for s in all_symbols(3) if s != min(used))
+
+
+def test_the_same_seed_gives_the_same_primitives_and_the_model_is_untouched():
+    model = a_model()
+    before = {name: weights.clone() for name, weights in model.state_dict().items()}
+    assert distill(model, DATA, BOX, seed=1, config=FEW) == distill(model, DATA, BOX, seed=1, config=FEW)
+    assert all(torch.equal(before[name], weights) for name, weights in model.state_dict().items())
+    assert all(parameter.grad is None for parameter in model.parameters())
+
+
+def test_codes_that_do_not_saturate_are_reported_honestly():
+    model = a_model()
+    with torch.no_grad():
+        model.action_encoder[-2].weight *= 1e-4
+        model.action_encoder[-2].bias *= 1e-4
+    assert all(primitive.code_error > 0.5 for primitive in distill(model, DATA, BOX, seed=0, config=FEW))
+
+
+def test_impossible_options_are_refused():
+    with pytest.raises(InvalidValue):
+        DistillationConfig(candidates=0)
+    with pytest.raises(InvalidValue):
+        DistillationConfig(momentum=1.0)

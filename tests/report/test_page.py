@@ -1,0 +1,209 @@
+"""`neurosym report` writes one page that holds what a folder holds, and nothing that a browser would load."""
+
+import re
+import shutil
+from html import escape
+from html.parser import HTMLParser
+
+import numpy as np
+import pytest
+from command_line import neurosym, refusal
+from toy_learning import BRIEF, SMALL
+
+from neurosym.data.interactions import Interactions
+from neurosym.evaluation.comparison_summary import Comparison, Tally
+from neurosym.files import read_json, write_json
+from neurosym.grounding import Grounding
+from neurosym.learning.learning_curve import LearningCurve, learning_curve, sizes_up_to
+from neurosym.learning.training_config import REGIMES, Regime
+from neurosym.report.charts import Axis, lines, round_values
+from neurosym.report.exploration import explored, what_became
+from neurosym.report.page import gather, render
+from neurosym.stages.folder import DomainFolder
+from neurosym.stages.planning import PlanRecord
+
+VOID = {"meta", "link", "img"}
+EVIL = "</pre><script>alert(1)</script><img src=x onerror=alert(1)>"
+
+
+class Checked(HTMLParser):
+    """Checks that tags are closed in order, and collects what a browser would act upon."""
+
+    def __init__(self):
+        super().__init__()
+        self.open, self.images, self.references, self.tags = [], [], [], set()
+
+    def handle_starttag(self, tag, attributes):  # noqa: D102
+        named = dict(attributes)
+        self.tags.add(tag)
+        self.references += [named[name] for name in ("src", "href", "srcset", "data") if name in named]
+        assert not [name for name in named if name.startswith("on")]
+        if tag == "img":
+            self.images.append(named)
+        if tag not in VOID:
+            self.open.append(tag)
+
+    def handle_endtag(self, tag):  # noqa: D102
+        assert self.open.pop() == tag
+
+
+def checked(text: str) -> Checked:
+    parser = Checked()
+    parser.feed(text)
+    parser.close()
+    assert parser.open == []
+    return parser
+
+
+@pytest.fixture(scope="module")
+def reported(toy_folder, tmp_path_factory):
+    """The toy domain folder's page, made once."""
+    folder = shutil.copytree(toy_folder, tmp_path_factory.mktemp("reported") / "toy")
+    assert neurosym("report", folder) == 0
+    return folder
+
+
+def test_page_parses_and_loads_nothing(reported):
+    text = (reported / "report.html").read_text()
+    page = checked(text)
+    assert page.references
+    assert all(reference.startswith(("data:", "#")) for reference in page.references)
+    assert not re.search(r"https?:|url\(|@import|<script", text)
+    assert "script" not in page.tags
+    assert all(image["alt"] and int(image["width"]) > 0 for image in page.images)
+
+
+def test_page_shows_every_symbol_operator_and_plan(reported):
+    text = (reported / "report.html").read_text()
+    grounding = Grounding.load(reported / "grounding.json")
+    for primitive in grounding.operators.primitives:
+        assert f'id="action-{primitive.symbol}"' in text
+    for category in grounding.operators.categories:
+        assert f'id="object-{category.symbol}"' in text
+    for operator in grounding.operators.operators:
+        assert f'<th scope="row">{operator.name}</th><td class="number">{operator.trials}</td>' in text
+    for reason in grounding.left_out.values():
+        assert f"no: {escape(reason)}" in text
+    assert escape((reported / "domain.pddl").read_text()).split("\n")[5] in text
+    plans = list((reported / "plans").glob("*.json"))
+    assert plans
+    for path in plans:
+        assert f'<th scope="row">{read_json(path, PlanRecord).problem}</th>' in text
+    images = checked(text).images
+    assert len(images) >= len(grounding.operators.primitives)
+    assert sum("goal transparent" in image["alt"] for image in images) >= 1
+
+
+def test_pictures_are_made_once_and_the_page_is_the_same(reported):
+    before = (reported / "report.html").read_bytes()
+    pictures = {path: path.stat().st_mtime_ns for path in (reported / "pictures/report").iterdir()}
+    assert neurosym("report", reported) == 0
+    assert (reported / "report.html").read_bytes() == before
+    assert {path: path.stat().st_mtime_ns for path in (reported / "pictures/report").iterdir()} == pictures
+
+
+def test_hostile_texts_are_shown_and_not_obeyed(reported, tmp_path):
+    folder = shutil.copytree(reported, tmp_path / "<i>toy")
+    (folder / "domain.pddl").write_text(f"; {EVIL}\n")
+    data = Interactions.load(folder / "interactions.npz")
+    data.origin["strategy"] = EVIL
+    data.save(folder / "interactions.npz")
+    path = next((folder / "plans").glob("*.json"))
+    record = read_json(path, PlanRecord)
+    write_json(path, PlanRecord(record.problem, EVIL, "failed", (), 0.0, EVIL))
+    place = folder / "comparison/1-objects-50-mm"
+    place.mkdir(parents=True)
+    tally = Tally(7, 6, 5, 4, 1.5, 0.25, 3, 2, {}, {}, {}, {})
+    write_json(place / "comparison.json", Comparison(10, 1, 2, {EVIL: tally}))
+    text = render(gather(DomainFolder(folder), lambda *_: None))
+    page = checked(text)
+    assert "script" not in page.tags
+    assert "i" not in page.tags
+    assert all(image["src"].startswith("data:image/webp;base64,") for image in page.images)
+    assert text.count(escape(EVIL)) >= 5
+    figures = (7, 6, 5, 4, "1.50", "0.250")
+    assert "".join(f'<td class="number">{figure}</td>' for figure in figures) in text
+
+
+def test_what_is_missing_is_said_with_its_command(tmp_path, capsys):
+    folder = tmp_path / "new"
+    assert neurosym("init", folder, "--world", "toy") == 0
+    assert neurosym("report", folder) == 0
+    text = (folder / "report.html").read_text()
+    checked(text)
+    for command in ("explore", "train", "distill", "compile-domain", "new-problem"):
+        assert f"<code>neurosym {command} {folder}" in text
+
+
+def test_page_goes_where_it_is_asked_to(reported, tmp_path, capsys):
+    assert neurosym("report", reported, "--output", tmp_path / "page.html") == 0
+    assert f"wrote {tmp_path / 'page.html'}" in capsys.readouterr().out
+    assert (tmp_path / "page.html").read_bytes() == (reported / "report.html").read_bytes()
+    for name in ("page.md", "nowhere/page.html"):
+        assert "name a file that ends in .html" in refusal(
+            capsys, "report", reported, "--output", tmp_path / name
+        )
+
+
+@pytest.mark.parametrize("file", ["interactions.npz", "primitives.json", "grounding.json", "training.json"])
+def test_damaged_file_is_refused_by_name(folder, file, capsys):
+    (folder / file).write_bytes(b"\x00garbage")
+    assert file in refusal(capsys, "report", folder)
+    assert not (folder / "report.html").exists()
+
+
+def test_damaged_records_and_scenes_are_named_once_and_left_out(folder, capsys):
+    (folder / "plans/task-02.fast-downward.json").write_text("{}")
+    run = folder / "runs/task-02.mine.run.json"
+    run.write_text('{"problem": null}')
+    scene = folder / "problems/task-01.scene.json"
+    scene.write_text(scene.read_text().replace('"tolerance": 0.05', '"tolerance": -1'))
+    assert neurosym("report", folder) == 0
+    notes = [line for line in capsys.readouterr().out.splitlines() if line.startswith("note: ")]
+    assert len(notes) == 3
+    for path in (folder / "plans/task-02.fast-downward.json", run, scene):
+        assert sum(f"note: {path} cannot be used" in note for note in notes) == 1
+    page = (folder / "report.html").read_text()
+    assert '<th scope="row">task-01</th>' not in page
+
+
+def test_every_interaction_is_counted_once(toy_folder):
+    data = Interactions.load(toy_folder / "interactions.npz")
+    kinds = what_became(data)
+    np.testing.assert_array_equal(sum(rows.astype(int) for rows in kinds.values()), 1)
+    np.testing.assert_array_equal(kinds["ended in the hand"], data.held)
+    shares = dict(explored(data).shares)
+    assert shares["ended in the hand"] == pytest.approx(float(data.held.mean()))
+    assert sum(shares.values()) == pytest.approx(1.0)
+
+
+@pytest.mark.parametrize("rows", [1, 2, 300])
+def test_few_interactions_can_be_drawn(toy_folder, rows):
+    assert len(explored(Interactions.load(toy_folder / "interactions.npz")[:rows]).charts) == 4
+
+
+def test_line_goes_through_its_points():
+    chart = lines(
+        "t", "a", Axis("x", 0.0, 10.0), Axis("y", 0.0, 1.0), {"c": np.array([[0.0, 0.0], [10.0, 1.0]])}
+    )
+    assert chart.series[0].path == f"M{chart.left:.1f} {chart.bottom:.1f}L{chart.right:.1f} {chart.top:.1f}"
+    assert [tick.label for tick in chart.x_ticks] == ["0", "2", "4", "6", "8", "10"]
+    assert round_values(-0.07, 0.31) == (0.0, 0.1, 0.2, 0.3)
+
+
+def test_learning_curve_is_made_once_and_drawn(folder, monkeypatch):
+    monkeypatch.setitem(REGIMES, "quick", Regime(SMALL, BRIEF, exploration_rate=1e-3))
+    assert neurosym("report", folder, "--curve") == 0
+    curve = read_json(folder / "learning_curve.json", LearningCurve)
+    data = Interactions.load(folder / "interactions.npz")
+    assert [point.interactions for point in curve.points] == [512, len(data) - curve.held_out]
+    assert learning_curve(data) == curve
+    assert "How much of the effect is explained" in (folder / "report.html").read_text()
+    before = (folder / "learning_curve.json").stat().st_mtime_ns
+    assert neurosym("report", folder, "--curve") == 0
+    assert (folder / "learning_curve.json").stat().st_mtime_ns == before
+
+
+def test_learning_curve_ends_with_all_interactions():
+    assert sizes_up_to(9000) == (512, 1024, 2048, 4096, 9000)
+    assert sizes_up_to(4300) == (512, 1024, 2048, 4300)

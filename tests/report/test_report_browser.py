@@ -1,0 +1,79 @@
+"""The page of the shipped domain in a real browser: what is seen, and that nothing else is loaded."""
+
+import shutil
+from pathlib import Path
+
+import pytest
+from command_line import neurosym
+from places import SHIPPED
+
+BROWSERS = ("chromium-headless-shell", "chromium", "chromium-browser", "google-chrome")
+
+
+@pytest.fixture(scope="module")
+def browser():
+    """A browser of this machine without a window."""
+    playwright = pytest.importorskip("playwright.sync_api", reason="pip install 'neurosym[browser]'")
+    found = next(filter(None, map(shutil.which, BROWSERS)), None)
+    if found is None:
+        pytest.skip(f"none of {', '.join(BROWSERS)} is installed")
+    with playwright.sync_playwright() as running:
+        opened = running.chromium.launch(executable_path=found, args=["--no-sandbox"])
+        yield opened
+        opened.close()
+
+
+@pytest.fixture(scope="module")
+def page_file(tmp_path_factory) -> Path:
+    folder = shutil.copytree(SHIPPED, tmp_path_factory.mktemp("shipped") / "tabletop")
+    assert neurosym("report", folder) == 0
+    return Path(folder) / "report.html"
+
+
+@pytest.mark.evaluation
+def test_page_is_small(page_file):
+    size = page_file.stat().st_size / 1e6
+    print(f"{size:.2f} MB")
+    assert size < 5
+
+
+@pytest.mark.evaluation
+@pytest.mark.parametrize("width", [360, 1200])
+@pytest.mark.parametrize("scheme", ["light", "dark"])
+def test_everything_is_seen_and_nothing_else_is_loaded(browser, page_file, width, scheme):
+    page = browser.new_page(viewport={"width": width, "height": 900}, color_scheme=scheme)
+    said, asked = [], []
+    page.on("console", lambda message: said.append(message.text))
+    page.on("pageerror", lambda error: said.append(str(error)))
+    page.on("request", lambda request: asked.append(request.url))
+    page.goto(page_file.as_uri())
+    assert said == []
+    assert [url for url in asked if not url.startswith("data:")] == [page_file.as_uri()]
+    sizes = page.evaluate(
+        "[...document.images].map(i => [i.naturalWidth, i.naturalHeight, i.width, i.height])"
+    )
+    assert len(sizes) > 8
+    assert all(min(size) > 0 for size in sizes)
+    assert page.evaluate("document.documentElement.scrollWidth") <= width
+    charts = page.evaluate("[...document.querySelectorAll('svg')].map(s => s.getBoundingClientRect().height)")
+    assert len(charts) >= 4
+    assert min(charts) > 100
+    ink, paper = page.evaluate(
+        "(s => [s.color, s.backgroundColor].map(c => c.match(/\\d+/g).reduce((a, b) => a + +b, 0)))"
+        "(getComputedStyle(document.body))"
+    )
+    assert (ink < paper) is (scheme == "light")
+    page.close()
+
+
+@pytest.mark.evaluation
+def test_page_reads_the_same_without_scripts(browser, page_file):
+    texts = []
+    for scripts in (True, False):
+        context = browser.new_context(java_script_enabled=scripts)
+        page = context.new_page()
+        page.goto(page_file.as_uri())
+        texts.append(page.locator("body").inner_text())
+        context.close()
+    assert texts[0] == texts[1]
+    assert "push" in texts[0]

@@ -1,0 +1,118 @@
+"""Pictures of the tabletop: ghosts, dots and shapes are seen, and seeing changes nothing."""
+
+import os
+
+import numpy as np
+import pytest
+
+from neurosym.errors import InvalidValue
+from neurosym.sim.camera import BLANK
+from neurosym.sim.config import TabletopConfig
+from neurosym.sim.lens import HEIGHT, WIDTH, lens_over
+from neurosym.sim.tabletop import Tabletop
+from neurosym.waypoint_dots import DOT_COLOURS
+from neurosym.world import Frame, Outcome, Scene
+
+PUSH = np.array([0, -0.05, 0.02, 0, 0, 0, 0.02, 0, 0, 0.05, 0.02, 0], dtype=float)
+CUBE, OPEN_BOX, PLANK, RING = (
+    (0.1, 0.1, 0.06, 0.0),
+    (0.1, 0.1, 0.06, 1.0),
+    (0.1, 0.04, 0.02, 0.0),
+    (0.1, 0.1, 0.06, 2.0),
+)
+
+
+def one(features: tuple[float, ...], x: float = 0.65, y: float = 0.0) -> Scene:
+    return Scene(
+        features=np.array([features]),
+        positions=np.array([[x, y, features[2] / 2]]),
+        orientations=np.array([[0.0, 0.0, 0.0, 1.0]]),
+    )
+
+
+def pixel(frame: Frame, point: tuple[float, float, float]) -> np.ndarray:
+    (place,) = lens_over(TabletopConfig()).pixels(np.array([point]))
+    column, row = np.floor(place).astype(int)
+    return frame[row, column].astype(int)
+
+
+def bytes_of(outcome: Outcome) -> bytes:
+    scenes = (outcome.start, outcome.lifted, outcome.end)
+    return b"".join(array.tobytes() for scene in scenes for array in (scene.positions, scene.orientations))
+
+
+def test_table_and_all_that_can_stand_on_it_are_in_view():
+    config = TabletopConfig()
+    corners = [(x, y, z) for x in config.table_x for y in config.table_y for z in (0.0, 0.1)]
+    places = lens_over(config).pixels(np.array(corners))
+    assert np.all((places > 0) & (places < [WIDTH, HEIGHT]))
+
+
+def test_ghost_lets_the_table_show_through():
+    world, scene, goal = Tabletop(), one(CUBE), (0.8, -0.1, 0.03)
+    plain = world.picture(scene)
+    ghostly = world.picture(scene, np.array([goal]))
+    solid = world.picture(one(CUBE, *goal[:2]))
+    top = (0.8, -0.1, 0.06)
+    table, ghost, cube = (pixel(frame, top) for frame in (plain, ghostly, solid))
+    assert np.all(np.minimum(table, cube) <= ghost)
+    assert np.all(ghost <= np.maximum(table, cube))
+    assert np.abs(ghost - table).max() > 20
+    assert np.abs(ghost - cube).max() > 20
+    assert (pixel(plain, (0.65, 0.0, 0.06)) == pixel(ghostly, (0.65, 0.0, 0.06))).all()
+
+
+def test_ghost_behind_an_object_is_hidden_by_it_and_one_without_a_place_is_not_drawn():
+    world, scene = Tabletop(), one(CUBE)
+    plain = world.picture(scene)
+    inside = world.picture(one(CUBE), np.array([[0.65, 0.0, 0.0]]))
+    assert (pixel(inside, (0.65, 0.0, 0.06)) == pixel(plain, (0.65, 0.0, 0.06))).all()
+    assert (world.picture(scene, np.full((1, 3), np.nan)) == plain).all()
+
+
+def test_dots_mark_the_waypoints_in_blue_green_and_red():
+    frames: list[Frame] = []
+    world = Tabletop()
+    world.wanted_pictures = range(60, 61)
+    outcome = world.interact(
+        one(CUBE),
+        PUSH,
+        0,
+        on_frame=lambda frame, _phase: frames.append(frame) if frame is not BLANK else None,
+    )
+    (frame,) = frames
+    centre = outcome.start.positions[0]
+    for waypoint, colour in zip(PUSH.reshape(3, 4), DOT_COLOURS, strict=True):
+        assert (pixel(frame, tuple(centre + waypoint[:3])) == colour).all()
+
+
+def test_interaction_with_pictures_ghosts_and_dots_has_the_bytes_of_one_without():
+    world, scene = Tabletop(TabletopConfig(frame_every=150)), one(RING)
+    lift = np.array([0, 0.05, 0, 1, 0, 0.05, 0, 0, 0, 0.05, 0.03, 0])
+    for action in (PUSH, lift):
+        frames: list[Frame] = []
+        seen = world.interact(
+            scene,
+            action,
+            0,
+            on_frame=lambda frame, _phase, kept=frames: kept.append(frame),
+            ghosts=np.array([[0.8, 0.1, 0.2]]),
+        )
+        assert frames
+        assert bytes_of(seen) == bytes_of(Tabletop().interact(scene, action, 0))
+
+
+def test_shapes_look_different():
+    frames = [Tabletop().picture(one(features)) for features in (CUBE, OPEN_BOX, PLANK, RING)]
+    for index, frame in enumerate(frames):
+        for other in frames[:index]:
+            assert np.count_nonzero(np.any(frame != other, axis=2)) > 1000
+
+
+def test_window_without_a_screen_is_refused_in_one_sentence(monkeypatch):
+    for display in (None, ":4077"):
+        monkeypatch.delenv("DISPLAY", raising=False)
+        if display:
+            monkeypatch.setitem(os.environ, "DISPLAY", display)
+        with pytest.raises(InvalidValue, match="for want of a screen"):
+            Tabletop().open_window()

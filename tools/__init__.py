@@ -1,0 +1,1 @@
+"""What a maintainer types, and the benchmarks."""

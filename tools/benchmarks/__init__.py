@@ -1,0 +1,1 @@
+"""What is measured about neurosym, each figure of its documents by a command."""

@@ -1,0 +1,254 @@
+"""The results of `evaluate.py` as a page of Markdown tables."""
+
+from collections.abc import Iterable, Mapping, Sequence
+from typing import Any
+
+import numpy as np
+
+from neurosym.evaluation.paper_tables import kinds_table
+from neurosym.evaluation.primitive_kinds import KINDS
+from neurosym.markdown import markdown_table, mean_and_spread
+
+BySeed = Mapping[str, Mapping[str, Any]]
+_NOT_YET = "not measured yet"
+
+
+def page(results: Mapping[str, Any]) -> str:
+    """Write the page.
+
+    Args:
+        results: What `learning.json` holds.
+    """
+    machine = ", ".join(f"{name} {value}" for name, value in results["machine"].items())
+    ours, missing = results["default_strategy"], results["missing"]
+    sections = [
+        "# Learning, measured",
+        f"By `{results['command']}`, which wrote this page, `learning.json` and `learning.png`. "
+        f"{results['steps']:,} interactions for each strategy and seed. Machine: {machine}. Mean ± standard "
+        "deviation over seeds, as many as the column says; docs/learning.md says what is what."
+        + (f" **Not finished**: {missing} jobs to do; the same command goes on." if missing else ""),
+        "## What the bits hold",
+        "R2 on random interactions of a seed of their own, mean of the three axes; the share is that through "
+        "the codes over that of a network without a bottleneck on the same data.",
+        _held(results["table1"]),
+        f"R2 through the codes by axis, of *{ours}*. *Explained* is the R2 of the mean effect of each "
+        "action code, and of each pair of codes, on the test interactions themselves: what the object's bits "
+        "add. *Held* says how often objects of each code ended in the hand.",
+        _by_axis(results["table1"][ours]),
+        "## More bits, and fewer",
+        _bits(results, ours),
+        "*Clustering* puts the predicted effects of test actions on test objects themselves into as many "
+        "kinds, seeing all of them: the share of their variance that is between kinds. It is a "
+        "comparison and no bound, for R2 is that of what really happened.",
+        "## The paper's choices, one at a time",
+        f"Our defaults on the data of *{ours}*, with one thing changed; the last row changes all.",
+        _variants(results, ours),
+        "## Table I: errors of prediction",
+        f"Mean absolute error [mm] on the {_test_rows(results['table1'][ours]):,} first test interactions "
+        "whose absolute displacements sum to 8 cm or more. *Always mean* and the median are those of the "
+        "training data of *random*. *active* learns from such interactions only, which helps here and costs "
+        "it below.",
+        _table1(results["table1"], "mae"),
+        "The same on all test interactions, small effects included:",
+        _table1(results["table1"], "mae_unfiltered"),
+        "How sure the model is (all test interactions; the baselines predict no distribution):",
+        _calibration(results["table1"]),
+        "## Table II: primitives",
+        "In how many seeds each kind was found, by the rule in docs/learning.md.",
+        _table2(results["table2"]),
+        "## Primitives, rehearsed",
+        "How widely effects spread, of operators (a primitive on objects of one symbol) with 60 % or more of "
+        "their rehearsals of one kind. The limit is 1 cm on each axis for grasps and placements, 2.5 cm for "
+        "pushes.",
+        _rehearsed(results["rehearsals"]),
+        "## Choosing among distilled actions",
+        _choices(results["choice"]),
+        "## Where the strategies went",
+        "Shares of their interactions. The hand is open or closed at each of three waypoints: eight "
+        "patterns, of which an eighth each would be even.",
+        _went(results["went"]),
+        "## Learning curves",
+        "![Errors and primitives against interactions](learning.png)",
+        _curves(results["curves"]),
+    ]
+    return "\n\n".join(sections) + "\n"
+
+
+def _held(table: Mapping[str, BySeed]) -> str:
+    rows = [
+        [
+            strategy,
+            str(len(cells)),
+            *_spread_of(cells, ["r2_through_codes", "r2_direct"]),
+            _shares(cells),
+            _spread([min(c["action_codes"].values()) for c in cells.values()]),
+            _spread([min(c["action_codes_in_training"].values()) for c in cells.values()]),
+        ]
+        for strategy, cells in table.items()
+    ]
+    columns = ["data of", "seeds", "R2 through codes", "R2 without bottleneck", "share"]
+    rare = ["rarest action code, test", "rarest, training data"]
+    return markdown_table([*columns, *rare], rows)
+
+
+def _shares(cells: BySeed) -> str:
+    """Tell the share of what can be known; where that is nothing, there is none."""
+    if any(c["r2_direct"] <= 0 for c in cells.values()):
+        return "none: R2 below 0"
+    return _spread([c["share"] for c in cells.values()])
+
+
+def _first_seeds(cells: BySeed, others: Iterable[BySeed]) -> BySeed:
+    """Keep the seeds that others were tried with, too."""
+    seeds = {seed for other in others for seed in other}
+    return {seed: c for seed, c in cells.items() if seed in seeds} or cells
+
+
+def _test_rows(cells: BySeed) -> int:
+    return next((int(c["test_rows"]) for c in cells.values()), 0)
+
+
+def _by_axis(cells: BySeed) -> str:
+    rows = [
+        [seed, *(f"{r2:.2f}" for r2 in c["r2_through_codes_by_axis"]), f"{c['share']:.3f}"]
+        + [f"{c['object_contrast'][name]:.2f}" for name in ("action_only", "action_and_object")]
+        + [", ".join(f"{code} {held:.0%}" for code, held in c["object_contrast"]["held"].items())]
+        for seed, c in cells.items()
+    ]
+    explained = ["explained by action codes", "by action and object codes"]
+    return markdown_table(["seed", "x", "y", "z", "share", *explained, "held, by object code"], rows)
+
+
+def _bits(results: Mapping[str, Any], ours: str) -> str:
+    few = _first_seeds(results["table1"][ours], results["bits"].values())
+    by_bits = {**results["bits"], "2+3": few}
+    rows = [
+        [
+            bits,
+            str(len(cells)),
+            *_spread_of(cells, ["r2_through_codes", "share"]),
+            *_spread_of(results["clustered"], [bits]),
+        ]
+        for bits, cells in sorted(by_bits.items())
+    ]
+    columns = ["object + action bits", "seeds", "R2 through codes", "share", "share that clustering keeps"]
+    return markdown_table(columns, rows)
+
+
+def _variants(results: Mapping[str, Any], ours: str) -> str:
+    few = _first_seeds(results["table1"][ours], results["variants"].values())
+    rows = [
+        [
+            name,
+            str(len(cells)),
+            *_spread_of(cells, ["r2_through_codes", "r2_direct"]),
+            _spread([sum(share > 0.03 for share in c["action_codes"].values()) for c in cells.values()], 1),
+        ]
+        for name, cells in {"ours": few, **results["variants"]}.items()
+    ]
+    columns = ["", "seeds", "R2 through codes", "R2 without bottleneck", "action codes above 3 %"]
+    return markdown_table(columns, rows)
+
+
+def _table1(table: Mapping[str, BySeed], which: str) -> str:
+    rows = []
+    for strategy, cells in table.items():
+        rows.append([strategy, str(len(cells)), *_errors(cells, which, "model")])
+    some = next((cells for cells in table.values() if cells), {})
+    direct = {name: cells for name, cells in table.items() if cells}
+    rows += [
+        [f"{name}, without a bottleneck", str(len(cells)), *_errors(cells, which, "without a bottleneck")]
+        for name, cells in direct.items()
+    ]
+    rows += [
+        [name, str(len(some)), *_errors(some, which, name)]
+        for name in ("always zero", "always mean", "per-axis median")
+    ]
+    return markdown_table(["", "seeds", "x", "y", "z"], rows)
+
+
+def _errors(cells: BySeed, which: str, name: str) -> list[str]:
+    return [_spread([1000 * c[which][name][axis] for c in cells.values()], 1) for axis in range(3)]
+
+
+def _calibration(table: Mapping[str, BySeed]) -> str:
+    names = ["nll", "nll_of_constant_gaussian", "within_90"]
+    rows = [
+        [strategy, str(len(cells)), *_spread_of(cells, names)]
+        for strategy, cells in table.items()
+        if cells and all("nll" in c for c in cells.values())
+    ]
+    return markdown_table(["", "seeds", "NLL", "of one Gaussian for all", "within 90 % interval"], rows)
+
+
+def _table2(table: Mapping[str, Mapping[str, Sequence[str]]]) -> str:
+    return markdown_table(*kinds_table(table, "seed"))
+
+
+def _rehearsed(table: Mapping[str, BySeed]) -> str:
+    rows = []
+    for strategy, cells in table.items():
+        operators = [row for c in cells.values() for row in c["operators"] if _is_of_a_kind(row)]
+        for kind in KINDS:
+            of_kind = [row for row in operators if row["kind"] == kind]
+            if of_kind:
+                widest = [1000 * max(row["spread"]) for row in of_kind]
+                within = f"{sum(spread < _most_spread(kind) for spread in widest)} of {len(of_kind)}"
+                shares = [row["share"] for row in of_kind]
+                rows.append([strategy, kind, _spread(shares), _spread(widest, 1), within])
+    columns = ["", "kind", "share of rehearsals", "spread, worst axis [mm]", "operators within the limit"]
+    return markdown_table(columns, rows)
+
+
+def _most_spread(kind: str) -> float:
+    """Say how widely effects may spread [mm]: in a push, the width of an object counts."""
+    return 10 if kind in ("grasp", "pick and place") else 25
+
+
+def _is_of_a_kind(row: Mapping[str, Any]) -> bool:
+    return row["kind"] in KINDS and row["share"] >= 0.6 and row["objects"] >= 6
+
+
+def _choices(choices: Mapping[str, BySeed]) -> str:
+    rows = []
+    for name, cells in choices.items():
+        kept = [row["share"] for c in cells.values() for row in c["operators"] if _is_of_a_kind(row)]
+        found = [sum(bool(pairs) for pairs in c["kinds"].values()) for c in cells.values()]
+        errors = [max(c["code_errors"].values()) for c in cells.values()]
+        seconds = [c["distillation_seconds"] for c in cells.values()]
+        row = [_spread(found, 1), str(len(kept)), _spread(kept), _spread(errors, 4), _spread(seconds, 1)]
+        rows.append([name, str(len(cells)), *row])
+    columns = ["choice", "seeds", "kinds found", "operators of some kind", "share that turned out so"]
+    return markdown_table([*columns, "worst code error", "distillation [s]"], rows)
+
+
+def _went(table: Mapping[str, BySeed]) -> str:
+    names = list(dict.fromkeys(name for cells in table.values() for c in cells.values() for name in c))
+    rows = [[strategy, str(len(cells)), *_spread_of(cells, names)] for strategy, cells in table.items()]
+    return markdown_table(["", "seeds", *names], rows)
+
+
+def _curves(curves: Mapping[str, Mapping[str, Mapping[str, BySeed]]]) -> str:
+    rows = [
+        [
+            strategy,
+            rows,
+            str(len(jobs["learn"])),
+            *_spread_of(jobs["learn"], ["r2_through_codes", "r2_direct"]),
+            _spread([1000 * float(np.mean(c["mae"]["model"])) for c in jobs["learn"].values()], 1),
+            _spread([sum(bool(pairs) for pairs in c["kinds"].values()) for c in jobs["act"].values()], 1),
+        ]
+        for strategy, by_rows in curves.items()
+        for rows, jobs in by_rows.items()
+        if jobs["learn"]
+    ]
+    columns = ["", "interactions", "seeds", "R2 through codes", "R2 without bottleneck"]
+    return markdown_table([*columns, "error, high effects [mm]", "kinds found"], rows)
+
+
+def _spread_of(cells: BySeed, names: Iterable[str]) -> list[str]:
+    return [_spread([c[name] for c in cells.values()]) for name in names]
+
+
+def _spread(values: Sequence[float], digits: int = 3) -> str:
+    return mean_and_spread(values, digits) if values else _NOT_YET

@@ -1,0 +1,1 @@
+"""How well and how fast it plans and executes (docs/planning.md)."""

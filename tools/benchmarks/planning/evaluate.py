@@ -1,0 +1,193 @@
+"""Measure what docs/planning.md claims: Table III, plans that are valid and come true, scale, and failures.
+
+Every job writes a file of its own into a working folder, so that the run can be interrupted and goes on where
+it was; what was measured with another domain is measured again. The results go to docs/results/ (planning and
+scaling, each as .json, .md and .png), as far as they are known.
+"""
+
+import json
+import os
+import sys
+import time
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from functools import partial
+from pathlib import Path
+from typing import Annotated, Any
+
+import tyro
+
+from neurosym.console import say
+from neurosym.evaluation.comparison import TaskRecord
+from neurosym.files import write_atomically
+from tools.benchmarks.jobs import as_text, load_jobs, machine, pack, perform, unpack
+from tools.benchmarks.planning import jobs, measures, tally
+from tools.benchmarks.planning.jobs import COMPARED, SIZES, Size
+from tools.benchmarks.planning.pictures import draw_scaling, draw_table3
+from tools.benchmarks.planning.scaling_tables import scaling_page
+from tools.benchmarks.planning.tables import page
+from tools.benchmarks.planning.tasks import DIFFICULTIES
+
+RESULTS, WORK = Path("docs/results"), Path("evaluation/planning")
+RECORDS = "planning-records.zip"
+"""What every job found, so that another machine can go on from there, or count anew."""
+REPORT_EVERY = 60.0
+"""Seconds between two reports while jobs are being done."""
+PAPER = {"single": {"curiosity": 0.82, "active": 0.56, "random": 0.13}}
+PAPER["double"] = {"curiosity": 0.59, "active": 0.38, "random": 0.09}
+"""Table III of the paper: BFS in its own simulator, with its own boxes."""
+
+
+def main(
+    seeds: Annotated[int, tyro.conf.arg(help="Seeds of Table III; 1 is the short form.")] = 5,
+    steps: Annotated[int, tyro.conf.arg(help="Interactions of each exploration.")] = 2560,
+    tasks: Annotated[
+        int | None, tyro.conf.arg(help="Drawn tasks of each size; 100, or 30 in the short form.")
+    ] = None,
+    entropy: Annotated[bool, tyro.conf.arg(help="Try the paper's own curiosity, too.")] = False,
+    learn: Annotated[bool, tyro.conf.arg(help="Learn domains; else take those that are there.")] = True,
+    work: Annotated[Path, tyro.conf.arg(help="Folder for what was learned and measured.")] = WORK,
+    results: Annotated[Path, tyro.conf.arg(help="Folder for the tables.")] = RESULTS,
+    workers: Annotated[int, tyro.conf.arg(help="Jobs at once.")] = os.cpu_count() or 1,
+    only_report: Annotated[bool, tyro.conf.arg(help="Write the tables from what is there.")] = False,
+) -> None:
+    """Learn, do every job that was not done, and write the results."""
+    size = jobs.size_of(seeds, steps, tasks, entropy=entropy)
+    for name, value in (("seeds", seeds), ("steps", steps), ("tasks", size.tasks), ("workers", workers)):
+        if value < 1:
+            sys.exit(f"--{name} {value} must be at least 1.")
+    begin = time.perf_counter()
+    (work / "jobs").mkdir(parents=True, exist_ok=True)
+    results.mkdir(parents=True, exist_ok=True)
+    unpack(results / RECORDS, work / "jobs")
+    report = partial(write_results, work, results, size)
+    report()
+    now_and_then = sparing(report, REPORT_EVERY)
+    if not only_report:
+        prepare_domains(work, size)
+        for label, turn in jobs.jobs_in_turn(work, size, learn=learn):
+            if label.startswith("seed"):
+                prepare_domains(work, size)
+            wanted = {name: job for name, job in turn.items() if "-none-" not in name}
+            perform(work / "jobs", wanted, workers, now_and_then, fresh=label == "scaling", label=label)
+    report()
+    say(f"took {(time.perf_counter() - begin) / 60:.0f} min; the tables are in {results / 'planning.md'}")
+
+
+def sparing(report: Callable[[], None], seconds: float) -> Callable[[], None]:
+    """Return a function that reports, but not if it did so a moment ago."""
+    last = time.monotonic()
+
+    def maybe() -> None:
+        nonlocal last
+        if time.monotonic() - last >= seconds:
+            report()
+            last = time.monotonic()
+
+    return maybe
+
+
+def prepare_domains(work: Path, size: Size) -> None:
+    """Compile the domains of Table III that are there."""
+    for strategy in size.strategies:
+        for seed in range(1, size.seeds + 1):
+            measures.prepare(jobs.folder_of(work, jobs.domain_name(strategy, seed)))
+
+
+def write_results(work: Path, results: Path, size: Size) -> None:
+    """Write JSON, Markdown and PNG from the jobs that are done."""
+    matrix = results / "planners.json"
+    planners = json.loads(matrix.read_text()) if matrix.exists() else None
+    summary = summarise(load_jobs(work / "jobs"), work, size, planners)
+    pack(work / "jobs", results / RECORDS)
+    for name, values, text in (
+        ("planning", summary, page(summary)),
+        ("scaling", summary["scaling"], scaling_page(summary)),
+    ):
+        write_atomically(results / f"{name}.json", as_text(values))
+        write_atomically(results / f"{name}.md", text)
+    draw_table3(summary, results / "planning.png")
+    draw_scaling(summary["scaling"], results / "scaling.png")
+
+
+def summarise(found: Mapping[str, Any], work: Path, size: Size, planners: Any) -> dict[str, Any]:
+    """Gather jobs into tables; what is not done yet is missing."""
+    every = [name for _, turn in jobs.jobs_in_turn(work, size, learn=False) for name in turn]
+    symbolic = {
+        f"{objects} {difficulty}": tally.symbolic_cell(entries)
+        for objects in jobs.SYMBOLIC_OBJECTS
+        for difficulty in DIFFICULTIES
+        if (entries := _gathered(found, jobs.symbolic_jobs(size), f"-{objects}-{difficulty}-"))
+    }
+    shipped = {kind: _drawn(found, work, size, "shipped", 0.05, kind) for kind in SIZES}
+    costless = {kind: _of_size(found, jobs.costless_jobs(work, size), kind) for kind in SIZES}
+    nudged = {kind: _of_size(found, jobs.disturbed_jobs(work, size), kind) for kind in SIZES}
+    return {
+        "command": f"make evaluate-planning SEEDS={size.seeds} STEPS={size.steps}",
+        "versions": machine("numpy", "pybullet", "torch", "up-fast-downward"),
+        "missing": sum(name not in found for name in every),
+        "size": size._asdict(),
+        **tally.whole(symbolic.values()),
+        "symbolic": symbolic,
+        "table3": table3(found, work, size, 0.05),
+        "table3_at_20_mm": table3(found, work, size, 0.02),
+        "paper": PAPER,
+        "reasons": {kind: tally.reasons(records, COMPARED) for kind, records in shipped.items()},
+        "collisions": {kind: tally.collisions(records, COMPARED) for kind, records in shipped.items()},
+        "costs": {kind: tally.costs(entries, shipped[kind]) for kind, entries in costless.items()},
+        "disturbed": {kind: tally.disturbed(entries) for kind, entries in nudged.items()},
+        "timings": next((found[name] for name in jobs.timing_jobs(work) if name in found), None),
+        "planners": planners,
+        "scaling": scaling(found, size),
+    }
+
+
+def table3(found: Mapping[str, Any], work: Path, size: Size, tolerance: float) -> dict[str, Any]:
+    """Gather Table III: strategy -> single or double -> planner -> shares."""
+    table = {}
+    for strategy in ("shipped", *size.strategies):
+        seeds = ["1"] if strategy == "shipped" else [str(seed) for seed in range(1, size.seeds + 1)]
+        table[strategy] = {
+            kind: tally.table3_cell(
+                {seed: _drawn(found, work, size, _domain(strategy, seed), tolerance, kind) for seed in seeds},
+                COMPARED,
+            )
+            for kind in SIZES
+        }
+    return table
+
+
+def scaling(found: Mapping[str, Any], size: Size) -> dict[str, Any]:
+    """Gather the scaling table: contender -> objects and difficulty -> figures."""
+    table: dict[str, Any] = {}
+    for contender in jobs.CONTENDERS:
+        for objects, difficulty in jobs.cells():
+            name = jobs.contender_name(size, objects, difficulty, contender)
+            if name in found:
+                cell = tally.scaling_cell(found[name])
+                table.setdefault(contender, {})[f"{objects} {difficulty}"] = cell
+    return {"cap_seconds": measures.CAP, "tasks_in_a_cell": size.scaling, "contenders": table}
+
+
+def _domain(strategy: str, seed: str) -> str:
+    return "shipped" if strategy == "shipped" else jobs.domain_name(strategy, int(seed))
+
+
+def _drawn(
+    found: Mapping[str, Any], work: Path, size: Size, domain: str, tolerance: float, kind: str
+) -> list[TaskRecord]:
+    return tally.records_of(_of_size(found, jobs.table3_jobs(work, size, domain, tolerance), kind))
+
+
+def _of_size(found: Mapping[str, Any], names: Iterable[str], kind: str) -> list[Any]:
+    """Put the entries of jobs on single or on double tasks into one list."""
+    chosen = [name for name in names if name.split("-")[-3] == str(SIZES[kind])]
+    return [entry for name in chosen for entry in found.get(name, [])]
+
+
+def _gathered(found: Mapping[str, Any], names: Sequence[str] | Iterable[str], part: str) -> list[Any]:
+    return [entry for name in names if part in name for entry in found.get(name, [])]
+
+
+if __name__ == "__main__":
+    os.environ.setdefault("OMP_NUM_THREADS", "1")  # for the jobs, of which there are several at once
+    tyro.cli(main)

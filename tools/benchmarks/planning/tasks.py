@@ -1,0 +1,123 @@
+"""Symbolic tasks for `evaluate.py`: goals some steps away, for which a plan is known."""
+
+import msgspec
+import numpy as np
+
+from neurosym.errors import InvalidValue
+from neurosym.evaluation.comparison_tasks import Bench
+from neurosym.grounding import Grounding, is_lift
+from neurosym.operators import TOLERANCE, Operator, vector
+from neurosym.pddl.plan_text import PlanStep
+from neurosym.pddl.validation import replay
+from neurosym.planners import PlanStatus, plan
+from neurosym.planners.counting import fewest_steps
+from neurosym.problems import Problem, SceneObject
+from neurosym.worlds.problem_drawing import item_names
+
+DIFFICULTIES = {"easy": (1, 3), "hard": (5, 8)}
+"""Least and greatest number of primitives in the shortest plan for each object alone."""
+CROWD, SMALL = 4, 0.075
+"""Where more objects than this are to find room, none is wider [m]."""
+STRAY = 0.03
+"""How much chance there is in walking away from the start [m]."""
+KNOWN = 3.0
+"""How long a plan is looked for by counting [s]."""
+_STREAM = 0x73796D62  # keeps this randomness apart from any other
+_TRIES, _OBJECT_TRIES = 50, 2000
+
+
+def draw_symbolic(bench: Bench, objects: int, difficulty: str, seed: int) -> Problem:
+    """Draw a scene, and goals that live operators lead to without leaving the table or colliding.
+
+    No object is at its goal at the start, and none but the last may end held.
+
+    Args:
+        bench: The world and the learned domain.
+        objects: How many objects.
+        difficulty: One of `DIFFICULTIES`.
+        seed: Same seed, same task.
+
+    Raises:
+        InvalidValue: If no such task is found.
+    """
+    steps = DIFFICULTIES[difficulty]
+    for attempt in range(_TRIES):
+        rng = np.random.default_rng([_STREAM, objects, steps[0], seed, attempt])
+        items: list[SceneObject] = []
+        ends: list[SceneObject] = []
+        for name in item_names(objects):
+            found = _draw_object(bench, name, steps, items, ends, objects, rng)
+            if found is None:
+                break
+            items.append(found[0])
+            ends.append(found[1])
+        else:
+            goals = {end.name: end.position for end in ends}
+            task = Problem(
+                f"{difficulty}-{objects:02d}-{seed:05d}", tuple(items), goals, provenance="live operators"
+            )
+            known = plan(task, bench.setting.grounding, "counting", time_limit=KNOWN)
+            if known.status is PlanStatus.SOLVED:
+                return task
+    raise InvalidValue(f"No task of {objects} objects was found in {_TRIES} draws.")
+
+
+def _draw_object(
+    bench: Bench,
+    name: str,
+    steps: tuple[int, int],
+    items: list[SceneObject],
+    ends: list[SceneObject],
+    objects: int,
+    rng: np.random.Generator,
+) -> tuple[SceneObject, SceneObject] | None:
+    """Draw an object and where it shall end, beside those that are there; None if there is no room."""
+    grounding = bench.setting.grounding
+    for _ in range(_OBJECT_TRIES):
+        scene = bench.setting.world.sample_scene(rng, 1)
+        if objects > CROWD and scene.features[0, :2].max() > SMALL:
+            continue
+        (category,) = bench.categorise(scene.features)
+        item = SceneObject(name, category, tuple(scene.features[0].tolist()), vector(scene.positions[0]))
+        if any(_overlap(item, other) for other in (*items, *ends)):
+            continue
+        count = int(rng.integers(steps[0], steps[1] + 1))
+        end = _walked(item, count, grounding, rng, may_be_held=len(items) == objects - 1)
+        if any(_overlap(end, other) for other in (*items, *ends)):
+            continue
+        alone = Problem("alone", (item,), {name: end.position})
+        if max(alone.distances(scene.positions).values()) <= TOLERANCE:
+            continue
+        fewest = fewest_steps(alone, grounding)
+        if fewest is not None and steps[0] <= fewest <= steps[1]:
+            return item, end
+    return None
+
+
+def _walked(
+    item: SceneObject, count: int, grounding: Grounding, rng: np.random.Generator, *, may_be_held: bool
+) -> SceneObject:
+    """Apply live operators to an object, mostly such that lead away from where it starts."""
+    live = [operator for operator in grounding.live if operator.category == item.category]
+    here = item
+    for number in range(1, count + 1):
+        usable = [operator for operator in live if not is_lift(operator) or (may_be_held and number == count)]
+        moved = [end for operator in usable if (end := _after(here, operator, grounding))]
+        away = [np.linalg.norm(np.subtract(end.position, item.position)) for end in moved]
+        if not moved:
+            break
+        here = moved[int(np.argmax(np.array(away) + rng.normal(0.0, STRAY, len(moved))))]
+    return here
+
+
+def _after(item: SceneObject, operator: Operator, grounding: Grounding) -> SceneObject | None:
+    alone = Problem("alone", (item,), {item.name: item.position})
+    moved = replay([PlanStep(operator.name, item.name)], alone, grounding)
+    if not moved.possible:
+        return None
+    return msgspec.structs.replace(item, position=vector(moved.positions[-1][0]))
+
+
+def _overlap(one: SceneObject, other: SceneObject) -> bool:
+    reach = (np.array(one.features[:2]) + np.array(other.features[:2])) / 2
+    return bool(np.all(np.abs(np.subtract(one.position[:2], other.position[:2])) < reach))

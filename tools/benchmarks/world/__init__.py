@@ -1,0 +1,1 @@
+"""How the simulated world behaves, and how fast it is (docs/world.md)."""

@@ -1,0 +1,208 @@
+"""What `evaluate.py` measures of the tabletop world, each from its own seed."""
+
+from collections import Counter
+from collections.abc import Callable, Sequence
+from functools import partial
+from typing import Any
+
+import numpy as np
+
+from neurosym.data.interactions import Interactions
+from neurosym.sim.config import TabletopConfig
+from neurosym.sim.scenes import sample_scene
+from neurosym.sim.shapes import OPEN_THROUGH, OPEN_TOP, SHAPES, SOLID
+from neurosym.sim.tabletop import Tabletop
+from neurosym.world import Outcome
+from neurosym.worlds.workers import Perform, Task, crew, perform_all
+from tools.benchmarks.world.hand_written import HAND_WRITTEN, HandWritten
+
+NUDGE = 1e-4
+"""Length of the vector by which an action is changed to see whether its effect survives [m]."""
+SPANNABLE = 0.128
+"""Objects are spanned by the hand up to this s_y [m]: its opening of 0.14 m less some room."""
+
+Results = dict[str, Any]
+Advance = Callable[[int, int], None]
+
+
+def factory(**options: Any) -> Callable[[], Tabletop]:
+    """Return what makes a tabletop world, in this process or another."""
+    return partial(Tabletop, TabletopConfig(**options))
+
+
+def random_tasks(
+    count: int, seed: int, *, nudge: float = 0.0, objects: int = 1, world: Tabletop | None = None
+) -> list[Task]:
+    """Draw random actions on random objects, each nudged by a random vector of that length [m]."""
+    world = world or Tabletop()
+    box = world.action_box
+    tasks = []
+    for number in range(count):
+        rng = np.random.default_rng([seed, number])
+        scene = world.sample_scene(rng, objects)
+        action = box.sample(rng, 1)[0]
+        direction = np.where(box.gripper, 0.0, rng.normal(size=len(action)))
+        nudged = action + nudge * direction / np.linalg.norm(direction)
+        tasks.append(Task(scene, np.clip(nudged, box.low, box.high)))
+    return tasks
+
+
+def perform_watched(
+    make: Callable[[], Tabletop], tasks: Sequence[Task], workers: int, advance: Advance
+) -> list[Outcome]:
+    """Have tasks performed, telling how far they have come."""
+    outcomes = []
+    for outcome in perform_all(make, tasks, workers):
+        outcomes.append(outcome)
+        advance(len(outcomes), len(tasks))
+    return outcomes
+
+
+def kind_of(features: np.ndarray) -> str:
+    """Name what kind of object features describe: how it is open, and whether the hand spans it."""
+    opened = {SOLID: "solid", OPEN_TOP: "open-topped", OPEN_THROUGH: "ring"}[float(features[3])]
+    flat = opened == "solid" and features[2] < 0.04 and max(features[:2]) > 0.1 and min(features[:2]) < 0.07
+    return f"{'plank' if flat else opened}, {'spannable' if features[1] <= SPANNABLE else 'too wide'}"
+
+
+def predictability(count: int, seed: int, workers: int, advance: Advance, **options: Any) -> Results:
+    """Measure the share of the effects' variance that survives a 0.1 mm change of the action."""
+    make = factory(**options)
+    tasks = random_tasks(count, seed, world=make())
+    nudged = random_tasks(count, seed, nudge=NUDGE, world=make())
+    outcomes = perform_watched(make, [*tasks, *nudged], workers, advance)
+    effects = np.array([outcome.effect for outcome in outcomes]).reshape(2, count, 3)
+    held = np.array([outcome.held for outcome in outcomes]).reshape(2, count)
+    shapes = np.array([kind_of(task.scene.features[0]).split(",")[0] for task in tasks])
+    surviving = partial(_surviving, effects)
+    return {
+        "share": surviving(np.ones(count, bool)),
+        "by_shape": {shape: surviving(shapes == shape) for shape in sorted(set(shapes))},
+        "interactions": count,
+        "held": float(held.mean()),
+        "held_in_one_of_two": int((held[0] != held[1]).sum()),
+    }
+
+
+def _surviving(effects: np.ndarray, rows: np.ndarray) -> float:
+    first, second = effects[:, rows]
+    lost, whole = ((first - second) ** 2).sum() / 2, ((first - first.mean(0)) ** 2).sum()
+    return round(float(1 - lost / whole), 4) if whole > 0 else 1.0
+
+
+def random_outcomes(outcomes: Sequence[Outcome]) -> Results:
+    """Tell how random interactions end: held, put down, toppled, lost, and whether anything is impossible."""
+    data = Interactions.from_outcomes(outcomes, np.zeros((len(outcomes), 12)), {})
+    away = np.linalg.norm((data.resting_effects - data.effects)[data.held][:, :2], axis=1)
+    hollow, wide = data.features[:, 3] >= 0.5, data.features[:, 1] > SPANNABLE
+    kinds = {
+        "solid, spannable": ~hollow & ~wide,
+        "solid, too wide": ~hollow & wide,
+        "open, spannable": hollow & ~wide,
+        "open, too wide": hollow & wide,
+    }
+    bottoms = np.array([_lowest(outcome) for outcome in outcomes])
+    moved = np.linalg.norm(data.resting_effects, axis=1)
+    return {
+        "interactions": len(data),
+        "held": float(data.held.mean()),
+        "held_by_kind": {name: float(data.held[rows].mean()) for name, rows in kinds.items()},
+        "lifts": int(data.held.sum()),
+        "put_down_within_1cm": float(np.mean(away < 0.01)),
+        "put_down_median_mm": float(1000 * np.median(away)),
+        "toppled": float(data.toppled.mean()),
+        "lost": float(data.lost.mean()),
+        "moved_less_than_1cm": float(np.mean(np.linalg.norm(data.effects, axis=1) < 0.01)),
+        "greatest_displacement_m": float(moved.max()),
+        "below_the_table": int(np.sum(bottoms < -0.002)),
+    }
+
+
+def _lowest(outcome: Outcome) -> float:
+    """Return how high the lowest possible point of the target lies at the end: at least 0 on a table [m]."""
+    half = float(outcome.start.features[outcome.target][:3].min()) / 2
+    return float(outcome.end.positions[outcome.target][2]) - half
+
+
+def object_matters(actions: int, objects: int, seed: int, workers: int, advance: Advance) -> Results:
+    """Split the effects' variance: what the action alone decides, and what the object adds.
+
+    The same random actions are performed on the same random objects. The share of the action alone is the
+    variance of the means over objects (without bias: less the variance within, divided by their number).
+    """
+    world = Tabletop()
+    scenes = [world.sample_scene(np.random.default_rng([seed, 0, i]), 1) for i in range(objects)]
+    drawn = world.action_box.sample(np.random.default_rng([seed, 1]), actions)
+    tasks = [Task(scene, action) for action in drawn for scene in scenes]
+    outcomes = perform_watched(factory(), tasks, workers, advance)
+    effects = np.array([outcome.effect for outcome in outcomes]).reshape(actions, objects, 3)
+    within = effects.var(axis=1, ddof=1).mean(axis=0)
+    alone = effects.mean(axis=1).var(axis=0, ddof=1) - within / objects
+    return {
+        "actions": actions,
+        "objects": objects,
+        "share_of_action_alone": float((alone / (alone + within)).mean()),
+        "by_axis": (alone / (alone + within)).tolist(),
+        "outcomes_by_kind": _outcomes_by_kind(scenes, outcomes, actions, objects),
+    }
+
+
+def _outcomes_by_kind(
+    scenes: Sequence[Any], outcomes: Sequence[Outcome], actions: int, objects: int
+) -> Results:
+    kinds = [kind_of(scene.features[0]) for scene in scenes]
+    found: dict[str, Counter[str]] = {kind: Counter() for kind in sorted(set(kinds))}
+    for number, outcome in enumerate(outcomes):
+        moved = np.linalg.norm(outcome.effect) >= 0.01
+        mode = "unmoved" if outcome.kind == "resting" and not moved else outcome.kind
+        found[kinds[number % objects]][mode] += 1
+    return {
+        kind: {"objects": kinds.count(kind)}
+        | {mode: round(count / (actions * kinds.count(kind)), 3) for mode, count in sorted(modes.items())}
+        for kind, modes in found.items()
+    }
+
+
+def hand_written(objects: int, seed: int, workers: int, advance: Advance) -> Results:
+    """Perform the hand-written primitives on objects of each shape that afford them."""
+    table: Results = {}
+    with crew(factory(), workers) as perform:
+        for done, (name, primitive) in enumerate(HAND_WRITTEN.items(), 1):
+            table[name] = {shape: _success(perform, primitive, shape, objects, seed) for shape in SHAPES}
+            advance(done, len(HAND_WRITTEN))
+    return table
+
+
+def _success(perform: Perform, primitive: HandWritten, shape: str, objects: int, seed: int) -> Results:
+    config = TabletopConfig(shapes={shape: 1.0})
+    tasks: list[Task] = []
+    drawn = 0
+    while len(tasks) < objects:
+        scene = sample_scene(config, np.random.default_rng([seed, drawn]), 1)
+        drawn += 1
+        action = primitive.action(scene.features[0])
+        if action is not None:
+            tasks.append(Task(scene, action))
+    failures = Counter(map(primitive.failure, perform(tasks)))
+    succeeded = failures.pop("", 0)
+    return {
+        "success": succeeded / objects,
+        "objects": objects,
+        "afforded_by": round(objects / drawn, 3),
+        "failures": dict(sorted(failures.items())),
+    }
+
+
+def several_objects(scenes: int, objects: int, seed: int, workers: int, advance: Advance) -> Results:
+    """Act on one of several objects, and count what that does to the others."""
+    tasks = random_tasks(scenes, seed, objects=objects)
+    outcomes = perform_watched(factory(), tasks, workers, advance)
+    return {
+        "scenes": scenes,
+        "objects": objects,
+        "robot_touched_a_bystander": float(np.mean([bool(outcome.touched) for outcome in outcomes])),
+        "a_bystander_moved": float(np.mean([bool(outcome.disturbed) for outcome in outcomes])),
+        "moved_untouched": float(
+            np.mean([bool(outcome.disturbed) and not outcome.touched for outcome in outcomes])
+        ),
+    }

@@ -1,0 +1,125 @@
+"""The results of `evaluate.py` as a page of Markdown tables."""
+
+from typing import Any
+
+
+def page(results: dict[str, Any]) -> str:
+    """Write the page.
+
+    Args:
+        results: What `world.json` holds.
+    """
+    details = results["details"]
+    matters = details["object_matters"]
+    machine = ", ".join(f"{name} {value}" for name, value in results["machine"].items())
+    sections = [
+        "# The tabletop world, measured",
+        f"By `{results['command']}`, which wrote this page and `world.json`. Machine: {machine}.",
+        "## Main figures",
+        _table(["figure", "value"], _main_figures(results)),
+        "## Hand-written primitives",
+        "Success on objects that afford the primitive; in brackets the share of objects that do.",
+        _hand_written(results["hand_written"]),
+        _failures(results["hand_written"]),
+        "## What the object decides",
+        f"{matters['actions']} random actions on the same {matters['objects']} random objects: how each kind "
+        "of object ends. Unmoved: by less than 1 cm.",
+        _outcomes(matters["outcomes_by_kind"]),
+        "## Speed",
+        _speeds(details),
+    ]
+    return "\n\n".join(sections) + "\n"
+
+
+def _main_figures(results: dict[str, Any]) -> list[list[str]]:
+    details = results["details"]
+    chaos, coarse, chance = (
+        details["predictability"],
+        details["predictability_at_1_120"],
+        details["random"],
+    )
+    other = details["predictability_other_seed"]
+    by_shape = ", ".join(f"{shape} {share:.3f}" for shape, share in chaos["by_shape"].items())
+    held = ", ".join(f"{kind} {share:.1%}" for kind, share in chance["held_by_kind"].items())
+    rows = [
+        ["share of the effects' variance that survives 0.1 mm", f"{chaos['share']:.3f} ({by_shape})"],
+        ["the same, another seed; at 1/120 s", f"{other['share']:.3f}; {coarse['share']:.3f}"],
+        ["held after a random action; at 1/120 s", f"{chaos['held']:.1%}; {coarse['held']:.1%}"],
+        ["held, by kind of object", held],
+        [
+            f"put down within 1 cm of where it hung ({chance['lifts']} lifts)",
+            f"{chance['put_down_within_1cm']:.1%}, median {chance['put_down_median_mm']:.1f} mm",
+        ],
+        ["toppled; lost", f"{chance['toppled']:.1%}; {chance['lost']:.1%}"],
+        ["moved less than 1 cm", f"{chance['moved_less_than_1cm']:.1%}"],
+        ["greatest displacement at rest", f"{chance['greatest_displacement_m']:.2f} m"],
+        ["ended inside the table", str(chance["below_the_table"])],
+        [
+            "variance of the effect decided by the action alone (x, y, z)",
+            f"{results['variance_by_action_alone']:.2f} ("
+            + ", ".join(f"{share:.2f}" for share in details["object_matters"]["by_axis"])
+            + ")",
+        ],
+        [
+            f"{chance['interactions']} random interactions with {chance['workers']} workers",
+            f"{chance['minutes']} min",
+        ],
+    ]
+    for name in ("two_objects", "eight_objects"):
+        part = details[name]
+        rows.append(
+            [
+                f"{part['objects']} objects: the robot touched another; another moved by over 5 mm",
+                f"{part['robot_touched_a_bystander']:.1%}; {part['a_bystander_moved']:.1%}",
+            ]
+        )
+    return rows
+
+
+def _hand_written(table: dict[str, Any]) -> str:
+    shapes = list(next(iter(table.values())))
+    rows = [
+        [name, *(f"{row[shape]['success']:.0%} ({row[shape]['afforded_by']:.0%})" for shape in shapes)]
+        for name, row in table.items()
+    ]
+    return _table(["primitive", *shapes], rows)
+
+
+def _failures(table: dict[str, Any]) -> str:
+    found = [
+        f"{name} on {shape}: " + ", ".join(f"{count} {reason}" for reason, count in cell["failures"].items())
+        for name, row in table.items()
+        for shape, cell in row.items()
+        if cell["failures"]
+    ]
+    return f"Failures: {'; '.join(found) or 'none'}."
+
+
+def _outcomes(kinds: dict[str, dict[str, float]]) -> str:
+    modes = sorted({mode for row in kinds.values() for mode in row if mode != "objects"})
+    rows = [
+        [kind, f"{row['objects']:.0f}", *(f"{row.get(mode, 0.0):.1%}" for mode in modes)]
+        for kind, row in kinds.items()
+    ]
+    return _table(["kind", "objects", *modes], rows)
+
+
+def _speeds(details: dict[str, Any]) -> str:
+    fine, coarse = details["speed"], details["speed_at_1_120"]
+    names = [name for name in fine if not name.startswith("memory") and name not in ("time_step", "profile")]
+    rows = [[name.replace("_", " "), str(fine[name]), str(coarse[name])] for name in names]
+    memory = details["memory"]
+    spent = ", ".join(f"{part} {share:.0%}" for part, share in fine["profile"].items())
+    grown = f"{memory['memory_growth_mb']} MB over {memory['memory_growth_over_interactions']} interactions"
+    return "\n\n".join(
+        [
+            _table(["figure", "1/240 s", "1/120 s"], rows),
+            f"Where the time goes at 1/240 s, as the profiler sees it: {spent}.",
+            f"One worker takes {memory['memory_mb_a_worker']} MB and grows by {grown}.",
+        ]
+    )
+
+
+def _table(columns: list[str], rows: list[list[str]]) -> str:
+    lines = [columns, ["---"] * len(columns), *rows]
+    return "\n".join(f"| {' | '.join(line)} |" for line in lines)
