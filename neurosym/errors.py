@@ -79,6 +79,13 @@ class InvalidWorld(InvalidValue):
         super().__init__(f"The world {name!r} {problem}.")
 
 
+class InvalidPlanner(InvalidValue):
+    """A planner of one's own that cannot be used; `name` is `module:factory`, or the name it has itself."""
+
+    def __init__(self, name: str, problem: str):
+        super().__init__(f"The planner {name} {problem}.")
+
+
 class InvalidPlan(NeurosymError):
     """A plan file that cannot be read against the domain and problem at hand."""
 

@@ -13,7 +13,8 @@ from neurosym.pddl.determinisation import with_every_outcome
 from neurosym.pddl.validation import replay
 from neurosym.planners import PlanStatus, plan
 from neurosym.planners.fast_downward import plan_fast_downward
-from neurosym.stages.planning import PlanRecord, load_problem
+from neurosym.stages.plan_records import PlanRecord
+from neurosym.stages.planning import load_problem
 
 NAMES = FOLDER.problem_names()
 

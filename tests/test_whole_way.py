@@ -17,7 +17,7 @@ from neurosym.exploration.loop import explore
 from neurosym.files import read_json
 from neurosym.planners import PlanStatus
 from neurosym.planners.fast_downward import plan_fast_downward
-from neurosym.stages.planning import PlanRecord
+from neurosym.stages.plan_records import PlanRecord
 from neurosym.worlds.world_file import make_world
 
 LEARN = ["--steps", "512", "--seed", "7", "--regime", "quick", "--rehearsals", "24", "--problems", "4"]

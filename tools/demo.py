@@ -13,7 +13,8 @@ from neurosym.stages.compiling import compile_stage
 from neurosym.stages.executing import Showing, execute_stage, load_run
 from neurosym.stages.folder import DomainFolder
 from neurosym.stages.layout import plan_files
-from neurosym.stages.planning import PlanRecord, load_problem, plan_stage
+from neurosym.stages.plan_records import PlanRecord
+from neurosym.stages.planning import load_problem, plan_stage
 
 SHIPPED = Path(__file__).parent.parent / "domains" / "tabletop"
 DEMO = Path("demo")
@@ -68,7 +69,7 @@ def planned(folder: DomainFolder, name: str, planner: str) -> PlanRecord:
 def row_of(folder: DomainFolder, name: str, objects: int, planner: str) -> list[str]:
     """Plan and execute a problem with one planner; returns a row of the table."""
     record = planned(folder, name, planner)
-    row = [name, str(objects), planner, record.status, str(len(record.steps)), f"{record.seconds:.2f}"]
+    row = [name, str(objects), planner, record.status.value, str(len(record.steps)), f"{record.seconds:.2f}"]
     if not record.solved:
         return [*row, "-", record.reason]
     plan_file = folder / plan_files(name, planner)[0]

@@ -15,7 +15,8 @@ from neurosym.stages.compiling import problem_stage
 from neurosym.stages.executing import execute_stage, load_run
 from neurosym.stages.folder import DomainFolder
 from neurosym.stages.layout import PRIMITIVES, TRAINING, plan_files
-from neurosym.stages.planning import PlanRecord, load_problem, plan_stage
+from neurosym.stages.plan_records import PlanRecord
+from neurosym.stages.planning import load_problem, plan_stage
 
 FOLDER = Path("domains/tabletop")
 STEPS, SEED = 10_000, 1

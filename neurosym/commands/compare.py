@@ -51,7 +51,7 @@ def compare(
         if value < least:
             raise InvalidValue(f"{name} = {value} must be at least {least}.")
     planners = tuple(dict.fromkeys(planners))
-    check_planners(planners)
+    check_planners(planners, folder)
     domain = opened(folder)
     order = Order(domain.path, objects, planners, tolerance, time_limit)
     records = []

@@ -11,7 +11,7 @@ from neurosym.errors import InvalidValue
 from neurosym.wording import quoted
 
 if TYPE_CHECKING:
-    from neurosym.stages.planning import PlanRecord
+    from neurosym.stages.plan_records import PlanRecord
 
 
 def plan(
@@ -42,7 +42,8 @@ def plan(
     """
     from neurosym.files import read_json
     from neurosym.stages.layout import plan_files
-    from neurosym.stages.planning import PlanRecord, plan_stage
+    from neurosym.stages.plan_records import PlanRecord
+    from neurosym.stages.planning import plan_stage
 
     domain = opened(folder)
     name = domain.problem(problem)
@@ -77,7 +78,7 @@ def _say_plan(record: "PlanRecord") -> None:
         chance = f"{record.chance or 0.0:.0%} likely to go as promised"
         say(f"{count} in {record.seconds:.2f} s{remark}, {chance}:")
     else:
-        say(f"no plan for {record.problem} ({record.status}, {record.seconds:.2f} s): {record.reason}")
+        say(f"no plan for {record.problem} ({record.status.value}, {record.seconds:.2f} s): {record.reason}")
         if record.steps:
             say("as near as it comes:")
     _say_steps(record.steps)

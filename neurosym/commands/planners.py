@@ -5,14 +5,14 @@ from neurosym.console import say, show_table
 
 def planners() -> int:
     """List the planners: what each is, the encodings it takes, the usual first, and whether it is here."""
-    from neurosym.planners import PDDL_PLANNERS, PLANNERS
+    from neurosym.planners import PLANNERS
 
     rows = []
-    for name, about in PLANNERS.items():
-        tool = PDDL_PLANNERS.get(name)
-        encodings = ", ".join(tool.encodings) if tool else "-"
-        cells = f", cells from {tool.cell * 1000:g} mm" if tool and tool.cell else ""
-        rows.append([name, about, encodings + cells, (tool.missing() if tool else "") or "yes"])
+    for planner in PLANNERS.values():
+        encodings = ", ".join(planner.encodings) or "-"
+        cell = planner.program.cell if planner.program else 0.0
+        cells = f", cells from {cell * 1000:g} mm" if cell else ""
+        rows.append([planner.name, planner.about, encodings + cells, planner.missing() or "yes"])
     show_table("Planners", ["planner", "what it is", "encodings", "installed"], rows)
     say("`pip install 'neurosym[planners]'` brings those that are not")
     return 0

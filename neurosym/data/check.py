@@ -4,7 +4,7 @@ The functions look at the arrays of an .npz file by name, before they are known 
 columns are written like numpy's indices, `features[17, 2]`, and count from 0.
 """
 
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from typing import Any
 
 import numpy as np
@@ -36,15 +36,17 @@ _FAR = 100
 """Effects of more tolerances than this are hardly meant to be foretold so precisely."""
 
 
-def file_problems(columns: Columns, origin: Mapping[str, Any]) -> list[str]:
+def file_problems(columns: Columns, origin: Mapping[str, Any], *, unread: Collection[str] = ()) -> list[str]:
     """List what keeps arrays from being a data set: their types, shapes and values, and the origin's.
 
     Args:
         columns: The arrays.
         origin: What the file says of how they came about.
+        unread: Arrays that the file has, but that could not be read.
     """
     needed = ", ".join(REQUIRED)
-    problems = [f"it has no array {name!r} (needed: {needed})" for name in REQUIRED if name not in columns]
+    missing = [name for name in REQUIRED if name not in columns and name not in unread]
+    problems = [f"it has no array {name!r} (needed: {needed})" for name in missing]
     sizes = {name: columns[name].shape for name in REQUIRED if _is_matrix(columns.get(name))}
     if any(shape[0] == 0 for shape in sizes.values()):
         return [*problems, "it holds no interactions"]

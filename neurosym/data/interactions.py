@@ -158,8 +158,7 @@ def examine(path: Path) -> Examination:
         except ValueError as error:
             problems.append(str(error))
     unread = [name for name in given if name in _ARRAYS and name not in columns]
-    found = file_problems(columns, origin)
-    problems += [problem for problem in found if not any(repr(name) in problem for name in unread)]
+    problems += file_problems(columns, origin, unread=unread)
     interactions = None if problems else Interactions(**_filled(columns), origin=origin)
     return Examination(columns, origin, given, tuple(problems), interactions)
 

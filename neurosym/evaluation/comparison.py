@@ -5,8 +5,9 @@ is judged three times: by the operators' promises, by the network's predictions,
 once followed blindly and once with replanning by the planner that made it.
 """
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
+from pathlib import Path
 from typing import Literal
 
 import msgspec
@@ -14,20 +15,17 @@ import numpy as np
 from jaxtyping import Float
 
 from neurosym.errors import InvalidValue, UnknownChoice
-from neurosym.execution.executor import Replanner, execute
+from neurosym.execution.executor import execute
 from neurosym.execution.summary import Execution, summarise_run
 from neurosym.grounding import Grounding, at_rest, is_lift
 from neurosym.pddl.plan_text import PlanStep, named_steps
 from neurosym.pddl.validation import Replay, replay
-from neurosym.planners import PLANNERS, PlanResult, PlanStatus, plan, predicted_branching
+from neurosym.planners import PLANNERS, PlanResult, PlanStatus, plan, planner_named
+from neurosym.planners.planner import PredictEffects
+from neurosym.planners.registry import Replanner
 from neurosym.problems import Problem
 from neurosym.world import World
 
-Predict = Callable[[Float[np.ndarray, "M F"]], Float[np.ndarray, "M P 3"]]
-"""Says what the network predicts each primitive to do to each object [m]."""
-NETWORK_BFS, OPERATORS_BFS = "bfs", "bfs-operators"
-COMPARED = {**PLANNERS, OPERATORS_BFS: "the same search over what the operators promise"}
-"""The planners that can be compared."""
 NOT_VALID = Literal["", "impossible", "elsewhere"]
 
 
@@ -43,14 +41,14 @@ class Setting:
 
     world: World
     grounding: Grounding
-    predict: Predict
+    predict: PredictEffects
 
 
 class Attempt(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     """One planner on one task.
 
     Attributes:
-        status: How its search ended, one of `PlanStatus`.
+        status: How its search ended.
         reason: Why there is no plan, or what is to be said about the one found.
         steps: Operator and object of each step.
         seconds: How long it took [s].
@@ -65,7 +63,7 @@ class Attempt(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
         replanned: What became of it with replanning; None without one.
     """
 
-    status: str
+    status: PlanStatus
     reason: str
     steps: tuple[tuple[str, str], ...] = ()
     seconds: float = 0.0
@@ -81,7 +79,7 @@ class Attempt(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     @property
     def found(self) -> bool:
         """Whether there is a plan."""
-        return self.status == PlanStatus.SOLVED.value
+        return self.status is PlanStatus.SOLVED
 
     @property
     def valid(self) -> bool:
@@ -103,13 +101,17 @@ class TaskRecord(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     attempts: dict[str, Attempt] = {}
 
 
-def check_planners(planners: Sequence[str]) -> None:
-    """Raise `UnknownChoice` unless all planners exist, and `InvalidValue` if there are none."""
+def check_planners(planners: Sequence[str], domain_folder: Path) -> None:
+    """Raise `UnknownChoice` unless all planners exist, and `InvalidValue` if there are none.
+
+    Args:
+        planners: Their names.
+        domain_folder: Where the domain lies, which must not bring code of its own.
+    """
     if not planners:
-        raise InvalidValue(f"Name at least one planner; valid: {', '.join(sorted(COMPARED))}.")
+        raise InvalidValue(f"Name at least one planner; valid: {', '.join(sorted(PLANNERS))}.")
     for name in planners:
-        if name not in COMPARED:
-            raise UnknownChoice("planner", name, COMPARED)
+        planner_named(name, domain_folder)
 
 
 def compare(
@@ -125,7 +127,7 @@ def compare(
     Args:
         setting: What to compare in.
         problem: The task.
-        planners: Names out of `COMPARED`.
+        planners: Names of planners; see `planner_named`.
         time_limit: When each gives up [s].
         executed: Whether plans are executed in the world.
     """
@@ -138,22 +140,18 @@ def compare(
 
 
 def planner_of(setting: Setting, name: str, *, time_limit: float) -> Replanner:
-    """Return a planner as a function from a problem to its result; BFS reads the network's predictions.
+    """Return a planner as a function from a problem to its result; it may read the network's predictions.
 
     Args:
         setting: What to plan in.
-        name: One of `COMPARED`.
+        name: Name of the planner.
         time_limit: When it gives up [s].
     """
+    planner = planner_named(name)
 
     def solve(problem: Problem, grounding: Grounding) -> PlanResult:
-        branching = None
-        if name == NETWORK_BFS:
-            effects = setting.predict(problem.scene().features)
-            branching = predicted_branching(problem, grounding, effects)
-        registered = NETWORK_BFS if name == OPERATORS_BFS else name
         try:
-            return plan(problem, grounding, registered, branching=branching, time_limit=time_limit)
+            return plan(problem, grounding, planner, predict=setting.predict, time_limit=time_limit)
         except (UnknownChoice, InvalidValue) as error:  # a category never rehearsed, an object off the table
             return PlanResult(PlanStatus.FAILED, (), 0.0, str(error))
 
@@ -165,11 +163,11 @@ def _attempt(setting: Setting, problem: Problem, name: str, *, time_limit: float
     result = solve(problem, setting.grounding)
     steps = result.steps
     if result.status is not PlanStatus.SOLVED:
-        return Attempt(result.status.value, result.reason, seconds=round(result.seconds, 4))
+        return Attempt(result.status, result.reason, seconds=round(result.seconds, 4))
     replayed = replay(steps, problem, setting.grounding)
     blind, replanned = _follow(setting, problem, steps, solve) if executed else (None, None)
     return Attempt(
-        status=result.status.value,
+        status=result.status,
         reason=result.reason,
         steps=named_steps(steps),
         seconds=round(result.seconds, 4),

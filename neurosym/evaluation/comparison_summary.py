@@ -6,8 +6,8 @@ from collections.abc import Iterable, Sequence
 import msgspec
 import numpy as np
 
-from neurosym.evaluation.comparison import NETWORK_BFS, OPERATORS_BFS, Attempt, TaskRecord
-from neurosym.planners.bfs import DEPTH
+from neurosym.evaluation.comparison import Attempt, TaskRecord
+from neurosym.planners import planner_named
 from neurosym.planners.result import PlanStatus
 
 
@@ -138,12 +138,13 @@ def why_not_found(record: TaskRecord, name: str, planners: Sequence[str]) -> str
     others = [record.attempts[other] for other in planners if record.attempts[other].found]
     if attempt.found or not others:
         return ""
-    if attempt.status == PlanStatus.TIMEOUT.value:
+    if attempt.status is PlanStatus.TIMEOUT:
         return "its time was up"
     other = min(others, key=lambda found: (not found.valid, found.primitives))
-    if name in (NETWORK_BFS, OPERATORS_BFS) and other.primitives > DEPTH:
-        return f"it takes more than {DEPTH} primitives"
-    if name == NETWORK_BFS:
+    planner = planner_named(name)
+    if planner.depth is not None and other.primitives > planner.depth:
+        return f"it takes more than {planner.depth} primitives"
+    if planner.reads == "network":
         if not predicts_goal(other, record):
             return "the network predicts the other plan to end elsewhere"
         return "the network predicts that an object leaves the table"

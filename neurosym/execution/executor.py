@@ -27,12 +27,11 @@ from neurosym.grounding import Grounding, is_lift
 from neurosym.operators import vector
 from neurosym.pddl.plan_text import PlanStep, Steps, named_steps
 from neurosym.pddl.validation import replay
-from neurosym.planners.result import PlanResult, PlanStatus
+from neurosym.planners.registry import Replanner
+from neurosym.planners.result import PlanStatus
 from neurosym.problems import Problem
 from neurosym.world import FrameSink, Outcome, Scene, World
 
-Replanner = Callable[[Problem, Grounding], PlanResult]
-"""Plans from where things are now, with what is now believed of them."""
 REPLANS = 10
 """How many new plans a run may ask for."""
 

@@ -26,6 +26,7 @@ class Replay:
         valid: Whether every step is possible and the goal is met.
         reason: Why not; empty if valid.
         failed: The step that is impossible, and why, if one is.
+        concerned: Names of the objects that the reason is about, the one that was moved first.
     """
 
     positions: Float[np.ndarray, "steps M 3"]
@@ -33,6 +34,7 @@ class Replay:
     valid: bool
     reason: str
     failed: tuple[PlanStep, str] | None = None
+    concerned: tuple[str, ...] = ()
 
 
 def replay(steps: Sequence[PlanStep], problem: Problem, grounding: Grounding) -> Replay:
@@ -50,16 +52,17 @@ def replay(steps: Sequence[PlanStep], problem: Problem, grounding: Grounding) ->
     for number, step in enumerate(steps, start=1):
         operator = grounding.operator_named(step.base)
         moved = problem.object_names.index(step.object)
-        problem_with_hand = _hand_problem(step, operator, held_by)
-        if problem_with_hand:
-            return _failed(positions, number, step, problem_with_hand)
+        if reason := _hand_problem(step, operator, held_by):
+            held = (held_by.object,) if held_by and not step.puts_down else ()
+            return _failed(positions, number, step, reason, held)
         positions.append(_moved(positions[-1], moved, step, operator, grounding))
         held_by = step if is_lift(operator) and not step.puts_down else None
         rests[moved] = held_by is None
-        if reason := _place_problem(positions[-1], moved, rests, room, apart, problem.object_names):
-            return _failed(positions, number, step, reason)
-    reason = _missed_goal(positions[-1], problem)
-    return Replay(np.array(positions), True, not reason, reason)
+        if found := _place_problem(positions[-1], moved, rests, room, apart, problem.object_names):
+            return _failed(positions, number, step, *found)
+    missed = _missed_goal(positions[-1], problem)
+    name, reason = missed or ("", "")
+    return Replay(np.array(positions), True, not missed, reason, concerned=(name,) if missed else ())
 
 
 def hand_problem(steps: Sequence[PlanStep], grounding: Grounding) -> str:
@@ -136,24 +139,33 @@ def _place_problem(
     room: Float[np.ndarray, "2 M 2"],
     apart: Float[np.ndarray, "M M 2"],
     names: Sequence[str],
-) -> str:
+) -> tuple[str, tuple[str, ...]] | None:
+    """Say why an object cannot be where it was moved to, and which others are in its way, if any are."""
     spot = here[moved, :2]
     if not np.all((spot >= room[0, moved]) & (spot <= room[1, moved])):
-        return f"{names[moved]} leaves the table at x = {spot[0]:.3f}, y = {spot[1]:.3f} m"
+        return f"{names[moved]} leaves the table at x = {spot[0]:.3f}, y = {spot[1]:.3f} m", ()
     if rests[moved]:
         for other in np.flatnonzero(overlapping(spot, here[:, :2], apart[moved]) & rests):
-            return f"{names[moved]} ends where {names[int(other)]} is"
-    return ""
+            return f"{names[moved]} ends where {names[int(other)]} is", (names[int(other)],)
+    return None
 
 
-def _missed_goal(positions: Float[np.ndarray, "M 3"], problem: Problem) -> str:
+def _missed_goal(positions: Float[np.ndarray, "M 3"], problem: Problem) -> tuple[str, str] | None:
+    """Name the first object that misses its goal, and say by how much, if one does."""
     for name, distance in problem.distances(positions).items():
         if distance > problem.tolerance:
             far = in_millimetres(distance, problem.tolerance)
-            return f"{name} ends {far} from its goal, {1000 * problem.tolerance:g} mm are allowed"
-    return ""
+            return name, f"{name} ends {far} from its goal, {1000 * problem.tolerance:g} mm are allowed"
+    return None
 
 
-def _failed(positions: list[Float[np.ndarray, "M 3"]], number: int, step: PlanStep, reason: str) -> Replay:
+def _failed(
+    positions: list[Float[np.ndarray, "M 3"]],
+    number: int,
+    step: PlanStep,
+    reason: str,
+    others: tuple[str, ...] = (),
+) -> Replay:
     said = f"step {number}, {step.operator} {step.object}: {reason}"
-    return Replay(np.array(positions), False, False, said, (step, reason))
+    concerned = tuple(dict.fromkeys((step.object, *others)))
+    return Replay(np.array(positions), False, False, said, (step, reason), concerned)

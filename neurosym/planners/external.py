@@ -14,20 +14,13 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
-from neurosym.errors import NeurosymError
+from neurosym.planners.planner import PlannerMissing
 from neurosym.planners.process import Finished, read_text, run_limited
 from neurosym.planners.result import PlannerAnswer, PlanStatus
 
 PLAN = "plan"
 """The file that programs are asked to write a plan to."""
 _OUT_OF_TIME = (21, 23, 24)  # of Fast Downward and its descendants
-
-
-class PlannerMissing(NeurosymError):
-    """A planner, or something that it needs, is not installed."""
-
-    def __init__(self, planner: str, remedy: str):
-        super().__init__(f"{planner} is not installed; {remedy}.")
 
 
 @dataclass(frozen=True, slots=True)

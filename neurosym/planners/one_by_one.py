@@ -70,7 +70,7 @@ def plan_one_by_one(
             return PlanResult(PlanStatus.SOLVED, steps, 0.0, _remark(plans, narrowed))
         # Who is lifted last is on the table till then, and in the others' way.
         ends = _ends(steps[:-1] if ends_held(steps, grounding) else steps, problem, grounding)
-        in_conflict = _in_conflict(ends, checked.reason, problem)
+        in_conflict = _in_conflict(ends, checked.concerned, problem)
         conflict = [name for name in in_conflict if narrowed[name] < len(NARROWER)]
         if conflict:
             aims = _aims(problem, grounding, deadline) if aims is None else aims
@@ -149,15 +149,15 @@ def _ends(steps: tuple[PlanStep, ...], problem: Problem, grounding: Grounding) -
     return ends
 
 
-def _in_conflict(ends: Float[np.ndarray, "M 3"], reason: str, problem: Problem) -> list[str]:
-    """Name the objects with goals that end in another; if there are none, those that the reason tells of."""
+def _in_conflict(ends: Float[np.ndarray, "M 3"], concerned: Collection[str], problem: Problem) -> list[str]:
+    """Name the objects with goals that end in another; if there are none, those that the replay concerns."""
     apart = footprints_apart(problem)
     hits = [overlapping(ends[row, :2], ends[:, :2], apart[row]).any() for row in range(len(ends))]
     ending = [
         name for name, hit in zip(problem.object_names, hits, strict=True) if hit and name in problem.goals
     ]
-    told = [name for name in problem.goals if name in reason]
-    return ending or told or list(problem.goals)
+    concerned = [name for name in problem.goals if name in concerned]
+    return ending or concerned or list(problem.goals)
 
 
 def _narrowed(problem: Problem, name: str, aims: Float[np.ndarray, "M 3"], radius: float) -> Problem:

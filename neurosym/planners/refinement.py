@@ -9,7 +9,7 @@ import tempfile
 import textwrap
 import time
 from collections import Counter
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from functools import partial
 from pathlib import Path
 
@@ -17,19 +17,19 @@ import msgspec
 import numpy as np
 from jaxtyping import Float
 
-from neurosym.errors import InvalidPlan, UnknownChoice
+from neurosym.errors import InvalidPlan
 from neurosym.grounding import Grounding
 from neurosym.pddl.domain import domain_text
 from neurosym.pddl.moves import SAS, Encoding
 from neurosym.pddl.plan_text import parse_plan
 from neurosym.pddl.problem import STEPS, problem_text
 from neurosym.pddl.sas import sas_text
-from neurosym.planners.catalogue import PDDL_PLANNERS, PddlPlanner
 from neurosym.planners.counting import fewest_steps
 from neurosym.planners.fast_downward import SAS_SUFFIX
 from neurosym.planners.no_plan import explain_clash, explain_no_plan
 from neurosym.planners.one_by_one import plan_one_by_one
 from neurosym.planners.ordering import mend
+from neurosym.planners.planner import GRID, Option, PddlCall, PddlProgram, Planner, Query
 from neurosym.planners.result import PlanResult, PlanStatus
 from neurosym.problems import Problem
 from neurosym.world import Table
@@ -58,36 +58,47 @@ class _Slack:
 _Solve = Callable[[Problem, _Slack], PlanResult]
 
 
-def plan_pddl(
-    problem: Problem,
-    grounding: Grounding,
-    planner: str = "fast-downward",
-    *,
-    time_limit: float = 60.0,
-    encoding: Encoding | None = None,
-    whole: bool = False,
-) -> PlanResult:
+def pddl_planner(
+    name: str,
+    about: str,
+    call: PddlCall,
+    encodings: Sequence[Encoding] = GRID,
+    cell: float = 0.0,
+    missing: Callable[[], str] = str,
+) -> Planner:
+    """Return a planner that gives files of PDDL to a program, and believes only plans that come true.
+
+    Args:
+        name: What it is called: a lower-case letter, then a-z, 0-9 and hyphens.
+        about: What it is, in a sentence without a full stop.
+        call: Has the program read the files of domain and problem, and answer.
+        encodings: Those of the domain that it takes, the one it does best with first.
+        cell: Edge of the smallest cells that it is given at first, 0 for any [m].
+        missing: Says what to do about what is not installed, or nothing if everything is.
+
+    Raises:
+        InvalidPlanner: If the name is not legal, or there is no such encoding.
+    """
+    program = PddlProgram(call, tuple(encodings), cell)
+    takes: frozenset[Option] = frozenset({"encoding", "whole", "unit-costs"})
+    solve = partial(plan_pddl, name=name, program=program)
+    return Planner(name, about, solve, takes=takes, program=program, missing=missing)
+
+
+def plan_pddl(query: Query, *, name: str, program: PddlProgram) -> PlanResult:
     """Solve a problem with a PDDL planner, and believe the plan only if its exact replay is right.
 
     Args:
-        problem: The problem.
-        grounding: The learned domain.
-        planner: Name of the planner, a key of `PDDL_PLANNERS`.
-        time_limit: When to give up [s].
-        encoding: The encoding of the domain; the one that the planner does best with, if not given.
-        whole: Solve for all objects at once instead of one by one.
+        query: What is asked.
+        name: Name of the planner.
+        program: What reads the files.
 
     Raises:
-        UnknownChoice: If there is no such planner, or it does not take the encoding, or an object's category
-            is unknown.
-        PlannerMissing: If the planner is not installed.
+        UnknownChoice: If it does not take the encoding, or an object's category is unknown.
         InvalidValue: If an object stands off the table, or its name means something else in the domain.
     """
-    if planner not in PDDL_PLANNERS:
-        raise UnknownChoice("planner", planner, PDDL_PLANNERS)
-    tool = PDDL_PLANNERS[planner]
-    chosen = tool.encoding_for(planner, encoding)
-    tool.check_installed(planner)
+    problem, grounding, whole, time_limit = query.problem, query.grounding, query.whole, query.time_limit
+    chosen = program.encoding_for(name, query.encoding)
     begin = time.perf_counter()
     deadline = begin + time_limit
     if problem.is_met(problem.scene().positions):
@@ -102,7 +113,7 @@ def plan_pddl(
             left = deadline - time.perf_counter()
             if left <= 0:
                 return PlanResult(PlanStatus.TIMEOUT, (), 0.0, f"no plan in {time_limit:g} s")
-            return _solve(task, learned, tool, left, chosen, slack)
+            return _solve(task, learned, program, left, chosen, slack)
 
         believed = partial(_believed, grounding=learned, solve=solve, deadline=deadline)
         return believed(problem) if at_once else plan_one_by_one(problem, learned, believed, deadline)
@@ -151,7 +162,7 @@ def _believed(problem: Problem, grounding: Grounding, solve: _Solve, deadline: f
 def _solve(
     problem: Problem,
     grounding: Grounding,
-    planner: PddlPlanner,
+    program: PddlProgram,
     time_limit: float,
     encoding: Encoding,
     slack: _Slack,
@@ -160,7 +171,7 @@ def _solve(
     if problem.is_met(problem.scene().positions):
         return PlanResult(PlanStatus.SOLVED, (), 0.0)
     begin = time.perf_counter()
-    narrowed = _fitted(grounding, problem, max(grounding.cell, planner.cell) / slack.finer)
+    narrowed = _fitted(grounding, problem, max(grounding.cell, program.cell) / slack.finer)
     with tempfile.TemporaryDirectory(prefix="neurosym-pddl-") as name:
         domain, task = Path(name) / "domain.pddl", Path(name) / "problem.pddl"
         if encoding == SAS:
@@ -170,7 +181,7 @@ def _solve(
             domain.write_text(domain_text(narrowed, encoding))
             task.write_text(problem_text(problem, narrowed, encoding, steps=slack.steps, margin=slack.margin))
         left = time_limit - (time.perf_counter() - begin)
-        answer = planner.solve(domain, task, time_limit=left)
+        answer = program.call(domain, task, time_limit=left)
     try:
         steps = parse_plan(answer.text, Path("its plan"), grounding, problem)
     except InvalidPlan as error:

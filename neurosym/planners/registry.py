@@ -1,52 +1,46 @@
-"""The planners by name, behind one call."""
+"""Planning by name: ours, those that were registered, and anybody's own as `module:factory`."""
 
-import dataclasses
+from collections.abc import Callable
+from pathlib import Path
 
 import msgspec
 
-from neurosym.errors import InvalidValue, UnknownChoice
+from neurosym.errors import InvalidPlanner, InvalidValue, UnknownChoice
+from neurosym.factories import admit, is_factory, load_factory, told
 from neurosym.grounding import Grounding
 from neurosym.pddl.grid import check_on_table
 from neurosym.pddl.moves import Encoding
-from neurosym.planners.bfs import DEPTH, plan_bfs
-from neurosym.planners.branching import Branching, branching_of
-from neurosym.planners.catalogue import PDDL_PLANNERS
-from neurosym.planners.counting import plan_counting
-from neurosym.planners.no_plan import explain_clash, explain_no_plan
-from neurosym.planners.refinement import plan_pddl
+from neurosym.pddl.plan_text import PlanStep
+from neurosym.pddl.validation import replay
+from neurosym.planners.catalogue import PLANNERS
+from neurosym.planners.planner import Option, Planner, PredictEffects, Query
 from neurosym.planners.result import PlanResult, PlanStatus
 from neurosym.problems import NEAR_TABLE, Problem
 
-PLANNERS = {
-    "bfs": "breadth-first search over the effects that the model predicts, up to 3 primitives (the paper's)",
-    "counting": "the fewest primitives there can be, exactly, by counting how often each is done",
-    **{name: planner.about for name, planner in PDDL_PLANNERS.items()},
-}
-"""What each planner is, by the name that the command line knows it by."""
-
-SEARCHES = {"bfs": DEPTH, "counting": None}
-"""How many primitives our own planners look ahead."""
+Replanner = Callable[[Problem, Grounding], PlanResult]
+"""Plans from where things are now, with what is now believed of them."""
+OURS = frozenset(PLANNERS)
 
 
 def plan(
     problem: Problem,
     grounding: Grounding,
-    planner: str = "fast-downward",
+    planner: str | Planner = "fast-downward",
     *,
-    branching: tuple[Branching, tuple[tuple[str, ...], ...]] | None = None,
+    predict: PredictEffects | None = None,
     time_limit: float = 60.0,
     encoding: Encoding | None = None,
     whole: bool = False,
     costs: bool = True,
 ) -> PlanResult:
-    """Plan with any of `PLANNERS`.
+    """Plan with any planner; finding no plan is a result.
 
     Args:
         problem: The problem.
         grounding: The learned domain.
-        planner: Name of the planner.
-        branching: For `bfs`, what each primitive does to each object, and the operators' names; what the
-            operators promise, if not given.
+        planner: The planner, or its name; see `planner_named`.
+        predict: For planners that read the network, what it predicts; what the operators promise, if not
+            given.
         time_limit: When to give up [s].
         encoding: For PDDL planners, the encoding of the domain; the one that the planner does best with, if
             not given.
@@ -57,56 +51,107 @@ def plan(
         UnknownChoice: If there is no such planner, or it does not take the encoding, or an object's category
             is unknown.
         PlannerMissing: If the planner is not installed.
+        InvalidPlanner: If it is somebody's own, and fails or returns what is no result.
         InvalidValue: If the planner does not take an option, or an object stands farther off the table than
             a push may have left it.
     """
-    check_options(planner, encoding=encoding, whole=whole, costs=costs)
+    chosen = planner_named(planner) if isinstance(planner, str) else planner
+    check_options(chosen, encoding=encoding, whole=whole, costs=costs)
     for item in problem.objects:
         check_on_table(item, grounding, off=NEAR_TABLE)
+    chosen.check_installed()
     if not costs:
         grounding = msgspec.structs.replace(grounding, unit_costs=True)
-    if planner not in SEARCHES:
-        return plan_pddl(problem, grounding, planner, time_limit=time_limit, encoding=encoding, whole=whole)
-    table = branching or branching_of(problem, grounding)
-    if planner == "bfs":
-        result = plan_bfs(problem, *table, grounding.table, time_limit=time_limit)
-    elif reason := explain_clash(problem, grounding):
-        result = PlanResult(PlanStatus.UNSOLVABLE, (), 0.0, reason)
-    else:
-        result = plan_counting(problem, grounding, time_limit=time_limit)
-    if result.status is not PlanStatus.UNSOLVABLE:
-        return result
-    depth = SEARCHES[planner]
-    why = explain_no_plan(problem, grounding, branching=table, depth=depth) or result.reason
-    if planner == "bfs" and branching and why != explain_clash(problem, grounding):
-        why = f"by what the network predicts, {why}"
-    return dataclasses.replace(result, reason=why)
+    read = predict if chosen.reads == "network" else None
+    query = Query(problem, grounding, read, time_limit, encoding, whole)
+    return chosen.solve(query) if chosen.name in OURS else _checked(chosen, query)
 
 
-def check_options(planner: str, *, encoding: Encoding | None, whole: bool, costs: bool) -> None:
-    """Refuse a planner that there is not, and options that it does not take.
+def planner_named(name: str, domain_folder: Path | None = None) -> Planner:
+    """Return a planner by its name.
 
     Args:
-        planner: Name of the planner.
+        name: One of `PLANNERS`, or `module:factory` for what returns one.
+        domain_folder: Where a domain lies, which must not bring code of its own; if there is one.
+
+    Raises:
+        UnknownChoice: If there is no such planner.
+        InvalidPlanner: If somebody's own is not found, cannot be made, or is no `Planner`.
+    """
+    if not is_factory(name):
+        if name not in PLANNERS:
+            raise UnknownChoice("planner", name, [*PLANNERS, "your own as module:factory"])
+        return PLANNERS[name]
+    if domain_folder is not None:
+        admit(name, domain_folder, InvalidPlanner)
+    factory = load_factory(name, InvalidPlanner)
+    if isinstance(factory, Planner):
+        made: object = factory
+    elif callable(factory):
+        try:
+            made = factory()
+        except Exception as error:
+            raise InvalidPlanner(name, f"cannot be made: {told(error)}") from error
+    else:
+        made = factory
+    if not isinstance(made, Planner):
+        kind = type(made).__name__
+        raise InvalidPlanner(
+            name, f"is no Planner but of type {kind}; return what neurosym.pddl_planner makes"
+        )
+    if made.name in OURS:
+        raise InvalidPlanner(name, f"has the name {made.name!r}, which one of ours has; give it another")
+    return made
+
+
+def register_planner(planner: Planner) -> None:
+    """Let a planner be called by its name, in this process; on the command line it is `module:factory`.
+
+    Raises:
+        InvalidPlanner: If it is no `Planner`, or has the name of one of ours.
+    """
+    if not isinstance(planner, Planner):
+        raise InvalidPlanner(repr(planner), "is no Planner; register what neurosym.pddl_planner makes")
+    if planner.name in OURS:
+        raise InvalidPlanner(planner.name, "has a name which one of ours has; give it another")
+    PLANNERS[planner.name] = planner
+
+
+def check_options(planner: Planner, *, encoding: Encoding | None, whole: bool, costs: bool) -> None:
+    """Refuse options that a planner does not take.
+
+    Args:
+        planner: The planner.
         encoding: The encoding asked for, if any.
         whole: Whether it is to solve for all objects at once.
         costs: Whether steps have costs.
 
     Raises:
-        UnknownChoice: If there is no such planner, or it does not take the encoding.
+        UnknownChoice: If it does not take the encoding.
         InvalidValue: If it does not take an option.
     """
-    if planner not in PLANNERS:
-        raise UnknownChoice("planner", planner, PLANNERS)
-    if planner in PDDL_PLANNERS:
-        PDDL_PLANNERS[planner].encoding_for(planner, encoding)
-        return
-    for option, asked, takers in (
-        ("encoding", encoding is not None, PDDL_PLANNERS),
-        ("whole", whole, PDDL_PLANNERS),
-        ("unit-costs", not costs, PLANNERS.keys() - {"bfs"}),
-    ):
-        if asked and planner not in takers:
-            raise InvalidValue(
-                f"The planner {planner} does not take {option}; valid with it: {', '.join(sorted(takers))}."
-            )
+    asked: dict[Option, bool] = {"encoding": encoding is not None, "whole": whole, "unit-costs": not costs}
+    for option, is_asked in asked.items():
+        if is_asked and option not in planner.takes:
+            takers = ", ".join(sorted(other.name for other in PLANNERS.values() if option in other.takes))
+            raise InvalidValue(f"The planner {planner.name} does not take {option}; valid with it: {takers}.")
+    if planner.program:
+        planner.program.encoding_for(planner.name, encoding)
+
+
+def _checked(planner: Planner, query: Query) -> PlanResult:
+    """Ask somebody's own planner, and believe of what it returns only what comes true."""
+    try:
+        result = planner.solve(query)
+    except InvalidValue:
+        raise
+    except Exception as error:
+        raise InvalidPlanner(planner.name, f"raises an error in solve: {told(error)}") from error
+    if not isinstance(result, PlanResult) or not all(isinstance(step, PlanStep) for step in result.steps):
+        raise InvalidPlanner(planner.name, f"gives a {type(result).__name__} from solve; valid: a PlanResult")
+    if result.status is PlanStatus.SOLVED and planner.reads == "operators":
+        checked = replay(result.steps, query.problem, query.grounding)
+        if not checked.valid:
+            reason = f"its plan is not true when replayed: {checked.reason}"
+            return PlanResult(PlanStatus.FAILED, (), result.seconds, reason)
+    return result

@@ -8,7 +8,7 @@ from neurosym.files import read_json
 from neurosym.report.examples import Example, ProblemReader, spared
 from neurosym.stages.folder import DomainFolder
 from neurosym.stages.layout import PLANS
-from neurosym.stages.planning import PlanRecord
+from neurosym.stages.plan_records import PlanRecord
 
 
 @dataclass(frozen=True, slots=True)
@@ -59,7 +59,7 @@ def plan_rows(
                 problem=record.problem,
                 objects=len(problem.objects),
                 planner=record.planner,
-                status=record.status,
+                status=record.status.value,
                 steps=len(record.steps) if record.solved else None,
                 seconds=record.seconds,
                 reached=example.run.reached if example else None,

@@ -7,14 +7,15 @@ from typing import Any
 
 from neurosym.console import say
 from neurosym.errors import InvalidFile, InvalidValue, UnknownChoice
-from neurosym.execution.executor import REPLANS, Replanner, execute
+from neurosym.execution.executor import REPLANS, execute
 from neurosym.execution.record import Run, StepRecord
 from neurosym.execution.rerun import first_difference, rerun
 from neurosym.files import digest, read_json, write_json
 from neurosym.grounding import Grounding
 from neurosym.pddl.plan_text import read_plan
 from neurosym.pddl.validation import hand_problem
-from neurosym.planners import PLANNERS, PlanResult, plan
+from neurosym.planners import Planner, PlanResult, plan, planner_named
+from neurosym.planners.registry import Replanner
 from neurosym.problems import Problem
 from neurosym.stages.folder import DomainFolder
 from neurosym.stages.layout import GROUNDING, RUNS, WORLD, run_file, run_name, scene_file
@@ -59,8 +60,7 @@ def execute_stage(
         UnknownChoice: If there is no such planner to replan with.
         InvalidValue: If a number is impossible.
     """
-    if replanner not in PLANNERS:
-        raise UnknownChoice("planner", replanner, PLANNERS)
+    asked_again = planner_named(replanner, folder.path)
     for option, value in (("replans", replans), ("disturb", nudge_seed or 0)):
         if value < 0:
             raise InvalidValue(f"{option} = {value} must be at least 0.")
@@ -79,7 +79,7 @@ def execute_stage(
             problem,
             grounding,
             steps,
-            replanner=replanner_named(replanner) if replans else None,
+            replanner=replanning(asked_again) if replans else None,
             replans=replans,
             nudge_seed=nudge_seed,
             on_frame=shown.on_frame,
@@ -98,11 +98,11 @@ def execute_stage(
     return Stage(f"execute {run_name(name, plan_file)}", inputs, (record_file,), work, options)
 
 
-def replanner_named(planner: str) -> Replanner:
+def replanning(planner: Planner) -> Replanner:
     """Return a planner such that a run can ask it for a new plan.
 
     Args:
-        planner: One of `PLANNERS`.
+        planner: The planner; what it reads is what the operators promise, by what was seen.
     """
 
     def replan(problem: Problem, grounding: Grounding) -> PlanResult:

@@ -12,7 +12,8 @@ from neurosym.stages.exploring import explore_stage
 from neurosym.stages.folder import DomainFolder
 from neurosym.stages.layout import plan_files
 from neurosym.stages.manifest import Stage
-from neurosym.stages.planning import PlanRecord, plan_stage
+from neurosym.stages.plan_records import PlanRecord
+from neurosym.stages.planning import plan_stage
 from neurosym.stages.training import train_stage
 from neurosym.wording import quoted
 
@@ -93,7 +94,7 @@ def _try_problem(folder: DomainFolder, number: int, seed: int) -> _Row:
     _perform(folder, plan_stage(folder, name, planner=PLANNER, time_limit=TIME_LIMIT))
     plan_file, record_file = plan_files(name, PLANNER)
     record = read_json(folder / record_file, PlanRecord)
-    cells = (name, str(objects), record.status, str(len(record.steps)), f"{record.seconds:.2f}")
+    cells = (name, str(objects), record.status.value, str(len(record.steps)), f"{record.seconds:.2f}")
     if not record.solved:
         return _Row((*cells, "-", record.reason), executed=False)
     _perform(folder, execute_stage(folder, name, folder / plan_file))

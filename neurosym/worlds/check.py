@@ -8,6 +8,7 @@ import numpy as np
 
 from neurosym.actions import ActionBox
 from neurosym.errors import InvalidWorld
+from neurosym.factories import told
 from neurosym.problems import LEGAL_NAME
 from neurosym.world import Outcome, Scene, Table, World
 from neurosym.worlds.mirrors import box_problem, broken_mirror
@@ -48,12 +49,6 @@ def check_attributes(world: object, name: str | None = None) -> None:
     """
     called = name or type(world).__name__
     _attempt(called, "its attributes", lambda: _check_attributes(world, called))
-
-
-def told(error: BaseException) -> str:
-    """Tell an exception in one line, without a full stop."""
-    text = " ".join(str(error).split()).rstrip(".")
-    return f"{type(error).__name__}: {text}" if text else type(error).__name__
 
 
 def _check_attributes(world: object, called: str) -> None:

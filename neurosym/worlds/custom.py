@@ -1,32 +1,21 @@
 """Worlds of your own: `module:factory` names the function or class that makes one.
 
 A domain folder may come from a stranger, and its `world.toml` says what is called, and with which options.
-So no module is taken from inside the folder, and nothing is called that does not make worlds (`os:system`).
+So nothing is called that does not make worlds (`os:system`).
 """
 
-import importlib
-import importlib.util
 import inspect
 import math
-import re
-import sys
 from collections.abc import Callable
 from functools import partial
-from importlib.machinery import ModuleSpec
-from pathlib import Path
 from typing import Any, get_type_hints
 
 from neurosym.errors import InvalidWorld
+from neurosym.factories import load_factory, told
 from neurosym.world import World
-from neurosym.worlds.check import check_attributes, told
+from neurosym.worlds.check import check_attributes
 
 Factory = Callable[..., Any]
-_NAME = re.compile(r"([^\W\d]\w*(?:\.[^\W\d]\w*)*):([^\W\d]\w*)")
-
-
-def is_own(name: str) -> bool:
-    """Say whether a world's name is that of somebody's own, `module:factory`."""
-    return ":" in name
 
 
 def make_own_world(name: str, options: dict[str, Any]) -> World:
@@ -39,7 +28,7 @@ def make_own_world(name: str, options: dict[str, Any]) -> World:
     Raises:
         InvalidWorld: If there is no such factory, it rejects the options, or does not return a world.
     """
-    factory = load_factory(name)
+    factory = load_world_factory(name)
     _check_options(name, factory, options)
     try:
         world = factory(**options)
@@ -49,7 +38,7 @@ def make_own_world(name: str, options: dict[str, Any]) -> World:
     return world  # type: ignore[no-any-return]
 
 
-def load_factory(name: str) -> Factory:
+def load_world_factory(name: str) -> Factory:
     """Import the factory of a world.
 
     Args:
@@ -58,11 +47,7 @@ def load_factory(name: str) -> Factory:
     Raises:
         InvalidWorld: If there is none, or it does not make worlds.
     """
-    module_name, attribute = _split(name)
-    module = _guarded(name, module_name, partial(importlib.import_module, module_name))
-    if not hasattr(module, attribute):
-        raise InvalidWorld(name, f"cannot be found: the module {module_name!r} has no {attribute!r}")
-    factory = getattr(module, attribute)
+    factory = load_factory(name, InvalidWorld)
     if not callable(factory):
         kind = type(factory).__name__
         raise InvalidWorld(name, f"is not callable but of type {kind}; name a class or a function")
@@ -83,63 +68,6 @@ def missing_options(factory: Factory, options: dict[str, Any]) -> list[str]:
     """List the options that a factory needs and is not given."""
     needed = [name for name, p in _parameters(factory).items() if p.default is inspect.Parameter.empty]
     return [name for name in needed if name not in options]
-
-
-def admit(name: str, folder: Path) -> None:
-    """Let a world's module be imported from the current folder too, but not from inside a domain folder.
-
-    Worker processes inherit the search path.
-
-    Args:
-        name: `module:factory`.
-        folder: The domain folder.
-
-    Raises:
-        InvalidWorld: If the module is not found, or lies in the domain folder.
-    """
-    module_name, _ = _split(name)
-    inside, here = folder.resolve(), Path.cwd()
-    if str(here) not in sys.path and not here.is_relative_to(inside):
-        sys.path.append(str(here))
-    importlib.invalidate_caches()
-    parts = module_name.split(".")
-    for depth in range(1, len(parts) + 1):
-        part = ".".join(parts[:depth])  # looking for a.b imports a, which has been looked at by then
-        spec = _guarded(name, module_name, partial(importlib.util.find_spec, part))
-        if spec is None:
-            raise _no_module(name, module_name)
-        if any(place.is_relative_to(inside) for place in _places(spec)):
-            raise InvalidWorld(
-                name,
-                f"has its code in the domain folder {folder}; a domain folder must not bring code of its own",
-            )
-
-
-def _split(name: str) -> tuple[str, str]:
-    match = _NAME.fullmatch(name)
-    if match is None:
-        raise InvalidWorld(name, "is not of the form module:factory")
-    return match[1], match[2]
-
-
-def _guarded(name: str, module_name: str, call: Callable[[], Any]) -> Any:
-    try:
-        return call()
-    except (Exception, SystemExit) as error:
-        if isinstance(error, ModuleNotFoundError) and f"{module_name}.".startswith(f"{error.name}."):
-            raise _no_module(name, module_name) from error
-        raise InvalidWorld(name, f"cannot be imported: {told(error)}") from error
-
-
-def _no_module(name: str, module_name: str) -> InvalidWorld:
-    return InvalidWorld(
-        name, f"cannot be found: no module {module_name!r} is installed or stands in the current folder"
-    )
-
-
-def _places(spec: ModuleSpec) -> list[Path]:
-    files = [spec.origin] if spec.has_location and spec.origin else []
-    return [Path(place).resolve() for place in (*files, *(spec.submodule_search_locations or ()))]
 
 
 def _makes_worlds(factory: Any) -> bool:

@@ -15,20 +15,14 @@ from typing import TYPE_CHECKING, Any, TypeVar
 import msgspec
 import tomli_w
 
-from neurosym.errors import InvalidFile, InvalidValue, UnknownChoice
+from neurosym.errors import InvalidFile, InvalidValue, InvalidWorld, UnknownChoice
+from neurosym.factories import admit, is_factory
 from neurosym.files import write_atomically
 from neurosym.object_limits import ObjectLimits
 from neurosym.wording import quoted
 from neurosym.world import World
 from neurosym.worlds.check import check_world
-from neurosym.worlds.custom import (
-    admit,
-    default_options,
-    is_own,
-    load_factory,
-    make_own_world,
-    missing_options,
-)
+from neurosym.worlds.custom import default_options, load_world_factory, make_own_world, missing_options
 
 if TYPE_CHECKING:
     from neurosym.sim.config import TabletopConfig
@@ -131,7 +125,7 @@ def make_world(name: str, options: dict[str, Any]) -> World:
         InvalidValue: If an option's value is impossible.
         InvalidWorld: If somebody's own world cannot be made.
     """
-    if is_own(name):
+    if is_factory(name):
         _check_finite(options)
         return make_own_world(name, options)
     if name not in WORLDS:
@@ -150,8 +144,8 @@ def read_world(path: Path) -> "partial[World]":
     """
     name, options = _read(path)
     try:
-        if is_own(name):
-            admit(name, path.parent)
+        if is_factory(name):
+            admit(name, path.parent, InvalidWorld)
         make_world(name, options)
     except (UnknownChoice, InvalidValue) as error:
         raise InvalidFile(path, str(error).rstrip(".")) from error
@@ -171,7 +165,7 @@ def read_limits(path: Path) -> ObjectLimits | None:
         InvalidFile: If the file is not TOML, or names an unknown world, option or value.
     """
     name, options = _read(path)
-    if is_own(name):
+    if is_factory(name):
         return None
     try:
         if name not in CONFIGS:
@@ -206,7 +200,7 @@ def origin_of(factory: "partial[World]") -> dict[str, Any]:
         factory: What `read_world` returned.
     """
     name, options = factory.args
-    if is_own(name):
+    if is_factory(name):
         plain = json.loads(json.dumps(options, default=str))  # TOML has dates, JSON has not
         return {"world": name, "world_options": plain}
     return {"world_options": asdict(getattr(factory(), "config"))}  # noqa: B009  (ours have one)
@@ -223,7 +217,7 @@ def default_text(name: str, folder: Path) -> str:
         UnknownChoice: If there is no such world.
         InvalidWorld: If somebody's own world is no world.
     """
-    if is_own(name):
+    if is_factory(name):
         remark, options = "It is made by code of yours: factory(**options).", _own_defaults(name, folder)
     else:
         remark = "Lengths in metres, times in seconds."
@@ -233,8 +227,8 @@ def default_text(name: str, folder: Path) -> str:
 
 
 def _own_defaults(name: str, folder: Path) -> dict[str, Any]:
-    admit(name, folder)
-    factory = load_factory(name)
+    admit(name, folder, InvalidWorld)
+    factory = load_world_factory(name)
     options = default_options(factory)
     if not missing_options(factory, options):  # else they must be written into the file first
         check_world(make_world(name, options))

@@ -21,7 +21,10 @@ from neurosym.planners.fast_downward import plan_fast_downward
         (["new-problem", "--name", "a" * 300], "has 300 characters; valid: at most 100"),
         (["new-problem", "--objects", "0"], "at least one object"),
         (["new-problem", "--objects", "500"], "500 objects do not fit"),
-        (["plan", "task-01", "--planner", "magic"], "no planner 'magic'; valid: aries, bfs, counting"),
+        (
+            ["plan", "task-01", "--planner", "magic"],
+            "no planner 'magic'; valid: aries, bfs, bfs-operators, counting",
+        ),
         (["plan", "task-01", "--encoding", "runes"], "'runes'; valid: operators, sas, stepwise"),
         (["plan", "task-99"], "no problem 'task-99'; valid: task-01, task-02"),
         (["plan", "task-01", "--time-limit", "-1"], "time-limit"),

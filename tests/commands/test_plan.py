@@ -13,7 +13,7 @@ import toy_domain
 from command_line import neurosym, refusal
 
 from neurosym.pddl.problem import problem_text
-from neurosym.planners import PlanResult, PlanStatus, predicted_branching
+from neurosym.planners import PlanResult, PlanStatus, second_look
 from neurosym.problems import Problem
 from neurosym.stages import planning
 
@@ -83,11 +83,10 @@ def test_nearest_plan_is_written_and_the_goal_still_missed(bare, capsys, planner
 def idle_network(monkeypatch: pytest.MonkeyPatch) -> None:
     """A network that predicts of every primitive that it moves nothing."""
 
-    def idle(_folder, problem, grounding):
-        shape = (len(problem.objects), len(grounding.operators.primitives), 3)
-        return predicted_branching(problem, grounding, np.zeros(shape))
+    def idle(_folder, grounding):
+        return lambda features: np.zeros((len(features), len(grounding.operators.primitives), 3))
 
-    monkeypatch.setattr(planning, "_branching", idle)
+    monkeypatch.setattr(planning, "_prediction", idle)
 
 
 @pytest.mark.usefixtures("idle_network")
@@ -112,13 +111,13 @@ def test_nearest_plan_that_meets_the_goal_is_a_plan(bare, capsys):
 
 def test_planner_whose_plans_do_not_come_true_is_told_of_one_that_does(bare, capsys, monkeypatch):
     failed = PlanResult(PlanStatus.FAILED, (), 0.5, "no plan was true when replayed")
-    monkeypatch.setattr(planning, "plan", lambda *_args, **_kwargs: failed)
+    monkeypatch.setattr(second_look, "plan", lambda *_args, **_kwargs: failed)
     assert neurosym("plan", bare, "easy") == 3
     assert "was true when replayed; by the rehearsed effects there is a plan of 2" in capsys.readouterr().out
     assert neurosym("plan", bare, "easy", "--nearest") == 0
     assert "meets the goal by the rehearsed effects; fast-downward found none" in capsys.readouterr().out
     timeout = PlanResult(PlanStatus.TIMEOUT, (), 2.0, "no plan to the nearest point in 2 s")
-    monkeypatch.setattr(planning, "plan_nearest", lambda *_args, **_kwargs: timeout)
+    monkeypatch.setattr(second_look, "plan_nearest", lambda *_args, **_kwargs: timeout)
     assert neurosym("plan", bare, "easy", "--nearest") == 3
     assert "(failed, 2.50 s): no plan was true when replayed; no plan to the" in capsys.readouterr().out
 

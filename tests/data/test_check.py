@@ -187,3 +187,16 @@ def test_constant_feature_is_called_by_its_name(tmp_path, capsys):
     columns["features"][:, 1] = 3.0
     write_data(tmp_path, columns, {"feature_names": ["a", "mass", "c", "d", "e", "f", "g"]})
     assert "features[:, 1] (mass) is 3 in every row" in refusal(capsys, "check", tmp_path)
+
+
+def test_a_problem_that_quotes_the_name_of_an_array_that_cannot_be_read_is_told_all_the_same(
+    tmp_path, capsys
+):
+    """Names of features that are no valid ones, in a file whose features are Python objects."""
+    columns = own_columns() | {"features": np.array([object()] * 60)}
+    path = write_data(tmp_path, columns, {"feature_names": ["features", "features"]})
+    neurosym("check", path)
+    said = capsys.readouterr().err
+    assert "'features' is damaged, or holds Python objects" in said
+    assert "its origin has feature_names = ['features', 'features']" in said
+    assert "no array 'features'" not in said

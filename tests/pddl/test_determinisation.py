@@ -8,7 +8,8 @@ from neurosym.operators import Operator
 from neurosym.pddl import compile_domain, domain_text
 from neurosym.pddl.determinisation import with_every_outcome
 from neurosym.pddl.moves import cost
-from neurosym.planners import PlanStatus, branching_of, plan
+from neurosym.planners import PlanStatus, plan
+from neurosym.planners.branching import branching_of
 from neurosym.problems import Problem
 
 HELD = mode((0.012, -0.021, 0.203), kind="held", count=14, near=14, resting=(0.014, -0.023, 0.0))

@@ -9,7 +9,7 @@ from tables import grounding, item, problem, total_cost
 from neurosym.errors import InvalidValue
 from neurosym.grounding import Grounding
 from neurosym.pddl.sas import sas_text
-from neurosym.planners import PlanStatus, plan_pddl
+from neurosym.planners import PlanStatus, plan
 from neurosym.planners.fast_downward import PORTFOLIO, Search, plan_fast_downward
 from neurosym.problems import Problem
 
@@ -20,7 +20,7 @@ SHIPPED = Path("domains/tabletop")
 def test_search_finds_the_very_plan_that_it_finds_after_translation(name: str):
     learned = Grounding.load(SHIPPED / "grounding.json")
     task = Problem.load(SHIPPED / "problems" / f"{name}.scene.json")
-    ours, theirs = (plan_pddl(task, learned, encoding=encoding) for encoding in ("sas", "stepwise"))
+    ours, theirs = (plan(task, learned, encoding=encoding) for encoding in ("sas", "stepwise"))
     assert ours.status is theirs.status is PlanStatus.SOLVED, (ours.reason, theirs.reason)
     assert ours.steps == theirs.steps
 
@@ -34,16 +34,14 @@ def test_every_search_of_the_portfolio_takes_it(search: Search, tmp_path: Path):
 
 
 def test_objects_solved_at_once_cost_as_much_as_after_translation():
-    ours, theirs = (
-        plan_pddl(problem(), grounding(), encoding=name, whole=True) for name in ("sas", "stepwise")
-    )
+    ours, theirs = (plan(problem(), grounding(), encoding=name, whole=True) for name in ("sas", "stepwise"))
     assert ours.status is theirs.status is PlanStatus.SOLVED, (ours.reason, theirs.reason)
     assert total_cost(ours.steps) == total_cost(theirs.steps)
 
 
 def test_goal_in_a_corner_has_no_plan_in_either():
     nowhere = Problem("p", (item("item-01", 0.45, 0.01),), {"item-01": (0.45, 0.01, 0.4)})
-    found = {name: plan_pddl(nowhere, grounding(), encoding=name).status for name in ("sas", "stepwise")}
+    found = {name: plan(nowhere, grounding(), encoding=name).status for name in ("sas", "stepwise")}
     assert set(found.values()) == {PlanStatus.UNSOLVABLE}
 
 

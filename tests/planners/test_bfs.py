@@ -8,8 +8,10 @@ import pytest
 from tables import BOUNDS, grounding, problem
 
 from neurosym.pddl.plan_text import PlanStep
-from neurosym.planners import Branching, PlanStatus, branching_of, plan_bfs, predicted_branching
+from neurosym.planners import PlanStatus
 from neurosym.planners import bfs as bfs_module
+from neurosym.planners.bfs import plan_bfs
+from neurosym.planners.branching import Branching, branching_of, predicted_branching
 from neurosym.problems import Problem, SceneObject
 
 State = tuple[np.ndarray, list[PlanStep]]

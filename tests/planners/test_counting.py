@@ -13,7 +13,9 @@ from neurosym.grounding import Grounding
 from neurosym.pddl.moves import cost
 from neurosym.pddl.plan_text import PlanStep
 from neurosym.pddl.validation import replay
-from neurosym.planners import PlanStatus, branching_of, fewest_steps, plan, plan_bfs
+from neurosym.planners import PlanStatus, fewest_steps, plan
+from neurosym.planners.bfs import plan_bfs
+from neurosym.planners.branching import branching_of
 from neurosym.planners.count_vectors import count_vectors
 from neurosym.planners.ordering import mend
 from neurosym.problems import Problem, SceneObject

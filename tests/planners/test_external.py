@@ -17,9 +17,10 @@ from tables import grounding, item
 
 from neurosym.errors import UnknownChoice
 from neurosym.pddl.validation import replay
-from neurosym.planners import PDDL_PLANNERS, PlanResult, PlanStatus, plan_pddl
-from neurosym.planners.catalogue import PddlPlanner
-from neurosym.planners.external import PlannerMissing, Program, plan_program
+from neurosym.planners import PLANNERS, PlanResult, PlanStatus, pddl_planner, plan
+from neurosym.planners.catalogue import PROGRAMS
+from neurosym.planners.external import Program, plan_program
+from neurosym.planners.planner import PlannerMissing
 from neurosym.planners.process import run_limited
 from neurosym.problems import Problem
 
@@ -42,10 +43,9 @@ def solved_by(script: str, *, time_limit: float = 20.0, encoding: str = "numeric
         return (sys.executable, "-c", script, domain, problem)
 
     program = Program("Script", "neurosym", "neurosym", arguments, plans="plan*")
-    tool = PddlPlanner("a script", partial(plan_program, program=program), (encoding,), 0.0, program.missing)
-    with pytest.MonkeyPatch.context() as patch:
-        patch.setitem(PDDL_PLANNERS, "script", tool)
-        return plan_pddl(TASK, grounding(), "script", time_limit=time_limit)
+    call = partial(plan_program, program=program)
+    script_planner = pddl_planner("script", "a script", call, (encoding,), missing=program.missing)
+    return plan(TASK, grounding(), script_planner, time_limit=time_limit)
 
 
 def writes(text: str) -> str:
@@ -127,11 +127,11 @@ def test_temporary_files_of_a_planner_go_where_it_runs(tmp_path: Path):
     assert Path(finished.last_words).parent == tmp_path
 
 
-def test_planner_that_is_not_installed_is_refused_with_what_to_do(monkeypatch: pytest.MonkeyPatch):
+def test_planner_that_is_not_installed_is_refused_with_what_to_do():
     nowhere = Program("Nobody", "no_such_package", "no-such-package", lambda *_: ("true",))
-    monkeypatch.setitem(PDDL_PLANNERS, "nobody", PddlPlanner("", plan_program, missing=nowhere.missing))
+    nobody = pddl_planner("nobody", "", partial(plan_program, program=nowhere), missing=nowhere.missing)
     with pytest.raises(PlannerMissing, match="nobody is not installed; `pip install no-such-package`"):
-        plan_pddl(TASK, grounding(), "nobody")
+        plan(TASK, grounding(), nobody)
     lacking = Program(
         "Nobody", "neurosym", "neurosym", lambda *_: ("true",), needs=("no-such-command", "a shop")
     )
@@ -140,14 +140,14 @@ def test_planner_that_is_not_installed_is_refused_with_what_to_do(monkeypatch: p
 
 def test_encoding_that_a_planner_does_not_take_is_refused():
     with pytest.raises(UnknownChoice, match="'numeric'; valid: operators, sas, stepwise"):
-        plan_pddl(TASK, grounding(), "fast-downward", encoding="numeric")
+        plan(TASK, grounding(), "fast-downward", encoding="numeric")
 
 
-@pytest.mark.parametrize("name", sorted(name for name in PDDL_PLANNERS if not name.startswith("up-")))
+@pytest.mark.parametrize("name", sorted(p.name for p in PROGRAMS if not p.name.startswith("up-")))
 def test_every_planner_that_is_here_finds_the_way(name: str):
-    if PDDL_PLANNERS[name].missing():
+    if PLANNERS[name].missing():
         pytest.skip("not installed")
-    found = plan_pddl(TASK, grounding(), name)
+    found = plan(TASK, grounding(), name)
     assert found.status is PlanStatus.SOLVED, found.reason
     assert replay(found.steps, TASK, grounding()).valid
     assert len(found.steps) == 1 or name == "lpg"  # which is soon there, with longer plans

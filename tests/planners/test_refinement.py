@@ -12,8 +12,7 @@ from neurosym.errors import UnknownChoice
 from neurosym.grounding import Grounding
 from neurosym.pddl.plan_text import PlanStep
 from neurosym.pddl.validation import replay
-from neurosym.planners import PLANNERS, PlanResult, PlanStatus, one_by_one, plan, plan_pddl, refinement
-from neurosym.planners.catalogue import PddlPlanner
+from neurosym.planners import PlanResult, PlanStatus, one_by_one, pddl_planner, plan, refinement
 from neurosym.planners.counting import Join
 from neurosym.planners.one_by_one import plan_one_by_one
 from neurosym.planners.result import PlannerAnswer
@@ -22,7 +21,7 @@ from neurosym.problems import Problem
 
 @pytest.mark.parametrize(("encoding", "cell"), [("stepwise", 0.005), ("operators", 0.01)])
 def test_errand_is_solved_and_the_plan_is_true(encoding: str, cell: float):
-    found = plan_pddl(problem(), grounding(cell), encoding=encoding)
+    found = plan(problem(), grounding(cell), encoding=encoding)
     assert found.status is PlanStatus.SOLVED, found.reason
     assert replay(found.steps, problem(), grounding()).valid
     assert found.seconds > 0
@@ -39,7 +38,7 @@ def test_plan_is_the_cheapest_there_is():
         for combination in itertools.combinations_with_replacement(names, length)
     )
     cheapest = min(total_cost(steps) for steps in plans if replay(steps, task, grounding()).valid)
-    assert total_cost(plan_pddl(task, grounding()).steps) == cheapest
+    assert total_cost(plan(task, grounding()).steps) == cheapest
 
 
 def test_many_objects_are_planned_one_by_one_and_the_held_one_comes_last():
@@ -47,7 +46,7 @@ def test_many_objects_are_planned_one_by_one_and_the_held_one_comes_last():
     task = problem()
     goals = {**task.goals, "item-03": (0.4, -0.117, 0.025), "item-04": (0.8, -0.117, 0.025)}
     crowd = msgspec.structs.replace(task, objects=(*task.objects, *more), goals=goals)
-    found = plan_pddl(crowd, grounding())
+    found = plan(crowd, grounding())
     assert found.status is PlanStatus.SOLVED, found.reason
     assert replay(found.steps, crowd, grounding()).valid
     assert found.steps[-1] == PlanStep("lift-010-block", "item-01")
@@ -57,7 +56,7 @@ def test_two_objects_cannot_both_be_held_at_the_end():
     objects = tuple(item(f"item-0{n}", 0.4 + 0.1 * n, 0.0) for n in range(3))
     goals = {thing.name: (thing.position[0], 0.0, 0.228) for thing in objects}
     task = Problem("p", objects, goals)
-    found = plan_pddl(task, grounding())
+    found = plan(task, grounding())
     assert found.status is PlanStatus.UNSOLVABLE
     assert "item-00 and item-01 and item-02 would have to be held" in found.reason
 
@@ -72,7 +71,7 @@ def test_goals_that_need_no_hand_are_met_even_if_lifting_were_cheaper_for_each()
     lifting = msgspec.structs.replace(learned, operators=table, cell=0.01)
     objects = (item("item-01", 0.5, 0.0), item("item-02", 0.5, 0.15))
     goals = {thing.name: (0.6, thing.position[1], 0.03) for thing in objects}
-    found = plan_pddl(Problem("p", objects, goals), lifting)
+    found = plan(Problem("p", objects, goals), lifting)
     assert [step.operator for step in found.steps][:3] == [lift.name, f"put-down-{lift.name}", lift.name]
 
 
@@ -82,7 +81,7 @@ def test_objects_with_one_goal_are_brought_beside_each_other():
     task = Problem(
         "p", (item("item-01", 0.4, 0.0), item("item-02", 0.4, 0.12)), {"item-01": spot, "item-02": spot}
     )
-    found = plan_pddl(task, grounding())
+    found = plan(task, grounding())
     assert found.status is PlanStatus.SOLVED, found.reason
     assert replay(found.steps, task, grounding()).valid
 
@@ -91,7 +90,7 @@ def test_object_is_brought_beside_a_bystander():
     """The cheapest plan would end in it; nothing is to be done with the bystander."""
     objects = (item("item-01", 0.4, 0.0), item("item-02", 0.585, 0.06))
     task = Problem("p", objects, {"item-01": (0.57, 0.06, 0.025)})
-    found = plan_pddl(task, grounding())
+    found = plan(task, grounding())
     assert found.status is PlanStatus.SOLVED, found.reason
     assert "goals were narrowed (item-01)" in found.reason
     assert {step.object for step in found.steps} == {"item-01"}
@@ -100,7 +99,7 @@ def test_object_is_brought_beside_a_bystander():
 
 def test_goal_met_at_the_start_needs_no_step():
     task = Problem("p", (item("item-01", 0.5, 0.0),), {"item-01": (0.51, 0.0, 0.025)})
-    assert (plan_pddl(task, grounding()).status, plan_pddl(task, grounding()).steps) == (
+    assert (plan(task, grounding()).status, plan(task, grounding()).steps) == (
         PlanStatus.SOLVED,
         (),
     )
@@ -118,7 +117,7 @@ def test_unsolvable_says_which_object_and_how_near(planner: str):
     )
 
 
-def test_plan_whose_replay_is_wrong_is_planned_again_and_given_up_in_the_end(monkeypatch: pytest.MonkeyPatch):
+def test_plan_whose_replay_is_wrong_is_planned_again_and_given_up_in_the_end():
     texts = ["(push-left-000-block item-01)", "(push-away-001-block item-01)"]
     answers = [PlannerAnswer(PlanStatus.SOLVED, text, 0.1) for text in texts]
     asked: list[str] = []
@@ -127,14 +126,14 @@ def test_plan_whose_replay_is_wrong_is_planned_again_and_given_up_in_the_end(mon
         asked.append(task.read_text())
         return answers[min(len(asked), len(answers)) - 1]
 
-    monkeypatch.setitem(refinement.PDDL_PLANNERS, "scripted", PddlPlanner("", scripted))
+    planner = pddl_planner("scripted", "a script", scripted, ("stepwise",))
     task = Problem("p", (item("item-01", 0.5, 0.0),), {"item-01": (0.571, -0.012, 0.025)})
-    found = plan_pddl(task, grounding(), "scripted")
+    found = plan(task, grounding(), planner)
     assert (found.status, len(asked)) == (PlanStatus.SOLVED, 2)
     assert "attempt 2" in found.reason
     assert asked[0].count("goal-xy") > asked[1].count("goal-xy")
     answers.pop()
-    gave_up = plan_pddl(task, grounding(), "scripted")
+    gave_up = plan(task, grounding(), planner)
     assert gave_up.status is PlanStatus.FAILED
     assert "no plan was true when replayed, in 4 attempts" in gave_up.reason
     cells = [text.count("x-cell") and text.split(" - x-cell")[0].count(" x") for text in asked[-4:]]
@@ -142,15 +141,12 @@ def test_plan_whose_replay_is_wrong_is_planned_again_and_given_up_in_the_end(mon
 
 
 def test_time_out_is_a_result():
-    assert plan_pddl(problem(), grounding(), time_limit=0.05).status is PlanStatus.TIMEOUT
+    assert plan(problem(), grounding(), time_limit=0.05).status is PlanStatus.TIMEOUT
 
 
 def test_unknown_planner_is_refused_with_the_known_ones():
-    with pytest.raises(UnknownChoice, match="valid: aries, bfs, counting"):
+    with pytest.raises(UnknownChoice, match="valid: aries, bfs, bfs-operators, counting"):
         plan(problem(), grounding(), "crystal-ball")
-    with pytest.raises(UnknownChoice, match="valid: aries, enhsp, fast-downward"):
-        plan_pddl(problem(), grounding(), "bfs")
-    assert set(PLANNERS) == {"bfs", "counting", *refinement.PDDL_PLANNERS}
 
 
 def test_result_cannot_be_changed():
@@ -160,7 +156,7 @@ def test_result_cannot_be_changed():
 
 def test_encodings_agree_on_the_cost():
     costs = {
-        total_cost(plan_pddl(problem(), grounding(0.01), encoding=name).steps)
+        total_cost(plan(problem(), grounding(0.01), encoding=name).steps)
         for name in ("stepwise", "operators")
     }
     assert len(costs) == 1

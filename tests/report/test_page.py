@@ -20,7 +20,7 @@ from neurosym.report.charts import Axis, lines, round_values
 from neurosym.report.exploration import explored, what_became
 from neurosym.report.page import gather, render
 from neurosym.stages.folder import DomainFolder
-from neurosym.stages.planning import PlanRecord
+from neurosym.stages.plan_records import PlanRecord
 
 VOID = {"meta", "link", "img"}
 EVIL = "</pre><script>alert(1)</script><img src=x onerror=alert(1)>"

@@ -10,6 +10,7 @@ from neurosym.evaluation.comparison import Attempt, TaskRecord
 from neurosym.execution.summary import Execution
 from neurosym.grounding import Grounding
 from neurosym.pddl.moves import cost
+from neurosym.planners import PlanStatus
 from neurosym.problems import Problem, SceneObject
 from tools.benchmarks.planning import evaluate, jobs, measures, tally, tasks
 
@@ -24,7 +25,7 @@ def execution(reached: bool, **changes: object) -> Execution:
 
 
 def attempt(*, valid: bool = True, blind: bool = True, replanned: bool = True, **changes: object) -> Attempt:
-    found = Attempt("solved", "", (("push", "item-01"),), 0.2, 1, "" if valid else "elsewhere")
+    found = Attempt(PlanStatus.SOLVED, "", (("push", "item-01"),), 0.2, 1, "" if valid else "elsewhere")
     runs = {"open_loop": execution(blind), "replanned": execution(replanned)}
     return msgspec.structs.replace(found, **runs, promised_miss=0.0, predicted_miss=0.0, **changes)
 
@@ -35,7 +36,7 @@ def record(number: int, bfs: Attempt, pddl: Attempt, **others: Attempt) -> TaskR
     return TaskRecord(problem, False, {"bfs": bfs, "fast-downward": pddl, **others})
 
 
-NO_PLAN = Attempt("unsolvable", "too far")
+NO_PLAN = Attempt(PlanStatus.UNSOLVABLE, "too far")
 
 
 def test_table3_is_the_mean_over_seeds_of_shares_of_all_tasks():

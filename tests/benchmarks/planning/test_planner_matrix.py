@@ -6,8 +6,8 @@ import pytest
 from command_line import neurosym
 from toy_domain import grounding, problem
 
-from neurosym.planners import PDDL_PLANNERS, PLANNERS
-from neurosym.planners.catalogue import PddlPlanner
+from neurosym.planners import PLANNERS, pddl_planner
+from neurosym.planners.catalogue import PROGRAMS
 from tools.benchmarks.planning import planner_matrix as matrix
 
 TASK = problem({"item-01": (0.68, 0.08, 0.025)})
@@ -30,8 +30,8 @@ def test_cell_tells_in_whose_words_an_encoding_is_refused():
 
 
 def test_planner_that_is_not_installed_is_a_cell_too(monkeypatch: pytest.MonkeyPatch):
-    absent = PddlPlanner("", lambda *_: None, missing=lambda: "`pip install absent` brings it")
-    monkeypatch.setitem(PDDL_PLANNERS, "absent", absent)
+    absent = pddl_planner("absent", "", lambda *_: None, missing=lambda: "`pip install absent` brings it")
+    monkeypatch.setitem(PLANNERS, "absent", absent)
     found = matrix.measure("absent", "stepwise", TASK, grounding(), time_limit=1.0)
     assert found == {"status": "not installed", "words": "`pip install absent` brings it"}
 
@@ -52,7 +52,7 @@ def test_page_has_a_row_for_every_planner_and_reader(tmp_path: Path):
     assert "**1/2**, 1 valid, 1.5 s, 3 steps, 5 mm; Kairos ended with code 1: no / sense" in text
     assert "1/1 parsed" in text
     assert "**Not finished**: 6 cells to do" in text
-    for name in (*PDDL_PLANNERS, *matrix.READERS):
+    for name in (*(planner.name for planner in PROGRAMS), *matrix.READERS):
         assert f"| {name} |" in text
 
 

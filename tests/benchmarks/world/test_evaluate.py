@@ -5,7 +5,7 @@ import pytest
 from neurosym.commands.cli import main
 from neurosym.files import read_json
 from neurosym.sim.tabletop import Tabletop
-from neurosym.stages.planning import PlanRecord
+from neurosym.stages.plan_records import PlanRecord
 from tools.benchmarks.world import measures
 
 pytestmark = pytest.mark.evaluation

@@ -22,7 +22,9 @@ import tyro
 
 from neurosym.files import write_atomically
 from neurosym.grounding import Grounding
-from neurosym.planners import PlanStatus, branching_of, fewest_steps, plan_bfs, plan_counting, plan_pddl
+from neurosym.planners import PlanStatus, fewest_steps, plan, plan_counting
+from neurosym.planners.bfs import plan_bfs
+from neurosym.planners.branching import branching_of
 from neurosym.problems import Problem, SceneObject
 from neurosym.world import Table
 from tools.benchmarks.places import SHIPPED
@@ -130,7 +132,7 @@ def without_translation(grounding: Grounding, times: int) -> Results:
     for encoding in ("sas", "stepwise"):
 
         def run(encoding: str = encoding) -> None:
-            found = plan_pddl(task, grounding, encoding=encoding)
+            found = plan(task, grounding, encoding=encoding)
             assert found.status is PlanStatus.SOLVED, found.reason
 
         spent[encoding] = sum(least(run, times, children=among)[0] for among in (False, True))

@@ -28,7 +28,9 @@ from neurosym.execution.summary import summarise_run
 from neurosym.grounding import Grounding
 from neurosym.operators import TOLERANCE
 from neurosym.pddl.validation import replay
-from neurosym.planners import PlanResult, PlanStatus, branching_of, plan, plan_bfs
+from neurosym.planners import PlanResult, PlanStatus, plan
+from neurosym.planners.bfs import plan_bfs
+from neurosym.planners.branching import branching_of
 from neurosym.planners.counting import fewest_steps
 from neurosym.problems import Problem
 from neurosym.stages.compiling import compile_stage

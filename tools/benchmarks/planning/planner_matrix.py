@@ -27,8 +27,9 @@ from neurosym.pddl import domain_text, problem_text
 from neurosym.pddl.moves import ENCODINGS
 from neurosym.pddl.plan_text import parse_plan
 from neurosym.pddl.validation import replay
-from neurosym.planners import PDDL_PLANNERS, PlanStatus, plan
-from neurosym.planners.catalogue import COARSE
+from neurosym.planners import PLANNERS, PlanStatus, plan
+from neurosym.planners.catalogue import COARSE, PROGRAMS
+from neurosym.planners.planner import PddlProgram
 from neurosym.planners.process import run_limited
 from neurosym.planners.unified_planning import plan_unified_planning
 from neurosym.problems import Problem
@@ -74,7 +75,7 @@ def main(
     folder = work / _digest(tasks, time_limit)
     folder.mkdir(parents=True, exist_ok=True)
     results.mkdir(parents=True, exist_ok=True)
-    names = [*PDDL_PLANNERS, *REFUSING]
+    names = [*(planner.name for planner in PROGRAMS), *REFUSING]
     cells = [(name, encoding, task) for encoding in ENCODINGS for name in names for task in tasks]
     cells.sort(key=lambda cell: cell[1] not in _taken(cell[0])[:1])  # what each does best with comes first
     jobs = {
@@ -100,12 +101,13 @@ def measure(
     planner: str, encoding: str, problem: Problem, grounding: Grounding, *, time_limit: float
 ) -> dict[str, Any]:
     """Give a planner a problem in an encoding; what came of it."""
-    if remedy := PDDL_PLANNERS[planner].missing() if planner in PDDL_PLANNERS else "":
+    if remedy := PLANNERS[planner].missing() if planner in PLANNERS else "":
         return {"status": "not installed", "words": remedy}
-    solve = PDDL_PLANNERS[planner].solve if planner in PDDL_PLANNERS else REFUSING[planner]
     fitted = _on_grid(planner, encoding, problem, grounding)
     with tempfile.TemporaryDirectory(prefix="neurosym-matrix-") as name:
-        answer = solve(*_written(Path(name), problem, fitted, encoding), time_limit=time_limit)
+        answer = _program(planner).call(
+            *_written(Path(name), problem, fitted, encoding), time_limit=time_limit
+        )
     found: dict[str, Any] = {
         "status": answer.status.value,
         "cell_mm": None if encoding == "numeric" else fitted.cell * 1000,
@@ -160,13 +162,19 @@ def _digest(tasks: Mapping[str, tuple[Problem, Grounding]], time_limit: float) -
 
 
 def _taken(planner: str) -> tuple[str, ...]:
-    return PDDL_PLANNERS[planner].encodings if planner in PDDL_PLANNERS else ()
+    return _program(planner).encodings
+
+
+def _program(planner: str) -> PddlProgram:
+    """Return what takes the files; what refuses them all takes no encoding."""
+    program = PLANNERS[planner].program if planner in PLANNERS else None
+    return program or PddlProgram(REFUSING[planner], encodings=(), cell=COARSE)
 
 
 def _on_grid(planner: str, encoding: str, problem: Problem, grounding: Grounding) -> Grounding:
     """Lay the grid that a planner is given: coarser if fine ones are too much for it, or the encoding."""
-    coarsest = COARSE if encoding == "operators" or planner not in PDDL_PLANNERS else 0.0
-    cell = max(grounding.cell, coarsest, PDDL_PLANNERS[planner].cell if planner in PDDL_PLANNERS else 0.0)
+    coarsest = COARSE if encoding == "operators" else 0.0
+    cell = max(grounding.cell, coarsest, _program(planner).cell)
     narrowed = grounding.narrowed({item.category for item in problem.objects})
     return msgspec.structs.replace(narrowed, cell=cell)
 
@@ -217,9 +225,9 @@ def _page(values: Mapping[str, Any]) -> str:
         f"| planner | usual | {' | '.join(ENCODINGS)} |",
         "|---|---|" + "---|" * len(ENCODINGS),
     ]
-    for name in [*PDDL_PLANNERS, *REFUSING, *READERS]:
+    for name in [*(planner.name for planner in PROGRAMS), *REFUSING, *READERS]:
         row = [_cell(values["cells"], name, encoding) for encoding in ENCODINGS]
-        usual = (_taken(name) or ("reads only" if name in READERS else "none",))[0]
+        usual, *_ = ("reads only",) if name in READERS else (_taken(name) or ("none",))
         lines.append(f"| {name} | {usual} | {' | '.join(row)} |")
     versions = ", ".join(f"{name} {value}" for name, value in values["machine"].items())
     return "\n".join([*lines, "", f"Measured with {versions}.", ""])

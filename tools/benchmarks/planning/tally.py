@@ -61,7 +61,7 @@ def reasons(records: Sequence[TaskRecord], planners: Sequence[str]) -> dict[str,
 
 def _unsolved(records: Sequence[TaskRecord], planner: str) -> dict[str, int]:
     attempts = (record.attempts[planner] for record in records if not record.met_at_start)
-    return _counted(attempt.status for attempt in attempts if not attempt.found)
+    return _counted(attempt.status.value for attempt in attempts if not attempt.found)
 
 
 def collisions(records: Sequence[TaskRecord], planners: Sequence[str]) -> dict[str, Any]:
@@ -113,7 +113,7 @@ def symbolic_cell(entries: Entries) -> dict[str, Any]:
             "pddl_when_it_solves": _given(network, pddl, valid=False),
         },
         "predicted_too": _share(sum(_predicted(r) for r in records), sum(a.found for a in pddl)),
-        "status": _counted(attempt.status for attempt in pddl),
+        "status": _counted(attempt.status.value for attempt in pddl),
     }
 
 

@@ -1,0 +1,143 @@
+"""What a planner is: a value that says what it reads, what it takes, how it solves, and how to install it.
+
+Ours stand in one dict (`catalogue.PLANNERS`); anybody's own is one more (docs/own-planner.md).
+"""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Literal, Protocol, runtime_checkable
+
+import numpy as np
+from jaxtyping import Float
+
+from neurosym.errors import InvalidPlanner, NeurosymError, UnknownChoice
+from neurosym.grounding import Grounding
+from neurosym.pddl.moves import ENCODINGS, SAS, Encoding
+from neurosym.planners.result import PlannerAnswer, PlanResult
+from neurosym.problems import LEGAL_NAME, Problem
+
+Option = Literal["encoding", "whole", "unit-costs"]
+PredictEffects = Callable[[Float[np.ndarray, "M F"]], Float[np.ndarray, "M P 3"]]
+"""Says what the network predicts each primitive to do to objects of these features [m]."""
+GRID: tuple[Encoding, ...] = ("stepwise", "operators")
+
+
+class PlannerMissing(NeurosymError):
+    """A planner, or something that it needs, is not installed."""
+
+    def __init__(self, planner: str, remedy: str):
+        super().__init__(f"{planner} is not installed; {remedy}.")
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Query:
+    """What a planner is asked.
+
+    Attributes:
+        problem: The problem.
+        grounding: The learned domain; it says whether every step costs the same.
+        predict: What the network predicts; None for planners that do not read it, or where there is none.
+        time_limit: When to give up [s].
+        encoding: The encoding to plan in; None for the one that the planner does best with.
+        whole: Whether to plan for all objects at once instead of one by one.
+    """
+
+    problem: Problem
+    grounding: Grounding
+    predict: PredictEffects | None = None
+    time_limit: float = 60.0
+    encoding: Encoding | None = None
+    whole: bool = False
+
+
+@runtime_checkable
+class PddlCall(Protocol):
+    """Has a program read the files of a domain and a problem."""
+
+    def __call__(self, domain: Path, problem: Path, *, time_limit: float) -> PlannerAnswer:
+        """Return what the program answers before the time limit [s] is up."""
+        ...
+
+
+@dataclass(frozen=True, slots=True)
+class PddlProgram:
+    """What takes files of PDDL, or what PDDL is translated to.
+
+    Attributes:
+        call: Has it read the files and answer.
+        encodings: Those that it takes, the one it does best with first.
+        cell: Edge of the smallest cells that it is given at first, 0 for any [m]; a plan that is not true
+            when replayed is sought again on a finer grid.
+    """
+
+    call: PddlCall
+    encodings: tuple[Encoding, ...] = GRID
+    cell: float = 0.0
+
+    def encoding_for(self, planner: str, asked: Encoding | None) -> Encoding:
+        """Return the encoding asked for, or the one that the planner does best with.
+
+        Args:
+            planner: Name of the planner.
+            asked: The encoding asked for, if any.
+
+        Raises:
+            UnknownChoice: If the planner does not take it.
+        """
+        if asked is not None and asked not in self.encodings:
+            raise UnknownChoice(f"encoding for {planner}", asked, self.encodings)
+        return asked or self.encodings[0]
+
+
+@dataclass(frozen=True, slots=True)
+class Planner:
+    """A planner.
+
+    Attributes:
+        name: What it is called on the command line and in the names of files.
+        about: What it is, in a sentence without a full stop.
+        solve: Solves a problem; finding no plan is a result.
+        reads: Whether it plans over what the operators promise, or over what the network predicts.
+        takes: The options that it takes.
+        depth: How many primitives it looks ahead; None if there is no limit.
+        is_exact: Whether there is no plan if it finds none.
+        program: What it gives files of PDDL to, if it does.
+        missing: Says what to do about what is not installed, or nothing if everything is.
+
+    Raises:
+        InvalidPlanner: If something of this cannot be.
+    """
+
+    name: str
+    about: str
+    solve: Callable[[Query], PlanResult]
+    reads: Literal["operators", "network"] = "operators"
+    takes: frozenset[Option] = frozenset()
+    depth: int | None = None
+    is_exact: bool = False
+    program: PddlProgram | None = None
+    missing: Callable[[], str] = str
+
+    def __post_init__(self) -> None:
+        if not isinstance(self.name, str) or not LEGAL_NAME.fullmatch(self.name):
+            raise InvalidPlanner(repr(self.name), "is no name; valid: a lower-case letter, a-z, 0-9, hyphens")
+        for field, valid in (("solve", "a function of a Query"), ("missing", "a function that returns text")):
+            if not callable(getattr(self, field)):
+                raise InvalidPlanner(self.name, f"has {field} = {getattr(self, field)!r}; valid: {valid}")
+        if self.reads not in ("operators", "network"):
+            raise InvalidPlanner(self.name, f"has reads = {self.reads!r}; valid: operators, network")
+        known = (SAS, *ENCODINGS)
+        if self.program and not (self.program.encodings and {*self.program.encodings} <= {*known}):
+            said = f"has encodings = {self.program.encodings!r}"
+            raise InvalidPlanner(self.name, f"{said}; valid: one or more of {', '.join(sorted(known))}")
+
+    @property
+    def encodings(self) -> tuple[Encoding, ...]:
+        """The encodings of the domain that it takes; none for a planner that reads no PDDL."""
+        return self.program.encodings if self.program else ()
+
+    def check_installed(self) -> None:
+        """Raise `PlannerMissing`, which says what to do, unless it is installed."""
+        if remedy := self.missing():
+            raise PlannerMissing(self.name, remedy)

@@ -1,0 +1,133 @@
+"""How planning went, as it is written into a domain folder."""
+
+from collections.abc import Sequence
+
+import msgspec
+
+from neurosym.files import write_atomically, write_json
+from neurosym.grounding import Grounding
+from neurosym.pddl.moves import Encoding
+from neurosym.pddl.plan_text import PlanStep, Steps, named_steps, print_ground_plan, print_plan
+from neurosym.pddl.validation import expected_success
+from neurosym.planners import PlanStatus
+from neurosym.planners.second_look import Planned
+from neurosym.problems import Problem
+from neurosym.stages.folder import DomainFolder
+from neurosym.stages.layout import PLANS, plan_files
+
+
+class PlannedSteps(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
+    """One more plan for a problem.
+
+    Attributes:
+        file: Its file, relative to the folder.
+        steps: Operator and object of each step.
+        chance: The chance that all steps go as promised.
+    """
+
+    file: str
+    steps: Steps
+    chance: float
+
+
+class PlanRecord(msgspec.Struct, frozen=True, forbid_unknown_fields=True, omit_defaults=True):
+    """How planning went.
+
+    Attributes:
+        problem: Name of the problem.
+        planner: Name of the planner.
+        status: How the search ended.
+        steps: Operator and object of each step; empty unless solved or nearest.
+        seconds: How long it took [s].
+        reason: Why there is no plan, or what is to be said about the one found.
+        chance: The chance that all steps go as promised; None without a plan.
+        alternatives: The next-best plans, if they were asked for.
+    """
+
+    problem: str
+    planner: str
+    status: PlanStatus
+    steps: Steps
+    seconds: float
+    reason: str
+    chance: float | None = None
+    alternatives: tuple[PlannedSteps, ...] = ()
+
+    @property
+    def solved(self) -> bool:
+        """Whether there is a plan."""
+        return self.status is PlanStatus.SOLVED
+
+
+def write_plans(
+    folder: DomainFolder,
+    name: str,
+    planner: str,
+    problem: Problem,
+    grounding: Grounding,
+    planned: Planned,
+    encoding: Encoding,
+) -> None:
+    """Write what was found for a problem: plan, next-best plans and record.
+
+    Args:
+        folder: The domain folder.
+        name: What the problem is called in the folder.
+        planner: Name of the planner.
+        problem: The problem.
+        grounding: The learned domain.
+        planned: What was found.
+        encoding: The encoding that plans are printed for.
+    """
+    result = planned.result
+    plan_file, record_file = plan_files(name, planner)
+    (folder / PLANS).mkdir(exist_ok=True)
+    stem = plan_file.removesuffix(".plan")
+    written = _write_alternatives(folder, stem, planned.alternatives, problem, grounding, encoding)
+    record = PlanRecord(
+        problem=name,
+        planner=planner,
+        status=result.status,
+        steps=named_steps(result.steps),
+        seconds=round(result.seconds, 3),
+        reason=result.reason,
+        chance=_chance(result.steps, grounding) if result.has_plan else None,
+        alternatives=written,
+    )
+    if record.solved:
+        write_atomically(folder / plan_file, _plan_text(result.steps, problem, grounding, encoding))
+    elif result.has_plan:
+        write_atomically(folder / plan_file, print_plan(result.steps, result.reason))
+    else:
+        (folder / plan_file).unlink(missing_ok=True)
+    write_json(folder / record_file, record)
+
+
+def _write_alternatives(
+    folder: DomainFolder,
+    stem: str,
+    plans: Sequence[tuple[PlanStep, ...]],
+    problem: Problem,
+    grounding: Grounding,
+    encoding: Encoding,
+) -> tuple[PlannedSteps, ...]:
+    """Write the next-best plans, in place of those of an earlier time."""
+    for stale in folder.path.glob(f"{stem}-alt-*.plan"):
+        stale.unlink()
+    written = []
+    for number, steps in enumerate(plans, start=1):
+        file = f"{stem}-alt-{number}.plan"
+        write_atomically(folder / file, _plan_text(steps, problem, grounding, encoding))
+        written.append(PlannedSteps(file, named_steps(steps), _chance(steps, grounding)))
+    return tuple(written)
+
+
+def _chance(steps: Sequence[PlanStep], grounding: Grounding) -> float:
+    return round(expected_success(steps, grounding), 4)
+
+
+def _plan_text(steps: Sequence[PlanStep], problem: Problem, grounding: Grounding, encoding: Encoding) -> str:
+    """Print a plan such that validators take it, or in short if a step is not in the PDDL domain."""
+    if any(step.base in grounding.left_out for step in steps):
+        return print_plan(steps)
+    return print_ground_plan(steps, problem, grounding, encoding)

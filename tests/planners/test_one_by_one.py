@@ -1,0 +1,53 @@
+"""Planning for one object after another: who is planned for again is who was in conflict."""
+
+import pytest
+from tables import DOWN, LEFT, LIFT, PUSH, grounding, item
+
+from neurosym.pddl.plan_text import PlanStep
+from neurosym.pddl.validation import replay
+from neurosym.planners import PlanResult, PlanStatus
+from neurosym.planners.one_by_one import plan_one_by_one
+from neurosym.problems import Problem
+
+
+def of(name: str, *steps: PlanStep) -> tuple[PlanStep, ...]:
+    return tuple(PlanStep(step.operator, name) for step in steps)
+
+
+def test_an_object_whose_name_begins_like_that_of_another_is_not_planned_for_again():
+    goals = {"item-1": (0.5, 0.0832, 0.025), "item-10": (0.8, -0.0168, 0.025)}
+    task = Problem("p", (item("item-1", 0.5, 0.0), item("item-10", 0.8, -0.1)), goals)
+    asked: list[list[str]] = [[]]
+
+    def believed(one: Problem) -> PlanResult:
+        (name,) = one.goals
+        if name in asked[-1]:
+            asked.append([])
+        asked[-1].append(name)
+        steps = of(name, *[LEFT] * 5) if name == "item-10" else of(name, LEFT)  # off the table, and right
+        return PlanResult(PlanStatus.SOLVED, steps, 0.0)
+
+    result = plan_one_by_one(task, grounding(), believed)
+    assert result.status is PlanStatus.FAILED
+    assert sorted(asked[0]) == ["item-1", "item-10"]
+    assert all(names == ["item-10"] for names in asked[1:])
+
+
+TWO = (item("item-01", 0.5, 0.0), item("item-02", 0.5, 0.0832))
+
+
+@pytest.mark.parametrize(
+    ("steps", "concerned"),
+    [
+        (of("item-02", LEFT), ()),
+        (of("item-01", LEFT), ("item-01", "item-02")),  # where the other is
+        ((*of("item-02", LIFT), *of("item-01", PUSH)), ("item-01", "item-02")),  # which is still held
+        (of("item-01", *[LEFT] * 6), ("item-01", "item-02")),
+        (of("item-02", *[LEFT] * 6), ("item-02",)),  # off the table
+        (of("item-02", DOWN), ("item-02",)),
+        ((), ("item-02",)),  # far from its goal
+    ],
+)
+def test_replay_names_whom_its_reason_concerns(steps: tuple[PlanStep, ...], concerned: tuple[str, ...]):
+    task = Problem("p", TWO, {"item-02": (0.5, 0.1664, 0.025)})
+    assert replay(steps, task, grounding()).concerned == concerned
