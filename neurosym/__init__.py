@@ -1,35 +1,91 @@
 """neurosym: from a curious robot's interactions to a PDDL domain any planner takes, and back to motions.
 
-The verbs of the command line are functions here; each is imported when it is first used, so that
-`import neurosym` is quick and loads neither torch nor PyBullet.
+The verbs of the command line are functions here, and their nouns are types. Each is imported when it is first
+used, so that `import neurosym` is quick and loads neither torch nor PyBullet.
 """
 
 import sys
 from importlib import import_module
 from importlib.metadata import version
-from typing import Any
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from neurosym.actions import ActionBox as ActionBox
+    from neurosym.actions import Mirror as Mirror
+    from neurosym.data.interactions import Interactions as Interactions
+    from neurosym.errors import NeurosymError as NeurosymError
+    from neurosym.execution.executor import execute as execute
+    from neurosym.execution.record import Run as Run
+    from neurosym.exploration.loop import explore as explore
+    from neurosym.grounding import Grounding as Grounding
+    from neurosym.learning.training import Trained as Trained
+    from neurosym.learning.training import train as train
+    from neurosym.operators import Category as Category
+    from neurosym.operators import Operator as Operator
+    from neurosym.operators import OperatorTable as OperatorTable
+    from neurosym.operators import Primitive as Primitive
+    from neurosym.pddl.compiler import compile_domain as compile_domain
+    from neurosym.pddl.plan_text import PlanStep as PlanStep
+    from neurosym.planners.planner import Planner as Planner
+    from neurosym.planners.planner import Query as Query
+    from neurosym.planners.refinement import pddl_planner as pddl_planner
+    from neurosym.planners.registry import plan as plan
+    from neurosym.planners.registry import register_planner as register_planner
+    from neurosym.planners.result import PlannerAnswer as PlannerAnswer
+    from neurosym.planners.result import PlanResult as PlanResult
+    from neurosym.planners.result import PlanStatus as PlanStatus
+    from neurosym.primitives.audition import choose as choose
+    from neurosym.primitives.distillation import distill as distill
+    from neurosym.primitives.rehearsal import Rehearsals as Rehearsals
+    from neurosym.primitives.rehearsal import rehearse as rehearse
+    from neurosym.primitives.rehearsal import tabulate as tabulate
+    from neurosym.problems import Problem as Problem
+    from neurosym.problems import SceneObject as SceneObject
+    from neurosym.world import Outcome as Outcome
+    from neurosym.world import Scene as Scene
+    from neurosym.world import Table as Table
+    from neurosym.world import World as World
+    from neurosym.worlds.check import check_world as check_world
+    from neurosym.worlds.problem_drawing import draw_problem as draw_problem
 
 __version__ = version("neurosym")
 
-_VERBS = {
-    "explore": "neurosym.exploration.loop",
-    "train": "neurosym.learning.training",
-    "distill": "neurosym.primitives.distillation",
-    "rehearse": "neurosym.primitives.rehearsal",
-    "compile_domain": "neurosym.pddl",
-    "draw_problem": "neurosym.worlds.problem_drawing",
-    "plan": "neurosym.planners",
-    "execute": "neurosym.execution.executor",
-    "check_world": "neurosym.worlds.check",
+_PLACES = {
+    "neurosym.actions": ("ActionBox", "Mirror"),
+    "neurosym.data.interactions": ("Interactions",),
+    "neurosym.errors": ("NeurosymError",),
+    "neurosym.execution.executor": ("execute",),
+    "neurosym.execution.record": ("Run",),
+    "neurosym.exploration.loop": ("explore",),
+    "neurosym.grounding": ("Grounding",),
+    "neurosym.learning.training": ("Trained", "train"),
+    "neurosym.operators": ("Category", "Operator", "OperatorTable", "Primitive"),
+    "neurosym.pddl.compiler": ("compile_domain",),
+    "neurosym.pddl.plan_text": ("PlanStep",),
+    "neurosym.planners.planner": ("Planner", "Query"),
+    "neurosym.planners.refinement": ("pddl_planner",),
+    "neurosym.planners.registry": ("plan", "register_planner"),
+    "neurosym.planners.result": ("PlannerAnswer", "PlanResult", "PlanStatus"),
+    "neurosym.primitives.audition": ("choose",),
+    "neurosym.primitives.distillation": ("distill",),
+    "neurosym.primitives.rehearsal": ("Rehearsals", "rehearse", "tabulate"),
+    "neurosym.problems": ("Problem", "SceneObject"),
+    "neurosym.world": ("Outcome", "Scene", "Table", "World"),
+    "neurosym.worlds.check": ("check_world",),
+    "neurosym.worlds.problem_drawing": ("draw_problem",),
 }
+"""Where each name comes from when it is first used; type checkers read the block above."""
+_HOMES = {name: module for module, names in _PLACES.items() for name in names}
 
-__all__ = ["__version__", *_VERBS]
+__all__ = ["__version__", *_HOMES]
 
 
-def __getattr__(name: str) -> Any:
-    if name in _VERBS:
-        return getattr(import_module(_VERBS[name]), name)
-    raise AttributeError(f"module 'neurosym' has no attribute {name!r}")
+if not TYPE_CHECKING:  # a type checker would take every name for granted
+
+    def __getattr__(name: str) -> object:
+        if name in _HOMES:
+            return getattr(import_module(_HOMES[name]), name)
+        raise AttributeError(f"module 'neurosym' has no attribute {name!r}")
 
 
 def __dir__() -> list[str]:

@@ -19,7 +19,8 @@ from neurosym.errors import InvalidValue, UnknownChoice
 MIN_EFFECT = 0.08
 """Least sum of absolute displacements of a high effect [m]."""
 
-DEFAULT_STRATEGY = "disagreement"
+StrategyName = Literal["disagreement", "entropy", "curiosity", "random", "active"]
+DEFAULT_STRATEGY: StrategyName = "disagreement"
 
 
 @dataclass(frozen=True, slots=True)

@@ -1,25 +1,20 @@
-"""Reading what was typed on the command line: tyro does it, and what it refuses is said in one sentence."""
+"""Reading what was typed on the command line: tyro does it, and what it refuses is said in one sentence.
 
-import io
-import os
+tyro tells what it is about to refuse as an event. Events are no stable part of it, so the version is pinned.
+"""
+
 import re
-import sys
 from collections.abc import Callable, Mapping, Sequence
-from contextlib import redirect_stderr
 from functools import partial, wraps
+from typing import Any
 
-from neurosym.errors import InvalidValue, UnknownChoice
+from neurosym.errors import InvalidValue, UnknownChoice, shortened
 
 Command = Callable[..., int]
-HELP = frozenset({"-h", "--help"})
-_WIDE = "100000"
-"""Columns in which nothing is wrapped."""
-_STYLE = re.compile(r"\x1b\[[0-9;]*m")
-_RULE = re.compile(r"[╭╰].*|[\s│─-]*[─-]{3,}[\s│─-]*")
-_HELP_TEXT = " " * 8
-"""What the rows that explain an option begin with."""
-_FRAME = 2
-"""Columns of the frame on each side of a row."""
+
+
+class _Unreadable(Exception):
+    """Something that was typed cannot be read; the first argument says what, without a full stop."""
 
 
 def read_arguments(
@@ -33,21 +28,18 @@ def read_arguments(
         arguments: What was typed after `neurosym`.
 
     Raises:
-        UnknownChoice: If there is no such command.
+        UnknownChoice: If there is no such command, or an option has no such choice.
         InvalidValue: If its arguments cannot be read.
         SystemExit: If help was asked for, once it is printed.
     """
     import tyro
+    from tyro._errors import on_parse_error
 
     name = arguments[0] if arguments and not arguments[0].startswith("-") else ""
     if name and name not in commands:
         raise UnknownChoice("command", name, commands)
-    columns = os.environ.get("COLUMNS")
-    said = io.StringIO()
     try:
-        if not HELP.intersection(arguments):
-            os.environ["COLUMNS"] = _WIDE
-        with redirect_stderr(said):
+        with on_parse_error(partial(_refuse, commands)):
             chosen: Callable[[], int] = tyro.extras.subcommand_cli_from_dict(
                 {known: _later(command) for known, command in commands.items()},
                 prog="neurosym",
@@ -55,16 +47,9 @@ def read_arguments(
                 args=arguments,
                 config=(tyro.conf.FlagCreatePairsOff,),
             )
-    except SystemExit as ended:
-        if ended.code and (problem := _problem(said.getvalue(), name)):
-            raise InvalidValue(problem + _hint(name, arguments)) from None
-        sys.stderr.write(said.getvalue())
-        raise
-    finally:
-        os.environ.pop("COLUMNS", None)
-        if columns is not None:
-            os.environ["COLUMNS"] = columns
-    sys.stderr.write(said.getvalue())
+    except _Unreadable as error:
+        said = f"neurosym{' ' if name else ''}{name}: {error}"
+        raise InvalidValue(said + _hint(name, arguments)) from None
     return chosen
 
 
@@ -78,19 +63,40 @@ def _later(command: Command) -> Callable[..., Callable[[], int]]:
     return later
 
 
-def _problem(box: str, name: str) -> str:
-    """Take the first paragraph out of tyro's box: title, rule, what is wrong, and after a rule the help."""
-    rows = [_STYLE.sub("", row) for row in box.splitlines()]
-    rules = [number for number, row in enumerate(rows) if _RULE.fullmatch(row)]
-    if len(rules) < 2:
-        return ""
-    inside = [row.rstrip("│ ")[_FRAME:] for row in rows[rules[0] + 1 : rules[1]]]
-    if "" in inside:
-        inside = inside[: inside.index("")]
-    said = " ".join(row.strip() for row in inside if not row.startswith(_HELP_TEXT))
-    said = re.sub(r" \(applied to neurosym[^)]*\)|\. Expected 1 values\.", "", said)
-    said = said.replace(f" from neurosym {name}:", ":")
-    return f"neurosym{' ' if name else ''}{name}: {said[:1].lower()}{said[1:].rstrip('.')}" if said else ""
+def _refuse(commands: Mapping[str, Command], event: Any) -> None:
+    """Say in a sentence what tyro is about to refuse; events that are new to us it says itself."""
+    from tyro import _errors as events
+
+    if isinstance(event, events.InvalidChoice):
+        choices = [choice for choice in event.choices if choice != "None"]  # which is no word of ours
+        raise UnknownChoice(_called(event.argument).removeprefix("--"), event.value, choices)
+    said = None
+    if isinstance(event, events.MissingArgs):
+        said = f"missing: {', '.join(_called(missing.arg) for missing in event.missing_arguments)}"
+        if event.unrecognized_tokens:
+            said += f"; unrecognized options: {_quoted(event.unrecognized_tokens)}"
+    elif isinstance(event, events.MissingSubcommand):
+        said = f"expected one of {{{', '.join(commands)}}}"
+    elif isinstance(event, events.BadValue):
+        said = f"missing value for argument '{_called(event.argument)}'"
+    elif isinstance(event, events.UnrecognizedArgs):
+        said = f"unrecognized options: {_quoted(event.tokens)}"
+    elif isinstance(event, events.InstantiationFailure):
+        option = _called(event.argument) if event.argument else "what was typed"
+        said = f"error parsing {option}: {event.message.rstrip('.')}"
+    if said:
+        raise _Unreadable(said)
+
+
+def _called(argument: Any) -> str:
+    """Say what an argument is called: `--option`, or PLACE."""
+    if argument.is_positional():
+        return str(argument.lowered.metavar)
+    return str(argument.lowered.name_or_flags[-1])
+
+
+def _quoted(tokens: Sequence[str]) -> str:
+    return ", ".join(shortened(token, 300) for token in tokens)
 
 
 def _hint(name: str, arguments: Sequence[str]) -> str:

@@ -1,6 +1,6 @@
 """The command `neurosym distill`: symbols to parameters, and what these do."""
 
-from typing import Annotated
+from typing import Annotated, Literal
 
 from tyro.conf import arg
 
@@ -23,7 +23,7 @@ def distill(
     seed: Seed = 0,
     workers: Workers = CPUS,
     choice: Annotated[
-        str,
+        Literal["predictable", "lowest-error"],
         arg(help="Which candidate stands for a symbol: predictable, or lowest-error (the paper)."),
     ] = "predictable",
 ) -> int:

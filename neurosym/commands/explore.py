@@ -10,7 +10,7 @@ from neurosym.commands.options import (
     MinPredictedEffect,
     RegimeName,
     Seed,
-    Strategy,
+    StrategyOption,
     opened,
 )
 from neurosym.console import say, say_next
@@ -21,7 +21,7 @@ from neurosym.wording import quoted
 
 def explore(
     folder: Folder,
-    strategy: Strategy = DEFAULT_STRATEGY,
+    strategy: StrategyOption = DEFAULT_STRATEGY,
     steps: Annotated[int, arg(help="Interactions to make; more can be made later.")] = 10_000,
     seed: Seed = 0,
     regime: RegimeName = "default",

@@ -2,12 +2,13 @@
 
 import os
 from pathlib import Path
-from typing import Annotated
+from typing import Annotated, Literal
 
 from tyro.conf import Positional, arg
 
 from neurosym.console import say
 from neurosym.stages.folder import DomainFolder
+from neurosym.strategies import StrategyName
 
 Folder = Annotated[Positional[Path], arg(metavar="DIR", help="The domain folder.")]
 DataPath = Annotated[
@@ -20,8 +21,8 @@ ProblemName = Annotated[
 ]
 Seed = Annotated[int, arg(help="Where all random draws start: same seed, same bytes.")]
 Workers = Annotated[int, arg(help="Processes that simulate; their number does not change the result.")]
-Strategy = Annotated[
-    str,
+StrategyOption = Annotated[
+    StrategyName,
     arg(
         help="How actions are chosen: disagreement (of several networks), entropy (the paper's, also called "
         "curiosity), random or active."
@@ -36,7 +37,8 @@ MinPredictedEffect = Annotated[
     ),
 ]
 RegimeName = Annotated[
-    str, arg(help="Network and training: default, quick (a first look), paper (as printed).")
+    Literal["default", "quick", "paper"],
+    arg(help="Network and training: default, quick (a first look), paper (as printed)."),
 ]
 
 NO_RESULT = 3

@@ -1,7 +1,7 @@
 """The command `neurosym plan`: a problem to a plan."""
 
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import TYPE_CHECKING, Annotated, Literal
 
 from tyro.conf import arg
 
@@ -20,7 +20,8 @@ def plan(
     planner: Annotated[str, arg(help="One of those that `neurosym planners` lists.")] = "fast-downward",
     time_limit: Annotated[float, arg(help="When to give up [s].")] = 60.0,
     encoding: Annotated[
-        str | None, arg(help="For PDDL planners: sas, stepwise, operators or numeric, instead of the usual.")
+        Literal["sas", "stepwise", "operators", "numeric"] | None,
+        arg(help="For PDDL planners: sas, stepwise, operators or numeric, instead of the usual."),
     ] = None,
     whole: Annotated[bool, arg(help="For PDDL planners: all objects at once instead of one by one.")] = False,
     unit_costs: Annotated[

@@ -11,7 +11,7 @@ from neurosym.commands.options import (
     MinPredictedEffect,
     RegimeName,
     Seed,
-    Strategy,
+    StrategyOption,
     Workers,
     opened,
 )
@@ -26,7 +26,7 @@ def run(
         str | None,
         arg(help="Which world, for a new folder: tabletop (default), toy, or your own as module:factory."),
     ] = None,
-    strategy: Strategy = DEFAULT_STRATEGY,
+    strategy: StrategyOption = DEFAULT_STRATEGY,
     steps: Annotated[int, arg(help="Interactions to explore for.")] = 10_000,
     seed: Seed = 0,
     regime: RegimeName = "default",

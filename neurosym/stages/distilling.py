@@ -1,8 +1,4 @@
-"""The stages of the way, each from files of a domain folder to files of a domain folder: load, call, save.
-
-The command line performs one stage at a time; `neurosym run` performs all of them, each only where its
-inputs, options or outputs have changed. What is slow to import is imported where it is used.
-"""
+"""The stage that distils: networks, data and world -> `primitives.json`."""
 
 from pathlib import Path
 
@@ -13,7 +9,7 @@ from neurosym.data.interactions import Interactions
 from neurosym.data.origin import box_of
 from neurosym.errors import InvalidFile, InvalidValue, UnknownChoice
 from neurosym.files import write_json
-from neurosym.primitives.audition import CHOICES, choose
+from neurosym.primitives.audition import CHOICES
 from neurosym.stages.folder import DomainFolder
 from neurosym.stages.layout import DIRECT_MODEL, INTERACTIONS, MODEL, PRIMITIVES, WORLD
 from neurosym.stages.manifest import Stage
@@ -38,9 +34,7 @@ def distill_stage(
     def work() -> None:
         from neurosym.learning.direct_model import DirectModel
         from neurosym.learning.effect_model import EffectModel
-        from neurosym.primitives.averaging import average
-        from neurosym.primitives.distillation import distill
-        from neurosym.primitives.rehearsal import rehearse, tabulate
+        from neurosym.primitives.table import NothingDistilled, find_operators
 
         factory = read_world(folder / WORLD) if (folder / WORLD).exists() else None
         model = EffectModel.load(folder.require(MODEL))
@@ -49,33 +43,22 @@ def distill_stage(
         for name, network in ((MODEL, model), (DIRECT_MODEL, direct)):
             if problem := model_misfit(network.dimensions, interactions.columns, interactions.origin):
                 raise InvalidFile(folder / name, problem)
-        box = _box(folder / INTERACTIONS, interactions, factory)
-        with progress_bar("distilling") as advance:
-            candidates = distill(model, interactions, box, seed=seed, progress=advance)
-        if not candidates:
-            raise InvalidFile(folder / MODEL, "no action encodes to its symbol; train again")
-        categorise = model.object_symbols
-        with progress_bar("auditioning") as advance:
-            primitives = choose(
-                candidates,
-                choice,
-                predict=direct.predict_outcomes,
-                features=interactions.features,
-                categorise=categorise,
+        try:
+            table = find_operators(
+                model,
+                direct,
+                interactions,
+                _box(folder / INTERACTIONS, interactions, factory),
                 world_factory=factory,
+                objects=objects,
+                choice=choice,
                 seed=seed,
                 workers=workers,
-                progress=advance,
+                open_bar=progress_bar,
             )
-        if factory is None:
-            averaged = average(interactions, primitives, categorise, model.action_symbols)
-            write_json(folder / PRIMITIVES, averaged)
-            return
-        with progress_bar("rehearsing") as advance:
-            rehearsals = rehearse(
-                factory, primitives, categorise, objects=objects, seed=seed, workers=workers, progress=advance
-            )
-        write_json(folder / PRIMITIVES, tabulate(rehearsals, factory().feature_names))
+        except NothingDistilled as error:
+            raise InvalidFile(folder / MODEL, "no action encodes to its symbol; train again") from error
+        write_json(folder / PRIMITIVES, table)
 
     options = {"objects": objects, "seed": seed, "choice": choice}
     return Stage("distill", (WORLD, MODEL, DIRECT_MODEL, INTERACTIONS), (PRIMITIVES,), work, options)

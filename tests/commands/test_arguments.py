@@ -2,13 +2,23 @@
 
 import json
 from pathlib import Path
+from typing import get_args, get_type_hints
 
 import pytest
 from command_line import neurosym, refusal
 from conftest import LEARN_TOY
 
+from neurosym.commands.distill import distill
+from neurosym.commands.explore import explore
+from neurosym.commands.plan import plan
+from neurosym.commands.run import run
+from neurosym.commands.train import train
+from neurosym.learning.training_config import REGIMES
+from neurosym.pddl.moves import ENCODINGS, SAS
 from neurosym.planners import PlanStatus
 from neurosym.planners.fast_downward import plan_fast_downward
+from neurosym.primitives.audition import CHOICES
+from neurosym.strategies import STRATEGIES
 
 
 @pytest.mark.parametrize(
@@ -25,12 +35,15 @@ from neurosym.planners.fast_downward import plan_fast_downward
             ["plan", "task-01", "--planner", "magic"],
             "no planner 'magic'; valid: aries, bfs, bfs-operators, counting",
         ),
-        (["plan", "task-01", "--encoding", "runes"], "'runes'; valid: operators, sas, stepwise"),
+        (
+            ["plan", "task-01", "--encoding", "runes"],
+            "no encoding 'runes'; valid: numeric, operators, sas, stepwise",
+        ),
         (["plan", "task-99"], "no problem 'task-99'; valid: task-01, task-02"),
         (["plan", "task-01", "--time-limit", "-1"], "time-limit"),
         (
             ["explore", "--strategy", "luck"],
-            "no strategy 'luck'; valid: active, disagreement, entropy, random",
+            "no strategy 'luck'; valid: active, curiosity, disagreement, entropy, random",
         ),
         (["explore", "--min-predicted-effect", "-0.1"], "min-predicted-effect = -0.1 m must be at least 0"),
         (["explore", "--min-predicted-effect", "nan"], "min-predicted-effect = nan m must be at least 0"),
@@ -68,7 +81,7 @@ def test_impossible_request_is_refused_in_one_sentence(folder, arguments, messag
         ),
         (["plan", "d"], "neurosym plan: missing: PROBLEM; `neurosym plan --help` says what there is"),
         (["plan", "d", "p", "--bogus", "3"], "neurosym plan: unrecognized options: --bogus, 3;"),
-        (["plan", "d", "p", "--seed", "3"], "neurosym plan: unrecognized or misplaced options: --seed 3;"),
+        (["plan", "d", "p", "--seed", "3"], "neurosym plan: unrecognized options: --seed, 3;"),
         (["plan", "d", "p", "x" * 300], "x" * 300),
         (["plam", "d"], "There is no command 'plam'; valid: check, compare,"),
         (["--bogus"], "neurosym: unrecognized options: --bogus; `neurosym --help` says"),
@@ -170,3 +183,26 @@ def test_init_refuses_an_unknown_world_and_leaves_no_folder(tmp_path, capsys):
     said = refusal(capsys, "init", tmp_path / "new", "--world", "moon")
     assert "no world 'moon'; valid: tabletop, toy" in said
     assert not (tmp_path / "new").exists()
+
+
+@pytest.mark.parametrize(
+    ("command", "option", "choices"),
+    [
+        (run, "strategy", {*STRATEGIES, "curiosity"}),
+        (explore, "strategy", {*STRATEGIES, "curiosity"}),
+        (run, "regime", {*REGIMES}),
+        (explore, "regime", {*REGIMES}),
+        (train, "regime", {*REGIMES}),
+        (distill, "choice", {*CHOICES}),
+        (plan, "encoding", {*ENCODINGS, SAS}),
+    ],
+)
+def test_help_lists_the_choices_that_there_are(command, option, choices, capsys):
+    hint = get_type_hints(command)[option]
+    listed = {
+        choice for kind in (hint, *get_args(hint)) for choice in get_args(kind) if isinstance(choice, str)
+    }
+    assert listed == choices
+    assert neurosym(command.__name__, "--help") == 0
+    said = capsys.readouterr().out
+    assert all(choice in said for choice in choices)

@@ -125,7 +125,7 @@ def test_planner_whose_plans_do_not_come_true_is_told_of_one_that_does(bare, cap
 @pytest.mark.parametrize(
     ("planner", "options"),
     [
-        ("bfs", ["--encoding", "nonsense"]),
+        ("bfs", ["--encoding", "stepwise"]),
         ("counting", ["--encoding", "sas"]),
         ("counting", ["--whole"]),
         ("bfs", ["--whole"]),

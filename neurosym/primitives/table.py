@@ -1,0 +1,92 @@
+"""From networks and data to the table of operators: distil, choose, and rehearse or average."""
+
+from contextlib import AbstractContextManager, nullcontext
+
+from neurosym.actions import ActionBox
+from neurosym.data.interactions import Interactions
+from neurosym.errors import InvalidValue
+from neurosym.learning.direct_model import DirectModel
+from neurosym.learning.effect_model import EffectModel
+from neurosym.operators import OperatorTable
+from neurosym.primitives.audition import choose
+from neurosym.primitives.averaging import average
+from neurosym.primitives.distillation import distill
+from neurosym.primitives.rehearsal import rehearse, tabulate
+from neurosym.progress import OpenBar, Progress
+from neurosym.world import WorldFactory
+
+
+class NothingDistilled(InvalidValue):
+    """A model whose symbols no action encodes to."""
+
+    def __init__(self) -> None:
+        super().__init__("No action encodes to its symbol; train again.")
+
+
+def find_operators(
+    model: EffectModel,
+    direct: DirectModel,
+    interactions: Interactions,
+    box: ActionBox,
+    *,
+    world_factory: WorldFactory | None,
+    objects: int = 100,
+    choice: str = "predictable",
+    seed: int,
+    workers: int = 1,
+    open_bar: OpenBar | None = None,
+) -> OperatorTable:
+    """Distil each action symbol, choose among the candidates, and measure what each primitive does.
+
+    Args:
+        model: Whose symbols are distilled.
+        direct: A network without a bottleneck on the same data, which shortlists.
+        interactions: The data.
+        box: What parameters must stay inside.
+        world_factory: Builds the world that primitives are auditioned and rehearsed in; without one, effects
+            are averaged from the data.
+        objects: How many objects each primitive is rehearsed on.
+        choice: Which candidate stands for a symbol; one of `CHOICES`.
+        seed: Where all draws start.
+        workers: How many processes; their number does not change the result.
+        open_bar: Called with what is being done; reports how far it has come.
+
+    Raises:
+        NothingDistilled: If no action encodes to its symbol.
+        UnknownChoice: If there is no such choice.
+    """
+    open_bar = open_bar or _silent
+    with open_bar("distilling") as advance:
+        candidates = distill(model, interactions, box, seed=seed, progress=advance)
+    if not candidates:
+        raise NothingDistilled
+    with open_bar("auditioning") as advance:
+        primitives = choose(
+            candidates,
+            choice,
+            predict=direct.predict_outcomes,
+            features=interactions.features,
+            categorise=model.object_symbols,
+            world_factory=world_factory,
+            seed=seed,
+            workers=workers,
+            progress=advance,
+        )
+    if world_factory is None:
+        return average(interactions, primitives, model.object_symbols, model.action_symbols)
+    with open_bar("rehearsing") as advance:
+        rehearsals = rehearse(
+            world_factory,
+            primitives,
+            model.object_symbols,
+            objects=objects,
+            seed=seed,
+            workers=workers,
+            progress=advance,
+        )
+    return tabulate(rehearsals, world_factory().feature_names)
+
+
+def _silent(_: str) -> AbstractContextManager[Progress]:
+    """Report nothing."""
+    return nullcontext(lambda done, total: None)  # noqa: ARG005 (a `Progress`)
