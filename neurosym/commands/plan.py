@@ -42,7 +42,6 @@ def plan(
     DIR/problems/PROBLEM.pddl, and its plan file executed.
     """
     from neurosym.files import read_json
-    from neurosym.stages.layout import plan_files
     from neurosym.stages.plan_records import PlanRecord
     from neurosym.stages.planning import plan_stage
 
@@ -62,7 +61,7 @@ def plan(
         more=alternatives,
     )
     domain.perform(stage, again=True)
-    plan_file, record_file = plan_files(name, planner)
+    plan_file, record_file = stage.outputs
     record = read_json(domain / record_file, PlanRecord)
     _say_plan(record)
     if record.steps or record.solved:

@@ -50,6 +50,6 @@ class PlannerAnswer:
     """
 
     status: PlanStatus
-    text: str
-    seconds: float
+    text: str = ""
+    seconds: float = 0.0
     reason: str = ""

@@ -1,0 +1,190 @@
+"""Planners of one's own: the documented one goes wherever ours go, and what is no planner is refused."""
+
+import importlib
+import json
+import subprocess
+import sys
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+from command_line import neurosym, refusal
+from documents import python_blocks
+from tables import grounding, problem
+from toy_domain import WORLD
+from toy_domain import grounding as toy_grounding
+from toy_domain import problem as toy_problem
+
+from neurosym.errors import InvalidPlanner
+from neurosym.pddl.plan_text import PlanStep
+from neurosym.pddl.validation import replay
+from neurosym.planners import (
+    PLANNERS,
+    Planner,
+    PlannerAnswer,
+    PlanResult,
+    PlanStatus,
+    pddl_planner,
+    plan,
+    planner_named,
+    register_planner,
+)
+
+CODE, REGISTERED = python_blocks("own-planner.md")
+
+
+@pytest.fixture
+def here(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """The current folder, with the documented planner."""
+    (tmp_path / "mimir_planner.py").write_text(CODE)
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setattr(sys, "path", list(sys.path))
+    before = dict(PLANNERS)
+    yield tmp_path
+    PLANNERS.clear()
+    PLANNERS.update(before)
+    for name in ("mimir_planner", "mine"):
+        sys.modules.pop(name, None)
+
+
+def test_the_documented_planner_is_short():
+    assert len(CODE.splitlines()) < 30
+
+
+def test_the_documented_planner_plans_is_compared_and_replans(here: Path, folder: Path, capsys):
+    asked = ("--planner", "mimir_planner:make")
+    assert neurosym("plan", folder, "task-01", *asked) == 0
+    record = json.loads((folder / "plans/task-01.mimir.json").read_text())
+    assert (record["planner"], record["status"]) == ("mimir", "solved")
+    plan_file = folder / "plans/task-01.mimir.plan"
+    assert f"next: neurosym execute {folder} task-01 {plan_file}" in capsys.readouterr().out
+    run = ("execute", folder, "task-01", plan_file, "--replanner", "mimir_planner:make", "--disturb", 3)
+    assert neurosym(*run) in (0, 3)
+    assert json.loads((folder / "runs/task-01.mimir.run.json").read_text())["replannings"]
+    both = ("fast-downward", "mimir_planner:make")
+    assert neurosym("compare", folder, "--tasks", 4, "--workers", 2, "--planners", *both) == 0
+    found = json.loads((folder / "comparison/1-objects-50-mm/comparison.json").read_text())["planners"]
+    assert found["mimir_planner:make"]["found"] == found["fast-downward"]["found"] > 0
+
+
+def test_a_planner_is_registered_in_one_call(here: Path, monkeypatch: pytest.MonkeyPatch):
+    monkeypatch.syspath_prepend(here)
+    names = {"problem": problem(), "grounding": grounding()}
+    exec(REGISTERED, names)
+    result = names["result"]
+    assert isinstance(result, PlanResult)
+    assert result.status is PlanStatus.SOLVED
+    assert replay(result.steps, problem(), grounding()).valid
+    value = importlib.import_module("mimir_planner").make()
+    assert plan(problem(), grounding(), value).steps == result.steps
+
+
+@pytest.mark.parametrize(
+    ("code", "message"),
+    [
+        ("", "cannot be found: the module 'mine' has no 'make'"),
+        ("import nothing_there", "cannot be imported: ModuleNotFoundError"),
+        ("make = 3", "is no Planner but of type int; return what neurosym.pddl_planner makes"),
+        ("def make(): return lambda *_: None", "is no Planner but of type function"),
+        ("def make(): raise ValueError('no licence.')", "cannot be made: ValueError: no licence"),
+        ("def make(size): return size", "cannot be made: TypeError"),
+        (
+            "from neurosym import pddl_planner\ndef make(): return pddl_planner('bfs', '', print)",
+            "has the name 'bfs', which one of ours has",
+        ),
+        (
+            "from neurosym import pddl_planner\ndef make(): return pddl_planner('Mine', '', print)",
+            "'Mine' is no name; valid: a lower-case letter",
+        ),
+        (
+            "from neurosym import pddl_planner\ndef make(): return pddl_planner('a', '', print, ['runes'])",
+            "has encodings = ('runes',); valid: one or more of numeric, operators, sas, stepwise",
+        ),
+    ],
+)
+def test_what_is_no_planner_is_refused_with_what_is_missing(
+    here: Path, folder: Path, code: str, message: str, capsys
+):
+    (here / "mine.py").write_text(code + "\n")
+    sys.modules.pop("mine", None)
+    for command in (
+        ("plan", folder, "task-01", "--planner", "mine:make"),
+        ("compare", folder, "--tasks", 1, "--planners", "mine:make"),
+    ):
+        assert message in refusal(capsys, *command)
+
+
+def test_a_planner_with_a_part_that_cannot_be_is_refused(here: Path, folder: Path):
+    """In a process of its own: here, types are checked before we can."""
+    parts = {
+        "solve": "solve = None; valid: a function of a Query",
+        "missing": "missing = None; valid: a func",
+    }
+    for part, message in parts.items():
+        code = f"Planner('a', 'a', **{{'solve': print, '{part}': None}})"
+        (here / "mine.py").write_text(f"from neurosym import Planner\ndef make(): return {code}\n")
+        command = [sys.executable, "-m", "neurosym", "plan", folder, "task-01", "--planner", "mine:make"]
+        ran = subprocess.run(command, capture_output=True, text=True)
+        assert (ran.returncode, ran.stdout) == (2, "")
+        assert message in ran.stderr
+
+
+def test_a_domain_folder_must_not_bring_a_planner(folder: Path, monkeypatch: pytest.MonkeyPatch, capsys):
+    (folder / "mine.py").write_text(CODE)
+    monkeypatch.syspath_prepend(folder)
+    said = refusal(capsys, "plan", folder, "task-01", "--planner", "mine:make")
+    assert "has its code in the domain folder" in said
+
+
+def raises(_: object) -> PlanResult:
+    raise RuntimeError("out of ink")
+
+
+def solved(*steps: PlanStep) -> Callable[[object], PlanResult]:
+    return lambda _: PlanResult(PlanStatus.SOLVED, steps, 0.0)
+
+
+@pytest.mark.parametrize(
+    ("solve", "message"),
+    [
+        (raises, "The planner mine raises an error in solve: RuntimeError: out of ink"),
+        (lambda _: "a plan", "The planner mine gives a str from solve; valid: a PlanResult"),
+    ],
+)
+def test_a_planner_that_fails_is_named(solve: Callable[..., PlanResult], message: str):
+    with pytest.raises(InvalidPlanner, match=message):
+        plan(problem(), grounding(), Planner("mine", "mine", solve))
+
+
+def test_a_plan_that_is_not_true_is_not_believed():
+    goals = {"item-01": (0.68, 0.0, 0.025)}
+    right = solved(PlanStep("push-forward-010-cube", "item-01"))
+    wrong = solved(PlanStep("push-left-001-cube", "item-01"))
+    found = plan(toy_problem(goals), toy_grounding(), Planner("mine", "mine", right))
+    assert found.status is PlanStatus.SOLVED
+    found = plan(toy_problem(goals), toy_grounding(), Planner("mine", "mine", wrong))
+    assert found.status is PlanStatus.FAILED
+    assert found.reason.startswith("its plan is not true when replayed: item-01 ends")
+
+
+def test_a_planner_that_reads_the_network_is_shown_what_it_predicts():
+    seen = []
+
+    def solve(query):
+        seen.append(query.predict)
+        return PlanResult(PlanStatus.UNSOLVABLE, (), 0.0)
+
+    def predict(features):
+        return features[:, None, :3]
+
+    for reads in ("network", "operators"):
+        mine = Planner("mine", "mine", solve, reads=reads)
+        plan(toy_problem({}), toy_grounding(), mine, predict=predict)
+    assert seen == [predict, None]
+    assert WORLD.name == "toy"
+
+
+def test_names_of_ours_cannot_be_taken():
+    with pytest.raises(InvalidPlanner, match="counting has a name which one of ours has"):
+        register_planner(pddl_planner("counting", "", lambda *_, **__: PlannerAnswer(PlanStatus.FAILED)))
+    assert planner_named("counting").is_exact
