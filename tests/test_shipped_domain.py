@@ -10,7 +10,7 @@ from neurosym.files import digest, read_json
 from neurosym.operators import OperatorTable
 from neurosym.pddl import domain_text, problem_text
 from neurosym.pddl.determinisation import with_every_outcome
-from neurosym.pddl.validation import replay
+from neurosym.pddl.validation import validate
 from neurosym.planners import PlanStatus, plan
 from neurosym.planners.fast_downward import plan_fast_downward
 from neurosym.stages.plan_records import PlanRecord
@@ -85,7 +85,7 @@ def test_plan_found_now_is_true_when_replayed(name):
     problem = load_problem(FOLDER, name)
     result = plan(problem, GROUNDING)
     assert result.status is PlanStatus.SOLVED
-    assert replay(result.steps, problem, GROUNDING).valid
+    assert validate(result.steps, problem, GROUNDING).valid
 
 
 def test_every_verb_of_the_package_can_be_had():

@@ -9,7 +9,7 @@ from neurosym.commands.run import run
 from neurosym.console import say
 from neurosym.files import read_json, write_atomically
 from neurosym.grounding import Grounding
-from neurosym.learning.report import TrainingSummary
+from neurosym.learning.report import TrainingReport
 from neurosym.operators import Category, Operator, OperatorTable, Vector
 from neurosym.stages.compiling import problem_stage
 from neurosym.stages.executing import execute_stage, load_run
@@ -92,7 +92,7 @@ def _stages(folder: DomainFolder) -> str:
 
 
 def _training(folder: DomainFolder) -> str:
-    report = read_json(folder / TRAINING, TrainingSummary)
+    report = read_json(folder / TRAINING, TrainingReport)
     rows = [[name, *(f"{1000 * error:.1f}" for error in errors)] for name, errors in report.mae.items()]
     table = _markdown(["mean absolute error [mm]", "x", "y", "z"], rows)
     return (

@@ -6,6 +6,7 @@ from tyro.conf import arg
 
 from neurosym.commands.options import Folder, opened
 from neurosym.console import say, say_next
+from neurosym.pddl.compiler import CELL
 from neurosym.stages.layout import GROUNDING
 from neurosym.wording import quoted
 
@@ -14,7 +15,7 @@ if TYPE_CHECKING:
 
 
 def compile_domain(
-    folder: Folder, cell: Annotated[float, arg(help="Edge of a grid cell [m].")] = 0.005
+    folder: Folder, cell: Annotated[float, arg(help="Edge of a grid cell [m].")] = CELL
 ) -> int:
     """Compile the PDDL domain: `primitives.json` -> `domain.pddl` and its like, and `grounding.json`.
 

@@ -11,7 +11,7 @@ from neurosym.data.check import FLAGS
 from neurosym.data.interactions import Interactions
 from neurosym.execution.record import Run
 from neurosym.files import read_json
-from neurosym.learning.report import TrainingSummary, error_table
+from neurosym.learning.report import TrainingReport, error_table
 from neurosym.naming import NO_EFFECT, name_axes, names_of_features
 from neurosym.operators import CONVERGED, Effect, Operator, OperatorTable
 from neurosym.pddl.moves import PUT_DOWN
@@ -26,7 +26,7 @@ def show_training(path: Path) -> None:
     Raises:
         InvalidFile: If it is no training report.
     """
-    report = read_json(path, TrainingSummary)
+    report = read_json(path, TrainingReport)
     show_table(f"mean absolute error, {report.held_out} held-out interactions", *error_table(report))
     say(
         f"R2 through the bits {report.r2_through_codes:.2f}, of a network without a bottleneck "
@@ -36,7 +36,7 @@ def show_training(path: Path) -> None:
     say(f"symbols used in the held-out interactions: {used}")
 
 
-def _share(report: TrainingSummary) -> str:
+def _share(report: TrainingReport) -> str:
     if report.share is None or report.r2_through_codes <= 0:
         return "no better than the mean effect, so there is nothing to share"
     return f"a share of {report.share:.2f}"

@@ -19,7 +19,7 @@ from neurosym.execution.executor import execute
 from neurosym.execution.summary import Execution, summarise_run
 from neurosym.grounding import Grounding, at_rest, is_lift
 from neurosym.pddl.plan_text import PlanStep, named_steps
-from neurosym.pddl.validation import Replay, replay
+from neurosym.pddl.validation import Validation, validate
 from neurosym.planners import PLANNERS, PlanResult, PlanStatus, plan, planner_named
 from neurosym.planners.planner import PredictEffects
 from neurosym.planners.registry import Replanner
@@ -164,7 +164,7 @@ def _attempt(setting: Setting, problem: Problem, name: str, *, time_limit: float
     steps = result.steps
     if result.status is not PlanStatus.SOLVED:
         return Attempt(result.status, result.reason, seconds=round(result.seconds, 4))
-    replayed = replay(steps, problem, setting.grounding)
+    replayed = validate(steps, problem, setting.grounding)
     blind, replanned = _follow(setting, problem, steps, solve) if executed else (None, None)
     return Attempt(
         status=result.status,
@@ -210,7 +210,7 @@ def _worst(problem: Problem, positions: Float[np.ndarray, "M 3"]) -> float:
     return round(max(problem.distances(positions).values()), 6)
 
 
-def _invalid(replayed: Replay) -> NOT_VALID:
+def _invalid(replayed: Validation) -> NOT_VALID:
     if replayed.valid:
         return ""
     return "elsewhere" if replayed.possible else "impossible"

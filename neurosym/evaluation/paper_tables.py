@@ -11,7 +11,8 @@ from neurosym.data.interactions import Interactions
 from neurosym.evaluation.comparison_summary import Comparison, Tally
 from neurosym.evaluation.primitive_kinds import KINDS
 from neurosym.files import read_json, write_json
-from neurosym.learning.report import TrainingSummary
+from neurosym.learning.baselines import TEST_ROWS, trivial_predictions
+from neurosym.learning.report import TrainingReport
 from neurosym.markdown import mean_and_spread
 from neurosym.naming import name_axes
 from neurosym.operators import OperatorTable
@@ -22,8 +23,6 @@ from neurosym.stages.manifest import Stage, rehearsal_options
 from neurosym.strategies import has_high_effect
 from neurosym.wording import quoted
 
-TEST_ROWS = 2400
-"""Interactions of a test set that are used: the first ones with a high effect, as many as the paper's."""
 OWN_DATA = "own data"
 Errors = dict[str, list[float]]
 """Mean absolute error of each predictor on each axis [m]."""
@@ -114,7 +113,7 @@ def measure(
     Raises:
         InvalidFile: If a file is damaged.
     """
-    report = read_json(folder / TRAINING, TrainingSummary) if (folder / TRAINING).is_file() else None
+    report = read_json(folder / TRAINING, TrainingReport) if (folder / TRAINING).is_file() else None
     errors, rows = (report.mae, report.held_out) if report else (None, 0)
     if test is not None and (folder / MODEL).is_file():
         errors, rows = errors_on(folder, test)
@@ -141,9 +140,7 @@ def errors_on(folder: DomainFolder, test: Interactions) -> tuple[Errors, int]:
     effects = np.asarray(test.effects, dtype=np.float64)
     guesses = {
         "model": model.predict_from_codes(test.features, test.actions)[0],
-        "always zero": np.zeros_like(effects),
-        "always mean": np.broadcast_to(seen.effects.mean(0), effects.shape),
-        "per-axis median": np.broadcast_to(np.median(seen.effects, axis=0), effects.shape),
+        **trivial_predictions(seen.effects, len(effects)),
     }
     return {name: np.abs(guess - effects).mean(0).tolist() for name, guess in guesses.items()}, len(test)
 

@@ -26,7 +26,7 @@ from neurosym.execution.record import (
 from neurosym.grounding import Grounding, is_lift
 from neurosym.operators import vector
 from neurosym.pddl.plan_text import PlanStep, Steps, named_steps
-from neurosym.pddl.validation import replay
+from neurosym.pddl.validation import validate
 from neurosym.planners.registry import Replanner
 from neurosym.planners.result import PlanStatus
 from neurosym.problems import Problem
@@ -114,7 +114,7 @@ class _Running:
         if not self.left and seen.is_met(self.scene.positions):
             return ""
         believed, grounding = self.experience.believed(seen)
-        checked = replay([believed_name(step, grounding) for step in self.left], believed, grounding)
+        checked = validate([believed_name(step, grounding) for step in self.left], believed, grounding)
         if checked.failed is None:
             return checked.reason
         step, why = learned_name(checked.failed[0]), checked.failed[1]
@@ -134,7 +134,7 @@ class _Running:
         )
         if is_found:
             self.left = new
-        elif not replay(self.left, self._now(), self.grounding).possible:
+        elif not validate(self.left, self._now(), self.grounding).possible:
             self.left = []
 
     def step(self) -> None:

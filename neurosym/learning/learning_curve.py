@@ -77,9 +77,7 @@ def learning_curve(
         first = seen[:size]
         trained = train(first, config=chosen.training, model_config=chosen.model, seed=seed)
         report = assess(trained.model, trained.direct, first, held_out)
-        points.append(
-            CurvePoint(size, report["r2_through_codes"], report["r2_direct"], tuple(report["mae"]["model"]))
-        )
+        points.append(CurvePoint(size, report.r2_through_codes, report.r2_direct, tuple(report.mae["model"])))
         if progress:
             progress(number, len(sizes))
     return LearningCurve(len(held_out), regime, tuple(points))

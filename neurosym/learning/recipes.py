@@ -7,7 +7,7 @@
   interactions that were never made. The encoders learn end to end what to tell in their bits: an embedding z
   is read as independent bits that are 1 with probability (1 + z) / 2, and the expected squared error over
   all codes is descended, exactly. Since that has poor local optima, it begins with encoders that were fitted
-  to a co-clustering of the teacher's predictions (`meanings.py`). Last, the decoder is fitted to the codes
+  to a co-clustering of the teacher's predictions (`code_targets.py`). Last, the decoder is fitted to codes
   (eq. 7) of imagined interactions (`teaching.py`).
 """
 
@@ -17,11 +17,11 @@ from functools import partial
 import torch
 from torch import Tensor, nn
 
+from neurosym.learning.code_targets import find_code_targets
 from neurosym.learning.direct_model import DirectModel
 from neurosym.learning.effect_model import EffectModel
 from neurosym.learning.inputs import reflected
 from neurosym.learning.losses import FitProgress, descend, prediction_loss, run_epochs, total_loss
-from neurosym.learning.meanings import find_meanings
 from neurosym.learning.samples import Samples
 from neurosym.learning.teaching import descend_decoder, fit_decoder, fit_encoders, fit_names, signs_of
 from neurosym.learning.training_config import TrainingConfig
@@ -105,9 +105,9 @@ def fit_as_taught(
     """Learn what the bits should say from a network without a bottleneck; see the head of this file."""
     progress("meanings", 0.0)
     config = config.for_bits(model.config.action_bits)
-    meanings = find_meanings(teacher, model.config, samples, config, generator)
-    fit_names(model, meanings, config, generator, progress)
-    fit_encoders(model, teacher, nn.Parameter(meanings.effects), samples, config, generator, progress)
+    targets = find_code_targets(teacher, model.config, samples, config, generator)
+    fit_names(model, targets, config, generator, progress)
+    fit_encoders(model, teacher, nn.Parameter(targets.effects), samples, config, generator, progress)
     if config.decoder_learns_from == "imagined":
         fit_decoder(model, teacher, samples, config, generator, progress)
     else:

@@ -5,19 +5,39 @@ import msgspec
 from neurosym.naming import name_axes
 
 
-class TrainingSummary(msgspec.Struct, frozen=True):
-    """What is shown of a training report; see `neurosym.learning.training.assess`."""
+class TrainingReport(msgspec.Struct, frozen=True, omit_defaults=True):
+    """How well a model fits, on interactions held out from training.
+
+    Attributes:
+        held_out: How many interactions it was measured on.
+        r2_through_codes: R2 of the effect through the binary codes, mean over the axes that vary.
+        r2_direct: The same of the network without a bottleneck.
+        share: The one divided by the other; see `share_of`.
+        mae: Mean absolute error on each axis [m], of the model through its codes and of trivial predictors.
+        object_symbols: Share of each object symbol.
+        action_symbols: Share of each action symbol.
+        r2_through_codes_by_axis: R2 through the codes on each axis.
+        r2: R2 without cutting the embeddings to bits.
+        r2_by_axis: The same on each axis.
+        r2_direct_by_axis: R2 of the network without a bottleneck on each axis.
+        restarts: R2 through the codes of each fit that was made.
+    """
 
     held_out: int
     r2_through_codes: float
+    r2_through_codes_by_axis: tuple[float, ...]
+    r2: float
+    r2_by_axis: tuple[float, ...]
     r2_direct: float
+    r2_direct_by_axis: tuple[float, ...]
     share: float | None
     mae: dict[str, list[float]]
     object_symbols: dict[str, float]
     action_symbols: dict[str, float]
+    restarts: tuple[float, ...] = ()
 
 
-def error_table(report: TrainingSummary) -> tuple[list[str], list[list[str]]]:
+def error_table(report: TrainingReport) -> tuple[list[str], list[list[str]]]:
     """Return headings and rows of the errors of each predictor, in mm if the axes are x, y and z."""
     names = name_axes(max(map(len, report.mae.values()), default=3))
     is_in_space = len(names) == 3

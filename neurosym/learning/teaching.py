@@ -1,7 +1,7 @@
 """What a network without a bottleneck teaches the effect model, in three lessons.
 
 The teacher says what would happen in interactions that were never made. First, each encoder is fitted to name
-what `meanings.py` says that codes stand for. Then both learn end to end what to tell in their bits. Last, the
+what `code_targets.py` says that codes stand for. Then both learn end to end what to tell in their bits. The
 decoder learns what to expect of each pair of codes: of actions and objects as they come, and not as somebody
 curious chose them.
 """
@@ -15,10 +15,10 @@ import torch
 from jaxtyping import Float, Int
 from torch import Tensor, nn
 
+from neurosym.learning.code_targets import CodeTargets
 from neurosym.learning.direct_model import DirectModel
 from neurosym.learning.effect_model import EffectModel, as_signs
 from neurosym.learning.losses import BatchLoss, FitProgress, descend, prediction_loss, take_steps
-from neurosym.learning.meanings import Meanings
 from neurosym.learning.samples import Samples
 from neurosym.learning.training_config import TrainingConfig
 
@@ -27,7 +27,7 @@ _LIKELIHOOD_WEIGHT = 0.05
 
 def fit_names(
     model: EffectModel,
-    meanings: Meanings,
+    targets: CodeTargets,
     config: TrainingConfig,
     generator: torch.Generator,
     progress: FitProgress,
@@ -37,8 +37,8 @@ def fit_names(
     From some starts an encoder never comes to use one of the codes.
     """
     parts = (
-        ("actions", model.action_encoder, model.embed_actions, meanings.actions, meanings.action_costs),
-        ("objects", model.object_encoder, model.embed_objects, meanings.features, meanings.object_costs),
+        ("actions", model.action_encoder, model.embed_actions, targets.actions, targets.action_costs),
+        ("objects", model.object_encoder, model.embed_objects, targets.features, targets.object_costs),
     )
     for stage, encoder, embed, inputs, costs in parts:
         found: list[tuple[float, dict[str, Tensor]]] = []

@@ -5,8 +5,8 @@ is kept. The report sets the model's error beside what predictors that look at n
 """
 
 from dataclasses import asdict, dataclass, replace
-from typing import Any
 
+import msgspec
 import numpy as np
 from jaxtyping import Float
 
@@ -15,18 +15,17 @@ from neurosym.data.dimensions import Dimensions
 from neurosym.data.interactions import Interactions
 from neurosym.data.origin import strategy_of
 from neurosym.errors import InvalidValue
+from neurosym.learning.baselines import trivial_predictions
 from neurosym.learning.direct_model import DirectModel
 from neurosym.learning.effect_model import EffectModel
 from neurosym.learning.losses import FitProgress, reproducible
 from neurosym.learning.model_config import ModelConfig
 from neurosym.learning.recipes import RECIPES, fit_direct
+from neurosym.learning.report import TrainingReport
 from neurosym.learning.samples import Samples, dimensions_of, samples_of
 from neurosym.learning.training_config import TrainingConfig
 
 _DIRECT = 0x6469  # keeps the draws of the network without a bottleneck apart from those of restarts
-
-TrainingReport = dict[str, Any]
-"""Plain JSON values: see `assess` for the keys; besides, `restarts` and the figures of each."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -36,7 +35,7 @@ class Trained:
     Attributes:
         model: The effect model, whose bits are the symbols.
         direct: A network without a bottleneck on the same data: what the bits could tell at best.
-        report: How well both predict; see `assess`.
+        report: How well both predict.
     """
 
     model: EffectModel
@@ -89,9 +88,10 @@ def train(
         direct.trained_by = trained_by
     fits = [_fit(samples, direct, model_config, config, seed, n, progress) for n in range(config.restarts)]
     reports = [assess(model, direct, kept, held_out) for model in fits]
-    best = int(np.argmax([report["r2_through_codes"] for report in reports]))
-    model, report = fits[best], reports[best]
-    report["restarts"] = [figures["r2_through_codes"] for figures in reports]
+    best = int(np.argmax([report.r2_through_codes for report in reports]))
+    model = fits[best]
+    restarts = tuple(figures.r2_through_codes for figures in reports)
+    report = msgspec.structs.replace(reports[best], restarts=restarts)
     model.trained_by = trained_by
     return Trained(model, direct, report)
 
@@ -146,12 +146,6 @@ def assess(
 ) -> TrainingReport:
     """Measure a model on interactions that it was not trained on.
 
-    Returns:
-        `r2_through_codes`, `r2` (without cutting the embeddings to bits) and `r2_direct` (of the network
-        without a bottleneck), mean over the axes that vary and per axis; `share`, see `share_of`;
-        `mae` [m] per axis of the model (through codes) and of the trivial predictors always-zero, always-mean
-        and per-axis median; `object_symbols` and `action_symbols`, the share of each.
-
     Args:
         model: The model.
         direct: The network without a bottleneck.
@@ -163,9 +157,7 @@ def assess(
     uncut, _ = model.predict(held_out.features, held_out.actions)
     predictors = {
         "model": coded,
-        "always zero": np.zeros_like(effects),
-        "always mean": np.broadcast_to(kept.effects.mean(0), effects.shape),
-        "per-axis median": np.broadcast_to(np.median(kept.effects, axis=0), effects.shape),
+        **trivial_predictions(kept.effects, len(effects)),
     }
     r2_coded, r2 = r_squared(coded, effects), r_squared(uncut, effects)
     r2_direct = r_squared(direct.predict(held_out.features, held_out.actions), effects)
@@ -173,19 +165,19 @@ def assess(
     mean_coded, mean_uncut, mean_direct = (
         float(r2s[varies].mean()) if varies.any() else 0.0 for r2s in (r2_coded, r2, r2_direct)
     )
-    return {
-        "held_out": len(held_out),
-        "r2_through_codes": mean_coded,
-        "r2_through_codes_by_axis": r2_coded.tolist(),
-        "r2": mean_uncut,
-        "r2_by_axis": r2.tolist(),
-        "r2_direct": mean_direct,
-        "r2_direct_by_axis": r2_direct.tolist(),
-        "share": share_of(mean_coded, mean_direct),
-        "mae": {name: np.abs(guess - effects).mean(0).tolist() for name, guess in predictors.items()},
-        "object_symbols": _shares(model.object_symbols(held_out.features)),
-        "action_symbols": _shares(model.action_symbols(held_out.actions)),
-    }
+    return TrainingReport(
+        held_out=len(held_out),
+        r2_through_codes=mean_coded,
+        r2_through_codes_by_axis=tuple(r2_coded.tolist()),
+        r2=mean_uncut,
+        r2_by_axis=tuple(r2.tolist()),
+        r2_direct=mean_direct,
+        r2_direct_by_axis=tuple(r2_direct.tolist()),
+        share=share_of(mean_coded, mean_direct),
+        mae={name: np.abs(guess - effects).mean(0).tolist() for name, guess in predictors.items()},
+        object_symbols=_shares(model.object_symbols(held_out.features)),
+        action_symbols=_shares(model.action_symbols(held_out.actions)),
+    )
 
 
 def share_of(through_codes: float, direct: float) -> float | None:

@@ -16,7 +16,7 @@ from neurosym.wording import in_millimetres
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Replay:
+class Validation:
     """What a plan promises, step by step.
 
     Attributes:
@@ -37,7 +37,7 @@ class Replay:
     concerned: tuple[str, ...] = ()
 
 
-def replay(steps: Sequence[PlanStep], problem: Problem, grounding: Grounding) -> Replay:
+def validate(steps: Sequence[PlanStep], problem: Problem, grounding: Grounding) -> Validation:
     """Replay a plan with exact displacements.
 
     Args:
@@ -62,7 +62,7 @@ def replay(steps: Sequence[PlanStep], problem: Problem, grounding: Grounding) ->
             return _failed(positions, number, step, *found)
     missed = _missed_goal(positions[-1], problem)
     name, reason = missed or ("", "")
-    return Replay(np.array(positions), True, not missed, reason, concerned=(name,) if missed else ())
+    return Validation(np.array(positions), True, not missed, reason, concerned=(name,) if missed else ())
 
 
 def hand_problem(steps: Sequence[PlanStep], grounding: Grounding) -> str:
@@ -165,7 +165,7 @@ def _failed(
     step: PlanStep,
     reason: str,
     others: tuple[str, ...] = (),
-) -> Replay:
+) -> Validation:
     said = f"step {number}, {step.operator} {step.object}: {reason}"
     concerned = tuple(dict.fromkeys((step.object, *others)))
-    return Replay(np.array(positions), False, False, said, (step, reason), concerned)
+    return Validation(np.array(positions), False, False, said, (step, reason), concerned)

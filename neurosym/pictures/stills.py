@@ -104,8 +104,8 @@ def run_stills(world: World, problem: Problem, grounding: Grounding, run: Run) -
         if run.nudge and run.nudge.before_step == number:
             scene = nudged(scene, run.nudge, problem)
             captions[-1] += f"; then {run.nudge.object} was nudged"
-        haunted = msgspec.structs.replace(problem, goals=start if number == len(performed) else {})
-        frame, scene = _perform(world, haunted, grounding, record, scene)
+        ghostly = msgspec.structs.replace(problem, goals=start if number == len(performed) else {})
+        frame, scene = _perform(world, ghostly, grounding, record, scene)
         _check_same(problem, record, scene, number)
         frames.append(frame)
         captions.append(f"{number}. {caption_of(record, problem)}")

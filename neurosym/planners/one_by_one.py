@@ -20,7 +20,7 @@ from jaxtyping import Float
 from neurosym.grounding import Grounding
 from neurosym.operators import Vector, vector
 from neurosym.pddl.plan_text import PlanStep
-from neurosym.pddl.validation import footprints_apart, overlapping, replay
+from neurosym.pddl.validation import footprints_apart, overlapping, validate
 from neurosym.planners.counting import Join, plan_counting
 from neurosym.planners.ordering import ends_held, mend
 from neurosym.planners.parallel import plan_together
@@ -106,7 +106,7 @@ def _aims(problem: Problem, grounding: Grounding, deadline: float) -> Float[np.n
     found = plan_counting(problem, grounding, time_limit=left)
     if found.status is not PlanStatus.SOLVED:
         return None
-    return np.asarray(replay(found.steps, problem, grounding).positions[-1])
+    return np.asarray(validate(found.steps, problem, grounding).positions[-1])
 
 
 def _aims_apart(

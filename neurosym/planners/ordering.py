@@ -13,7 +13,7 @@ from jaxtyping import Bool, Float, Int
 
 from neurosym.grounding import Grounding, is_lift
 from neurosym.pddl.plan_text import PlanStep
-from neurosym.pddl.validation import Replay, footprints_apart, replay
+from neurosym.pddl.validation import Validation, footprints_apart, validate
 from neurosym.problems import Problem
 
 MOST_STATES = 2_000
@@ -32,7 +32,7 @@ _Order = tuple[int, ...]
 
 def mend(
     steps: Sequence[PlanStep], problem: Problem, grounding: Grounding
-) -> tuple[tuple[PlanStep, ...], Replay]:
+) -> tuple[tuple[PlanStep, ...], Validation]:
     """Find an order of the steps in which all are possible, beginning with the one given.
 
     Args:
@@ -43,7 +43,7 @@ def mend(
     Returns:
         The first order that is possible, or the one given if none is; and its replay.
     """
-    given = replay(steps, problem, grounding)
+    given = validate(steps, problem, grounding)
     if given.possible:
         return tuple(steps), given  # valid, or missing its goal in every order
     blocks = _blocks(steps)
@@ -53,7 +53,7 @@ def mend(
     search = _Search(blocks, problem, grounding)
     if (found := search.run()) is not None:
         ordered = (*found, *last)
-        if (checked := replay(ordered, problem, grounding)).possible:
+        if (checked := validate(ordered, problem, grounding)).possible:
             return ordered, checked
     if search.stuck:
         names = ", ".join(problem.object_names[row] for row in sorted(search.stuck))

@@ -11,7 +11,7 @@ from neurosym.grounding import Grounding
 from neurosym.pddl.grid import check_on_table
 from neurosym.pddl.moves import Encoding
 from neurosym.pddl.plan_text import PlanStep
-from neurosym.pddl.validation import replay
+from neurosym.pddl.validation import validate
 from neurosym.planners.catalogue import PLANNERS
 from neurosym.planners.planner import Option, Planner, PredictEffects, Query
 from neurosym.planners.result import PlanResult, PlanStatus
@@ -150,7 +150,7 @@ def _checked(planner: Planner, query: Query) -> PlanResult:
     if not isinstance(result, PlanResult) or not all(isinstance(step, PlanStep) for step in result.steps):
         raise InvalidPlanner(planner.name, f"gives a {type(result).__name__} from solve; valid: a PlanResult")
     if result.status is PlanStatus.SOLVED and planner.reads == "operators":
-        checked = replay(result.steps, query.problem, query.grounding)
+        checked = validate(result.steps, query.problem, query.grounding)
         if not checked.valid:
             reason = f"its plan is not true when replayed: {checked.reason}"
             return PlanResult(PlanStatus.FAILED, (), result.seconds, reason)

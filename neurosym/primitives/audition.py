@@ -75,8 +75,8 @@ def choose(
 
 def lowest_error(candidates: Sequence[Primitive]) -> tuple[Primitive, ...]:
     """Choose for each symbol the candidate of the lowest error to its code (the paper)."""
-    ordered, rivals = _by_symbol(candidates)
-    return tuple(min((ordered[n] for n in group), key=lambda rival: rival.code_error) for group in rivals)
+    ordered, groups = _by_symbol(candidates)
+    return tuple(min((ordered[n] for n in group), key=lambda one: one.code_error) for group in groups)
 
 
 def shortlist(
@@ -96,9 +96,9 @@ def shortlist(
         count: How many candidates are kept for each symbol.
     """
     symbols = np.array(categorise(features))
-    ordered, rivals = _by_symbol(candidates)
+    ordered, groups = _by_symbol(candidates)
     happens = [predict(features, np.tile(np.array(c.action), (len(features), 1))) for c in ordered]
-    return tuple(ordered[number] for number in _best_of_each(rivals, np.array(happens), symbols, count))
+    return tuple(ordered[number] for number in _best_of_each(groups, np.array(happens), symbols, count))
 
 
 def audition(
@@ -127,8 +127,8 @@ def audition(
         progress: Called after each performance.
     """
     world = world_factory()
-    few, rivals = _by_symbol(shortlisted)
-    again = sum(min(AUDITIONED[1], len(group)) for group in rivals)
+    few, groups = _by_symbol(shortlisted)
+    again = sum(min(AUDITIONED[1], len(group)) for group in groups)
     total, scenes, done = objects * (len(few) + again), list[Scene](), 0
     happened = [list[list[float]]() for _ in few]
 
@@ -144,14 +144,14 @@ def audition(
         for rows, outcomes in zip(happened, performed, strict=True):
             rows += [[*outcome.effect, outcome.peak_height] for outcome in outcomes]
         symbols = np.array(categorise(np.concatenate([scene.features for scene in scenes])))
-        best = _best_of_each(rivals, np.array(happened), symbols, kept)
+        best = _best_of_each(groups, np.array(happened), symbols, kept)
         few, happened = [few[number] for number in best], [happened[number] for number in best]
-        rivals = _by_symbol(few)[1]
+        groups = _by_symbol(few)[1]
     return tuple(few)
 
 
 def _best_of_each(
-    rivals: Sequence[Sequence[int]],
+    groups: Sequence[Sequence[int]],
     happens: Float[np.ndarray, "N M O"],
     symbols: np.ndarray,
     count: int,
@@ -159,15 +159,15 @@ def _best_of_each(
     """Keep those of each symbol that are worth most among the best set of the others, best first.
 
     Args:
-        rivals: For each symbol, the numbers of its candidates.
+        groups: For each symbol, the numbers of its candidates.
         happens: What each candidate does to each object.
         symbols: Symbol of each object.
         count: How many are kept of each symbol.
     """
-    deeds = observe(happens, symbols)
-    chosen, kept = best_set(rivals, deeds), []
-    for place, group in enumerate(rivals):
-        values = worth_in_place(chosen, place, group, deeds)
+    effects = observe(happens, symbols)
+    chosen, kept = best_set(groups, effects), []
+    for place, group in enumerate(groups):
+        values = worth_in_place(chosen, place, group, effects)
         kept += [group[number] for number in np.argsort(-np.array(values), kind="stable")[:count]]
     return kept
 

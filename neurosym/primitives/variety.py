@@ -22,7 +22,7 @@ _STARTS = 8
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Deeds:
+class CandidateEffects:
     """What each of some actions does to the objects of each category.
 
     Attributes:
@@ -36,7 +36,7 @@ class Deeds:
     shares: Float[np.ndarray, "L"]
 
 
-def observe(values: Float[np.ndarray, "N M D"], symbols: Sequence[Symbol] | np.ndarray) -> Deeds:
+def observe(values: Float[np.ndarray, "N M D"], symbols: Sequence[Symbol] | np.ndarray) -> CandidateEffects:
     """Summarise what each action did to the objects of each category.
 
     Effects of `LITTLE` are put to the unexplained, so that doing nothing at all is not sure.
@@ -50,60 +50,62 @@ def observe(values: Float[np.ndarray, "N M D"], symbols: Sequence[Symbol] | np.n
     means = np.stack([rows.mean(1) for rows in members], axis=1)
     squares = np.stack([(rows**2).sum(2).mean(1) for rows in members], axis=1)
     shares = np.array([rows.shape[1] for rows in members]) / len(symbols)
-    return Deeds(means, (means**2).sum(2) / (squares + LITTLE**2), shares)
+    return CandidateEffects(means, (means**2).sum(2) / (squares + LITTLE**2), shares)
 
 
-def worths(deeds: Deeds, chosen: Sequence[int]) -> Float[np.ndarray, "S"]:
+def worths(effects: CandidateEffects, chosen: Sequence[int]) -> Float[np.ndarray, "S"]:
     """Compute what each action of a set is worth.
 
     Args:
-        deeds: What all candidates do.
+        effects: What all candidates do.
         chosen: Which of them are the set.
     """
-    means = deeds.means[chosen]
+    means = effects.means[chosen]
     from_nothing = np.linalg.norm(means, axis=2)  # (S, L)
     apart = np.linalg.norm(means[:, None] - means, axis=3)  # (S, S, L)
     apart[np.arange(len(chosen)), np.arange(len(chosen))] = np.inf
     different = np.tanh(np.minimum(apart.min(1), from_nothing) / PLENTY)
-    return np.asarray((deeds.sureness[chosen] ** 2 * different) @ deeds.shares)
+    return np.asarray((effects.sureness[chosen] ** 2 * different) @ effects.shares)
 
 
-def best_set(rivals: Sequence[Sequence[int]], deeds: Deeds) -> list[int]:
+def best_set(groups: Sequence[Sequence[int]], effects: CandidateEffects) -> list[int]:
     """Choose one candidate of each symbol so that the set is worth most, changing one at a time.
 
     That can get stuck; so it is begun from the surest candidates and from some drawn at random.
 
     Args:
-        rivals: For each symbol, the numbers of its candidates.
-        deeds: What all candidates do.
+        groups: For each symbol, the numbers of its candidates.
+        effects: What all candidates do.
     """
     rng = np.random.default_rng(0)
-    sure = deeds.sureness @ deeds.shares
-    begun = [[max(group, key=lambda number: sure[number]) for group in rivals]]
-    begun += [[group[int(rng.integers(len(group)))] for group in rivals] for _ in range(_STARTS - 1)]
-    sets = [_improve(chosen, rivals, deeds) for chosen in begun]
-    return max(sets, key=lambda chosen: worths(deeds, chosen).sum())
+    sure = effects.sureness @ effects.shares
+    begun = [[max(group, key=lambda number: sure[number]) for group in groups]]
+    begun += [[group[int(rng.integers(len(group)))] for group in groups] for _ in range(_STARTS - 1)]
+    sets = [_improve(chosen, groups, effects) for chosen in begun]
+    return max(sets, key=lambda chosen: worths(effects, chosen).sum())
 
 
-def worth_in_place(chosen: Sequence[int], place: int, group: Sequence[int], deeds: Deeds) -> list[float]:
+def worth_in_place(
+    chosen: Sequence[int], place: int, group: Sequence[int], effects: CandidateEffects
+) -> list[float]:
     """Compute what a set is worth with each of some candidates in one place of it.
 
     Args:
         chosen: The set.
         place: Which of it is exchanged.
         group: The candidates for that place.
-        deeds: What all candidates do.
+        effects: What all candidates do.
     """
-    sets = [[*chosen[:place], rival, *chosen[place + 1 :]] for rival in group]
-    return [float(worths(deeds, members).sum()) for members in sets]
+    sets = [[*chosen[:place], candidate, *chosen[place + 1 :]] for candidate in group]
+    return [float(worths(effects, members).sum()) for members in sets]
 
 
-def _improve(chosen: list[int], rivals: Sequence[Sequence[int]], deeds: Deeds) -> list[int]:
+def _improve(chosen: list[int], groups: Sequence[Sequence[int]], effects: CandidateEffects) -> list[int]:
     changed = True
     while changed:
         changed = False
-        for place, group in enumerate(rivals):
-            values = worth_in_place(chosen, place, group, deeds)
+        for place, group in enumerate(groups):
+            values = worth_in_place(chosen, place, group, effects)
             best = int(np.argmax(values))
             if values[best] > values[group.index(chosen[place])] + 1e-9:
                 chosen[place], changed = group[best], True

@@ -6,7 +6,7 @@ import numpy as np
 
 from neurosym.files import read_json
 from neurosym.learning.learning_curve import LearningCurve
-from neurosym.learning.report import TrainingSummary, error_table
+from neurosym.learning.report import TrainingReport, error_table
 from neurosym.naming import name_axes
 from neurosym.report.charts import Axis, Chart, lines
 from neurosym.stages.folder import DomainFolder
@@ -23,7 +23,7 @@ class Learned:
         rows: A predictor and its error on each axis.
     """
 
-    report: TrainingSummary
+    report: TrainingReport
     columns: list[str]
     rows: list[list[str]]
 
@@ -37,7 +37,7 @@ def learned(folder: DomainFolder) -> Learned | None:
     path = folder / TRAINING
     if not path.is_file():
         return None
-    report = read_json(path, TrainingSummary)
+    report = read_json(path, TrainingReport)
     return Learned(report, *error_table(report))
 
 

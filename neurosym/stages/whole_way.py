@@ -5,6 +5,7 @@ from dataclasses import dataclass
 from neurosym.console import say, say_next, show_table
 from neurosym.errors import InvalidValue
 from neurosym.files import read_json
+from neurosym.pddl.compiler import CELL
 from neurosym.stages.compiling import compile_stage, problem_stage
 from neurosym.stages.distilling import distill_stage
 from neurosym.stages.executing import execute_stage, load_run
@@ -19,7 +20,6 @@ from neurosym.wording import quoted
 
 PLANNER = "fast-downward"
 TIME_LIMIT = 60.0
-CELL = 0.005
 MOST_PROBLEMS = 30
 """How many problems are drawn at most, if none of those asked for has a plan."""
 

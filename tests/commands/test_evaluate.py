@@ -12,7 +12,7 @@ from neurosym.evaluation.comparison_summary import Comparison, Tally
 from neurosym.evaluation.paper_tables import KindsFound, Measured, errors_on, kinds_table, tables
 from neurosym.evaluation.primitive_kinds import KINDS
 from neurosym.files import read_json, write_json
-from neurosym.learning.report import TrainingSummary
+from neurosym.learning.report import TrainingReport
 from neurosym.stages.folder import DomainFolder
 from neurosym.stages.layout import KINDS_FOUND
 from neurosym.strategies import has_high_effect
@@ -67,7 +67,7 @@ def test_tables_hold_what_was_measured(folder, tmp_path, capsys):
     write_json(place / "comparison.json", comparison)
     assert neurosym("evaluate", folder, "--output", tmp_path / "tables.md", "--workers", 1) == 0
     page = (tmp_path / "tables.md").read_text()
-    report = read_json(folder / "training.json", TrainingSummary)
+    report = read_json(folder / "training.json", TrainingReport)
     x, y, z = (f"{1000 * error:.1f} ± 0.0" for error in report.mae["model"])
     assert f"| random | 1 | model | {x} | {y} | {z} |" in page
     kinds = read_json(folder / KINDS_FOUND, KindsFound).kinds

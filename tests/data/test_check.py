@@ -126,7 +126,7 @@ def test_too_few_rows_are_refused(tmp_path, capsys):
         assert "19 interactions are too few to train on; at least 20" in refusal(capsys, command, tmp_path)
     enough = Interactions.load(write_data(tmp_path, own_columns(LEAST_INTERACTIONS)))
     assert neurosym("check", tmp_path) == 0
-    assert train(enough, config=BRIEF, seed=0).report["held_out"] == 2
+    assert train(enough, config=BRIEF, seed=0).report.held_out == 2
 
 
 @pytest.mark.parametrize("content", ["garbage", "pickle", "array", "zip", "empty", "truncated"])

@@ -77,9 +77,9 @@ def test_taught_bits_say_more_than_those_of_the_joint_fit_and_every_code_is_used
     data, network = toy_data(1200), ModelConfig(hidden=64)
     taught = train(data, config=SMALL_FIT, model_config=network, seed=0)
     joint = train(data, config=replace(SMALL_FIT, recipe="joint"), model_config=network, seed=0)
-    assert taught.report["r2_through_codes"] > joint.report["r2_through_codes"] + 0.2
-    assert taught.report["r2_direct"] == joint.report["r2_direct"]
-    assert taught.report["share"] > 0.7
+    assert taught.report.r2_through_codes > joint.report.r2_through_codes + 0.2
+    assert taught.report.r2_direct == joint.report.r2_direct
+    assert taught.report.share > 0.7
     symbols = np.array(taught.model.action_symbols(data.actions))
     assert len(set(symbols)) == 8
     assert len(set(taught.model.object_symbols(data.features))) == 4
@@ -136,7 +136,7 @@ def planted_kinds(count):
 def test_actions_that_lie_together_in_few_places_of_their_box_are_told_apart():
     data, kinds = planted_kinds(1500)
     trained = train(data, config=SMALL_FIT, model_config=ModelConfig(hidden=64), seed=0)
-    assert trained.report["share"] > 0.7
+    assert trained.report.share > 0.7
     symbols = np.array(trained.model.action_symbols(data.actions))
     meant = {symbol: np.bincount(kinds[symbols == symbol]) for symbol in set(symbols.tolist())}
     of_the_code_s_kind = sum(counts.max() for counts in meant.values())

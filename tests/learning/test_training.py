@@ -88,8 +88,8 @@ def test_training_leaves_the_callers_random_state_alone():
 def test_the_best_restart_is_kept():
     config = replace(BRIEF, recipe="refit", restarts=3)
     report = train(toy_data(300), config=config, model_config=SMALL, seed=0).report
-    assert report["r2_through_codes"] == max(report["restarts"])
-    assert len(set(report["restarts"])) == 3
+    assert report.r2_through_codes == max(report.restarts)
+    assert len(set(report.restarts)) == 3
 
 
 @pytest.mark.parametrize("strategy", ["active", "random", "disagreement"])
@@ -152,10 +152,10 @@ def test_trivial_predictors_stand_beside_the_model():
     kept, held_out = split(data, 0.2, seed=1)
     model, direct = EffectModel(Dimensions(), SMALL).eval(), DirectModel(Dimensions(), BRIEF.direct).eval()
     report = assess(model, direct, kept, held_out)
-    np.testing.assert_allclose(report["mae"]["always zero"], np.abs(held_out.effects).mean(0), rtol=1e-5)
-    assert set(report["mae"]) == {"model", "always zero", "always mean", "per-axis median"}
+    np.testing.assert_allclose(report.mae["always zero"], np.abs(held_out.effects).mean(0), rtol=1e-5)
+    assert set(report.mae) == {"model", "always zero", "always mean", "per-axis median"}
     direct_r2 = r_squared(direct.predict(held_out.features, held_out.actions), held_out.effects)
-    assert report["r2_direct_by_axis"] == pytest.approx(direct_r2.tolist(), rel=1e-4, abs=1e-5)
+    assert report.r2_direct_by_axis == pytest.approx(direct_r2.tolist(), rel=1e-4, abs=1e-5)
 
 
 def test_there_is_no_share_of_what_explains_nothing():
@@ -170,7 +170,7 @@ def test_axes_that_never_change_are_left_out_of_the_mean():
     kept, held_out = split(still, 0.2, seed=1)
     model, direct = EffectModel(Dimensions(), SMALL).eval(), DirectModel(Dimensions(), BRIEF.direct).eval()
     report = assess(model, direct, kept, held_out)
-    assert report["r2_direct"] == pytest.approx(np.mean(report["r2_direct_by_axis"][:2]))
+    assert report.r2_direct == pytest.approx(np.mean(report.r2_direct_by_axis[:2]))
 
 
 def test_r_squared_is_one_for_the_truth_and_zero_for_the_mean():
@@ -188,7 +188,7 @@ def test_data_of_other_dimensions_can_be_learned():
     data = Interactions(features, actions, effects, effects, flags, flags, flags, np.zeros(200))
     trained = train(data, config=BRIEF, model_config=ModelConfig(1, 2, hidden=8), seed=0)
     assert trained.model.dimensions == trained.direct.dimensions == Dimensions(2, 5, 1, ())
-    assert len(trained.report["r2_through_codes_by_axis"]) == 1
+    assert len(trained.report.r2_through_codes_by_axis) == 1
 
 
 def test_too_few_interactions_are_refused():

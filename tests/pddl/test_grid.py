@@ -14,7 +14,7 @@ from neurosym.pddl import compile_domain
 from neurosym.pddl.grid import goal_region, grid_of
 from neurosym.pddl.moves import PUT_DOWN, moves_of
 from neurosym.pddl.plan_text import PlanStep
-from neurosym.pddl.validation import replay
+from neurosym.pddl.validation import validate
 from neurosym.problems import Problem
 from neurosym.world import Table
 
@@ -94,7 +94,7 @@ def test_plan_into_the_region_ends_within_the_tolerance_whatever_is_rounded():
         learned, length = any_grounding(rng), int(rng.integers(1, 9))
         start = item("item-01", *rng.uniform([1.5, -0.5], [2.5, 0.5]).tolist())
         steps = any_plan(learned, rng, length)
-        end = replay(steps, Problem("p", (start,), {}), learned).positions[-1, 0]
+        end = validate(steps, Problem("p", (start,), {}), learned).positions[-1, 0]
         goal = tuple((end + rng.uniform(-0.05, 0.05, 3) * rng.choice([0.1, 1.0], 3)).tolist())
         region = goal_region(start, goal, 0.05, learned, steps=length)
         moves = {move.name: np.array(move.cells) for move in moves_of(learned)}
@@ -105,7 +105,7 @@ def test_plan_into_the_region_ends_within_the_tolerance_whatever_is_rounded():
         if tuple(cells[:2]) in region.xy and cells[2] in region.z and len(region.xy) > 1:
             tried += 1
             apart = max(apart, math.dist(in_cells[:2], end[:2]))
-            assert replay(steps, Problem("p", (start,), {"item-01": goal}), learned).valid
+            assert validate(steps, Problem("p", (start,), {"item-01": goal}), learned).valid
     assert tried > 20
     assert apart > 0.01  # rounding did add up to more than a cell
 

@@ -16,7 +16,7 @@ from neurosym.operators import Vector
 from neurosym.pddl import domain_text, problem_text
 from neurosym.pddl.numeric import STEPS, UNIT
 from neurosym.pddl.plan_text import PlanStep, parse_plan, print_ground_plan
-from neurosym.pddl.validation import replay
+from neurosym.pddl.validation import validate
 from neurosym.problems import Problem
 
 OPERATIONS: dict[str, Callable[..., float]] = {
@@ -122,7 +122,7 @@ def test_plans_that_numbers_allow_are_true_when_replayed():
             at + (now[axis] - first[axis]) * UNIT for axis, at in zip("xyz", start.position, strict=True)
         )
         task = Problem("p", (start,), {"a": goal}, tolerance=STEPS * UNIT / math.sqrt(2))
-        checked = replay(steps, task, learned)
+        checked = validate(steps, task, learned)
         assert checked.valid, checked.reason
 
 
@@ -140,7 +140,7 @@ def test_a_plan_is_valid_in_numbers_and_half_of_it_is_not(tmp_path: Path):
     text = print_ground_plan(steps, task, learned, "numeric")
     assert text == "".join(f"({step.operator} {step.object})\n" for step in steps)
     assert parse_plan(text, tmp_path / "plan", learned, task) == steps
-    assert replay(steps, task, learned).valid
+    assert validate(steps, task, learned).valid
     assert unified_planning_accepts(domain, file, text)
     assert not unified_planning_accepts(domain, file, text.replace("(push-away-001-block item-01)\n", ""))
 

@@ -6,12 +6,12 @@ from tables import DOWN, LEFT, LIFT, PULL, PUSH, TRAY_LEFT, crossing, grounding,
 
 from neurosym.execution.record import why_missed
 from neurosym.pddl.plan_text import PlanStep
-from neurosym.pddl.validation import replay
+from neurosym.pddl.validation import validate
 from neurosym.wording import in_millimetres
 
 
 def test_right_plan_is_valid_and_its_positions_are_exact():
-    found = replay([PULL, TRAY_LEFT, PUSH, LIFT], problem(), grounding())
+    found = validate([PULL, TRAY_LEFT, PUSH, LIFT], problem(), grounding())
     assert (found.valid, found.reason) == (True, "")
     assert found.positions.shape == (5, 2, 3)
     assert found.positions[-1][0] == pytest.approx([0.4512 + 0.0713 + 0.012, 0.0133 - 0.0124 - 0.021, 0.228])
@@ -19,7 +19,7 @@ def test_right_plan_is_valid_and_its_positions_are_exact():
 
 
 def test_object_put_down_is_back_at_its_height():
-    found = replay([LIFT, DOWN], problem(), grounding())
+    found = validate([LIFT, DOWN], problem(), grounding())
     assert found.positions[-1][0] == pytest.approx([0.4512 + 0.0141, 0.0133 - 0.0228, 0.025])
 
 
@@ -36,7 +36,7 @@ def test_object_put_down_is_back_at_its_height():
     ],
 )
 def test_impossible_plan_says_which_step_and_why(steps: list[PlanStep], reason: str):
-    found = replay(steps, problem(), grounding())
+    found = validate(steps, problem(), grounding())
     assert not found.valid
     assert found.reason.startswith(reason)
 
@@ -48,7 +48,7 @@ def test_miss_by_less_than_is_printed_does_not_look_allowed():
     item = problem().object_named("item-01")
     x, y, z = item.position
     near = msgspec.structs.replace(problem(), goals={"item-01": (x + 0.0502, y, z)})
-    assert replay([], near, grounding()).reason == "item-01 ends 50.2 mm from its goal, 50 mm are allowed"
+    assert validate([], near, grounding()).reason == "item-01 ends 50.2 mm from its goal, 50 mm are allowed"
     assert why_missed([], {"item-01": 0.0502}, 0.05).startswith(
         "item-01 is 50.2 mm from its goal (50 mm allowed)"
     )
@@ -58,15 +58,15 @@ def test_operator_without_a_promise_cannot_be_replayed():
     table = grounding().operators
     lost = msgspec.structs.replace(table.operators[0], modes=())
     broken = msgspec.structs.replace(table, operators=(lost, *table.operators[1:]))
-    found = replay([LEFT], problem(), msgspec.structs.replace(grounding(), operators=broken))
+    found = validate([LEFT], problem(), msgspec.structs.replace(grounding(), operators=broken))
     assert found.reason.endswith("the operator promises nothing")
 
 
 def test_object_must_not_rest_where_another_is():
     behind, front = LEFT, PlanStep("push-left-000-block", "item-02")
-    found = replay([behind, front], crossing(), grounding())
+    found = validate([behind, front], crossing(), grounding())
     assert found.reason == "step 1, push-left-000-block item-01: item-01 ends where item-02 is"
-    assert replay([front, behind], crossing(), grounding()).valid
+    assert validate([front, behind], crossing(), grounding()).valid
 
 
 def test_held_object_may_be_above_another():
@@ -74,8 +74,8 @@ def test_held_object_may_be_above_another():
         crossing(), objects=(item("item-01", 0.5, 0.0), item("item-02", 0.512, -0.06))
     )
     above = msgspec.structs.replace(above, goals={"item-01": (0.512, -0.021, 0.228)})
-    assert replay([LIFT], above, grounding()).valid
-    assert "ends where" in replay([LIFT, DOWN], above, grounding()).reason
+    assert validate([LIFT], above, grounding()).valid
+    assert "ends where" in validate([LIFT, DOWN], above, grounding()).reason
 
 
 def test_objects_that_overlap_from_the_start_are_not_held_against_a_plan():
@@ -83,4 +83,4 @@ def test_objects_that_overlap_from_the_start_are_not_held_against_a_plan():
         crossing(), objects=(item("item-01", 0.5, 0.0), item("item-02", 0.5, 0.04))
     )
     near = msgspec.structs.replace(near, goals={"item-01": (0.5, 0.0832, 0.025)})
-    assert replay([LEFT], near, grounding()).valid
+    assert validate([LEFT], near, grounding()).valid

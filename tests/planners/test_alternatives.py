@@ -12,7 +12,7 @@ import toy_domain
 from neurosym.pddl.domain import domain_text
 from neurosym.pddl.moves import cost
 from neurosym.pddl.plan_text import PlanStep
-from neurosym.pddl.validation import expected_success, replay
+from neurosym.pddl.validation import expected_success, validate
 from neurosym.planners import PlanStatus, alternatives, plan
 from neurosym.problems import Problem
 
@@ -36,12 +36,12 @@ def test_alternatives_are_the_cheapest_of_all_other_choices_of_steps():
         for chosen in itertools.combinations_with_replacement(names, length):
             pairs = ([one, f"put-down-{one}"] if one.startswith("lift") else [one] for one in chosen)
             steps = tuple(PlanStep(one, "item-01") for pair in pairs for one in pair)
-            if replay(steps, task(), learned).valid:
+            if validate(steps, task(), learned).valid:
                 good.append((price(steps), Counter(chosen)))
     good.sort(key=lambda pair: pair[0])
     expected = [price_ for price_, one in good if not any(other < one for _, other in good)]
     found = alternatives(task(), learned, 3)
-    assert all(replay(steps, task(), learned).valid for steps in found)
+    assert all(validate(steps, task(), learned).valid for steps in found)
     assert [price(steps) for steps in found] == expected[:3]
     others = alternatives(task(), learned, 2, besides=found[0])
     assert others == found[1:]
@@ -55,7 +55,7 @@ def test_alternatives_for_two_objects_are_all_ways_to_choose_one_for_each():
     found = alternatives(both, tables.grounding(), 9)
     assert len({tuple(sorted((step.operator, step.object) for step in steps)) for steps in found}) == 4
     assert len(found) == 4
-    assert all(replay(steps, both, tables.grounding()).valid for steps in found)
+    assert all(validate(steps, both, tables.grounding()).valid for steps in found)
 
 
 def test_no_alternatives_to_what_cannot_be_done():
@@ -104,4 +104,4 @@ def test_without_costs_steps_are_few_rather_than_safe(planner: str):
 def test_whole_problem_is_solved_like_its_parts(whole: bool):
     found = plan(tables.problem(), tables.grounding(0.01), whole=whole)
     assert found.status is PlanStatus.SOLVED, found.reason
-    assert replay(found.steps, tables.problem(), tables.grounding()).valid
+    assert validate(found.steps, tables.problem(), tables.grounding()).valid

@@ -12,7 +12,7 @@ import toy_domain
 from neurosym.grounding import Grounding
 from neurosym.pddl.moves import cost
 from neurosym.pddl.plan_text import PlanStep
-from neurosym.pddl.validation import replay
+from neurosym.pddl.validation import validate
 from neurosym.planners import PlanStatus, fewest_steps, plan
 from neurosym.planners.bfs import plan_bfs
 from neurosym.planners.branching import branching_of
@@ -61,7 +61,7 @@ def test_number_of_primitives_is_that_of_breadth_first_search(objects: int):
             assert fewest == primitives(searched.steps), seed
             found = plan(task, learned, "counting")
             assert primitives(found.steps) == fewest, found.reason
-            assert replay(found.steps, task, learned).valid
+            assert validate(found.steps, task, learned).valid
             lengths.add(fewest)
         else:
             assert fewest is None or fewest > 4, seed
@@ -82,7 +82,7 @@ def test_among_the_fewest_it_takes_the_cheapest():
         return tuple(PlanStep(one, "item-01") for pair in pairs for one in pair)
 
     every = itertools.combinations_with_replacement(names, primitives(found.steps))
-    cheapest = min(price(steps) for steps in every if replay(down(steps), task, learned).valid)
+    cheapest = min(price(steps) for steps in every if validate(down(steps), task, learned).valid)
     assert price(tuple(step.operator for step in found.steps if not step.puts_down)) == cheapest
 
 
@@ -92,7 +92,7 @@ def test_steps_are_ordered_such_that_nobody_leaves_the_table():
     task = Problem("p", (start,), {"item-01": (0.797, 0.294, 0.02)}, tolerance=0.02)
     found = plan(task, learned, "counting")
     assert [step.operator for step in found.steps] == ["pull-010-tray", "push-left-000-tray"]
-    assert replay(found.steps, task, learned).valid
+    assert validate(found.steps, task, learned).valid
 
 
 def test_only_one_object_ends_held_and_comes_last():
@@ -112,7 +112,7 @@ def test_objects_with_one_goal_end_beside_each_other():
     task = Problem("p", items, {"item-01": spot, "item-02": spot})
     found = plan(task, learned, "counting")
     assert found.status is PlanStatus.SOLVED, found.reason
-    assert replay(found.steps, task, learned).valid
+    assert validate(found.steps, task, learned).valid
     fewest = fewest_steps(task, learned)
     assert fewest is not None
     assert primitives(found.steps) >= fewest

@@ -16,7 +16,7 @@ from processes import alive
 from tables import grounding, item
 
 from neurosym.errors import UnknownChoice
-from neurosym.pddl.validation import replay
+from neurosym.pddl.validation import validate
 from neurosym.planners import PLANNERS, PlanResult, PlanStatus, pddl_planner, plan
 from neurosym.planners.catalogue import PROGRAMS
 from neurosym.planners.external import Program, plan_program
@@ -149,5 +149,5 @@ def test_every_planner_that_is_here_finds_the_way(name: str):
         pytest.skip("not installed")
     found = plan(TASK, grounding(), name)
     assert found.status is PlanStatus.SOLVED, found.reason
-    assert replay(found.steps, TASK, grounding()).valid
+    assert validate(found.steps, TASK, grounding()).valid
     assert len(found.steps) == 1 or name == "lpg"  # which is soon there, with longer plans

@@ -12,7 +12,7 @@ import toy_domain
 from neurosym.errors import InvalidValue
 from neurosym.grounding import Grounding
 from neurosym.pddl.plan_text import PlanStep
-from neurosym.pddl.validation import replay
+from neurosym.pddl.validation import validate
 from neurosym.planners import PlanStatus, plan, plan_nearest
 from neurosym.planners.counting import plan_counting
 from neurosym.planners.no_plan import DEPTH, explain_no_plan
@@ -101,11 +101,11 @@ def test_nearest_is_the_nearest_of_all_sequences():
     for length in range(4):
         for names_tried in itertools.product(names, repeat=length):
             steps = [PlanStep(name, "item-01") for name in names_tried]
-            checked = replay(steps, task, learned)
+            checked = validate(steps, task, learned)
             if checked.possible:
                 distances.append(checked.positions[-1][0])
     best = min(float(np.linalg.norm(np.array(goal) - place)) for place in distances)
-    end = replay(found.steps, task, learned).positions[-1][0]
+    end = validate(found.steps, task, learned).positions[-1][0]
     assert float(np.linalg.norm(end - goal)) == pytest.approx(best, abs=0.005)
     assert found.reason == f"at the end, item-01 {best * 1000:.0f} mm from its goal"
     assert len(found.steps) <= DEPTH
@@ -114,7 +114,7 @@ def test_nearest_is_the_nearest_of_all_sequences():
 def test_nearest_meets_the_other_goals_and_holds_one_object_only():
     task = toy_domain.problem({"item-01": (0.6, 0.0, 0.225), "item-02": (0.8, 0.18, 0.225)})
     found = plan_nearest(task, toy_domain.grounding())
-    checked = replay(found.steps, task, toy_domain.grounding())
+    checked = validate(found.steps, task, toy_domain.grounding())
     assert (found.status, checked.possible) == (PlanStatus.NEAREST, True)
     assert sorted(task.distances(checked.positions[-1]).values()) == pytest.approx([0.0, 0.2])
     assert plan_nearest(tables.problem(), tables.grounding()).status is PlanStatus.SOLVED
@@ -126,7 +126,7 @@ def test_object_that_was_pushed_a_little_off_the_table_is_brought_back(planner: 
     task = Problem("p", trays, {"item-01": (0.84, 0.11, 0.025)})
     found = plan(task, tables.grounding(), planner)
     assert found.status is PlanStatus.SOLVED, found.reason
-    assert replay(found.steps, task, tables.grounding()).valid
+    assert validate(found.steps, task, tables.grounding()).valid
     outwards = msgspec.structs.replace(task, goals={"item-02": (0.95, 0.2, 0.025)})
     assert plan(outwards, tables.grounding(), planner).status is PlanStatus.UNSOLVABLE
     far = msgspec.structs.replace(task, objects=(tables.item("item-01", 1.05, 0.2, category="11"),))

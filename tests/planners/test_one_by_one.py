@@ -4,7 +4,7 @@ import pytest
 from tables import DOWN, LEFT, LIFT, PUSH, grounding, item
 
 from neurosym.pddl.plan_text import PlanStep
-from neurosym.pddl.validation import replay
+from neurosym.pddl.validation import validate
 from neurosym.planners import PlanResult, PlanStatus
 from neurosym.planners.one_by_one import plan_one_by_one
 from neurosym.problems import Problem
@@ -50,4 +50,4 @@ TWO = (item("item-01", 0.5, 0.0), item("item-02", 0.5, 0.0832))
 )
 def test_replay_names_whom_its_reason_concerns(steps: tuple[PlanStep, ...], concerned: tuple[str, ...]):
     task = Problem("p", TWO, {"item-02": (0.5, 0.1664, 0.025)})
-    assert replay(steps, task, grounding()).concerned == concerned
+    assert validate(steps, task, grounding()).concerned == concerned

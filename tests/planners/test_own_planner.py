@@ -17,7 +17,7 @@ from toy_domain import problem as toy_problem
 
 from neurosym.errors import InvalidPlanner
 from neurosym.pddl.plan_text import PlanStep
-from neurosym.pddl.validation import replay
+from neurosym.pddl.validation import validate
 from neurosym.planners import (
     PLANNERS,
     Planner,
@@ -74,7 +74,7 @@ def test_a_planner_is_registered_in_one_call(here: Path, monkeypatch: pytest.Mon
     result = names["result"]
     assert isinstance(result, PlanResult)
     assert result.status is PlanStatus.SOLVED
-    assert replay(result.steps, problem(), grounding()).valid
+    assert validate(result.steps, problem(), grounding()).valid
     value = importlib.import_module("mimir_planner").make()
     assert plan(problem(), grounding(), value).steps == result.steps
 

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 import toy_domain
 
-from neurosym.pddl.validation import replay
+from neurosym.pddl.validation import validate
 from neurosym.planners import PlanStatus, fewest_steps, plan
 from neurosym.problems import Problem, SceneObject
 
@@ -47,7 +47,7 @@ def test_pddl_finds_true_plans_whenever_breadth_first_search_does(objects: int):
         searched = plan(task, learned, "bfs")
         answer = plan(task, learned)
         if answer.status is PlanStatus.SOLVED:
-            assert replay(answer.steps, task, learned).valid
+            assert validate(answer.steps, task, learned).valid
             count = sum(not step.puts_down for step in answer.steps)
             assert count >= (fewest_steps(task, learned) or 0)
         if searched.status is PlanStatus.SOLVED:

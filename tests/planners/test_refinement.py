@@ -11,7 +11,7 @@ from tables import grounding, item, problem, total_cost
 from neurosym.errors import UnknownChoice
 from neurosym.grounding import Grounding
 from neurosym.pddl.plan_text import PlanStep
-from neurosym.pddl.validation import replay
+from neurosym.pddl.validation import validate
 from neurosym.planners import PlanResult, PlanStatus, one_by_one, pddl_planner, plan, refinement
 from neurosym.planners.counting import Join
 from neurosym.planners.one_by_one import plan_one_by_one
@@ -23,7 +23,7 @@ from neurosym.problems import Problem
 def test_errand_is_solved_and_the_plan_is_true(encoding: str, cell: float):
     found = plan(problem(), grounding(cell), encoding=encoding)
     assert found.status is PlanStatus.SOLVED, found.reason
-    assert replay(found.steps, problem(), grounding()).valid
+    assert validate(found.steps, problem(), grounding()).valid
     assert found.seconds > 0
 
 
@@ -37,7 +37,7 @@ def test_plan_is_the_cheapest_there_is():
         for length in range(7)
         for combination in itertools.combinations_with_replacement(names, length)
     )
-    cheapest = min(total_cost(steps) for steps in plans if replay(steps, task, grounding()).valid)
+    cheapest = min(total_cost(steps) for steps in plans if validate(steps, task, grounding()).valid)
     assert total_cost(plan(task, grounding()).steps) == cheapest
 
 
@@ -48,7 +48,7 @@ def test_many_objects_are_planned_one_by_one_and_the_held_one_comes_last():
     crowd = msgspec.structs.replace(task, objects=(*task.objects, *more), goals=goals)
     found = plan(crowd, grounding())
     assert found.status is PlanStatus.SOLVED, found.reason
-    assert replay(found.steps, crowd, grounding()).valid
+    assert validate(found.steps, crowd, grounding()).valid
     assert found.steps[-1] == PlanStep("lift-010-block", "item-01")
 
 
@@ -83,7 +83,7 @@ def test_objects_with_one_goal_are_brought_beside_each_other():
     )
     found = plan(task, grounding())
     assert found.status is PlanStatus.SOLVED, found.reason
-    assert replay(found.steps, task, grounding()).valid
+    assert validate(found.steps, task, grounding()).valid
 
 
 def test_object_is_brought_beside_a_bystander():
@@ -94,7 +94,7 @@ def test_object_is_brought_beside_a_bystander():
     assert found.status is PlanStatus.SOLVED, found.reason
     assert "goals were narrowed (item-01)" in found.reason
     assert {step.object for step in found.steps} == {"item-01"}
-    assert replay(found.steps, task, grounding()).valid
+    assert validate(found.steps, task, grounding()).valid
 
 
 def test_goal_met_at_the_start_needs_no_step():
@@ -176,7 +176,7 @@ def test_objects_in_each_others_way_are_planned_for_without_costs_in_the_end(mon
     assert asked == [False, True]
     assert result.status is PlanStatus.SOLVED
     assert result.reason == "not the most reliable: they collide"
-    assert replay(result.steps, problem(), grounding()).valid
+    assert validate(result.steps, problem(), grounding()).valid
 
 
 @pytest.mark.parametrize(("partings", "status"), [(0, PlanStatus.FAILED), (2, PlanStatus.SOLVED)])
@@ -191,11 +191,11 @@ def test_who_is_in_conflict_with_narrow_goals_is_sent_to_where_there_is_room(
 
     def believed(one: Problem) -> PlanResult:
         plans = list(itertools.islice(Join(one, grounding()).plans(), 40))
-        ends = [replay(steps, one, grounding()).positions[-1][0] for steps in plans]
+        ends = [validate(steps, one, grounding()).positions[-1][0] for steps in plans]
         nearest = min(range(len(plans)), key=lambda index: math.dist(ends[index], (0.57, 0.08, 0.025)))
         return PlanResult(PlanStatus.SOLVED, plans[nearest], 0.0)
 
     result = plan_one_by_one(task, grounding(), believed)
     assert result.status is status, result.reason
     if status is PlanStatus.SOLVED:
-        assert replay(result.steps, task, grounding()).valid
+        assert validate(result.steps, task, grounding()).valid

@@ -75,15 +75,15 @@ def test_shortlist_keeps_the_best_few_of_each_symbol_best_first():
 
 
 def test_audition_finds_what_works_whatever_was_foretold():
-    for rivals in (RIVALS, RIVALS[::-1]):
-        chosen = audition(make_world, rivals, by_affordance, objects=12, seed=0)
+    for groups in (RIVALS, RIVALS[::-1]):
+        chosen = audition(make_world, groups, by_affordance, objects=12, seed=0)
         assert [(one.symbol, one.action) for one in chosen] == [("001", LEFT), ("100", LIFT)]
 
 
 def test_audition_prefers_what_does_the_same_to_every_object_of_a_category():
-    rivals = (Primitive("0", LEFT, 0.0), Primitive("0", LIFT, 0.0))
-    pushable = audition(make_world, rivals, lambda f: tuple(s[1] for s in by_affordance(f)), seed=0)
-    graspable = audition(make_world, rivals, lambda f: tuple(s[0] for s in by_affordance(f)), seed=0)
+    groups = (Primitive("0", LEFT, 0.0), Primitive("0", LIFT, 0.0))
+    pushable = audition(make_world, groups, lambda f: tuple(s[1] for s in by_affordance(f)), seed=0)
+    graspable = audition(make_world, groups, lambda f: tuple(s[0] for s in by_affordance(f)), seed=0)
     assert (pushable[0].action, graspable[0].action) == (LEFT, LIFT)
 
 
@@ -119,9 +119,9 @@ class Lucky(ToyWorld):
 
 
 def test_who_shone_by_luck_is_found_out_by_the_second_audition():
-    rivals = (Primitive("0", SHORT, 0.0), Primitive("0", LEFT, 0.0))
+    groups = (Primitive("0", SHORT, 0.0), Primitive("0", LEFT, 0.0))
     world = Lucky()
-    assert audition(lambda: world, rivals, by_affordance, objects=12, seed=0)[0].action == LEFT
+    assert audition(lambda: world, groups, by_affordance, objects=12, seed=0)[0].action == LEFT
     assert world.performed == 4 * 12
 
 

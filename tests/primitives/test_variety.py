@@ -18,7 +18,15 @@ from neurosym.learning.recipes import fit_direct
 from neurosym.learning.samples import Samples
 from neurosym.operators import Primitive
 from neurosym.primitives.audition import audition, shortlist
-from neurosym.primitives.variety import LITTLE, PLENTY, Deeds, best_set, observe, worth_in_place, worths
+from neurosym.primitives.variety import (
+    LITTLE,
+    PLENTY,
+    CandidateEffects,
+    best_set,
+    observe,
+    worth_in_place,
+    worths,
+)
 from neurosym.worlds.toy import PUSH_LENGTH, ToyWorld, make_world
 
 PUSH = (0.0, -0.04, 0.0, 0.1, 0.0, 0.0, 0.0, 0.1, 0.0, 0.04, 0.0, 0.1)
@@ -46,15 +54,15 @@ def distance(one, other):
     return sqrt(sum((x - y) ** 2 for x, y in zip(one, other, strict=True)))
 
 
-def naive_worths(deeds, chosen):
+def naive_worths(effects, chosen):
     found = []
     for place, mine in enumerate(chosen):
         total = 0.0
-        for category, share in enumerate(deeds.shares):
-            others = [deeds.means[n, category] for at, n in enumerate(chosen) if at != place]
-            here = deeds.means[mine, category]
+        for category, share in enumerate(effects.shares):
+            others = [effects.means[n, category] for at, n in enumerate(chosen) if at != place]
+            here = effects.means[mine, category]
             nearest = min(distance(here, other) for other in [*others, np.zeros(len(here))])
-            total += share * deeds.sureness[mine, category] ** 2 * tanh(nearest / PLENTY)
+            total += share * effects.sureness[mine, category] ** 2 * tanh(nearest / PLENTY)
         found.append(total)
     return found
 
@@ -62,7 +70,7 @@ def naive_worths(deeds, chosen):
 def some_deeds(rng, count, categories=2):
     kinds = 0.1 * rng.normal(size=(5, categories, 4))
     means = kinds[rng.integers(5, size=count)] + 0.01 * rng.normal(size=(count, categories, 4))
-    return Deeds(means, rng.uniform(size=(count, categories)), rng.dirichlet(np.ones(categories)))
+    return CandidateEffects(means, rng.uniform(size=(count, categories)), rng.dirichlet(np.ones(categories)))
 
 
 def some_rivals(seed):
@@ -71,68 +79,68 @@ def some_rivals(seed):
     sizes = rng.integers(1, 5, size=4)
     numbers = rng.permutation(sizes.sum()).tolist()
     ends = np.cumsum(sizes).tolist()
-    rivals = [numbers[end - size : end] for size, end in zip(sizes.tolist(), ends, strict=True)]
-    return rivals, some_deeds(rng, len(numbers))
+    groups = [numbers[end - size : end] for size, end in zip(sizes.tolist(), ends, strict=True)]
+    return groups, some_deeds(rng, len(numbers))
 
 
-def total(chosen, deeds):
-    return sum(naive_worths(deeds, chosen))
+def total(chosen, effects):
+    return sum(naive_worths(effects, chosen))
 
 
 def seen(*values, sureness=None):
     """Say that actions do this to the one object there is."""
     means = np.array(values, dtype=float)[:, None]
-    return Deeds(means, np.array(sureness or np.ones(len(values)))[:, None], np.ones(1))
+    return CandidateEffects(means, np.array(sureness or np.ones(len(values)))[:, None], np.ones(1))
 
 
 @pytest.mark.parametrize("count", [1, 2, 7])
 def test_worths_agree_with_a_naive_computation(count):
     rng = np.random.default_rng(count)
-    deeds = some_deeds(rng, 9, categories=3)
+    effects = some_deeds(rng, 9, categories=3)
     chosen = rng.permutation(9)[:count].tolist()
-    np.testing.assert_allclose(worths(deeds, chosen), naive_worths(deeds, chosen), rtol=1e-9)
+    np.testing.assert_allclose(worths(effects, chosen), naive_worths(effects, chosen), rtol=1e-9)
 
 
 def test_doing_nothing_is_worth_nothing_however_sure():
-    deeds = seen([0.0, 0.0], [0.1, 0.0])
-    assert worths(deeds, [0]).tolist() == [0.0]
-    assert worths(deeds, [0, 1])[0] == 0
-    assert worths(deeds, [0, 1])[1] > 0
+    effects = seen([0.0, 0.0], [0.1, 0.0])
+    assert worths(effects, [0]).tolist() == [0.0]
+    assert worths(effects, [0, 1])[0] == 0
+    assert worths(effects, [0, 1])[1] > 0
 
 
 def test_a_duplicate_is_worth_nothing_extra():
-    deeds = some_deeds(np.random.default_rng(3), 4)
-    found = worths(deeds, [0, 1, 2, 3, 2])
+    effects = some_deeds(np.random.default_rng(3), 4)
+    found = worths(effects, [0, 1, 2, 3, 2])
     assert found[2] == found[4] == 0
-    assert found.sum() <= worths(deeds, [0, 1, 2, 3]).sum()
+    assert found.sum() <= worths(effects, [0, 1, 2, 3]).sum()
 
 
 def test_something_else_is_preferred_to_doing_the_same_more_surely():
-    deeds = seen([0.1, 0.0], [0.1, 0.0], [0.0, 0.1], [0.0, 0.0], sureness=[0.9, 1.0, 0.7, 0.0])
-    assert best_set([[0], [1, 2]], deeds) == [0, 2]
-    assert best_set([[0], [1, 3]], deeds) == [0, 3]  # even to do nothing
+    effects = seen([0.1, 0.0], [0.1, 0.0], [0.0, 0.1], [0.0, 0.0], sureness=[0.9, 1.0, 0.7, 0.0])
+    assert best_set([[0], [1, 2]], effects) == [0, 2]
+    assert best_set([[0], [1, 3]], effects) == [0, 3]  # even to do nothing
 
 
 def test_sure_is_preferred_to_far_but_not_to_hardly_anything():
-    deeds = seen([0.0, 0.08], [0.0, 0.2], [0.0, 0.01], sureness=[0.9, 0.7, 0.95])
-    assert best_set([[0, 1]], deeds) == [0]
-    assert best_set([[0, 2]], deeds) == [0]
+    effects = seen([0.0, 0.08], [0.0, 0.2], [0.0, 0.01], sureness=[0.9, 0.7, 0.95])
+    assert best_set([[0, 1]], effects) == [0]
+    assert best_set([[0, 2]], effects) == [0]
 
 
 def test_means_and_sureness_are_those_of_each_category():
     rng = np.random.default_rng(0)
     values = rng.normal(size=(2, 30, 4)) * 0.1
     symbols = rng.choice(["00", "01", "11"], size=30)
-    deeds = observe(values, symbols)
+    effects = observe(values, symbols)
     for action in range(2):
         for column, symbol in enumerate(["00", "01", "11"]):
             rows = [values[action, i] for i in range(30) if symbols[i] == symbol]
             mean = sum(rows) / len(rows)
             square = sum(float(row @ row) for row in rows) / len(rows)
-            np.testing.assert_allclose(deeds.means[action, column], mean)
+            np.testing.assert_allclose(effects.means[action, column], mean)
             sure = float(mean @ mean) / (square + LITTLE**2)
-            assert deeds.sureness[action, column] == pytest.approx(sure)
-            assert deeds.shares[column] == pytest.approx(len(rows) / 30)
+            assert effects.sureness[action, column] == pytest.approx(sure)
+            assert effects.shares[column] == pytest.approx(len(rows) / 30)
 
 
 def test_what_always_happens_is_sure_what_sometimes_happens_less_and_nothing_not_at_all():
@@ -148,35 +156,35 @@ def test_what_always_happens_is_sure_what_sometimes_happens_less_and_nothing_not
 
 
 def test_worth_in_place_is_that_of_the_whole_set_with_each_candidate_in_turn():
-    rivals, deeds = some_rivals(8)
-    chosen = [group[0] for group in rivals]
-    for place, group in enumerate(rivals):
-        found = worth_in_place(chosen, place, group, deeds)
-        for value, rival in zip(found, group, strict=True):
-            exchanged = [rival if n == place else number for n, number in enumerate(chosen)]
-            assert value == pytest.approx(total(exchanged, deeds))
-    assert chosen == [group[0] for group in rivals]
+    groups, effects = some_rivals(8)
+    chosen = [group[0] for group in groups]
+    for place, group in enumerate(groups):
+        found = worth_in_place(chosen, place, group, effects)
+        for value, candidate in zip(found, group, strict=True):
+            exchanged = [candidate if n == place else number for n, number in enumerate(chosen)]
+            assert value == pytest.approx(total(exchanged, effects))
+    assert chosen == [group[0] for group in groups]
 
 
 @pytest.mark.parametrize("seed", range(20))
 def test_no_single_exchange_makes_the_best_set_better(seed):
-    rivals, deeds = some_rivals(seed)
-    chosen = best_set(rivals, deeds)
-    assert all(number in group for number, group in zip(chosen, rivals, strict=True))
-    worth = total(chosen, deeds)
-    surest = [max(group, key=lambda number: deeds.sureness[number] @ deeds.shares) for group in rivals]
-    assert worth >= total(surest, deeds) - 1e-9
-    for place, group in enumerate(rivals):
-        for rival in group:
-            assert total([*chosen[:place], rival, *chosen[place + 1 :]], deeds) <= worth + 1e-8
+    groups, effects = some_rivals(seed)
+    chosen = best_set(groups, effects)
+    assert all(number in group for number, group in zip(chosen, groups, strict=True))
+    worth = total(chosen, effects)
+    surest = [max(group, key=lambda number: effects.sureness[number] @ effects.shares) for group in groups]
+    assert worth >= total(surest, effects) - 1e-9
+    for place, group in enumerate(groups):
+        for candidate in group:
+            assert total([*chosen[:place], candidate, *chosen[place + 1 :]], effects) <= worth + 1e-8
 
 
 def test_best_set_is_nearly_always_the_best_of_all_and_never_far_from_it():
     shares = []
     for seed in range(60):
-        rivals, deeds = some_rivals(seed)
-        best = max(total(list(chosen), deeds) for chosen in product(*rivals))
-        shares.append(total(best_set(rivals, deeds), deeds) / best)
+        groups, effects = some_rivals(seed)
+        best = max(total(list(chosen), effects) for chosen in product(*groups))
+        shares.append(total(best_set(groups, effects), effects) / best)
     assert np.mean(np.array(shares) > 1 - 1e-9) >= 0.9
     assert min(shares) > 0.9  # one exchange at a time can get stuck
 
@@ -195,10 +203,10 @@ def make_blind_carrier():
 
 @pytest.mark.parametrize(("first", "other"), [(PUSH, CARRY), (CARRY, PUSH)])
 def test_audition_tells_carrying_from_pushing_equally_far(first, other):
-    rivals = (Primitive("0", first, 0.0), Primitive("1", first, 0.0), Primitive("1", other, 0.0))
-    chosen = audition(make_carrier, rivals, alike, seed=0)
+    groups = (Primitive("0", first, 0.0), Primitive("1", first, 0.0), Primitive("1", other, 0.0))
+    chosen = audition(make_carrier, groups, alike, seed=0)
     assert [one.action for one in chosen] == [first, other]
-    chosen = audition(make_blind_carrier, rivals, alike, seed=0)
+    chosen = audition(make_blind_carrier, groups, alike, seed=0)
     assert [one.action for one in chosen] == [first, first]  # it is the height that tells
 
 
@@ -242,6 +250,6 @@ def test_network_tells_carrying_from_pushing_by_the_peaks_it_predicts(peaks):
 def test_shortlist_by_predicted_outcomes_prefers_what_differs(first, other):
     network = a_network_that_saw_carrying(peaks=True)
     features = np.random.default_rng(1).uniform(size=(50, 4))
-    rivals = (Primitive("0", first, 0.0), Primitive("1", first, 0.0), Primitive("1", other, 0.0))
-    chosen = shortlist(rivals, network.predict_outcomes, features, alike, 1)
+    groups = (Primitive("0", first, 0.0), Primitive("1", first, 0.0), Primitive("1", other, 0.0))
+    chosen = shortlist(groups, network.predict_outcomes, features, alike, 1)
     assert [one.action for one in chosen] == [first, other]

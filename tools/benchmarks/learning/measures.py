@@ -14,6 +14,7 @@ import numpy as np
 
 from neurosym.data.interactions import Interactions
 from neurosym.evaluation.primitive_kinds import kind_of, kinds_found
+from neurosym.learning.baselines import TEST_ROWS, trivial_predictions
 from neurosym.learning.coclustering import cocluster
 from neurosym.learning.direct_model import DirectModel
 from neurosym.learning.effect_model import EffectModel
@@ -28,8 +29,6 @@ from neurosym.strategies import has_high_effect
 from neurosym.symbols import all_symbols
 from neurosym.worlds.world_file import read_world
 
-TEST_ROWS = 2400
-"""Interactions with a high effect in the test set."""
 REHEARSED = 60
 """Objects that each primitive is rehearsed on."""
 ROWS, COLUMNS = 2000, 64
@@ -127,9 +126,7 @@ def assess_on_test(trained: Trained, seen: Interactions, test: Interactions) -> 
     guesses = {
         "model": mean,
         "without a bottleneck": trained.direct.predict(test.features, test.actions),
-        "always zero": np.zeros_like(effects),
-        "always mean": np.broadcast_to(seen.effects.mean(0), effects.shape),
-        "per-axis median": np.broadcast_to(np.median(seen.effects, axis=0), effects.shape),
+        **trivial_predictions(seen.effects, len(effects)),
     }
     return {
         "r2_through_codes": float(r2.mean()),

@@ -27,7 +27,7 @@ from neurosym.execution.executor import execute
 from neurosym.execution.summary import summarise_run
 from neurosym.grounding import Grounding
 from neurosym.operators import TOLERANCE
-from neurosym.pddl.validation import replay
+from neurosym.pddl.validation import validate
 from neurosym.planners import PlanResult, PlanStatus, plan
 from neurosym.planners.bfs import plan_bfs
 from neurosym.planners.branching import branching_of
@@ -146,7 +146,7 @@ def without_costs(folder: Path, drawn: Path) -> list[Any]:
         entry: dict[str, Any] = {"task": task.name, "status": result.status.value}
         if result.status is PlanStatus.SOLVED:
             run = execute(setting.world, task, setting.grounding, result.steps)
-            entry["valid"] = replay(result.steps, task, setting.grounding).valid
+            entry["valid"] = validate(result.steps, task, setting.grounding).valid
             entry["primitives"] = sum(not step.puts_down for step in result.steps)
             entry["run"] = msgspec.to_builtins(summarise_run(run, setting.grounding))
         found.append(entry)
@@ -196,7 +196,7 @@ def scaling(grounding_file: Path, drawn: Path, planner: str, options: Mapping[st
         row = {"status": result.status.value, "seconds": seconds, "fewest": entry["fewest"]}
         if result.status is PlanStatus.SOLVED:
             row["primitives"] = sum(not step.puts_down for step in result.steps)
-            row["valid"] = replay(result.steps, task, grounding).valid
+            row["valid"] = validate(result.steps, task, grounding).valid
         rows.append({**row, "reason": result.reason})
     memory = {
         "children": _memory(resource.RUSAGE_CHILDREN),

@@ -26,7 +26,7 @@ from neurosym.grounding import Grounding
 from neurosym.pddl import domain_text, problem_text
 from neurosym.pddl.moves import ENCODINGS
 from neurosym.pddl.plan_text import parse_plan
-from neurosym.pddl.validation import replay
+from neurosym.pddl.validation import validate
 from neurosym.planners import PLANNERS, PlanStatus, plan
 from neurosym.planners.catalogue import COARSE, PROGRAMS
 from neurosym.planners.planner import PddlProgram
@@ -119,7 +119,7 @@ def measure(
             steps = parse_plan(answer.text, Path("its plan"), grounding, problem)
         except InvalidPlan as error:
             return {**found, "status": "failed", "words": str(error)}
-        checked = replay(steps, problem, grounding)
+        checked = validate(steps, problem, grounding)
         found |= {"valid": checked.valid, "steps": len(steps), "words": checked.reason}
     return found
 

@@ -8,7 +8,7 @@ from neurosym.evaluation.comparison_tasks import Bench
 from neurosym.grounding import Grounding, is_lift
 from neurosym.operators import TOLERANCE, Operator, vector
 from neurosym.pddl.plan_text import PlanStep
-from neurosym.pddl.validation import replay
+from neurosym.pddl.validation import validate
 from neurosym.planners import PlanStatus, plan
 from neurosym.planners.counting import fewest_steps
 from neurosym.problems import Problem, SceneObject
@@ -112,7 +112,7 @@ def _walked(
 
 def _after(item: SceneObject, operator: Operator, grounding: Grounding) -> SceneObject | None:
     alone = Problem("alone", (item,), {item.name: item.position})
-    moved = replay([PlanStep(operator.name, item.name)], alone, grounding)
+    moved = validate([PlanStep(operator.name, item.name)], alone, grounding)
     if not moved.possible:
         return None
     return msgspec.structs.replace(item, position=vector(moved.positions[-1][0]))

@@ -7,8 +7,8 @@ import torch
 from toy_learning import MOMENT
 
 from neurosym.data.dimensions import Dimensions
+from neurosym.learning.code_targets import _costs, _some_of_each, find_code_targets
 from neurosym.learning.direct_model import DirectModel
-from neurosym.learning.meanings import _costs, _some_of_each, find_meanings
 from neurosym.learning.model_config import ModelConfig
 from neurosym.learning.samples import Samples
 from neurosym.learning.training_config import TrainingConfig
@@ -32,41 +32,41 @@ class Planted(DirectModel):
         return torch.cat([effects, 9 * actions[:, :1] * actions[:, 1:]], dim=1)
 
 
-def planted_meanings():
+def planted_targets():
     generator = torch.Generator().manual_seed(0)
     features, actions = (torch.rand(200, width, generator=generator) * 2 - 1 for width in (1, 2))
     samples = Samples(features, actions, torch.zeros(200, 2), torch.zeros(200), -torch.ones(2), torch.ones(2))
     teacher = Planted(Dimensions(1, 2, 2, ()), MOMENT["direct"]).eval()
     config = TrainingConfig(**{**MOMENT, "table_restarts": 5})
-    return find_meanings(teacher, ModelConfig(object_bits=1, action_bits=2), samples, config, generator)
+    return find_code_targets(teacher, ModelConfig(object_bits=1, action_bits=2), samples, config, generator)
 
 
 def test_planted_kinds_of_action_and_object_each_get_a_code():
-    meanings = planted_meanings()
+    targets = planted_targets()
     planted = ALONG_ACTIONS[:, None] + ALONG_OBJECTS
     for code in range(4):
         assert any(
-            torch.allclose(meanings.effects[code][list(order)], planted[kind], atol=1e-5)
+            torch.allclose(targets.effects[code][list(order)], planted[kind], atol=1e-5)
             for kind in range(4)
             for order in ((0, 1), (1, 0))
         )
-    codes, kinds = meanings.action_costs.argmin(1), kinds_of_actions(meanings.actions)
+    codes, kinds = targets.action_costs.argmin(1), kinds_of_actions(targets.actions)
     assert len(set(zip(codes.tolist(), kinds.tolist(), strict=True))) == len(set(codes.tolist())) == 4
-    object_codes = meanings.object_costs.argmin(1)
-    is_positive = (meanings.features[:, 0] > 0).long()
+    object_codes = targets.object_costs.argmin(1)
+    is_positive = (targets.features[:, 0] > 0).long()
     assert torch.equal(object_codes, is_positive) or torch.equal(object_codes, 1 - is_positive)
 
 
 def test_names_cost_the_squared_distance_of_what_they_say():
-    meanings = planted_meanings()
-    said = meanings.effects.mean(1) - ALONG_OBJECTS.mean(0)  # of each code of actions
-    true = ALONG_ACTIONS[kinds_of_actions(meanings.actions)]
+    targets = planted_targets()
+    said = targets.effects.mean(1) - ALONG_OBJECTS.mean(0)  # of each code of actions
+    true = ALONG_ACTIONS[kinds_of_actions(targets.actions)]
     expected = ((true[:, None] - said) ** 2).sum(2)
-    torch.testing.assert_close(meanings.action_costs, expected / expected.mean(), atol=1e-4, rtol=1e-4)
+    torch.testing.assert_close(targets.action_costs, expected / expected.mean(), atol=1e-4, rtol=1e-4)
 
 
 def test_codes_one_bit_apart_are_more_alike_than_those_two_bits_apart():
-    effects = planted_meanings().effects
+    effects = planted_targets().effects
     apart = {
         (a, b): float(((effects[a] - effects[b]) ** 2).sum()) * (a ^ b).bit_count()
         for a, b in combinations(range(4), 2)

@@ -24,7 +24,7 @@ _ACTIONS_ASKED = 128  # to see what kind an object is
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Meanings:
+class CodeTargets:
     """What codes stand for, and examples of what should be called how.
 
     Attributes:
@@ -43,13 +43,13 @@ class Meanings:
     object_costs: Float[Tensor, "C Lo"]
 
 
-def find_meanings(
+def find_code_targets(
     teacher: DirectModel,
     bits: ModelConfig,
     samples: Samples,
     config: TrainingConfig,
     generator: torch.Generator,
-) -> Meanings:
+) -> CodeTargets:
     """Co-cluster what the teacher predicts. Codes are given so that kinds one bit apart are alike.
 
     Args:
@@ -79,7 +79,7 @@ def find_meanings(
     by_object = _table(teacher, features[objects], more_actions)
     by_action = _table(teacher, more_features, actions[shown]).transpose(1, 0, 2)
     object_codes, action_codes = column_codes[found.columns], row_codes[found.rows]
-    return Meanings(
+    return CodeTargets(
         effects=torch.from_numpy(effects).float(),
         actions=more_actions,
         action_costs=_costs(by_object, effects, object_codes[objects], object_codes),
