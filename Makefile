@@ -4,7 +4,7 @@ VENV ?= .venv
 PYTHON ?= $(firstword $(shell command -v python3.11) $(shell command -v python3))
 BIN := $(VENV)/bin
 
-.PHONY: install demo test lint evaluate evaluate-world evaluate-learning evaluate-planning evaluate-planners tutorial clean
+.PHONY: install demo test lint evaluate evaluate-world evaluate-learning evaluate-planning evaluate-planners tutorial architecture clean
 
 install: $(VENV)/.installed
 
@@ -53,6 +53,10 @@ evaluate-planning: install
 # Runs docs/tutorial.ipynb and stores what its cells say: some minutes.
 tutorial: install
 	$(BIN)/python tools/run_tutorial.py
+
+# Draws the folders and their imports anew, into docs/images/architecture.svg.
+architecture: install
+	$(BIN)/python -m tools.draw_architecture
 
 # Which planner takes which encoding, into docs/results/planners.*; installs the planners first, and Tamer,
 # which takes no encoding. ENHSP needs Java.

@@ -4,7 +4,7 @@ import re
 from pathlib import Path
 
 import pytest
-from places import ROOT
+from places import DOCS, ROOT
 
 DOCUMENTS = [ROOT / "README.md", *sorted((ROOT / "docs").glob("*.md"))]
 MEASURED = ROOT / "docs" / "results"
@@ -30,3 +30,15 @@ def test_every_test_that_is_named_exists(path: Path):
     sources = "".join(file.read_text() for file in (ROOT / "tests").rglob("test_*.py"))
     for name in re.findall(r"`(test_\w+)`", text):
         assert f"def {name}(" in sources, name
+
+
+def test_every_file_that_the_map_names_exists():
+    text = (DOCS / "architecture.md").read_text()
+    rows = [line for line in text.splitlines() if line.startswith("| ") and not line.startswith("| what")]
+    assert len(rows) >= 20
+    for part in [*rows, *text.split("## I want to change")[0].splitlines()]:
+        folder = ""
+        for name in re.findall(r"`([\w/]+(?:/|\.py|\.urdf))`", part):
+            known = [ROOT / "neurosym" / name, ROOT / name, ROOT / "neurosym" / folder / name]
+            assert any(path.exists() for path in known), name
+            folder = str(Path(name).parent) if "/" in name else folder

@@ -3,11 +3,13 @@
 import ast
 import subprocess
 import sys
-from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
-from places import ROOT
+from places import DOCS, ROOT
+
+from tools.draw_architecture import drawing
+from tools.package_imports import DOORS, arrows, files_of, imported, layer_of
 
 PACKAGE = ROOT / "neurosym"
 LAYERS = {
@@ -37,8 +39,6 @@ The root holds the nouns that cross folders, and imports no folder.
 """
 ROOMS_TO_COME = {"relations", "studio"}
 """Layers that have no folder yet."""
-DOORS = {"__init__.py", "__main__.py"}
-"""Files of the root that lead into the folders: the Python API and the command line."""
 FENCES = {
     "pybullet": ("sim/bullet.py",),
     "torch": ("learning/", "exploration/", "primitives/distillation.py"),
@@ -50,40 +50,6 @@ FENCES = {
 MAY_PRINT = ("commands/", "stages/", "console.py")
 PRINTERS = {"neurosym.console", "rich"}
 """Modules that are imported for printing."""
-
-
-def imported(path: Path, package: Path) -> set[str]:
-    """Names of all modules that a file of a package imports, anywhere in it, as `neurosym.folder.module`."""
-    found: set[str] = set()
-    for node in ast.walk(ast.parse(path.read_text())):
-        if isinstance(node, ast.Import):
-            found |= {alias.name for alias in node.names}
-        elif isinstance(node, ast.ImportFrom):
-            module = node.module or ""
-            if node.level:
-                here = ["neurosym", *path.relative_to(package).parent.parts]
-                module = ".".join([*here[: len(here) - node.level + 1], *filter(None, [module])])
-            found |= {f"neurosym.{alias.name}" for alias in node.names} if module == "neurosym" else {module}
-    return found
-
-
-def layer_of(module: str, package: Path) -> str | None:
-    """The folder that a module of ours lies in, "" for the root; None for one that does not exist."""
-    parts = module.split(".")[1:]
-    if not parts:
-        return ""
-    is_folder = (package / parts[0]).is_dir()
-    place = package.joinpath(*parts)
-    if not place.is_dir() and not place.with_suffix(".py").is_file():
-        return None
-    return parts[0] if is_folder else ""
-
-
-def files_of(package: Path) -> Iterator[tuple[str, str, Path]]:
-    """The name of each file of a package, its layer, and its path."""
-    for path in sorted(package.rglob("*.py")):
-        parts = path.relative_to(package).parts
-        yield "/".join(parts), parts[0] if len(parts) > 1 else "", path
 
 
 def wrong_arrows(package: Path) -> list[str]:
@@ -158,6 +124,13 @@ def test_imports_point_one_way():
 def test_dependency_is_imported_only_behind_its_fence(fence: str):
     assert breaches(PACKAGE, fence) == []
     assert all((PACKAGE / place).exists() for place in FENCES[fence])
+
+
+def test_picture_of_the_folders_is_that_of_the_code(tmp_path: Path):
+    picture = (DOCS / "images" / "architecture.svg").read_text()
+    assert picture == drawing(arrows(PACKAGE)), "make architecture draws it anew"
+    fewer = {folder: targets - {"planners"} for folder, targets in arrows(PACKAGE).items()}
+    assert picture != drawing(fewer)
 
 
 def test_only_the_command_line_prints():
