@@ -1,9 +1,11 @@
 """What several tests share: a toy domain folder, learned once."""
 
+import os
 import shutil
 from pathlib import Path
 
 import pytest
+from filelock import FileLock
 
 from neurosym.commands.cli import main
 
@@ -26,10 +28,16 @@ def pytest_collection_modifyitems(items):
 @pytest.fixture(scope="session")
 def toy_folder(tmp_path_factory) -> Path:
     """A domain folder learned from nothing on the toy world, with two problems; tests must not change it."""
-    folder = tmp_path_factory.mktemp("domains") / "toy"
-    with pytest.raises(SystemExit) as ended:
-        main(["run", str(folder), *RUN_TOY])
-    assert ended.value.code == 0
+    shared = tmp_path_factory.getbasetemp()
+    if "PYTEST_XDIST_WORKER" in os.environ:
+        shared = shared.parent  # whichever process comes first learns it for all
+    folder = shared / "toy"
+    with FileLock(shared / "toy.lock"):
+        if not folder.is_dir():
+            with pytest.raises(SystemExit) as ended:
+                main(["run", str(shared / "toy-unfinished"), *RUN_TOY])
+            assert ended.value.code == 0
+            (shared / "toy-unfinished").rename(folder)
     return folder
 
 

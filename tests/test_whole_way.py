@@ -20,7 +20,7 @@ from neurosym.planners.fast_downward import plan_fast_downward
 from neurosym.stages.plan_records import PlanRecord
 from neurosym.worlds.world_file import make_world
 
-LEARN = ["--steps", "512", "--seed", "7", "--regime", "quick", "--rehearsals", "24", "--problems", "4"]
+LEARN = ["--steps", "256", "--seed", "7", "--regime", "quick", "--rehearsals", "12", "--problems", "4"]
 TABLETOP = partial(make_world, "tabletop", {})
 
 
@@ -38,13 +38,13 @@ def folder(tmp_path_factory) -> Path:
         command, start_new_session=True, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE
     )
     deadline = time.monotonic() + 300
-    while not (path / "effect_model.safetensors").exists() and time.monotonic() < deadline:
+    while not (path / "manifest.json").exists() and time.monotonic() < deadline:
         assert first.poll() is None, first.stderr.read() if first.stderr else ""
         time.sleep(0.05)
     os.killpg(first.pid, signal.SIGKILL)
     first.communicate()
     assert (path / "interactions.npz").exists()
-    assert not (path / "domain.pddl").exists()
+    assert not (path / "effect_model.safetensors").exists()
     second = run(path)
     assert second.returncode == 0, second.stderr
     return path

@@ -183,24 +183,29 @@ def test_panda_acts_the_same_in_another_process(panda):
     assert again.end.positions.tobytes() == outcome.end.positions.tobytes()
 
 
-def learned(folder: str, *options: str) -> str:
-    """Go the whole way but for problems, as the installed command does, and return the domain."""
-    run = ["run", folder, "--world", "panda:make", "--regime", "quick", "--problems", "0", *options]
-    command = [sys.executable, "-P", "-c", "from neurosym.commands.cli import main; main()", *run]
+def installed(*typed: str) -> None:
+    """Type something after `neurosym`, as the installed command takes it."""
+    command = [sys.executable, "-P", "-c", "from neurosym.commands.cli import main; main()", *typed]
     ended = subprocess.run(command, capture_output=True, text=True)
     assert ended.returncode == 0, ended.stderr
-    return (Path(folder) / "domain.pddl").read_text()
 
 
 def test_panda_goes_the_whole_way_at_small_scale(panda):
-    domain = learned("tiny", "--strategy", "random", "--steps", "32", "--rehearsals", "2", "--workers", "1")
-    assert "(define (domain panda)" in domain
+    """Stage by stage, because auditions, of `run` too, take a thousand interactions."""
+    quick = ("--regime", "quick", "--seed", "1")
+    installed("init", "tiny", "--world", "panda:make")
+    installed("explore", "tiny", "--strategy", "random", "--steps", "32", "--workers", "1", *quick)
+    installed("train", "tiny", *quick)
+    installed("distill", "tiny", "--objects", "2", "--workers", "1", "--choice", "lowest-error")
+    installed("compile-domain", "tiny")
+    assert "(define (domain panda)" in Path("tiny/domain.pddl").read_text()
 
 
 @pytest.mark.evaluation
 def test_panda_learns_a_domain_with_actions(panda):
-    domain = learned("panda-domain", "--steps", "512", "--rehearsals", "24")
-    assert re.search(r"\(:action (?!reach-goal)", domain)
+    learn = ("--regime", "quick", "--steps", "512", "--rehearsals", "24", "--problems", "0")
+    installed("run", "panda-domain", "--world", "panda:make", *learn)
+    assert re.search(r"\(:action (?!reach-goal)", Path("panda-domain/domain.pddl").read_text())
 
 
 @pytest.mark.evaluation

@@ -42,7 +42,10 @@ MOST_DISTILLING = 30.0
 """Longest distillation of eight symbols [s]."""
 MOST_SHARE = 0.25
 """Greatest share of all training of a run in the time of its simulation."""
-_COUNTS = ("direct_epochs", "table_actions", "named_actions", "named_objects", "code_steps", "imagined")
+_COUNTS = (
+    *("direct_epochs", "table_actions", "table_restarts", "named_actions", "named_objects", "naming_steps"),
+    *("code_steps", "imagined"),
+)
 
 Results = dict[str, Any]
 
