@@ -1,6 +1,7 @@
 """The whole way on the real simulator, from nothing, on a small budget."""
 
 import os
+import re
 import signal
 import subprocess
 import sys
@@ -10,6 +11,7 @@ from functools import partial
 from pathlib import Path
 
 import pytest
+from command_line import neurosym
 
 from neurosym.exploration.choice import ExplorationConfig
 from neurosym.exploration.curiosity import LearningConfig
@@ -33,6 +35,10 @@ def run(folder: Path) -> subprocess.CompletedProcess[str]:
 def folder(tmp_path_factory) -> Path:
     """A domain folder learned by a run that was killed in the middle and started again."""
     path = tmp_path_factory.mktemp("domains") / "small"
+    assert neurosym("init", path) == 0
+    world = path / "world.toml"
+    coarse = re.sub(r"^time_step = .*$", "time_step = 0.00833", world.read_text(), flags=re.MULTILINE)
+    world.write_text(coarse)  # half the physics; the default is simulated by all other tests
     command = [sys.executable, "-m", "neurosym", "run", str(path), *LEARN]
     first = subprocess.Popen(
         command, start_new_session=True, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE

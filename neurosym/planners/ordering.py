@@ -56,9 +56,9 @@ def mend(
         if (checked := validate(ordered, problem, grounding)).possible:
             return ordered, checked
     if search.stuck:
-        names = ", ".join(problem.object_names[row] for row in sorted(search.stuck))
-        reason = f"no order of the steps was found that brings {names} past the others"
-        return tuple(steps), dataclasses.replace(given, reason=reason)
+        names = tuple(problem.object_names[row] for row in sorted(search.stuck))
+        reason = f"no order of the steps was found that brings {', '.join(names)} past the others"
+        return tuple(steps), dataclasses.replace(given, reason=reason, concerned=names)
     return tuple(steps), given
 
 

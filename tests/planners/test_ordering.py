@@ -62,6 +62,7 @@ def test_object_that_cannot_get_past_another_is_named():
     steps, checked = mend(given, task, grounding())
     assert (steps, checked.valid) == (given, False)
     assert checked.reason == "no order of the steps was found that brings item-01 past the others"
+    assert checked.concerned == ("item-01",)
 
 
 def swap() -> Problem:
