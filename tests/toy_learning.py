@@ -6,30 +6,27 @@ from neurosym.data.interactions import Interactions
 from neurosym.exploration.choice import ExplorationConfig
 from neurosym.exploration.loop import explore
 from neurosym.learning.model_config import DirectConfig, ModelConfig
-from neurosym.learning.training_config import TrainingConfig
+from neurosym.learning.training_config import (
+    CodingConfig,
+    DecoderConfig,
+    NamingConfig,
+    TeacherConfig,
+    TrainingConfig,
+)
 from neurosym.worlds.toy import make_world
 
 SMALL = ModelConfig(hidden=16)
-MOMENT = {
-    "epochs": 2,
-    "batch": 64,
-    "direct": DirectConfig(hidden=16),
-    "direct_epochs": 2,
-    "table_actions": 60,
-    "table_objects": 12,
-    "table_restarts": 1,
-    "named_actions": 200,
-    "named_objects": 100,
-    "naming_steps": 10,
-    "imagined_actions": 16,
-    "imagined_objects": 4,
-    "code_steps": 5,
-    "imagined": 300,
-    "imagined_epochs": 2,
-    "refit_epochs": 2,
-}
-"""Options of a training that learns nearly nothing."""
-BRIEF = TrainingConfig(**MOMENT)
+BRIEF = TrainingConfig(
+    epochs=2,
+    batch=64,
+    teacher=TeacherConfig(DirectConfig(hidden=16), epochs=2),
+    naming=NamingConfig(
+        table_actions=60, table_objects=12, table_restarts=1, actions=200, objects=100, steps=10
+    ),
+    coding=CodingConfig(actions=16, objects=4, steps=5),
+    decoder=DecoderConfig(imagined=300, imagined_epochs=2, epochs=2),
+)
+"""A training that learns nearly nothing."""
 
 
 @cache

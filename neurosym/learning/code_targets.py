@@ -60,11 +60,11 @@ def find_code_targets(
         generator: Source of randomness, owned by the caller.
     """
     rng = np.random.default_rng(int(torch.randint(2**31, (1,), generator=generator)))
-    features, _ = samples.imagine(config.table_objects, generator)
-    _, actions = samples.imagine(config.table_actions, generator)
+    features, _ = samples.imagine(config.naming.table_objects, generator)
+    _, actions = samples.imagine(config.naming.table_actions, generator)
     table = _table(teacher, features, actions)  # (R, C, E)
     kinds = 2**bits.action_bits, 2**bits.object_bits
-    found = cocluster(table, *kinds, rng, restarts=config.table_restarts)
+    found = cocluster(table, *kinds, rng, restarts=config.naming.table_restarts)
     flipped = CoClustering(rows=found.columns, columns=found.rows, error=found.error)
     row_codes, column_codes = (
         gray_order(_centres(t, f, k), rng)
@@ -74,8 +74,8 @@ def find_code_targets(
     effects[np.ix_(row_codes, column_codes)] = _blocks(table, found, kinds)
     objects = _some_of_each(found.columns, _OBJECTS_ASKED, rng)
     shown = rng.permutation(len(actions))[:_ACTIONS_ASKED]
-    more_features, _ = samples.imagine(config.named_objects, generator)
-    _, more_actions = samples.imagine(config.named_actions, generator)
+    more_features, _ = samples.imagine(config.naming.objects, generator)
+    _, more_actions = samples.imagine(config.naming.actions, generator)
     by_object = _table(teacher, features[objects], more_actions)
     by_action = _table(teacher, more_features, actions[shown]).transpose(1, 0, 2)
     object_codes, action_codes = column_codes[found.columns], row_codes[found.rows]

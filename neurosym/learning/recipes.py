@@ -47,14 +47,14 @@ def fit_direct(
         loss_of,
         len(samples),
         torch.optim.AdamW(
-            model.parameters(), lr=config.direct_rate, weight_decay=config.direct_weight_decay, fused=True
+            model.parameters(), lr=config.teacher.rate, weight_decay=config.teacher.weight_decay, fused=True
         ),
         generator,
-        epochs=config.direct_epochs,
-        batch=config.direct_batch,
+        epochs=config.teacher.epochs,
+        batch=config.teacher.batch,
         clip_norm=config.clip_norm,
         decay=True,
-        after_epoch=lambda done: progress("teacher", done / config.direct_epochs),
+        after_epoch=lambda done: progress("teacher", done / config.teacher.epochs),
     )
     model.eval()
 
@@ -108,7 +108,7 @@ def fit_as_taught(
     targets = find_code_targets(teacher, model.config, samples, config, generator)
     fit_names(model, targets, config, generator, progress)
     fit_encoders(model, teacher, nn.Parameter(targets.effects), samples, config, generator, progress)
-    if config.decoder_learns_from == "imagined":
+    if config.decoder.learns_from == "imagined":
         fit_decoder(model, teacher, samples, config, generator, progress)
     else:
         refit_decoder(model, samples, config, generator, progress)
@@ -130,7 +130,7 @@ def refit_decoder(
             objects, chosen = signs_of(model, features, actions)
         return prediction_loss(model, objects, chosen, effects)
 
-    descend_decoder(model, loss_of, len(samples), config, generator, config.refit_epochs, progress)
+    descend_decoder(model, loss_of, len(samples), config, generator, config.decoder.epochs, progress)
 
 
 Recipe = Callable[[EffectModel, DirectModel, Samples, TrainingConfig, torch.Generator, FitProgress], None]

@@ -42,7 +42,7 @@ def fit_names(
     )
     for stage, encoder, embed, inputs, costs in parts:
         found: list[tuple[float, dict[str, Tensor]]] = []
-        for start in range(config.naming_starts):
+        for start in range(config.naming.starts):
             if start:
                 encoder.apply(_begin_anew)
             report = partial(progress, f"naming {stage}")
@@ -67,13 +67,13 @@ def _fit_naming(
     cheapest = costs.argmin(1, keepdim=True)
 
     def loss() -> Tensor:
-        rows = torch.randint(len(inputs), (config.naming_batch,), generator=generator)
+        rows = torch.randint(len(inputs), (config.naming.batch,), generator=generator)
         likely = code_probabilities(embed(inputs[rows]))
         right = likely.gather(1, cheapest[rows]).clamp(min=1e-6)
         return (likely * costs[rows]).sum(1).mean() - _LIKELIHOOD_WEIGHT * right.log().mean()
 
     encoder.train()
-    take_steps(loss, list(encoder.parameters()), config.naming_steps, config.code_rate, report)
+    take_steps(loss, list(encoder.parameters()), config.naming.steps, config.coding.rate, report)
     encoder.eval()
 
 
@@ -109,7 +109,7 @@ def fit_encoders(
         generator: Source of randomness, owned by the caller.
         progress: Told of the steps.
     """
-    rows, columns = config.imagined_actions, config.imagined_objects
+    rows, columns = config.coding.actions, config.coding.objects
     encoders = nn.ModuleList([model.object_encoder, model.action_encoder]).train()
 
     def loss() -> Tensor:
@@ -123,7 +123,7 @@ def fit_encoders(
         return expected_error(by_action, by_object, effects, targets.view(rows, columns, -1))
 
     report = partial(progress, "codes")
-    take_steps(loss, [*encoders.parameters(), effects], config.code_steps, config.code_rate / 2, report)
+    take_steps(loss, [*encoders.parameters(), effects], config.coding.steps, config.coding.rate / 2, report)
     encoders.eval()
 
 
@@ -177,8 +177,8 @@ def fit_decoder(
     """
     model.eval()
     with torch.no_grad():
-        features, _ = samples.imagine(config.imagined, generator)
-        _, actions = samples.imagine(config.imagined, generator)
+        features, _ = samples.imagine(config.decoder.imagined, generator)
+        _, actions = samples.imagine(config.decoder.imagined, generator)
         objects, chosen = codes = signs_of(model, features, actions)
         unexplained = samples.effects - teacher.effects(samples.features, samples.actions)
         known = signs_of(model, samples.features, samples.actions)
@@ -188,7 +188,7 @@ def fit_decoder(
     def loss_of(rows: Tensor) -> Tensor:
         return prediction_loss(model, objects[rows], chosen[rows], effects[rows])
 
-    descend_decoder(model, loss_of, len(effects), config, generator, config.imagined_epochs, progress)
+    descend_decoder(model, loss_of, len(effects), config, generator, config.decoder.imagined_epochs, progress)
 
 
 def descend_decoder(

@@ -4,7 +4,7 @@ Each restart starts from other weights; the one that predicts held-out effects b
 is kept. The report sets the model's error beside what predictors that look at nothing achieve.
 """
 
-from dataclasses import asdict, dataclass, replace
+from dataclasses import dataclass, replace
 
 import msgspec
 import numpy as np
@@ -78,7 +78,7 @@ def train(
     kept, held_out = split(interactions, config.validation_share, seed)
     samples = samples_of(kept, mirrors=config.mirrors)
     trained_by = {
-        "training": asdict(config),
+        "training": config.as_stored(),
         "seed": seed,
         "interactions": len(interactions),
         "origin": interactions.origin,
@@ -100,8 +100,8 @@ def _fit_direct(
     samples: Samples, dimensions: Dimensions, config: TrainingConfig, seed: int, progress: FitProgress
 ) -> DirectModel:
     with reproducible(_seed(seed, _DIRECT)) as generator:
-        direct = DirectModel(dimensions, config.direct)
-        direct.set_scale(samples.outcomes(peaks=config.direct.peaks), samples.mirrored_axes)
+        direct = DirectModel(dimensions, config.teacher.network)
+        direct.set_scale(samples.outcomes(peaks=config.teacher.network.peaks), samples.mirrored_axes)
         fit_direct(direct, samples, config, generator, progress)
     return direct
 

@@ -1,10 +1,102 @@
 """How the effect model is trained, apart from the training itself, so that reading it does not load torch."""
 
-from dataclasses import dataclass, field, replace
-from typing import Literal
+from collections.abc import Iterable
+from dataclasses import asdict, dataclass, field, replace
+from typing import Any, Literal
 
 from neurosym.errors import InvalidValue, UnknownChoice
 from neurosym.learning.model_config import EXPLORING, DirectConfig, ModelConfig
+
+
+@dataclass(frozen=True, slots=True)
+class TeacherConfig:
+    """How the network without a bottleneck is fitted, which teaches what the bits should say.
+
+    Attributes:
+        network: How it is built.
+        epochs: How often it sees every interaction.
+        batch: Interactions in its mini-batches.
+        rate: Step size of its optimiser, AdamW.
+        weight_decay: Weight decay of the same.
+    """
+
+    network: DirectConfig = field(default_factory=DirectConfig)
+    epochs: int = 100
+    batch: int = 256
+    rate: float = 3e-3
+    weight_decay: float = 1e-2
+
+    def __post_init__(self) -> None:
+        _check("teacher", self, counts=("epochs", "batch"), positive=("rate",))
+
+
+@dataclass(frozen=True, slots=True)
+class NamingConfig:
+    """What encoders begin with: the teacher's predictions are co-clustered, and they are fitted to the codes.
+
+    Attributes:
+        table_actions: Rows of the table of predictions that is co-clustered.
+        table_objects: Columns of that table.
+        table_restarts: Starts of the co-clustering.
+        actions: How many more actions the teacher tells the meaning of, for the encoder to be fitted.
+        objects: The same of objects.
+        starts: From how many starts each encoder is fitted to them; the best is kept.
+        steps: Steps of each of these fits; see `TrainingConfig.for_bits`.
+        batch: How many at a time.
+    """
+
+    table_actions: int = 3000
+    table_objects: int = 96
+    table_restarts: int = 20
+    actions: int = 40_000
+    objects: int = 4000
+    starts: int = 3
+    steps: int = 400
+    batch: int = 1024
+
+    def __post_init__(self) -> None:
+        _check("naming", self, counts=self.__slots__)
+
+
+@dataclass(frozen=True, slots=True)
+class CodingConfig:
+    """How both encoders are fitted end to end.
+
+    Attributes:
+        actions: Actions in a step.
+        objects: Objects in it: each action is imagined on each object.
+        steps: How many steps; see `TrainingConfig.for_bits`.
+        rate: Greatest step size of Adam for the encoders; half of it in this fit.
+    """
+
+    actions: int = 256
+    objects: int = 16
+    steps: int = 1000
+    rate: float = 2e-3
+
+    def __post_init__(self) -> None:
+        _check("coding", self, counts=("actions", "objects", "steps"), positive=("rate",))
+
+
+@dataclass(frozen=True, slots=True)
+class DecoderConfig:
+    """What the decoder is fitted to in the end.
+
+    Attributes:
+        learns_from: "imagined" fits the decoder of "taught" to actions as they come, "data" to those that
+            were chosen.
+        imagined: Interactions that are imagined for it.
+        imagined_epochs: How often it sees each of them.
+        epochs: How often it sees every interaction, if it is fitted to the data.
+    """
+
+    learns_from: Literal["imagined", "data"] = "imagined"
+    imagined: int = 60_000
+    imagined_epochs: int = 8
+    epochs: int = 80
+
+    def __post_init__(self) -> None:
+        _check("decoder", self, counts=("imagined", "imagined_epochs", "epochs"))
 
 
 @dataclass(frozen=True, slots=True)
@@ -26,28 +118,10 @@ class TrainingConfig:
         mirrors: Whether interactions are also seen through the mirrors of the world.
         validation_share: Share of the interactions held out, to choose among restarts and to report.
         restarts: How many fits are made; the one that predicts best through its codes is kept.
-        direct: How the network without a bottleneck is built.
-        direct_epochs: How often it sees every interaction.
-        direct_batch: Interactions in its mini-batches.
-        direct_rate: Step size of its optimiser, AdamW.
-        direct_weight_decay: Weight decay of the same.
-        table_actions: Rows of the table of its predictions that is co-clustered.
-        table_objects: Columns of that table.
-        table_restarts: Starts of the co-clustering.
-        named_actions: How many more actions the teacher tells the meaning of, for the encoder to be fitted.
-        named_objects: The same of objects.
-        naming_starts: From how many starts each encoder is fitted to them; the best is kept.
-        naming_steps: Steps of each of these fits; see `for_bits`.
-        naming_batch: How many at a time.
-        imagined_actions: Actions in a step of the end-to-end fit of the encoders.
-        imagined_objects: Objects in it: each action is imagined on each object.
-        code_steps: Steps of the end-to-end fit; see `for_bits`.
-        code_rate: Greatest step size of Adam for the encoders; half of it in the end-to-end fit.
-        decoder_learns_from: "imagined" fits the decoder of "taught" to actions as they come, "data" to
-            those that were chosen.
-        imagined: Interactions that are imagined for the decoder.
-        imagined_epochs: How often the decoder sees each of them.
-        refit_epochs: How often the decoder sees every interaction, if it is fitted to the data.
+        teacher: How the network without a bottleneck is fitted.
+        naming: What the encoders of "taught" begin with.
+        coding: How they are fitted end to end.
+        decoder: What its decoder is fitted to.
     """
 
     recipe: Literal["joint", "refit", "taught"] = "taught"
@@ -63,35 +137,14 @@ class TrainingConfig:
     mirrors: bool = True
     validation_share: float = 0.1
     restarts: int = 1
-    direct: DirectConfig = field(default_factory=DirectConfig)
-    direct_epochs: int = 100
-    direct_batch: int = 256
-    direct_rate: float = 3e-3
-    direct_weight_decay: float = 1e-2
-    table_actions: int = 3000
-    table_objects: int = 96
-    table_restarts: int = 20
-    named_actions: int = 40_000
-    named_objects: int = 4000
-    naming_starts: int = 3
-    naming_steps: int = 400
-    naming_batch: int = 1024
-    imagined_actions: int = 256
-    imagined_objects: int = 16
-    code_steps: int = 1000
-    code_rate: float = 2e-3
-    decoder_learns_from: Literal["imagined", "data"] = "imagined"
-    imagined: int = 60_000
-    imagined_epochs: int = 8
-    refit_epochs: int = 80
+    teacher: TeacherConfig = field(default_factory=TeacherConfig)
+    naming: NamingConfig = field(default_factory=NamingConfig)
+    coding: CodingConfig = field(default_factory=CodingConfig)
+    decoder: DecoderConfig = field(default_factory=DecoderConfig)
 
     def __post_init__(self) -> None:
-        for name in _COUNTS:
-            if getattr(self, name) < 1:
-                raise InvalidValue(f"{name} = {getattr(self, name)} must be at least 1.")
-        for name in _POSITIVE:
-            if not getattr(self, name) > 0:
-                raise InvalidValue(f"{name} = {getattr(self, name)} must be positive.")
+        positive = ("learning_rate", "loss_coefficient", "temperature", "clip_norm")
+        _check("", self, counts=("epochs", "batch", "restarts"), positive=positive)
         if not 0 < self.validation_share < 1:
             raise InvalidValue(f"validation_share = {self.validation_share} must lie between 0 and 1.")
         if self.recipe not in ("joint", "refit", "taught"):
@@ -104,39 +157,53 @@ class TrainingConfig:
             action_bits: How many there are.
         """
         times = 1 + max(0, action_bits - _STEPS_ARE_FOR)
-        return replace(self, naming_steps=times * self.naming_steps, code_steps=times * self.code_steps)
+        return replace(
+            self,
+            naming=replace(self.naming, steps=times * self.naming.steps),
+            coding=replace(self.coding, steps=times * self.coding.steps),
+        )
+
+    def as_stored(self) -> dict[str, Any]:
+        """Return plain JSON values by the names that model files have had from the beginning."""
+        flat = asdict(self)
+        teacher, naming, coding, decoder = (
+            flat.pop(part) for part in ("teacher", "naming", "coding", "decoder")
+        )
+        return {
+            **flat,
+            "direct": teacher.pop("network"),
+            **{f"direct_{name}": value for name, value in teacher.items()},
+            **{_NAMING.get(name, name): value for name, value in naming.items()},
+            "imagined_actions": coding["actions"],
+            "imagined_objects": coding["objects"],
+            "code_steps": coding["steps"],
+            "code_rate": coding["rate"],
+            "decoder_learns_from": decoder["learns_from"],
+            "imagined": decoder["imagined"],
+            "imagined_epochs": decoder["imagined_epochs"],
+            "refit_epochs": decoder["epochs"],
+        }
 
 
 _STEPS_ARE_FOR = 3  # bits of action symbols
-_COUNTS = (
-    "epochs",
-    "batch",
-    "restarts",
-    "direct_epochs",
-    "direct_batch",
-    "table_actions",
-    "table_objects",
-    "table_restarts",
-    "named_actions",
-    "named_objects",
-    "naming_starts",
-    "naming_steps",
-    "naming_batch",
-    "imagined_actions",
-    "imagined_objects",
-    "code_steps",
-    "imagined",
-    "imagined_epochs",
-    "refit_epochs",
-)
-_POSITIVE = (
-    "learning_rate",
-    "loss_coefficient",
-    "temperature",
-    "clip_norm",
-    "direct_rate",
-    "code_rate",
-)
+_NAMING = {
+    "actions": "named_actions",
+    "objects": "named_objects",
+    "starts": "naming_starts",
+    "steps": "naming_steps",
+    "batch": "naming_batch",
+}
+
+
+def _check(part: str, config: object, counts: Iterable[str] = (), positive: Iterable[str] = ()) -> None:
+    """Raise `InvalidValue` unless some numbers are at least 1, and others positive."""
+    prefix = f"{part}." if part else ""
+    for name in counts:
+        if getattr(config, name) < 1:
+            raise InvalidValue(f"{prefix}{name} = {getattr(config, name)} must be at least 1.")
+    for name in positive:
+        if not getattr(config, name) > 0:
+            raise InvalidValue(f"{prefix}{name} = {getattr(config, name)} must be positive.")
 
 
 @dataclass(frozen=True, slots=True)
@@ -161,18 +228,19 @@ REGIMES = {
     "quick": Regime(
         ModelConfig(),
         TrainingConfig(
-            direct_epochs=40,
-            table_actions=1000,
-            table_objects=48,
-            table_restarts=4,
-            named_actions=10_000,
-            named_objects=1000,
-            naming_starts=2,
-            naming_steps=200,
-            naming_batch=512,
-            imagined_actions=128,
-            code_steps=300,
-            imagined=20_000,
+            teacher=TeacherConfig(epochs=40),
+            naming=NamingConfig(
+                table_actions=1000,
+                table_objects=48,
+                table_restarts=4,
+                actions=10_000,
+                objects=1000,
+                starts=2,
+                steps=200,
+                batch=512,
+            ),
+            coding=CodingConfig(actions=128, steps=300),
+            decoder=DecoderConfig(imagined=20_000),
         ),
         exploration_rate=1e-3,
     ),

@@ -1,17 +1,17 @@
 """What codes stand for at first: planted kinds are found, and names cost what they should."""
 
+from dataclasses import replace
 from itertools import combinations
 
 import numpy as np
 import torch
-from toy_learning import MOMENT
+from toy_learning import BRIEF
 
 from neurosym.data.dimensions import Dimensions
 from neurosym.learning.code_targets import _costs, _some_of_each, find_code_targets
 from neurosym.learning.direct_model import DirectModel
 from neurosym.learning.model_config import ModelConfig
 from neurosym.learning.samples import Samples
-from neurosym.learning.training_config import TrainingConfig
 
 ALONG_ACTIONS = torch.tensor([[0.0, 0.0], [0.0, 3.0], [2.0, 0.0], [5.0, 5.0]])
 ALONG_OBJECTS = torch.tensor([[0.0, 0.0], [1.0, -1.0]])
@@ -36,8 +36,8 @@ def planted_targets():
     generator = torch.Generator().manual_seed(0)
     features, actions = (torch.rand(200, width, generator=generator) * 2 - 1 for width in (1, 2))
     samples = Samples(features, actions, torch.zeros(200, 2), torch.zeros(200), -torch.ones(2), torch.ones(2))
-    teacher = Planted(Dimensions(1, 2, 2, ()), MOMENT["direct"]).eval()
-    config = TrainingConfig(**{**MOMENT, "table_restarts": 5})
+    teacher = Planted(Dimensions(1, 2, 2, ()), BRIEF.teacher.network).eval()
+    config = replace(BRIEF, naming=replace(BRIEF.naming, table_restarts=5))
     return find_code_targets(teacher, ModelConfig(object_bits=1, action_bits=2), samples, config, generator)
 
 

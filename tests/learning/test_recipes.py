@@ -12,29 +12,31 @@ from neurosym.data.interactions import Interactions
 from neurosym.learning.model_config import DirectConfig, ModelConfig
 from neurosym.learning.teaching import code_probabilities, draw_alike, expected_error
 from neurosym.learning.training import train
-from neurosym.learning.training_config import TrainingConfig
+from neurosym.learning.training_config import (
+    CodingConfig,
+    DecoderConfig,
+    NamingConfig,
+    TeacherConfig,
+    TrainingConfig,
+)
 from neurosym.worlds.toy import make_world
 
 SMALL_FIT = TrainingConfig(
     epochs=20,
     batch=128,
-    direct=DirectConfig(hidden=64),
-    direct_epochs=40,
-    direct_batch=128,
-    table_actions=300,
-    table_objects=32,
-    table_restarts=3,
-    named_actions=4000,
-    named_objects=600,
-    naming_starts=1,
-    naming_steps=400,
-    naming_batch=96,
-    imagined_actions=128,
-    imagined_objects=8,
-    code_steps=100,
-    imagined=4000,
-    imagined_epochs=15,
-    refit_epochs=15,
+    teacher=TeacherConfig(DirectConfig(hidden=64), epochs=40, batch=128),
+    naming=NamingConfig(
+        table_actions=300,
+        table_objects=32,
+        table_restarts=3,
+        actions=4000,
+        objects=600,
+        starts=1,
+        steps=400,
+        batch=96,
+    ),
+    coding=CodingConfig(actions=128, objects=8, steps=100),
+    decoder=DecoderConfig(imagined=4000, imagined_epochs=15, epochs=15),
 )
 """Learns the toy world well enough, in a few seconds."""
 
@@ -109,7 +111,12 @@ def test_decoder_expects_what_actions_do_that_nobody_chose_for_their_effect():
     chosen, test = every[~moved | rare], toy_data(3000)[2000:]
     errors, direct = {}, None
     for source in ("imagined", "data"):
-        config = replace(SMALL_FIT, decoder_learns_from=source, direct_epochs=20, code_steps=30)
+        config = replace(
+            SMALL_FIT,
+            teacher=replace(SMALL_FIT.teacher, epochs=20),
+            coding=replace(SMALL_FIT.coding, steps=30),
+            decoder=replace(SMALL_FIT.decoder, learns_from=source),
+        )
         trained = train(chosen, config=config, model_config=ModelConfig(hidden=64), seed=0, direct=direct)
         direct = trained.direct
         mean, _ = trained.model.predict_from_codes(test.features, test.actions)

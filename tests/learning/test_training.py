@@ -5,7 +5,8 @@ from dataclasses import replace
 import numpy as np
 import pytest
 import torch
-from toy_learning import BRIEF, MOMENT, SMALL, toy_data
+from places import SHIPPED
+from toy_learning import BRIEF, SMALL, toy_data
 
 from neurosym.data.dimensions import Dimensions
 from neurosym.data.interactions import Interactions
@@ -18,7 +19,14 @@ from neurosym.learning.model_config import ModelConfig
 from neurosym.learning.recipes import RECIPES
 from neurosym.learning.samples import samples_of
 from neurosym.learning.training import assess, r_squared, share_of, split, train
-from neurosym.learning.training_config import REGIMES, TrainingConfig
+from neurosym.learning.training_config import (
+    REGIMES,
+    CodingConfig,
+    DecoderConfig,
+    NamingConfig,
+    TeacherConfig,
+    TrainingConfig,
+)
 from neurosym.strategies import has_high_effect
 
 
@@ -150,7 +158,7 @@ def test_held_out_interactions_are_not_trained_on():
 def test_trivial_predictors_stand_beside_the_model():
     data = toy_data(300)
     kept, held_out = split(data, 0.2, seed=1)
-    model, direct = EffectModel(Dimensions(), SMALL).eval(), DirectModel(Dimensions(), BRIEF.direct).eval()
+    model, direct = EffectModel(Dimensions(), SMALL).eval(), DirectModel(Dimensions(), BRIEF.teacher.network).eval()
     report = assess(model, direct, kept, held_out)
     np.testing.assert_allclose(report.mae["always zero"], np.abs(held_out.effects).mean(0), rtol=1e-5)
     assert set(report.mae) == {"model", "always zero", "always mean", "per-axis median"}
@@ -168,7 +176,7 @@ def test_axes_that_never_change_are_left_out_of_the_mean():
     data = toy_data(300)
     still = replace(data, effects=data.effects * np.array([1, 1, 0], dtype=np.float32))
     kept, held_out = split(still, 0.2, seed=1)
-    model, direct = EffectModel(Dimensions(), SMALL).eval(), DirectModel(Dimensions(), BRIEF.direct).eval()
+    model, direct = EffectModel(Dimensions(), SMALL).eval(), DirectModel(Dimensions(), BRIEF.teacher.network).eval()
     report = assess(model, direct, kept, held_out)
     assert report.r2_direct == pytest.approx(np.mean(report.r2_direct_by_axis[:2]))
 
@@ -218,20 +226,40 @@ def test_the_papers_regime_has_the_papers_numbers():
 
 _IMPOSSIBLE = [
     {"epochs": 0},
-    {"direct_epochs": 0},
-    {"code_steps": 0},
     {"validation_share": 1.0},
     {"learning_rate": 0.0},
 ]
 
 
 def test_encoders_take_more_steps_for_each_bit_of_action_symbols_beyond_three():
-    config = TrainingConfig(naming_steps=10, code_steps=20)
+    config = TrainingConfig(naming=NamingConfig(steps=10), coding=CodingConfig(steps=20))
     assert config.for_bits(3) == config.for_bits(2) == config
-    assert config.for_bits(6) == replace(config, naming_steps=40, code_steps=80)
+    longer = config.for_bits(6)
+    assert (longer.naming.steps, longer.coding.steps) == (40, 80)
+    assert replace(longer, naming=config.naming, coding=config.coding) == config
+
+
+def test_options_are_stored_by_the_names_that_model_files_have_had_from_the_beginning():
+    stored = EffectModel.load(SHIPPED / "effect_model.safetensors").trained_by["training"]
+    assert stored == TrainingConfig().as_stored()
+
+
+@pytest.mark.parametrize(
+    ("make", "message"),
+    [
+        (lambda: TeacherConfig(epochs=0), "teacher.epochs = 0 must be at least 1"),
+        (lambda: TeacherConfig(rate=0.0), "teacher.rate = 0.0 must be positive"),
+        (lambda: NamingConfig(table_restarts=0), "naming.table_restarts = 0 must be at least 1"),
+        (lambda: CodingConfig(steps=0), "coding.steps = 0 must be at least 1"),
+        (lambda: DecoderConfig(imagined=0), "decoder.imagined = 0 must be at least 1"),
+    ],
+)
+def test_impossible_parts_are_refused(make, message):
+    with pytest.raises(InvalidValue, match=message):
+        make()
 
 
 @pytest.mark.parametrize("option", _IMPOSSIBLE)
 def test_impossible_options_are_refused(option):
     with pytest.raises(InvalidValue, match=next(iter(option))):
-        TrainingConfig(**{**MOMENT, **option})
+        replace(BRIEF, **option)

@@ -225,7 +225,7 @@ def a_network_that_saw_carrying(*, peaks):
     with reproducible(0) as generator:
         network = DirectModel(Dimensions(), DirectConfig(hidden=32, dropout=0.0, peaks=peaks))
         network.set_scale(samples.outcomes(peaks=peaks))
-        config = replace(BRIEF, direct_epochs=60, direct_batch=60)
+        config = replace(BRIEF, teacher=replace(BRIEF.teacher, epochs=60, batch=60))
         fit_direct(network, samples, config, generator, lambda *_: None)
     return network.eval()
 

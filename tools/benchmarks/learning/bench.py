@@ -42,10 +42,13 @@ MOST_DISTILLING = 30.0
 """Longest distillation of eight symbols [s]."""
 MOST_SHARE = 0.25
 """Greatest share of all training of a run in the time of its simulation."""
-_COUNTS = (
-    *("direct_epochs", "table_actions", "table_restarts", "named_actions", "named_objects", "naming_steps"),
-    *("code_steps", "imagined"),
-)
+_COUNTS = {
+    "teacher": ("epochs",),
+    "naming": ("table_actions", "table_restarts", "actions", "objects", "steps"),
+    "coding": ("steps",),
+    "decoder": ("imagined",),
+}
+"""What a smaller final fit has less of, by its part."""
 
 Results = dict[str, Any]
 
@@ -94,8 +97,13 @@ def stored_data(world: Tabletop, scale: float) -> Interactions:
 
 def scaled(regime: Regime, scale: float) -> Regime:
     """Make the final fit smaller, if the scale is."""
-    counts = {name: max(2, round(getattr(regime.training, name) * min(scale, 1.0))) for name in _COUNTS}
-    return replace(regime, training=replace(regime.training, **counts))
+    parts = {}
+    for part, names in _COUNTS.items():
+        whole = getattr(regime.training, part)
+        parts[part] = replace(
+            whole, **{name: max(2, round(getattr(whole, name) * min(scale, 1.0))) for name in names}
+        )
+    return replace(regime, training=replace(regime.training, **parts))
 
 
 def cpu_seconds(work: Callable[[], Any]) -> float:

@@ -20,8 +20,14 @@ from neurosym.commands.init import init
 from neurosym.console import say
 from neurosym.data.interactions import Interactions
 from neurosym.files import write_atomically
-from neurosym.learning.model_config import ModelConfig
-from neurosym.learning.training_config import REGIMES, TrainingConfig
+from neurosym.learning.model_config import DirectConfig, ModelConfig
+from neurosym.learning.training_config import (
+    REGIMES,
+    CodingConfig,
+    DecoderConfig,
+    TeacherConfig,
+    TrainingConfig,
+)
 from neurosym.primitives.audition import CHOICES
 from neurosym.stages.exploring import explore_stage
 from neurosym.stages.folder import DomainFolder
@@ -57,13 +63,22 @@ VARIANTS: Mapping[str, tuple[TrainingConfig, ModelConfig]] = {
     ),
     "effects in metres": (replace(OURS, standardise=False), ModelConfig()),
     "gripper values as they are": (
-        replace(OURS, direct=replace(OURS.direct, gripper_sharpness=None)),
+        replace(OURS, teacher=replace(OURS.teacher, network=DirectConfig(gripper_sharpness=None))),
         ModelConfig(gripper_sharpness=None),
     ),
     "no mirrors": (replace(OURS, mirrors=False), ModelConfig()),
-    "decoder fitted to the chosen actions": (replace(OURS, decoder_learns_from="data"), ModelConfig()),
+    "decoder fitted to the chosen actions": (
+        replace(OURS, decoder=DecoderConfig(learns_from="data")),
+        ModelConfig(),
+    ),
     "learning rate 1e-5": (
-        replace(OURS, learning_rate=1e-5, direct_rate=1e-5, code_rate=1e-5, decay=False),
+        replace(
+            OURS,
+            learning_rate=1e-5,
+            teacher=TeacherConfig(rate=1e-5),
+            coding=CodingConfig(rate=1e-5),
+            decay=False,
+        ),
         ModelConfig(),
     ),
     "LayerNorm before the decoder": (OURS, NORMED),
