@@ -104,3 +104,18 @@ def test_record_is_named_after_problem_and_plan():
     assert run_file("task-02", Path("my.plan")) == "runs/task-02.my.run.json"
     assert run_file("task-02", Path("plans/task-02.bfs.plan")) == "runs/task-02.bfs.run.json"
     assert run_file("task-02", Path("plans/task-03.bfs.plan")) == "runs/task-02.task-03.bfs.run.json"
+
+
+def test_step_that_ends_far_from_its_promise_is_not_as_promised_though_it_ends_alike():
+    learned = grounding()
+    operators = []
+    for operator in learned.operators.operators:
+        mode = msgspec.structs.replace(operator.modes[0], resting_effect=(0.0, 0.02, 0.0))  # 60 mm too little
+        is_push = operator.name == PUSH_LEFT.operator
+        operators.append(msgspec.structs.replace(operator, modes=(mode,)) if is_push else operator)
+    table = msgspec.structs.replace(learned.operators, operators=tuple(operators))
+    wrong = msgspec.structs.replace(learned, operators=table)
+    (step,) = execute(WORLD, problem({"item-01": (0.6, 0.08, 0.025)}), wrong, [PUSH_LEFT]).steps
+    assert (step.promised, step.happened) == ("resting", "resting")
+    assert step.deviation == pytest.approx(0.06)
+    assert not step.as_promised

@@ -158,7 +158,10 @@ def test_held_out_interactions_are_not_trained_on():
 def test_trivial_predictors_stand_beside_the_model():
     data = toy_data(300)
     kept, held_out = split(data, 0.2, seed=1)
-    model, direct = EffectModel(Dimensions(), SMALL).eval(), DirectModel(Dimensions(), BRIEF.teacher.network).eval()
+    model, direct = (
+        EffectModel(Dimensions(), SMALL).eval(),
+        DirectModel(Dimensions(), BRIEF.teacher.network).eval(),
+    )
     report = assess(model, direct, kept, held_out)
     np.testing.assert_allclose(report.mae["always zero"], np.abs(held_out.effects).mean(0), rtol=1e-5)
     assert set(report.mae) == {"model", "always zero", "always mean", "per-axis median"}
@@ -176,7 +179,10 @@ def test_axes_that_never_change_are_left_out_of_the_mean():
     data = toy_data(300)
     still = replace(data, effects=data.effects * np.array([1, 1, 0], dtype=np.float32))
     kept, held_out = split(still, 0.2, seed=1)
-    model, direct = EffectModel(Dimensions(), SMALL).eval(), DirectModel(Dimensions(), BRIEF.teacher.network).eval()
+    model, direct = (
+        EffectModel(Dimensions(), SMALL).eval(),
+        DirectModel(Dimensions(), BRIEF.teacher.network).eval(),
+    )
     report = assess(model, direct, kept, held_out)
     assert report.r2_direct == pytest.approx(np.mean(report.r2_direct_by_axis[:2]))
 

@@ -11,9 +11,9 @@ from processes import alive
 from tables import grounding, problem
 
 from neurosym.pddl import domain_text, problem_text
-from neurosym.planners import PlanStatus
+from neurosym.planners import PlanStatus, fast_downward
 from neurosym.planners.fast_downward import Search, plan_fast_downward
-from neurosym.planners.process import run_limited
+from neurosym.planners.process import Finished, run_limited
 from neurosym.planners.result import PlannerAnswer
 from neurosym.planners.unified_planning import plan_unified_planning
 
@@ -111,3 +111,12 @@ def test_fast_downward_is_found_without_unified_planning():
         "sys.exit(any(name in sys.modules for name in ('unified_planning', 'torch', 'pybullet')))"
     )
     assert subprocess.run([sys.executable, "-c", code], check=False).returncode == 0
+
+
+def test_a_search_that_is_not_complete_proves_nothing(tmp_path: Path, scratch: Path):
+    """Exit code 12: the search ended without a plan, and there may be one."""
+    files = write(tmp_path, solvable=False)
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(fast_downward, "run_limited", lambda *_, **__: Finished(12, "no solution!"))
+        answer = plan_fast_downward(*files, time_limit=1.0)
+    assert (answer.status, answer.text) == (PlanStatus.FAILED, "")

@@ -60,6 +60,7 @@ def test_eight_objects_stand_on_the_table_apart_from_one_another():
     config = TabletopConfig()
     for seed in range(20):
         scene = sample_scene(config, np.random.default_rng(seed), MOST_OBJECTS)
+        np.testing.assert_array_equal(scene.positions[:, 2], scene.features[:, 2] / 2)  # on the table
         half = scene.features[:, :2] / 2
         apart = np.abs(scene.positions[:, None, :2] - scene.positions[:, :2]) - (half[:, None] + half)
         others = ~np.eye(MOST_OBJECTS, dtype=bool)

@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from neurosym.errors import InvalidValue
+from neurosym.sim.bullet import pybullet
 from neurosym.sim.config import TabletopConfig
 from neurosym.sim.tabletop import Tabletop
 from neurosym.world import Outcome, Scene
@@ -227,3 +228,20 @@ def test_impossible_scenes_are_refused_in_one_sentence(scene, message):
 def test_table_out_of_the_arms_reach_is_refused_and_the_option_named(options):
     with pytest.raises(InvalidValue, match=rf"{next(iter(options))} = .* more than the arm reaches"):
         Tabletop(TabletopConfig(**options))
+
+
+def test_every_scene_is_simulated_with_its_pairs_of_touching_objects_sorted(monkeypatch):
+    """Without it effects depend on what was simulated before; a few interactions would not show that."""
+    given, set_parameters = [], pybullet.setPhysicsEngineParameter
+
+    def spy(**parameters):
+        given.append(parameters)
+        set_parameters(**parameters)
+
+    monkeypatch.setattr(pybullet, "setPhysicsEngineParameter", spy)
+    world, rng = Tabletop(), np.random.default_rng(0)
+    for _ in range(2):
+        world.interact(world.sample_scene(rng, 1), world.action_box.sample(rng, 1)[0], 0)
+    assert len(given) >= 2
+    assert all(parameters["deterministicOverlappingPairs"] == 1 for parameters in given)
+    assert all(parameters["numSolverIterations"] == 50 for parameters in given)
