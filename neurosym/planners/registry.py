@@ -6,15 +6,14 @@ from pathlib import Path
 import msgspec
 
 from neurosym.errors import InvalidPlanner, InvalidValue, UnknownChoice
-from neurosym.factories import admit, is_factory, load_factory, told
+from neurosym.factories import is_factory
 from neurosym.grounding import Grounding
 from neurosym.pddl.grid import check_on_table
 from neurosym.pddl.moves import Encoding
-from neurosym.pddl.plan_text import PlanStep
-from neurosym.pddl.validation import validate
 from neurosym.planners.catalogue import PLANNERS
+from neurosym.planners.custom import check_planner, load_planner, solve_checked
 from neurosym.planners.planner import Option, Planner, PredictEffects, Query
-from neurosym.planners.result import PlanResult, PlanStatus
+from neurosym.planners.result import PlanResult
 from neurosym.problems import NEAR_TABLE, Problem
 
 Replanner = Callable[[Problem, Grounding], PlanResult]
@@ -64,7 +63,7 @@ def plan(
         grounding = msgspec.structs.replace(grounding, unit_costs=True)
     read = predict if chosen.reads == "network" else None
     query = Query(problem, grounding, read, time_limit, encoding, whole)
-    return chosen.solve(query) if chosen.name in OURS else _checked(chosen, query)
+    return chosen.solve(query) if chosen.name in OURS else solve_checked(chosen, query)
 
 
 def planner_named(name: str, domain_folder: Path | None = None) -> Planner:
@@ -82,26 +81,7 @@ def planner_named(name: str, domain_folder: Path | None = None) -> Planner:
         if name not in PLANNERS:
             raise UnknownChoice("planner", name, [*PLANNERS, "your own as module:factory"])
         return PLANNERS[name]
-    if domain_folder is not None:
-        admit(name, domain_folder, InvalidPlanner)
-    factory = load_factory(name, InvalidPlanner)
-    if isinstance(factory, Planner):
-        made: object = factory
-    elif callable(factory):
-        try:
-            made = factory()
-        except Exception as error:
-            raise InvalidPlanner(name, f"cannot be made: {told(error)}") from error
-    else:
-        made = factory
-    if not isinstance(made, Planner):
-        kind = type(made).__name__
-        raise InvalidPlanner(
-            name, f"is no Planner but of type {kind}; return what neurosym.pddl_planner makes"
-        )
-    if made.name in OURS:
-        raise InvalidPlanner(name, f"has the name {made.name!r}, which one of ours has; give it another")
-    return made
+    return load_planner(name, domain_folder, OURS)
 
 
 def register_planner(planner: Planner) -> None:
@@ -110,8 +90,7 @@ def register_planner(planner: Planner) -> None:
     Raises:
         InvalidPlanner: If it is no `Planner`, or has the name of one of ours.
     """
-    if not isinstance(planner, Planner):
-        raise InvalidPlanner(repr(planner), "is no Planner; register what neurosym.pddl_planner makes")
+    check_planner(planner, repr(planner))
     if planner.name in OURS:
         raise InvalidPlanner(planner.name, "has a name which one of ours has; give it another")
     PLANNERS[planner.name] = planner
@@ -137,21 +116,3 @@ def check_options(planner: Planner, *, encoding: Encoding | None, whole: bool, c
             raise InvalidValue(f"The planner {planner.name} does not take {option}; valid with it: {takers}.")
     if planner.program:
         planner.program.encoding_for(planner.name, encoding)
-
-
-def _checked(planner: Planner, query: Query) -> PlanResult:
-    """Ask somebody's own planner, and believe of what it returns only what comes true."""
-    try:
-        result = planner.solve(query)
-    except InvalidValue:
-        raise
-    except Exception as error:
-        raise InvalidPlanner(planner.name, f"raises an error in solve: {told(error)}") from error
-    if not isinstance(result, PlanResult) or not all(isinstance(step, PlanStep) for step in result.steps):
-        raise InvalidPlanner(planner.name, f"gives a {type(result).__name__} from solve; valid: a PlanResult")
-    if result.status is PlanStatus.SOLVED and planner.reads == "operators":
-        checked = validate(result.steps, query.problem, query.grounding)
-        if not checked.valid:
-            reason = f"its plan is not true when replayed: {checked.reason}"
-            return PlanResult(PlanStatus.FAILED, (), result.seconds, reason)
-    return result

@@ -43,13 +43,12 @@ def find_operators(
         direct: A network without a bottleneck on the same data, which shortlists.
         interactions: The data.
         box: What parameters must stay inside.
-        world_factory: Builds the world that primitives are auditioned and rehearsed in; without one, effects
-            are averaged from the data.
+        world_factory: Builds the world to audition and rehearse in; without one, the data are averaged.
         objects: How many objects each primitive is rehearsed on.
         choice: Which candidate stands for a symbol; one of `CHOICES`.
         seed: Where all draws start.
         workers: How many processes; their number does not change the result.
-        open_bar: Called with what is being done; reports how far it has come.
+        open_bar: Shows how far each part has come.
 
     Raises:
         NothingDistilled: If no action encodes to its symbol.
@@ -72,19 +71,20 @@ def find_operators(
             workers=workers,
             progress=advance,
         )
+    categorise = model.object_symbols
     if world_factory is None:
-        return average(interactions, primitives, model.object_symbols, model.action_symbols)
+        return average(interactions, primitives, categorise, model.action_symbols)
     with open_bar("rehearsing") as advance:
-        rehearsals = rehearse(
+        found = rehearse(
             world_factory,
             primitives,
-            model.object_symbols,
+            categorise,
             objects=objects,
             seed=seed,
             workers=workers,
             progress=advance,
         )
-    return tabulate(rehearsals, world_factory().feature_names)
+    return tabulate(found, world_factory().feature_names)
 
 
 def _silent(_: str) -> AbstractContextManager[Progress]:

@@ -1,5 +1,8 @@
 """The stage that plans: problem and grounding -> a plan, and how planning went."""
 
+from collections.abc import Mapping
+from typing import Any
+
 from neurosym.errors import InvalidFile, InvalidValue, StageMissing, UnknownChoice
 from neurosym.grounding import Grounding
 from neurosym.object_limits import limits_of
@@ -106,12 +109,13 @@ def plan_stage(
         write_plans(folder, name, chosen.name, problem, grounding, planned, printed)
 
     asked = {"whole": whole, "unit_costs": unit_costs, "nearest": nearest, "alternatives": more}
-    options = {
-        "time_limit": time_limit,
-        "encoding": encoding,
-        **{key: asked[key] for key in asked if asked[key]},
-    }
+    options = {"time_limit": time_limit, "encoding": encoding, **_asked_for(asked)}
     return Stage(f"plan {name} {chosen.name}", inputs, (plan_file, record_file), work, options)
+
+
+def _asked_for(options: Mapping[str, Any]) -> dict[str, Any]:
+    """Keep the options that are asked for, so that records of earlier versions stay up to date."""
+    return {name: value for name, value in options.items() if value}
 
 
 def _prediction(folder: DomainFolder, grounding: Grounding) -> PredictEffects:
