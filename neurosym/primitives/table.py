@@ -74,15 +74,9 @@ def find_operators(
     categorise = model.object_symbols
     if world_factory is None:
         return average(interactions, primitives, categorise, model.action_symbols)
-    with open_bar("rehearsing") as advance:
+    with open_bar("rehearsing") as bar:
         found = rehearse(
-            world_factory,
-            primitives,
-            categorise,
-            objects=objects,
-            seed=seed,
-            workers=workers,
-            progress=advance,
+            world_factory, primitives, categorise, objects=objects, seed=seed, workers=workers, progress=bar
         )
     return tabulate(found, world_factory().feature_names)
 
