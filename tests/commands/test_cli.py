@@ -2,10 +2,13 @@
 
 import json
 
+import pytest
 from command_line import neurosym
 from conftest import RUN_TOY
 
+from neurosym.commands.cli import COMMANDS
 from neurosym.data.interactions import Interactions
+from neurosym.errors import InvalidValue
 from neurosym.files import read_json
 from neurosym.operators import OperatorTable
 from neurosym.stages.folder import DomainFolder
@@ -162,3 +165,20 @@ def test_explored_data_say_by_what_effect_their_actions_were_filtered(tmp_path):
     assert (origin["strategy"], origin["min_predicted_effect"]) == ("disagreement", 0.05)
     recorded = json.loads((tmp_path / "manifest.json").read_text())["stages"]["explore"]["options"]
     assert recorded["min_predicted_effect"] == 0.05
+
+
+@pytest.mark.parametrize(
+    ("raised", "code", "said"),
+    [
+        (KeyboardInterrupt(), 130, "interrupted; the same command goes on from what is written"),
+        (InvalidValue("seed = -1 must be at least 0."), 2, "seed = -1 must be at least 0."),
+        (FileNotFoundError(2, "No such file", "a.npz"), 2, "a.npz: No such file"),
+    ],
+)
+def test_how_a_command_ends_decides_the_exit_code(raised, code, said, monkeypatch, capsys):
+    def planners() -> int:
+        raise raised
+
+    monkeypatch.setitem(COMMANDS, "planners", planners)
+    assert neurosym("planners") == code
+    assert capsys.readouterr().err.strip() == said

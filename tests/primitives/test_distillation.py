@@ -13,6 +13,7 @@ from neurosym.learning.effect_model import EffectModel
 from neurosym.learning.losses import reproducible
 from neurosym.learning.model_config import ModelConfig
 from neurosym.operators import CONVERGED, OperatorTable
+from neurosym.primitives import distillation
 from neurosym.primitives.distillation import (
     DistillationConfig,
     code_errors,
@@ -130,3 +131,16 @@ def test_impossible_options_are_refused():
         DistillationConfig(candidates=0)
     with pytest.raises(InvalidValue):
         DistillationConfig(momentum=1.0)
+
+
+def test_an_action_that_encodes_to_another_symbol_is_no_candidate(monkeypatch):
+    """The search ends at actions of other symbols, as it can with encoders that hardly tell them apart."""
+    model = a_model()
+
+    def astray(_model, begin, *_):
+        return [np.roll(begin, FEW.candidates, axis=0)] * 2
+
+    monkeypatch.setattr(distillation, "_descend", astray)
+    found = distill(model, DATA, BOX, seed=0, config=FEW)
+    encoded = [model.action_symbols(np.array([one.action], dtype=np.float32))[0] for one in found]
+    assert encoded == [one.symbol for one in found]
