@@ -22,7 +22,7 @@ demo: install
 	$(BIN)/python tools/demo.py
 
 test: install
-	$(BIN)/pytest -m "not evaluation" --numprocesses auto --dist loadfile
+	$(BIN)/pytest -m "not evaluation" --numprocesses auto --dist loadfile --no-loadscope-reorder
 
 lint: install
 	$(BIN)/ruff format --check .

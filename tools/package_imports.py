@@ -25,6 +25,8 @@ def imported(path: Path, package: Path) -> set[str]:
                 here = ["neurosym", *path.relative_to(package).parent.parts]
                 module = ".".join([*here[: len(here) - node.level + 1], *filter(None, [module])])
             found |= {f"neurosym.{alias.name}" for alias in node.names} if module == "neurosym" else {module}
+        elif isinstance(node, ast.Call) and ast.unparse(node.func).endswith(("import_module", "__import__")):
+            found |= {name.value for name in node.args[:1] if isinstance(name, ast.Constant)}
     return found
 
 
@@ -37,7 +39,7 @@ def layer_of(module: str, package: Path) -> str | None:
     """
     parts = module.split(".")[1:]
     if not parts:
-        return ""
+        return None  # the whole package, whose names are imported lazily from anywhere
     is_folder = (package / parts[0]).is_dir()
     place = package.joinpath(*parts)
     if not place.is_dir() and not place.with_suffix(".py").is_file():

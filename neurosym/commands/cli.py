@@ -14,6 +14,7 @@ from neurosym.commands.compile_domain import compile_domain
 from neurosym.commands.distill import distill
 from neurosym.commands.evaluate import evaluate
 from neurosym.commands.execute import execute
+from neurosym.commands.exit_codes import BAD_INPUT, INTERRUPTED
 from neurosym.commands.explain import explain
 from neurosym.commands.explore import explore
 from neurosym.commands.figures import figures
@@ -29,7 +30,6 @@ from neurosym.commands.train import train
 from neurosym.console import error_console
 from neurosym.errors import NeurosymError
 
-BAD_INPUT, INTERRUPTED = 2, 130
 COMMANDS: dict[str, Callable[..., int]] = {
     "run": run,
     "init": init,

@@ -21,7 +21,7 @@ def compare(
     seed: Seed = 0,
     planners: Annotated[
         tuple[str, ...],
-        arg(help="bfs (reads the network), bfs-operators (the table), fast-downward, ..."),
+        arg(help="bfs (reads the network), bfs-operators (the table), ..., or module:factory."),
     ] = ("bfs", "fast-downward"),
     workers: Workers = CPUS,
     tolerance: Annotated[float, arg(help="How near each object must come to its goal [m].")] = 0.05,

@@ -5,7 +5,8 @@ from typing import TYPE_CHECKING, Annotated
 
 from tyro.conf import Positional, arg
 
-from neurosym.commands.options import NO_RESULT, Folder, ProblemName, opened
+from neurosym.commands.exit_codes import NO_RESULT
+from neurosym.commands.options import Folder, ProblemName, opened
 from neurosym.commands.showing import Gif, Gui, Strip, say_written, showing_of
 from neurosym.console import say, say_next
 from neurosym.errors import InvalidFile, InvalidValue
@@ -20,7 +21,7 @@ def execute(
     problem: ProblemName,
     plan_file: Annotated[Positional[Path], arg(metavar="PLAN", help="Any planner's plan, in IPC form.")],
     replanner: Annotated[
-        str, arg(help="The planner that is asked for a new plan; see `neurosym planners`.")
+        str, arg(help="Whom to ask for a new plan: see `neurosym planners`, or module:factory.")
     ] = "fast-downward",
     replans: Annotated[
         int, arg(help="How many new plans may be asked for; 0: the plan is followed blindly to its end.")

@@ -41,8 +41,6 @@ RegimeName = Annotated[
     arg(help="Network and training: default, quick (a first look), paper (as printed)."),
 ]
 
-NO_RESULT = 3
-"""Exit code when the work was done and the answer is no: no plan, or the goal was not reached."""
 CPUS = os.cpu_count() or 1
 
 

@@ -5,7 +5,8 @@ from typing import TYPE_CHECKING, Annotated, Literal
 
 from tyro.conf import arg
 
-from neurosym.commands.options import NO_RESULT, Folder, ProblemName, opened
+from neurosym.commands.exit_codes import NO_RESULT
+from neurosym.commands.options import Folder, ProblemName, opened
 from neurosym.console import say, say_next
 from neurosym.errors import InvalidValue
 from neurosym.wording import quoted
@@ -17,7 +18,9 @@ if TYPE_CHECKING:
 def plan(
     folder: Folder,
     problem: ProblemName,
-    planner: Annotated[str, arg(help="One of those that `neurosym planners` lists.")] = "fast-downward",
+    planner: Annotated[
+        str, arg(help="One that `neurosym planners` lists, or your own as module:factory.")
+    ] = "fast-downward",
     time_limit: Annotated[float, arg(help="When to give up [s].")] = 60.0,
     encoding: Annotated[
         Literal["sas", "stepwise", "operators", "numeric"] | None,

@@ -5,7 +5,8 @@ from typing import TYPE_CHECKING, Annotated
 
 from tyro.conf import Positional, arg
 
-from neurosym.commands.options import NO_RESULT, Folder, opened
+from neurosym.commands.exit_codes import NO_RESULT
+from neurosym.commands.options import Folder, opened
 from neurosym.commands.showing import Gif, Gui, Strip, say_written, showing_of
 from neurosym.console import say
 from neurosym.errors import InvalidFile, UnknownChoice

@@ -14,7 +14,7 @@ import msgspec
 import numpy as np
 from jaxtyping import Float
 
-from neurosym.errors import InvalidValue, UnknownChoice
+from neurosym.errors import InvalidPlanner, InvalidValue, UnknownChoice
 from neurosym.execution.executor import execute
 from neurosym.execution.summary import Execution, summarise_run
 from neurosym.grounding import Grounding, at_rest, is_lift
@@ -152,6 +152,8 @@ def planner_of(setting: Setting, name: str, *, time_limit: float) -> Replanner:
     def solve(problem: Problem, grounding: Grounding) -> PlanResult:
         try:
             return plan(problem, grounding, planner, predict=setting.predict, time_limit=time_limit)
+        except InvalidPlanner:
+            raise
         except (UnknownChoice, InvalidValue) as error:  # a category never rehearsed, an object off the table
             return PlanResult(PlanStatus.FAILED, (), 0.0, str(error))
 

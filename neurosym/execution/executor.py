@@ -12,7 +12,7 @@ import msgspec
 import numpy as np
 
 from neurosym.errors import InvalidValue
-from neurosym.execution.experience import Experience, believed_name, learned_name
+from neurosym.execution.experience import Experience
 from neurosym.execution.nudges import Nudger, nudged
 from neurosym.execution.record import (
     Nudge,
@@ -23,6 +23,7 @@ from neurosym.execution.record import (
     record_step,
     why_missed,
 )
+from neurosym.execution.replanning import REPLANS, new_plan, why_not_go_on
 from neurosym.grounding import Grounding, is_lift
 from neurosym.operators import vector
 from neurosym.pddl.plan_text import PlanStep, Steps, named_steps
@@ -31,9 +32,6 @@ from neurosym.planners.registry import Replanner
 from neurosym.planners.result import PlanStatus
 from neurosym.problems import Problem
 from neurosym.world import FrameSink, Outcome, Scene, World
-
-REPLANS = 10
-"""How many new plans a run may ask for."""
 
 
 def execute(
@@ -110,30 +108,18 @@ class _Running:
 
     def why_not_go_on(self) -> str:
         """Say why what is left of the plan would miss the goal by what is believed now, or nothing."""
-        seen = self._now()
-        if not self.left and seen.is_met(self.scene.positions):
-            return ""
-        believed, grounding = self.experience.believed(seen)
-        checked = validate([believed_name(step, grounding) for step in self.left], believed, grounding)
-        if checked.failed is None:
-            return checked.reason
-        step, why = learned_name(checked.failed[0]), checked.failed[1]
-        return f"{step.operator} {step.object}: {why}"
+        return why_not_go_on(self.left, self._now(), self.experience)
 
     def replan(self, replanner: Replanner, why: str) -> None:
         """Ask for a new plan, or else go on with the old one while nothing leaves the table."""
         self._put_down()
-        result = replanner(*self.experience.believed(self._now()))
-        if result.status is not PlanStatus.SOLVED and self.experience.says_something:
-            self.experience = Experience(self.grounding)  # hope again for what did not come
-            result = replanner(self._now(), self.grounding)
-        new = [learned_name(step) for step in result.steps]
+        result, new, self.experience = new_plan(replanner, self._now(), self.experience)
         is_found = result.status is PlanStatus.SOLVED
         self.replannings.append(
             Replanning(len(self.records) + 1, why, named_steps(new), "" if is_found else result.reason)
         )
         if is_found:
-            self.left = new
+            self.left = list(new)
         elif not validate(self.left, self._now(), self.grounding).possible:
             self.left = []
 

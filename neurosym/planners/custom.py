@@ -1,13 +1,15 @@
 """Planners of your own: `module:factory` names what makes one, and what it returns is checked."""
 
+import math
+import reprlib
 from collections.abc import Container
 from pathlib import Path
 
-from neurosym.errors import InvalidPlanner, InvalidValue
+from neurosym.errors import InvalidPlanner, InvalidValue, shortened
 from neurosym.factories import admit, load_factory, told
 from neurosym.pddl.plan_text import PlanStep
 from neurosym.pddl.validation import validate
-from neurosym.planners.planner import Planner, Query
+from neurosym.planners.planner import Planner, PlannerMissing, Query
 from neurosym.planners.result import PlanResult, PlanStatus
 
 
@@ -28,6 +30,8 @@ def load_planner(name: str, domain_folder: Path | None, taken: Container[str]) -
     if callable(made) and not isinstance(made, Planner):
         try:
             made = made()
+        except InvalidPlanner:
+            raise
         except (Exception, SystemExit) as error:
             raise InvalidPlanner(name, f"cannot be made: {told(error)}") from error
     check_planner(made, name)
@@ -66,11 +70,58 @@ def solve_checked(planner: Planner, query: Query) -> PlanResult:
         raise
     except (Exception, SystemExit) as error:
         raise InvalidPlanner(planner.name, f"raises an error in solve: {told(error)}") from error
-    if not isinstance(result, PlanResult) or not all(isinstance(step, PlanStep) for step in result.steps):
-        raise InvalidPlanner(planner.name, f"gives a {type(result).__name__} from solve; valid: a PlanResult")
+    _check_result(planner.name, result)
+    if unknown := _unknown(result, query):
+        return PlanResult(PlanStatus.FAILED, (), result.seconds, f"its plan names {unknown}")
     if result.status is PlanStatus.SOLVED and planner.reads == "operators":
         checked = validate(result.steps, query.problem, query.grounding)
         if not checked.valid:
             reason = f"its plan is not true when replayed: {checked.reason}"
             return PlanResult(PlanStatus.FAILED, (), result.seconds, reason)
     return result
+
+
+def check_installed(planner: Planner) -> None:
+    """Raise `PlannerMissing`, which says what to do, unless a planner is installed.
+
+    Raises:
+        InvalidPlanner: If it cannot say whether it is.
+    """
+    try:
+        remedy = planner.missing()
+    except (Exception, SystemExit) as error:
+        raise InvalidPlanner(planner.name, f"raises an error in missing: {told(error)}") from error
+    if not isinstance(remedy, str):
+        raise InvalidPlanner(planner.name, f"gives {remedy!r} from missing; valid: text")
+    if remedy:
+        raise PlannerMissing(planner.name, remedy)
+
+
+def _check_result(name: str, result: object) -> None:
+    """Raise `InvalidPlanner` unless something is a result, part by part."""
+    if not isinstance(result, PlanResult):
+        raise InvalidPlanner(name, f"gives a {type(result).__name__} from solve; valid: a PlanResult")
+    is_steps = isinstance(result.steps, tuple | list) and all(
+        isinstance(step, PlanStep) and isinstance(step.operator, str) and isinstance(step.object, str)
+        for step in result.steps
+    )
+    for part, is_right, valid in (
+        ("status", isinstance(result.status, PlanStatus), "a PlanStatus"),
+        ("steps", is_steps, "a tuple of PlanStep"),
+        ("seconds", isinstance(result.seconds, int | float) and math.isfinite(result.seconds), "a number"),
+        ("reason", isinstance(result.reason, str), "text"),
+    ):
+        if not is_right:
+            given = reprlib.repr(getattr(result, part))
+            raise InvalidPlanner(name, f"gives a result with {part} = {given}; valid: {valid}")
+
+
+def _unknown(result: PlanResult, query: Query) -> str:
+    """Name the first operator or object of a plan that there is not, or return nothing."""
+    operators = {operator.name for operator in query.grounding.operators.operators}
+    for step in result.steps:
+        if step.base not in operators:
+            return f"the operator {shortened(step.operator)!r}, which the domain does not have"
+        if step.object not in query.problem.object_names:
+            return f"the object {shortened(step.object)!r}, which the problem does not have"
+    return ""

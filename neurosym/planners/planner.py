@@ -125,6 +125,10 @@ class Planner:
         for field, valid in (("solve", "a function of a Query"), ("missing", "a function that returns text")):
             if not callable(getattr(self, field)):
                 raise InvalidPlanner(self.name, f"has {field} = {getattr(self, field)!r}; valid: {valid}")
+        if not isinstance(self.about, str):
+            raise InvalidPlanner(self.name, f"has about = {self.about!r}; valid: text")
+        if not {*self.takes} <= {"encoding", "whole", "unit-costs"}:
+            raise InvalidPlanner(self.name, f"has takes = {self.takes!r}; valid: encoding, whole, unit-costs")
         if self.reads not in ("operators", "network"):
             raise InvalidPlanner(self.name, f"has reads = {self.reads!r}; valid: operators, network")
         known = (SAS, *ENCODINGS)
@@ -136,8 +140,3 @@ class Planner:
     def encodings(self) -> tuple[Encoding, ...]:
         """The encodings of the domain that it takes; none for a planner that reads no PDDL."""
         return self.program.encodings if self.program else ()
-
-    def check_installed(self) -> None:
-        """Raise `PlannerMissing`, which says what to do, unless it is installed."""
-        if remedy := self.missing():
-            raise PlannerMissing(self.name, remedy)

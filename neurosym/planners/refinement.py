@@ -5,6 +5,8 @@ order, and if that does not help, it is planned again with smaller goal regions,
 """
 
 import dataclasses
+import math
+import reprlib
 import tempfile
 import textwrap
 import time
@@ -17,7 +19,7 @@ import msgspec
 import numpy as np
 from jaxtyping import Float
 
-from neurosym.errors import InvalidPlan
+from neurosym.errors import InvalidPlan, InvalidPlanner
 from neurosym.grounding import Grounding
 from neurosym.pddl.domain import domain_text
 from neurosym.pddl.moves import SAS, Encoding
@@ -30,7 +32,7 @@ from neurosym.planners.no_plan import explain_clash, explain_no_plan
 from neurosym.planners.one_by_one import plan_one_by_one
 from neurosym.planners.ordering import mend
 from neurosym.planners.planner import GRID, Option, PddlCall, PddlProgram, Planner, Query
-from neurosym.planners.result import PlanResult, PlanStatus
+from neurosym.planners.result import PlannerAnswer, PlanResult, PlanStatus
 from neurosym.problems import Problem
 from neurosym.world import Table
 
@@ -79,10 +81,27 @@ def pddl_planner(
     Raises:
         InvalidPlanner: If the name is not legal, or there is no such encoding.
     """
-    program = PddlProgram(call, tuple(encodings), cell)
+    if not callable(call):
+        raise InvalidPlanner(name, f"has call = {call!r}; valid: a function of two files and a time limit")
+    if not (isinstance(cell, int | float) and 0 <= cell < math.inf):
+        raise InvalidPlanner(name, f"has cell = {cell!r}; valid: a length of at least 0 m")
+    program = PddlProgram(partial(_answer, name, call), tuple(encodings), cell)
     takes: frozenset[Option] = frozenset({"encoding", "whole", "unit-costs"})
     solve = partial(plan_pddl, name=name, program=program)
     return Planner(name, about, solve, takes=takes, program=program, missing=missing)
+
+
+def _answer(name: str, call: PddlCall, domain: Path, problem: Path, *, time_limit: float) -> PlannerAnswer:
+    """Have a program answer, and refuse what is no answer."""
+    answer: object = call(domain, problem, time_limit=time_limit)
+    if not isinstance(answer, PlannerAnswer):
+        kind = type(answer).__name__
+        raise InvalidPlanner(name, f"gives a {kind} from call; valid: a PlannerAnswer")
+    for part, kinds in (("status", PlanStatus), ("text", str), ("seconds", int | float), ("reason", str)):
+        if not isinstance(getattr(answer, part), kinds):
+            given = reprlib.repr(getattr(answer, part))
+            raise InvalidPlanner(name, f"gives an answer with {part} = {given}; valid: see PlannerAnswer")
+    return answer
 
 
 def plan_pddl(query: Query, *, name: str, program: PddlProgram) -> PlanResult:
@@ -150,7 +169,7 @@ def _believed(problem: Problem, grounding: Grounding, solve: _Solve, deadline: f
             if checked.valid:
                 return dataclasses.replace(result, steps=steps, reason=said)
             wrong = checked.reason
-            longest = max(Counter(step.object for step in steps).values())
+            longest = max(Counter(step.object for step in steps).values(), default=0)
         said = f"attempt {attempt + 1}, after a replay that said: {wrong}"
         finer = FINER if attempt >= ATTEMPTS // 2 else 1
         steps_reckoned = STEPS if finer > slack.finer else 2 * slack.steps

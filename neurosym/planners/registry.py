@@ -11,14 +11,14 @@ from neurosym.grounding import Grounding
 from neurosym.pddl.grid import check_on_table
 from neurosym.pddl.moves import Encoding
 from neurosym.planners.catalogue import PLANNERS
-from neurosym.planners.custom import check_planner, load_planner, solve_checked
+from neurosym.planners.custom import check_installed, check_planner, load_planner, solve_checked
 from neurosym.planners.planner import Option, Planner, PredictEffects, Query
 from neurosym.planners.result import PlanResult
 from neurosym.problems import NEAR_TABLE, Problem
 
 Replanner = Callable[[Problem, Grounding], PlanResult]
 """Plans from where things are now, with what is now believed of them."""
-OURS = frozenset(PLANNERS)
+OURS = dict(PLANNERS)
 
 
 def plan(
@@ -55,15 +55,17 @@ def plan(
             a push may have left it.
     """
     chosen = planner_named(planner) if isinstance(planner, str) else planner
+    check_planner(chosen, "given")
+    is_ours = OURS.get(chosen.name) is chosen
     check_options(chosen, encoding=encoding, whole=whole, costs=costs)
     for item in problem.objects:
         check_on_table(item, grounding, off=NEAR_TABLE)
-    chosen.check_installed()
+    check_installed(chosen)
     if not costs:
         grounding = msgspec.structs.replace(grounding, unit_costs=True)
     read = predict if chosen.reads == "network" else None
     query = Query(problem, grounding, read, time_limit, encoding, whole)
-    return chosen.solve(query) if chosen.name in OURS else solve_checked(chosen, query)
+    return chosen.solve(query) if is_ours else solve_checked(chosen, query)
 
 
 def planner_named(name: str, domain_folder: Path | None = None) -> Planner:
@@ -86,6 +88,8 @@ def planner_named(name: str, domain_folder: Path | None = None) -> Planner:
 
 def register_planner(planner: Planner) -> None:
     """Let a planner be called by its name, in this process; on the command line it is `module:factory`.
+
+    A second one of the same name takes the place of the first.
 
     Raises:
         InvalidPlanner: If it is no `Planner`, or has the name of one of ours.

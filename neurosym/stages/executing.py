@@ -7,8 +7,9 @@ from typing import Any
 
 from neurosym.console import say
 from neurosym.errors import InvalidFile, InvalidValue, UnknownChoice
-from neurosym.execution.executor import REPLANS, execute
+from neurosym.execution.executor import execute
 from neurosym.execution.record import Run, StepRecord
+from neurosym.execution.replanning import REPLANS
 from neurosym.execution.rerun import first_difference, rerun
 from neurosym.files import digest, read_json, write_json
 from neurosym.grounding import Grounding

@@ -79,6 +79,10 @@ def test_impossible_request_is_refused_in_one_sentence(folder, arguments, messag
             ["plan", "d", "p", "--time-limit"],
             "plan: missing value for argument '--time-limit'; `neurosym plan",
         ),
+        (
+            ["execute", "d", "p", "f", "--disturb", "x"],
+            "error parsing --disturb: invalid literal for int",
+        ),
         (["plan", "d"], "neurosym plan: missing: PROBLEM; `neurosym plan --help` says what there is"),
         (["plan", "d", "p", "--bogus", "3"], "neurosym plan: unrecognized options: --bogus, 3;"),
         (["plan", "d", "p", "--seed", "3"], "neurosym plan: unrecognized options: --seed, 3;"),

@@ -140,6 +140,10 @@ def raises(_: object) -> PlanResult:
     raise RuntimeError("out of ink")
 
 
+def leaves(_: object) -> PlanResult:
+    raise SystemExit(5)
+
+
 def solved(*steps: PlanStep) -> Callable[[object], PlanResult]:
     return lambda _: PlanResult(PlanStatus.SOLVED, steps, 0.0)
 
@@ -149,6 +153,7 @@ def solved(*steps: PlanStep) -> Callable[[object], PlanResult]:
     [
         (raises, "The planner mine raises an error in solve: RuntimeError: out of ink"),
         (lambda _: "a plan", "The planner mine gives a str from solve; valid: a PlanResult"),
+        (leaves, "The planner mine raises an error in solve: SystemExit: 5"),
     ],
 )
 def test_a_planner_that_fails_is_named(solve: Callable[..., PlanResult], message: str):
@@ -188,3 +193,59 @@ def test_names_of_ours_cannot_be_taken():
     with pytest.raises(InvalidPlanner, match="counting has a name which one of ours has"):
         register_planner(pddl_planner("counting", "", lambda *_, **__: PlannerAnswer(PlanStatus.FAILED)))
     assert planner_named("counting").is_exact
+
+
+@pytest.mark.parametrize(
+    ("answer", "message"),
+    [
+        (lambda *_, **__: None, "gives a NoneType from call; valid: a PlannerAnswer"),
+        (lambda *_, **__: "(push-left-001-cube item-01)", "gives a str from call; valid: a PlannerAnswer"),
+        (leaves, "raises an error in solve: TypeError"),
+    ],
+)
+def test_what_is_no_answer_is_refused(answer: Callable[..., PlannerAnswer], message: str):
+    mine = pddl_planner("mine", "mine", answer)
+    with pytest.raises(InvalidPlanner, match=f"The planner mine {message}"):
+        plan(problem(), grounding(), mine)
+
+
+def test_an_empty_plan_that_is_called_a_plan_fails():
+    mine = pddl_planner("mine", "mine", lambda *_, **__: PlannerAnswer(PlanStatus.SOLVED))
+    found = plan(problem(), grounding(), mine)
+    assert found.status is PlanStatus.FAILED
+    assert "no plan was true when replayed" in found.reason
+
+
+@pytest.mark.parametrize(
+    ("step", "said"),
+    [
+        (PlanStep("fly", "item-01"), "its plan names the operator 'fly', which the domain does not have"),
+        (PlanStep("push-left-001-cube", "moon"), "its plan names the object 'moon', which the problem does"),
+    ],
+)
+def test_a_plan_of_things_that_there_are_not_fails(step: PlanStep, said: str):
+    for reads in ("operators", "network"):
+        mine = Planner("mine", "mine", solved(step), reads=reads)
+        found = plan(toy_problem({"item-01": (0.68, 0.0, 0.025)}), toy_grounding(), mine)
+        assert found.status is PlanStatus.FAILED
+        assert found.reason.startswith(said)
+
+
+def test_a_planner_that_cannot_say_whether_it_is_there_is_named():
+    mine = Planner("mine", "mine", solved(), missing=lambda: 1 / 0)
+    with pytest.raises(InvalidPlanner, match="raises an error in missing: ZeroDivisionError"):
+        plan(problem(), grounding(), mine)
+
+
+def test_the_name_of_one_of_ours_earns_no_trust():
+    wrong = Planner("bfs", "mine", solved(PlanStep("push-left-001-cube", "item-01")))
+    found = plan(toy_problem({"item-01": (0.68, 0.0, 0.025)}), toy_grounding(), wrong)
+    assert found.status is PlanStatus.FAILED
+
+
+def test_comparing_refuses_a_planner_that_fails(here: Path, folder: Path, capsys):
+    (here / "mine.py").write_text(
+        "from neurosym import Planner\ndef make(): return Planner('mine', 'mine', lambda query: 1 / 0)\n"
+    )
+    said = refusal(capsys, "compare", folder, "--tasks", 2, "--workers", 1, "--planners", "mine:make")
+    assert "The planner mine raises an error in solve: ZeroDivisionError" in said
