@@ -1,5 +1,6 @@
 """The command `neurosym replay`: a record of a run, run again."""
 
+import math
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
@@ -14,7 +15,7 @@ from neurosym.stages.folder import DomainFolder
 from neurosym.stages.layout import RUNS
 
 if TYPE_CHECKING:
-    pass
+    from neurosym.execution.record import Run
 
 
 def replay(
@@ -27,7 +28,10 @@ def replay(
     strip: Strip = None,
     gui: Gui = False,
 ) -> int:
-    """Run a record again, nudge and all, and say whether the same happens byte by byte (exit code 3: no)."""
+    """Run a record again, nudge and all, and say whether the same happens (exit code 3: no).
+
+    That is byte for byte on the machine that it was made on, and within a micrometre on another.
+    """
     from neurosym.stages.executing import replay_run
 
     domain = opened(folder)
@@ -36,14 +40,35 @@ def replay(
     if inside.is_relative_to(domain.path.resolve()):
         for remark in domain.outdated((inside.relative_to(domain.path.resolve()).as_posix(),)):
             say(f"note: {remark}")
-    run, difference = replay_run(domain, record, showing_of(gif, strip, gui))
+    run, agreement = replay_run(domain, record, showing_of(gif, strip, gui))
     say_written(gif, strip)
-    if difference:
-        say(f"something else happened than {record} says, first in {difference}")
+    if agreement.course == "another":
+        by = f", by {1000 * agreement.apart:.2g} mm" if math.isfinite(agreement.apart) else ""
+        say(f"something else happened than {record} says, first in {agreement.where}{by}")
+        say(_machines(run))
         return NO_RESULT
     steps = f"{len(run.steps)} step{'' if len(run.steps) == 1 else 's'}"
-    say(f"the same happened again in {steps}, byte for byte; goal {'reached' if run.reached else 'missed'}")
+    goal = f"goal {'reached' if run.reached else 'missed'}"
+    if agreement.course == "same bytes":
+        say(f"the same happened again in {steps}, byte for byte; {goal}")
+        return 0
+    by = f"lengths differ by {1000 * agreement.apart:.1g} mm at most, first in {agreement.where}"
+    say(f"the same happened again in {steps}, within a micrometre; {goal}")
+    say(f"not byte for byte: {by}")
+    say(_machines(run))
     return 0
+
+
+def _machines(run: "Run") -> str:
+    """Say on which machines a record was made and run again, as far as they differ."""
+    from neurosym.execution.machine import this_machine
+
+    here = this_machine()
+    if run.machine is None:
+        return f"the record does not name its machine; this one has: {here.processor}, {here.system}"
+    if apart := run.machine.differences(here):
+        return f"the record was made on another machine than this: {'; '.join(apart)}"
+    return f"machine and versions are those of the record: {here.processor}, {here.system}"
 
 
 def _record(domain: DomainFolder, typed: Path) -> Path:

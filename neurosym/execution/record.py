@@ -6,6 +6,7 @@ from typing import Literal
 
 import msgspec
 
+from neurosym.execution.machine import Machine
 from neurosym.grounding import Grounding
 from neurosym.operators import TOLERANCE, Vector, vector
 from neurosym.pddl.plan_text import PlanStep, Steps
@@ -90,6 +91,8 @@ class Run(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
         reason: Why the goal was not reached, or empty.
         nudge: What was nudged on the way, if anything was.
         replannings: The new plans that were asked for.
+        tolerance: How near objects had to come [m]; None if it was the problem's own tolerance.
+        machine: What it was made on; None in records of earlier versions, and where nothing was written.
     """
 
     problem: str
@@ -100,6 +103,8 @@ class Run(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     reason: str
     nudge: Nudge | None = None
     replannings: tuple[Replanning, ...] = ()
+    tolerance: float | None = None
+    machine: Machine | None = None
 
     @property
     def replans(self) -> int:

@@ -1,6 +1,13 @@
-"""Running a record again: the same world, step by step, must give the same record, byte by byte."""
+"""Running a record again: the same world, step by step, must give the same record.
 
+On the machine that it was made on, that is byte for byte. Another processor rounds otherwise in the last
+digits, a few nanometres; who compares runs must tell that from a run that took another course.
+"""
+
+import math
 from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any, Literal
 
 import msgspec
 
@@ -12,6 +19,25 @@ from neurosym.pddl.plan_text import PlanStep
 from neurosym.problems import Problem
 from neurosym.world import FrameSink, World
 
+ROUNDING = 1e-6
+"""Lengths of two runs that are no farther apart than this are taken for the same, rounded otherwise [m]."""
+Course = Literal["same bytes", "within rounding", "another"]
+
+
+@dataclass(frozen=True, slots=True)
+class Agreement:
+    """How well a run agrees with its record.
+
+    Attributes:
+        course: Whether it is the same byte for byte, the same within `ROUNDING`, or took another course.
+        apart: The greatest difference of two lengths [m]; of another course, where that begins.
+        where: Where another course begins, or else where bytes differ first; empty if none do.
+    """
+
+    course: Course
+    apart: float
+    where: str
+
 
 def rerun(
     world: World,
@@ -22,7 +48,7 @@ def rerun(
     on_frame: FrameSink | None = None,
     on_step: Callable[[StepRecord], None] | None = None,
 ) -> Run:
-    """Perform the steps of a record again, with the same nudge, up to the first that goes another way.
+    """Perform the steps of a record again, with the same nudge, up to the first that takes another course.
 
     Args:
         world: The world that the run was made in.
@@ -48,7 +74,7 @@ def rerun(
             records.append(record_step(step, problem, grounding, outcome, put_down=put_down))
         if on_step:
             on_step(records[-1])
-        if _encoded(records[-1]) != _encoded(recorded):
+        if _compare(recorded, records[-1]).course == "another":
             break
     if run.nudge and run.nudge.before_step == len(records) + 1:
         scene = nudged(scene, run.nudge, problem)
@@ -60,26 +86,47 @@ def rerun(
     )
 
 
-def first_difference(recorded: Run, again: Run) -> str:
-    """Say where two records of the same steps differ first, or nothing if their bytes are the same.
+def compare_runs(recorded: Run, again: Run) -> Agreement:
+    """Compare what happened when a record was run again with what it says.
 
     Args:
         recorded: The record.
-        again: What happened when it was run again.
+        again: What `rerun` made of it, as far as it went.
     """
+    compared = []
     for number, (one, other) in enumerate(zip(recorded.steps, again.steps, strict=False), start=1):
-        if field := _differing(one, other):
-            return f"{field} of step {number}, {one.operator} {one.object}"
-    return _differing(recorded, again)
+        found = _compare(one, other, f" of step {number}, {one.operator} {one.object}")
+        if found.course == "another":
+            return found
+        compared.append(found)
+    whole = _compare(recorded, again)
+    if whole.course == "another":
+        return whole
+    different = [found for found in compared if found.where] or [whole]
+    return Agreement(whole.course, max(found.apart for found in (*compared, whole)), different[0].where)
 
 
-def _differing(one: msgspec.Struct, other: msgspec.Struct) -> str:
-    """Name the first field that differs, or nothing if none does."""
+def _compare(one: msgspec.Struct, other: msgspec.Struct, of: str = "") -> Agreement:
+    """Compare two records of the same kind, field by field."""
+    course: Course = "same bytes"
+    greatest, first = 0.0, ""
     for field in one.__struct_fields__:
-        if _encoded(getattr(one, field)) != _encoded(getattr(other, field)):
-            return field
-    return ""
+        pair = msgspec.to_builtins((getattr(one, field), getattr(other, field)))
+        if msgspec.json.encode(pair[0]) == msgspec.json.encode(pair[1]):
+            continue
+        apart = _apart(*pair)
+        if not apart <= ROUNDING:
+            return Agreement("another", apart, f"{field}{of}")
+        course, greatest, first = "within rounding", max(greatest, apart), first or f"{field}{of}"
+    return Agreement(course, greatest, first)
 
 
-def _encoded(value: object) -> bytes:
-    return msgspec.json.encode(value)
+def _apart(one: Any, other: Any) -> float:
+    """Return the greatest difference of two lengths [m]; infinite if anything else differs."""
+    if isinstance(one, float) and isinstance(other, float):
+        return abs(one - other)
+    if isinstance(one, dict) and isinstance(other, dict) and list(one) == list(other):
+        one, other = list(one.values()), list(other.values())
+    if isinstance(one, list | tuple) and isinstance(other, list | tuple) and len(one) == len(other):
+        return max(map(_apart, one, other), default=0.0)
+    return 0.0 if one == other and type(one) is type(other) else math.inf

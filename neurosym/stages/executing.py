@@ -5,12 +5,15 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+import msgspec
+
 from neurosym.console import say
 from neurosym.errors import InvalidFile, InvalidValue, UnknownChoice
 from neurosym.execution.executor import execute
+from neurosym.execution.machine import this_machine
 from neurosym.execution.record import Run, StepRecord
 from neurosym.execution.replanning import REPLANS
-from neurosym.execution.rerun import first_difference, rerun
+from neurosym.execution.rerun import Agreement, compare_runs, rerun
 from neurosym.files import digest, read_json, write_json
 from neurosym.grounding import Grounding
 from neurosym.pddl.plan_text import read_plan
@@ -86,6 +89,7 @@ def execute_stage(
             on_frame=shown.on_frame,
             on_step=shown.on_step,
         )
+        run = msgspec.structs.replace(run, machine=this_machine())
         (folder / RUNS).mkdir(exist_ok=True)
         write_json(folder / record_file, run)
         shown.end(run)
@@ -112,8 +116,8 @@ def replanning(planner: Planner) -> Replanner:
     return replan
 
 
-def replay_run(folder: DomainFolder, record: Path, showing: Showing = Showing()) -> tuple[Run, str]:
-    """Run the steps of a record again, and say where what happens differs from it.
+def replay_run(folder: DomainFolder, record: Path, showing: Showing = Showing()) -> tuple[Run, Agreement]:
+    """Run the steps of a record again, and compare what happens with it.
 
     Args:
         folder: The domain folder.
@@ -121,8 +125,7 @@ def replay_run(folder: DomainFolder, record: Path, showing: Showing = Showing())
         showing: How the run is shown.
 
     Returns:
-        What the record says, and where it differs first from what happened now; nothing if their bytes are
-        the same.
+        What the record says, and how well it agrees with what happened now.
 
     Raises:
         InvalidFile: If the file is no record of a run, or names what the domain does not have.
@@ -142,7 +145,7 @@ def replay_run(folder: DomainFolder, record: Path, showing: Showing = Showing())
     shown = _Shown(showing, world, problem)
     again = rerun(world, problem, grounding, run, on_frame=shown.on_frame, on_step=shown.on_step)
     shown.end(again)
-    return run, first_difference(run, again)
+    return run, compare_runs(run, again)
 
 
 def load_run(folder: DomainFolder, name: str, plan_file: Path) -> Run:

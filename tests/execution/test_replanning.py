@@ -9,7 +9,7 @@ from toy_domain import LEFT, WORLD, grounding, problem
 from neurosym.commands.tables import show_run
 from neurosym.execution.executor import execute
 from neurosym.execution.nudges import LEAST, MOST, Nudger, nudged
-from neurosym.execution.rerun import first_difference, rerun
+from neurosym.execution.rerun import compare_runs, rerun
 from neurosym.grounding import Grounding
 from neurosym.pddl.plan_text import PlanStep
 from neurosym.planners import PlanResult, PlanStatus, plan
@@ -62,7 +62,7 @@ def test_object_held_in_vain_is_put_down_before_anything_else():
         ("held", False),
     ]
     assert run.steps[0].positions["item-01"] == pytest.approx((0.6, 0.0, 0.025))
-    assert first_difference(run, rerun(WORLD, task, wrong, run)) == ""
+    assert compare_runs(run, rerun(WORLD, task, wrong, run)).course == "same bytes"
 
 
 def test_operator_that_does_something_else_is_believed_to_do_it_again():
@@ -102,7 +102,7 @@ def test_nudged_object_still_comes_to_its_goal(seed: int):
     assert run.reached
     again = rerun(WORLD, problem(AWAY), grounding(), run)
     assert msgspec.json.encode(again) == msgspec.json.encode(run)
-    assert first_difference(run, again) == ""
+    assert compare_runs(run, again).course == "same bytes"
 
 
 def test_nudges_come_from_their_seed_and_keep_objects_on_the_table():
@@ -126,13 +126,13 @@ def test_record_that_was_tampered_with_is_told_by_its_step():
     other = msgspec.structs.replace(run.steps[1], effect=(0.0, 0.0, 0.0))
     false = msgspec.structs.replace(run, steps=(run.steps[0], other))
     again = rerun(WORLD, problem(AWAY), grounding(), false)
-    assert first_difference(false, again) == "effect of step 2, push-left-001-cube item-01"
+    assert compare_runs(false, again).where == "effect of step 2, push-left-001-cube item-01"
 
 
 def test_only_the_field_that_was_changed_is_named():
     run = execute(WORLD, problem(AWAY), grounding(), [PUSH_LEFT, PUSH_LEFT])
     false = msgspec.structs.replace(run, reached=False)
-    assert first_difference(false, rerun(WORLD, problem(AWAY), grounding(), false)) == "reached"
+    assert compare_runs(false, rerun(WORLD, problem(AWAY), grounding(), false)).where == "reached"
 
 
 def test_run_again_ends_with_the_first_step_that_goes_another_way():
@@ -140,7 +140,7 @@ def test_run_again_ends_with_the_first_step_that_goes_another_way():
     false = msgspec.structs.replace(run, steps=(*run.steps, *run.steps * 1000))
     again = rerun(WORLD, problem(AWAY), grounding(), false)
     assert len(again.steps) == 3
-    assert first_difference(false, again) == "effect of step 3, push-left-001-cube item-01"
+    assert compare_runs(false, again).where == "positions of step 3, push-left-001-cube item-01"
 
 
 def test_why_a_plan_is_replaced_names_the_step_as_the_user_does(capsys):
