@@ -1,7 +1,7 @@
 """The command line: `neurosym COMMAND DIR ...`.
 
 Exit codes: 0 done; 2 bad input, with one sentence that says what would be valid; 3 the work was done and the
-answer is no (no plan, goal missed); 130 interrupted.
+answer is no (no plan, goal missed); 130 interrupted; 128 + the signal, ended by another one.
 """
 
 import sys
@@ -14,7 +14,7 @@ from neurosym.commands.compile_domain import compile_domain
 from neurosym.commands.distill import distill
 from neurosym.commands.evaluate import evaluate
 from neurosym.commands.execute import execute
-from neurosym.commands.exit_codes import BAD_INPUT, INTERRUPTED
+from neurosym.commands.exit_codes import BAD_INPUT
 from neurosym.commands.explain import explain
 from neurosym.commands.explore import explore
 from neurosym.commands.figures import figures
@@ -26,6 +26,7 @@ from neurosym.commands.replay import replay
 from neurosym.commands.report import report
 from neurosym.commands.run import run
 from neurosym.commands.show import show
+from neurosym.commands.signals import raised_signals, say_interrupted
 from neurosym.commands.train import train
 from neurosym.console import error_console
 from neurosym.errors import NeurosymError
@@ -67,14 +68,14 @@ def main(arguments: Sequence[str] | None = None) -> None:
     """
     typed = sys.argv[1:] if arguments is None else arguments
     try:
-        code = read_arguments(COMMANDS, ABOUT, typed)()
+        with raised_signals():
+            code = read_arguments(COMMANDS, ABOUT, typed)()
     except NeurosymError as error:
         error_console.print(str(error), markup=False, style="red")
         code = BAD_INPUT
     except OSError as error:
         error_console.print(f"{error.filename}: {error.strerror}", markup=False, style="red")
         code = BAD_INPUT
-    except KeyboardInterrupt:
-        error_console.print("interrupted; the same command goes on from what is written", markup=False)
-        code = INTERRUPTED
+    except KeyboardInterrupt as error:
+        code = say_interrupted(error)
     sys.exit(code)

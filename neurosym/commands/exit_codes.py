@@ -7,4 +7,4 @@ BAD_INPUT = 2
 NO_RESULT = 3
 """The work was done and the answer is no: no plan, or the goal was not reached."""
 INTERRUPTED = 130
-"""Interrupted; the same command goes on from what is written."""
+"""Interrupted; the same command goes on from what is written. Other signals: 128 + their number."""

@@ -1,7 +1,6 @@
 """The tasks of a comparison: each drawn and measured once, and kept in a file, until the domain changes."""
 
 from collections.abc import Callable, Iterator, Sequence
-from concurrent.futures import Future
 from concurrent.futures.process import BrokenProcessPool
 from pathlib import Path
 
@@ -18,7 +17,7 @@ from neurosym.stages.folder import DomainFolder
 from neurosym.stages.layout import COMPARISONS, GROUNDING, MODEL, WORLD
 from neurosym.symbols import Symbol
 from neurosym.worlds.problem_drawing import draw_problem
-from neurosym.worlds.workers import WorkerDied, in_order, start_pool
+from neurosym.worlds.workers import WorkerDied, in_order, worker_pool
 from neurosym.worlds.world_file import read_world
 
 _AHEAD = 2  # tasks handed out for each worker
@@ -158,17 +157,16 @@ def _measure_all(
         bench = Bench(DomainFolder(order.folder))
         yield from (_measure(bench, order, made_from, *task) for task in tasks)
         return
-    pool = start_pool(min(workers, len(tasks)), _start_worker, (order.folder,))
-
-    def submit(task: Unfinished) -> Future[TaskRecord]:
-        return pool.submit(_measure_here, order, made_from, *task)
-
-    try:
-        yield from in_order(tasks, submit=submit, result=lambda f: f.result(), ahead=_AHEAD * workers)
-    except BrokenProcessPool as error:
-        raise WorkerDied from error
-    finally:
-        pool.shutdown(wait=True, cancel_futures=True)
+    with worker_pool(min(workers, len(tasks)), _start_worker, (order.folder,)) as submit:
+        try:
+            yield from in_order(
+                tasks,
+                submit=lambda task: submit(_measure_here, order, made_from, *task),
+                result=lambda future: future.result(),
+                ahead=_AHEAD * workers,
+            )
+        except BrokenProcessPool as error:
+            raise WorkerDied from error
 
 
 def _measure(

@@ -8,7 +8,6 @@ import importlib.util
 import shutil
 import sys
 import sysconfig
-import tempfile
 import time
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
@@ -17,6 +16,7 @@ from pathlib import Path
 from neurosym.planners.planner import PlannerMissing
 from neurosym.planners.process import Finished, read_text, run_limited
 from neurosym.planners.result import PlannerAnswer, PlanStatus
+from neurosym.planners.scratch import scratch_folder
 
 PLAN = "plan"
 """The file that programs are asked to write a plan to."""
@@ -72,8 +72,7 @@ def plan_program(domain: Path, problem: Path, *, time_limit: float, program: Pro
     package = _folder_of(program.package)
     if package is None or program.missing():
         raise PlannerMissing(program.title, program.missing())
-    with tempfile.TemporaryDirectory(prefix="neurosym-planner-") as name:
-        folder = Path(name)
+    with scratch_folder() as folder:
         files = (str(domain.resolve()), str(problem.resolve()))
         finished = run_limited(program.arguments(package, *files, time_limit), folder, time_limit)
         found = sorted(folder.glob(program.plans), key=lambda path: (len(path.name), path.name))

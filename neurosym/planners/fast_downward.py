@@ -7,7 +7,6 @@ heuristics cost more than they save), any plan otherwise. PDDL is translated onc
 
 import importlib.util
 import sys
-import tempfile
 import time
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -16,6 +15,7 @@ from pathlib import Path
 from neurosym.planners.planner import PlannerMissing
 from neurosym.planners.process import Finished, read_text, run_limited
 from neurosym.planners.result import PlannerAnswer, PlanStatus
+from neurosym.planners.scratch import scratch_folder
 
 LAMA_FIRST = (
     "let(hlm,eval_modify_costs(landmark_sum(lm_factory=lm_reasonable_orders_hps(lm_rhw()),pref=false),"
@@ -68,8 +68,7 @@ def plan_fast_downward(
     """
     begin = time.perf_counter()
     programs = _programs()
-    with tempfile.TemporaryDirectory(prefix="neurosym-fd-") as name:
-        folder = Path(name)
+    with scratch_folder() as folder:
         status, reason, text, task = PlanStatus.SOLVED, "", "", problem.resolve()
         if problem.suffix != SAS_SUFFIX:
             status, reason = _translate(folder, programs, domain, problem, time_limit)

@@ -1,14 +1,11 @@
 """Planning for several objects at the same time, until one of them has no plan."""
 
-import os
-import signal
 import threading
 import time
 from collections.abc import Callable, Sequence
 from concurrent.futures import Future, ThreadPoolExecutor
-from contextlib import suppress
-from pathlib import Path
 
+from neurosym.planners.process import end_calls
 from neurosym.planners.result import PlanResult, PlanStatus
 
 WORKERS = 2
@@ -26,7 +23,7 @@ def plan_together(tasks: Sequence[Callable[[], PlanResult]]) -> tuple[PlanResult
     threads: set[int] = set()
 
     def run(task: Callable[[], PlanResult]) -> PlanResult:
-        threads.add(threading.get_native_id())
+        threads.add(threading.get_ident())
         return task()
 
     pool = ThreadPoolExecutor(WORKERS)
@@ -51,8 +48,5 @@ def _end(futures: Sequence[Future[PlanResult]], threads: set[int]) -> None:
     for future in futures:
         future.cancel()
     while not all(future.done() for future in futures):
-        for thread in tuple(threads):
-            with suppress(OSError):
-                for child in Path(f"/proc/self/task/{thread}/children").read_text().split():
-                    os.kill(int(child), signal.SIGKILL)
+        end_calls(tuple(threads))
         time.sleep(0.02)

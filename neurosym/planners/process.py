@@ -3,26 +3,32 @@
 Planners start processes of their own, some in sessions of their own, and write files wherever they stand, or
 where temporary files go. Callers give each call a folder of its own for both. When it ends or its time is up,
 all its descendants are killed; those that have cut their ties are known by a mark in their environment.
+When we are killed ourselves, the keeper does that (`keeper.py`).
 """
 
 import os
 import resource
 import signal
 import subprocess
+import sys
 import tempfile
 import textwrap
+import threading
 import uuid
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass
 from pathlib import Path
 
+from neurosym.planners.keeper import MARK, end_processes, marked, processes, state_of, this_process
+from neurosym.planners.scratch import kept
+
 MEMORY = 4 * 1024**3
-"""How much memory a planner may take [bytes]."""
+"""How much memory a planner may take, unless this process may take less [bytes]."""
 FILE_SIZE = 1024**3
-"""How large a file a planner may write, its output included [bytes]."""
+"""How large a file a planner may write, its output included, unless this process may write less [bytes]."""
 _TOLD = 1024**2  # how much of its output is kept, from the end [bytes]
-_MARK = "NEUROSYM_PLANNER_CALL"
+_running: dict[int, "subprocess.Popen[bytes]"] = {}  # by the thread that waits for it
 
 
 @dataclass(frozen=True, slots=True)
@@ -62,9 +68,10 @@ def run_limited(
         stdin: What it reads from its standard input.
         environment: Variables added to the environment.
     """
-    mark = f"{_MARK}={uuid.uuid4().hex}"
-    added = {"TMPDIR": str(folder), **(environment or {}), **dict([mark.split("=")])}
-    with (stdin or Path(os.devnull)).open("rb") as source, tempfile.TemporaryFile() as sink:
+    mark = f"{this_process()}.{uuid.uuid4().hex}"
+    added = {"TMPDIR": str(folder), **(environment or {}), MARK: mark}
+    source_file = stdin or Path(os.devnull)
+    with kept(), source_file.open("rb") as source, tempfile.TemporaryFile() as sink:
         process = subprocess.Popen(
             command,
             cwd=folder,
@@ -76,18 +83,29 @@ def run_limited(
         )
         code: int | None = None
         try:
-            with suppress(ProcessLookupError):
-                resource.prlimit(process.pid, resource.RLIMIT_AS, (MEMORY, MEMORY))
-                resource.prlimit(process.pid, resource.RLIMIT_FSIZE, (FILE_SIZE, FILE_SIZE))
+            _running[threading.get_ident()] = process
+            _limit(process.pid)
             code = process.wait(timeout=max(time_limit, 0.0))
         except subprocess.TimeoutExpired:
             pass
         finally:
+            _running.pop(threading.get_ident(), None)
             # While it has not been waited for, its number is still its own.
-            kill_all(mark, None if process.returncode is not None else process.pid)
+            kill_all(f"{MARK}={mark}", None if process.returncode is not None else process.pid)
             process.wait()
         sink.seek(max(0, sink.seek(0, os.SEEK_END) - _TOLD))
         return Finished(code, sink.read().decode(errors="replace"))
+
+
+def end_calls(threads: Collection[int]) -> None:
+    """Kill what threads are waiting for; they then see to what it started.
+
+    Args:
+        threads: Their identifiers.
+    """
+    for thread in threads:
+        if process := _running.get(thread):
+            process.kill()
 
 
 def read_text(path: Path) -> str:
@@ -109,24 +127,26 @@ def kill_all(mark: str, root: int | None) -> None:
         mark: NAME=VALUE in the environment that the process was started with.
         root: The process, if it has not been waited for.
     """
-    stopped: set[int] = set()
-    while new := (_marked(mark) | (_descendants(root) if root else set())) - stopped:
-        for process in new:
-            _signal(process, signal.SIGSTOP)
-        stopped |= new
-    for process in stopped:
-        _signal(process, signal.SIGKILL)
+    if root and not processes():  # a system that does not tell
+        with suppress(ProcessLookupError, PermissionError):
+            os.killpg(root, signal.SIGKILL)
+    end_processes(lambda: marked(mark) | (_descendants(root) if root else set()))
 
 
-def _marked(mark: str) -> set[int]:
-    return {number for number in _processes() if mark.encode() in _about(number, "environ")}
+def _limit(process: int) -> None:
+    """Let a planner have what it may, and never more than this process, where the system can do that."""
+    if sys.platform == "linux":
+        for kind, most in ((resource.RLIMIT_AS, MEMORY), (resource.RLIMIT_FSIZE, FILE_SIZE)):
+            with suppress(ProcessLookupError):
+                limits = resource.prlimit(process, kind)
+                least = [most if limit == resource.RLIM_INFINITY else min(most, limit) for limit in limits]
+                resource.prlimit(process, kind, (least[0], least[1]))
 
 
 def _descendants(root: int) -> set[int]:
     children: dict[int, list[int]] = {}
-    for number in _processes():
-        # The command's name, in brackets, may hold anything; the parent is the second field after it.
-        if fields := _about(number, "stat").rpartition(b")")[2].split():
+    for number in processes():
+        if fields := state_of(number):
             children.setdefault(int(fields[1]), []).append(number)
     found: set[int] = set()
     waiting = [root]
@@ -135,19 +155,3 @@ def _descendants(root: int) -> set[int]:
         found.add(process)
         waiting += children.get(process, [])
     return found
-
-
-def _processes() -> list[int]:
-    return [int(entry.name) for entry in Path("/proc").iterdir() if entry.name.isdigit()]
-
-
-def _about(process: int, what: str) -> bytes:
-    """Read what the system tells about a process; nothing if it has ended or is not ours."""
-    with suppress(OSError):
-        return (Path("/proc") / str(process) / what).read_bytes()
-    return b""
-
-
-def _signal(process: int, number: signal.Signals) -> None:
-    with suppress(ProcessLookupError, PermissionError):
-        os.kill(process, number)

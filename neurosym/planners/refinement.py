@@ -7,7 +7,6 @@ order, and if that does not help, it is planned again with smaller goal regions,
 import dataclasses
 import math
 import reprlib
-import tempfile
 import textwrap
 import time
 from collections import Counter
@@ -33,6 +32,7 @@ from neurosym.planners.one_by_one import plan_one_by_one
 from neurosym.planners.ordering import mend
 from neurosym.planners.planner import GRID, Option, PddlCall, PddlProgram, Planner, Query
 from neurosym.planners.result import PlannerAnswer, PlanResult, PlanStatus
+from neurosym.planners.scratch import scratch_folder
 from neurosym.problems import Problem
 from neurosym.world import Table
 
@@ -191,10 +191,10 @@ def _solve(
         return PlanResult(PlanStatus.SOLVED, (), 0.0)
     begin = time.perf_counter()
     narrowed = _fitted(grounding, problem, max(grounding.cell, program.cell) / slack.finer)
-    with tempfile.TemporaryDirectory(prefix="neurosym-pddl-") as name:
-        domain, task = Path(name) / "domain.pddl", Path(name) / "problem.pddl"
+    with scratch_folder() as folder:
+        domain, task = folder / "domain.pddl", folder / "problem.pddl"
         if encoding == SAS:
-            domain = task = Path(name) / f"problem{SAS_SUFFIX}"
+            domain = task = folder / f"problem{SAS_SUFFIX}"
             task.write_text(sas_text(problem, narrowed, steps=slack.steps, margin=slack.margin))
         else:
             domain.write_text(domain_text(narrowed, encoding))

@@ -6,12 +6,12 @@ and its own time-outs leave processes behind. This module is also the program th
 """
 
 import sys
-import tempfile
 import time
 from pathlib import Path
 
 from neurosym.planners.process import Finished, read_text, run_limited
 from neurosym.planners.result import PlannerAnswer, PlanStatus
+from neurosym.planners.scratch import scratch_folder
 
 _EXIT = {PlanStatus.SOLVED: 0, PlanStatus.UNSOLVABLE: 10, PlanStatus.TIMEOUT: 21, PlanStatus.FAILED: 3}
 
@@ -28,12 +28,12 @@ def plan_unified_planning(
         engine: What unified-planning calls the engine.
     """
     begin = time.perf_counter()
-    with tempfile.TemporaryDirectory(prefix="neurosym-up-") as name:
-        plan = Path(name) / "plan"
+    with scratch_folder() as folder:
+        plan = folder / "plan"
         files = (str(domain.resolve()), str(problem.resolve()), str(plan))
         command = [sys.executable, "-m", __spec__.name, *files, engine]
         package = str(Path(__file__).resolve().parents[2])
-        finished = run_limited(command, Path(name), time_limit, environment={"PYTHONPATH": package})
+        finished = run_limited(command, folder, time_limit, environment={"PYTHONPATH": package})
         status, reason = _judge(finished)
         text = read_text(plan) if status is PlanStatus.SOLVED else ""
     return PlannerAnswer(status, text, time.perf_counter() - begin, reason)

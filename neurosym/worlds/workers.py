@@ -9,12 +9,15 @@ import multiprocessing.connection
 import os
 import signal
 import threading
+import time
 from collections import deque
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from concurrent.futures import Future, ProcessPoolExecutor
 from concurrent.futures.process import BrokenProcessPool
 from contextlib import contextmanager
 from dataclasses import dataclass
+from multiprocessing.process import BaseProcess
+from types import FrameType
 from typing import Any, TypeVar
 
 from jaxtyping import Float
@@ -27,6 +30,8 @@ MOST_WORKERS = 256
 """Processes on one machine; a cluster may have more."""
 AHEAD = 4
 """Tasks handed out for each worker, so that none waits for the next."""
+_PATIENCE = 3.0  # for a worker to end in order [s]
+_ENDED = 128 + signal.SIGTERM  # the exit code of a worker that was told to end
 
 Item = TypeVar("Item")
 Pending = TypeVar("Pending")
@@ -44,6 +49,8 @@ class Task:
 
 
 Perform = Callable[[Iterable[Task]], Iterator[Outcome]]
+Submit = Callable[..., Future[Any]]
+"""Has a worker process call a function with arguments; all must survive pickling."""
 
 
 class WorkerDied(NeurosymError):
@@ -74,11 +81,8 @@ def crew(world_factory: WorldFactory, workers: int) -> Iterator[Perform]:
         world = world_factory()
         yield lambda tasks: (perform_task(world, task) for task in tasks)
         return
-    pool = start_pool(workers, _start_worker, (world_factory,))
-    try:
-        yield lambda tasks: _outcomes(pool, tasks, workers * AHEAD)
-    finally:
-        pool.shutdown(wait=True, cancel_futures=True)
+    with worker_pool(workers, _start_worker, (world_factory,)) as submit:
+        yield lambda tasks: _outcomes(submit, tasks, workers * AHEAD)
 
 
 def perform_all(world_factory: WorldFactory, tasks: Iterable[Task], workers: int) -> Iterator[Outcome]:
@@ -117,62 +121,122 @@ def in_order(
         yield result(waiting.popleft())
 
 
-def start_pool(
+@contextmanager
+def worker_pool(
     workers: int, initializer: Callable[..., None], arguments: tuple[Any, ...]
-) -> ProcessPoolExecutor:
-    """Start processes that ignore Ctrl-C, which the parent ends them at, and that end with it.
+) -> Iterator[Submit]:
+    """Start processes, and yield the function that has them do something.
+
+    They ignore Ctrl-C, which is for their parent, and end with it. If an error ends the work, they are ended
+    whatever they are doing, in order if they can be.
 
     Args:
         workers: How many.
         initializer: What each does first; must survive pickling.
         arguments: What it is given.
     """
+    before = multiprocessing.active_children()
     pool = ProcessPoolExecutor(
         workers,
         multiprocessing.get_context("spawn"),
         initializer=_start_process,
         initargs=(initializer, arguments),
     )
-    in_main_thread = threading.current_thread() is threading.main_thread()
-    before = signal.signal(signal.SIGINT, signal.SIG_IGN) if in_main_thread else None
+    started: list[BaseProcess] = []
     try:
-        for _ in range(workers):
-            pool.submit(int)  # a process is started for each task that finds none idle
+        with _deaf():
+            for _ in range(workers):
+                pool.submit(int)  # a process is started for each task that finds none idle
+            started = [child for child in multiprocessing.active_children() if child not in before]
+        yield lambda work, *given: pool.submit(_do, work, *given)
+    except BaseException:
+        _end_all(started)
+        raise
     finally:
-        if before is not None:
-            signal.signal(signal.SIGINT, before)
-    return pool
+        pool.shutdown(wait=True, cancel_futures=True)
 
 
-def _outcomes(pool: ProcessPoolExecutor, tasks: Iterable[Task], ahead: int) -> Iterator[Outcome]:
-    def submit(task: Task) -> Future[Outcome]:
-        return pool.submit(_perform_here, task)
-
+@contextmanager
+def _deaf() -> Iterator[None]:
+    """Ignore Ctrl-C for a moment, so that processes that are started in it do so from the start."""
+    if threading.current_thread() is not threading.main_thread():
+        yield
+        return
+    before = signal.signal(signal.SIGINT, signal.SIG_IGN)
     try:
-        yield from in_order(tasks, submit=submit, result=lambda future: future.result(), ahead=ahead)
+        yield
+    finally:
+        signal.signal(signal.SIGINT, before)
+
+
+def _end_all(started: Sequence[BaseProcess]) -> None:
+    """Ask processes to end, and kill those that do not soon; keepers of planners see to the rest."""
+    for process in started:
+        process.terminate()
+    end = time.monotonic() + _PATIENCE
+    for process in started:
+        process.join(max(0.0, end - time.monotonic()))
+        process.kill()
+
+
+def _outcomes(submit: Submit, tasks: Iterable[Task], ahead: int) -> Iterator[Outcome]:
+    try:
+        yield from in_order(
+            tasks,
+            submit=lambda task: submit(_perform_here, task),
+            result=lambda future: future.result(),
+            ahead=ahead,
+        )
     except BrokenProcessPool as error:
         raise WorkerDied from error
 
 
-_world_here: World | None = None
+_is_busy = False
+"""Whether this worker process does something that must be left in order."""
+
+
+def _do(work: Callable[..., Result], *given: Any) -> Result:
+    """Do something in a worker process, and end it if it is told to meanwhile."""
+    global _is_busy
+    _is_busy = True
+    try:
+        return work(*given)
+    except KeyboardInterrupt:
+        os._exit(_ENDED)
+    finally:
+        _is_busy = False
 
 
 def _start_process(initializer: Callable[..., None], arguments: tuple[Any, ...]) -> None:
     signal.signal(signal.SIGINT, signal.SIG_IGN)
+    signal.signal(signal.SIGTERM, _hear)
+    signal.signal(signal.SIGHUP, signal.SIG_IGN)  # a closed terminal ends the parent
     threading.Thread(target=_end_with_parent, daemon=True).start()
-    initializer(*arguments)
+    _do(initializer, *arguments)
 
 
-def _start_worker(world_factory: WorldFactory) -> None:
-    global _world_here
-    _world_here = world_factory()
+def _hear(_: int, __: FrameType | None) -> None:
+    signal.signal(signal.SIGTERM, signal.SIG_IGN)
+    if _is_busy:
+        raise KeyboardInterrupt
+    os._exit(_ENDED)
 
 
 def _end_with_parent() -> None:
     parent = multiprocessing.parent_process()
     if parent is not None:
         multiprocessing.connection.wait([parent.sentinel])
-        os._exit(1)
+        os.kill(os.getpid(), signal.SIGTERM)
+        time.sleep(_PATIENCE)
+        os._exit(_ENDED)
+
+
+_world_here: World | None = None
+
+
+def _start_worker(world_factory: WorldFactory) -> None:
+    global _world_here
+    _world_here = world_factory()
 
 
 def _perform_here(task: Task) -> Outcome:

@@ -151,3 +151,29 @@ def test_every_planner_that_is_here_finds_the_way(name: str):
     assert found.status is PlanStatus.SOLVED, found.reason
     assert validate(found.steps, TASK, grounding()).valid
     assert len(found.steps) == 1 or name == "lpg"  # which is soon there, with longer plans
+
+
+def test_a_planner_gets_no_more_than_its_caller_may_have(tmp_path: Path):
+    """Also where nobody may raise a limit: asking for more than that was an error."""
+    code = f"""if True:
+        import resource, sys
+        from pathlib import Path
+        from neurosym.planners.process import run_limited
+        for kind, most in ((resource.RLIMIT_AS, 3 << 30), (resource.RLIMIT_FSIZE, 1 << 20)):
+            resource.setrlimit(kind, (most, most))
+        asked = "import resource as r; print(r.getrlimit(r.RLIMIT_AS), r.getrlimit(r.RLIMIT_FSIZE))"
+        print(run_limited([sys.executable, "-c", asked], Path({str(tmp_path)!r}), 10.0).last_words)
+    """
+    ended = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    assert ended.stdout.strip() == f"{(3 << 30, 3 << 30)} {(1 << 20, 1 << 20)}"
+
+
+def test_where_the_system_does_not_tell_of_processes_a_planner_is_ended_all_the_same(
+    scratch: Path, monkeypatch: pytest.MonkeyPatch
+):
+    monkeypatch.setattr("neurosym.planners.keeper.processes", list)
+    monkeypatch.setattr("neurosym.planners.process.processes", list)
+    begin = time.perf_counter()
+    assert solved_by(SLEEP, time_limit=0.5).status is PlanStatus.TIMEOUT
+    assert time.perf_counter() - begin < 10.0
+    assert alive(str(scratch)) == []

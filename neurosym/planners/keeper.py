@@ -1,0 +1,163 @@
+"""What a process that plans would leave behind if it were killed, and the process that clears that away.
+
+A process that plans holds a lock on each temporary folder it makes, and puts its own number and time of start
+into the environment of what it starts. Its keeper is a process that outlives it: it clears away at once what
+others have left, waits for the end of its owner, and clears away what that has left. It ignores the signals
+that its owner may get; if it is killed together with its owner, the next one does the work.
+
+This module is also the program of the keeper, `python -I -S keeper.py FOLDER`. It imports nothing but the
+standard library, and starts in 15 ms.
+"""
+
+import fcntl
+import os
+import re
+import select
+import signal
+import sys
+import time
+from collections.abc import Callable
+from contextlib import suppress
+from pathlib import Path
+
+MARK = "NEUROSYM_PLANNER_CALL"
+"""The variable that names whoever started a planner, and which call it is."""
+FOLDER_PREFIX = "neurosym-scratch-"
+"""What the names of temporary folders begin with; the number of their owner follows."""
+_FOLDER = re.compile(re.escape(FOLDER_PREFIX) + r"\d+-\w{8}")
+_OWNER = re.compile(rb"(?:^|\0)" + MARK.encode() + rb"=(\d+)\.(\d+)\.")
+_LOOK = 1.0  # how often to see whether the owner is still there, if its pipe does not say so [s]
+_SETTLE = 0.2  # for what an owner was just starting when it was killed [s]
+
+
+def this_process() -> str:
+    """Name this process such that no other on this machine has the name before the next start of it."""
+    return f"{os.getpid()}.{_born(os.getpid()) or 0}"
+
+
+def hold(folder: Path) -> int:
+    """Take the lock on a temporary folder, which says that its owner is alive.
+
+    Args:
+        folder: The folder.
+
+    Returns:
+        A descriptor; whoever closes it, or ends, gives the lock back.
+
+    Raises:
+        FileNotFoundError: If it was cleared away before.
+    """
+    descriptor = os.open(folder, os.O_RDONLY | os.O_DIRECTORY | os.O_NOFOLLOW)
+    fcntl.flock(descriptor, fcntl.LOCK_EX)
+    try:
+        folder.stat()
+    except FileNotFoundError:
+        os.close(descriptor)
+        raise
+    return descriptor
+
+
+def sweep(place: Path) -> None:
+    """Kill planners and remove temporary folders whose owners have ended.
+
+    Args:
+        place: Where temporary folders are made.
+    """
+    end_processes(lambda: {number for number in processes() if _is_orphan(number)})
+    with suppress(OSError):
+        for entry in os.scandir(place):
+            if _FOLDER.fullmatch(entry.name) and entry.is_dir(follow_symlinks=False):
+                _remove_unheld(Path(entry.path))
+
+
+def end_processes(find: Callable[[], set[int]]) -> None:
+    """Kill processes. They are stopped first, so that none can start another while they are being listed.
+
+    Args:
+        find: Lists those that there are now.
+    """
+    stopped: set[int] = set()
+    while new := find() - stopped:
+        for process in new:
+            _signal(process, signal.SIGSTOP)
+        stopped |= new
+    for process in stopped:
+        _signal(process, signal.SIGKILL)
+
+
+def processes() -> list[int]:
+    """List the processes of this machine; none where the system does not tell."""
+    try:
+        return [int(entry.name) for entry in os.scandir("/proc") if entry.name.isdigit()]
+    except OSError:
+        return []
+
+
+def about(process: int, what: str) -> bytes:
+    """Read what the system tells about a process; nothing if it has ended or is not ours."""
+    with suppress(OSError):
+        return Path(f"/proc/{process}/{what}").read_bytes()
+    return b""
+
+
+def marked(mark: str) -> set[int]:
+    """Find processes that have something in their environment."""
+    return {number for number in processes() if mark.encode() in about(number, "environ")}
+
+
+def state_of(process: int) -> list[bytes]:
+    """Return the fields of what the system tells about a process, from its state on; none if it is gone."""
+    # The command's name, in brackets, may hold anything.
+    return about(process, "stat").rpartition(b")")[2].split()
+
+
+def _born(process: int) -> int | None:
+    """Say when a process started, in ticks of the machine; None if it has ended."""
+    fields = state_of(process)
+    return int(fields[19]) if fields and fields[0] not in b"ZX" else None
+
+
+def _is_orphan(process: int) -> bool:
+    """Whether a process was started by an owner that has ended; those of other containers are let alone."""
+    owner = _OWNER.search(about(process, "environ"))
+    if owner is None or _born(int(owner[1])) == int(owner[2]):
+        return False
+    with suppress(OSError):
+        return Path(f"/proc/{process}/ns/pid").readlink() == Path("/proc/self/ns/pid").readlink()
+    return False
+
+
+def _remove_unheld(folder: Path) -> None:
+    import shutil
+
+    with suppress(OSError):
+        descriptor = os.open(folder, os.O_RDONLY | os.O_DIRECTORY | os.O_NOFOLLOW)
+        try:
+            fcntl.flock(descriptor, fcntl.LOCK_EX | fcntl.LOCK_NB)
+            shutil.rmtree(folder, ignore_errors=True)
+        finally:
+            os.close(descriptor)
+
+
+def _signal(process: int, number: signal.Signals) -> None:
+    with suppress(ProcessLookupError, PermissionError):
+        os.kill(process, number)
+
+
+def _keep(place: Path, owner: int) -> None:
+    """Clear away, wait for the owner to say that it is done or to end, and clear away again."""
+    for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
+        signal.signal(number, signal.SIG_IGN)
+    sweep(place)
+    while os.getppid() == owner:
+        if select.select([0], [], [], _LOOK)[0]:
+            if os.read(0, 1):
+                return
+            break
+    for wait in (0.0, _SETTLE):
+        time.sleep(wait)
+        sweep(place)
+
+
+if __name__ == "__main__":
+    _keep(Path(sys.argv[1]), int(sys.argv[2]))

@@ -1,0 +1,170 @@
+"""Commands that are ended from outside leave no process and no temporary folder, and say how they ended."""
+
+import os
+import shutil
+import signal
+import subprocess
+import sys
+import time
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+from processes import alive
+
+HANGING = """
+import sys
+from functools import partial
+from neurosym.planners import pddl_planner
+from neurosym.planners.external import Program, plan_program
+
+SCRIPT = '''
+import os, subprocess, sys, tempfile, time
+open(os.path.join(tempfile.gettempdir(), "left"), "w").write("x")
+if os.fork() == 0:
+    os.setsid()
+    subprocess.Popen([sys.executable, "-c", "import time; time.sleep(120)", sys.argv[1]])
+    os._exit(0)
+open(sys.argv[3], "a").write("x")
+time.sleep(120)
+'''
+
+def make():
+    def arguments(_, domain, problem, limit):
+        return (sys.executable, "-c", SCRIPT, domain, problem, __file__ + ".started")
+
+    call = partial(plan_program, program=Program("Hanging", "neurosym", "neurosym", arguments))
+    return pddl_planner("hanging", "a planner that hangs", call, ("operators",))
+"""
+PLANNER = "hanging:make"
+COMMANDS: dict[str, Callable[[Path], tuple[str, ...]]] = {
+    "plan": lambda folder: (str(folder), "task-01", "--planner", PLANNER),
+    "execute": lambda folder: (
+        *(str(folder), "task-01", str(folder / "plans/task-01.fast-downward.plan")),
+        *("--replanner", PLANNER, "--disturb", "3"),
+    ),
+    "compare": lambda folder: (str(folder), "--tasks", "4", "--workers", "2", "--planners", PLANNER),
+}
+EXIT = {signal.SIGINT: 130, signal.SIGTERM: 143, signal.SIGHUP: 129, signal.SIGKILL: -9}
+SOON = 10.0  # on a busy machine [s]
+
+
+def eventually(holds: Callable[[], bool], within: float = SOON) -> bool:
+    """Whether something comes true."""
+    end = time.monotonic() + within
+    while not (true := holds()) and time.monotonic() < end:
+        time.sleep(0.02)
+    return true
+
+
+@pytest.fixture
+def here(tmp_path: Path, folder: Path) -> Path:
+    """A folder with a planner that hangs, a domain, and a folder for temporary files."""
+    (tmp_path / "hanging.py").write_text(HANGING)
+    (tmp_path / "scratch").mkdir()
+    return tmp_path
+
+
+def start(here: Path, *command: str) -> "subprocess.Popen[str]":
+    environment = {**os.environ, "TMPDIR": str(here / "scratch")}
+    return subprocess.Popen(
+        [sys.executable, "-m", "neurosym", *command],
+        cwd=here,
+        env=environment,
+        stdout=subprocess.DEVNULL,
+        stderr=subprocess.PIPE,
+        text=True,
+    )
+
+
+def start_hanging(here: Path, command: str) -> "subprocess.Popen[str]":
+    """Start a command, and wait until its planner hangs."""
+    process = start(here, command, *COMMANDS[command](here / "toy"))
+    assert eventually((here / "hanging.py.started").exists, 60.0), process.communicate()
+    assert list((here / "scratch").iterdir()) != []
+    assert any("left" in str(path) for path in (here / "scratch").rglob("*"))
+    return process
+
+
+def files(folder: Path) -> set[str]:
+    return {str(path.relative_to(folder)) for path in folder.rglob("*")}
+
+
+@pytest.mark.parametrize(
+    ("command", "number"),
+    [
+        *(("plan", number) for number in EXIT),
+        *(("execute", number) for number in (signal.SIGTERM, signal.SIGKILL)),
+        *(("compare", number) for number in (signal.SIGINT, signal.SIGKILL)),
+    ],
+)
+def test_a_command_that_is_ended_leaves_nothing(here: Path, command: str, number: signal.Signals):
+    before = files(here / "toy")
+    process = start_hanging(here, command)
+    begin = time.monotonic()
+    process.send_signal(number)
+    _, said = process.communicate(timeout=60)
+    assert time.monotonic() - begin < SOON
+    assert process.returncode == EXIT[number], said
+    assert eventually(lambda: alive(str(here)) == []), alive(str(here))
+    assert eventually(lambda: list((here / "scratch").iterdir()) == [])
+    assert {name for name in files(here / "toy") - before if "comparison" not in name} == set()
+    if number != signal.SIGKILL:
+        how = {signal.SIGINT: "interrupted"}.get(number, f"ended by {number.name}")
+        assert said.strip().endswith(f"{how}; the same command goes on from what is written")
+        assert "Traceback" not in said
+        assert list((here / "scratch").iterdir()) == []
+
+
+def test_what_a_killed_command_and_its_keeper_left_is_swept_by_the_next_call(here: Path):
+    process = start_hanging(here, "plan")
+    (keeper,) = (line for line in alive(str(here / "scratch")) if "keeper.py" in line)
+    for path in Path("/proc").glob("[0-9]*/cmdline"):
+        try:
+            line = path.read_bytes().replace(b"\0", b" ").decode()
+        except OSError:
+            continue
+        if line == keeper:
+            os.kill(int(path.parent.name), signal.SIGKILL)
+    process.kill()
+    process.communicate()
+    time.sleep(0.3)
+    assert len(alive(str(here))) == 2, "the planner and its orphan"
+    (here / "scratch" / "neurosym-scratch-mine").mkdir()
+    plan = start(here, "plan", str(here / "toy"), "task-01")
+    _, said = plan.communicate(timeout=60)
+    assert plan.returncode in (0, 3), said
+    assert alive(str(here)) == []
+    assert [path.name for path in (here / "scratch").iterdir()] == ["neurosym-scratch-mine"]
+
+
+def test_the_folder_and_the_planner_of_a_living_owner_are_let_alone(here: Path):
+    process = start_hanging(here, "plan")
+    before = set(alive(str(here))), files(here / "scratch")
+    shutil.copytree(here / "toy", here / "other")
+    plan = start(here, "plan", str(here / "other"), "task-01")
+    _, said = plan.communicate(timeout=60)
+    assert plan.returncode in (0, 3), said
+    assert (set(alive(str(here))), files(here / "scratch")) == before
+    process.terminate()
+    process.communicate(timeout=60)
+    assert alive(str(here)) == []
+
+
+def test_a_second_interrupt_ends_at_once_and_a_repeated_hangup_changes_nothing(here: Path):
+    process = start_hanging(here, "plan")
+    for _ in range(20):
+        process.send_signal(signal.SIGHUP)
+        time.sleep(0.005)
+    _, said = process.communicate(timeout=60)
+    assert process.returncode == 129
+    assert said.count("\n") == 1
+    assert alive(str(here)) == []
+
+
+def test_a_signal_that_is_ignored_stays_so(here: Path):
+    code = "import os, signal; signal.signal(signal.SIGHUP, signal.SIG_IGN);"
+    code += "from neurosym.commands.signals import raised_signals\n"
+    code += "with raised_signals(): os.kill(os.getpid(), signal.SIGHUP); print('still here')"
+    ended = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    assert ended.stdout == "still here\n"
