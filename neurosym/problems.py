@@ -82,6 +82,17 @@ class Problem(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
         """Return the object of that name, which exists."""
         return next(item for item in self.objects if item.name == name)
 
+    def within(self, tolerance: float | None) -> "Problem":
+        """Return the problem with another tolerance, or as it is.
+
+        Args:
+            tolerance: How near objects must come [m]; None for the problem's own.
+
+        Raises:
+            InvalidValue: If it is impossible.
+        """
+        return self if tolerance is None else msgspec.structs.replace(self, tolerance=tolerance)
+
     def scene(self) -> Scene:
         """Return the scene that the problem starts from."""
         return Scene(

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Annotated
 from tyro.conf import Positional, arg
 
 from neurosym.commands.exit_codes import NO_RESULT
-from neurosym.commands.options import Folder, ProblemName, opened
+from neurosym.commands.options import Folder, ProblemName, Tolerance, opened
 from neurosym.commands.showing import Gif, Gui, Strip, say_written, showing_of
 from neurosym.console import say, say_next
 from neurosym.errors import InvalidFile, InvalidValue
@@ -30,6 +30,7 @@ def execute(
         int | None,
         arg(metavar="SEED", help="Nudge an object by 3 to 8 cm once during the run, drawn from this seed."),
     ] = None,
+    tolerance: Tolerance = None,
     gif: Gif = None,
     strip: Strip = None,
     gui: Gui = False,
@@ -42,6 +43,7 @@ def execute(
     from neurosym.commands.tables import show_run
     from neurosym.stages.executing import execute_stage, load_run
     from neurosym.stages.layout import run_file
+    from neurosym.stages.plan_records import planned_tolerance
 
     domain = opened(folder)
     name = domain.problem(problem)
@@ -54,6 +56,10 @@ def execute(
     made_for = plan_file.stem.split(".")[0]
     if made_for != name and made_for in domain.problem_names():
         say(f"note: {plan_file} seems to be made for {made_for}, not for {name}")
+    planned = planned_tolerance(plan_file)
+    if planned is not None and tolerance is None:
+        within = f"within {1000 * planned:g} mm"
+        say(f"note: {plan_file} is a plan to come {within}; --tolerance {planned:g} judges it by that")
     stage = execute_stage(
         domain,
         name,
@@ -61,6 +67,7 @@ def execute(
         replanner=replanner,
         replans=replans,
         nudge_seed=disturb,
+        tolerance=tolerance,
         showing=showing_of(gif, strip, gui),
     )
     domain.perform(stage, again=True)

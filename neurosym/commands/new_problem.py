@@ -1,17 +1,16 @@
 """The command `neurosym new-problem`: a task, drawn or set by hand."""
 
-from typing import TYPE_CHECKING, Annotated
+from pathlib import Path
+from typing import Annotated
 
 from tyro.conf import UseAppendAction, arg
 
 from neurosym.commands.options import Folder, Seed, opened
 from neurosym.console import say, say_next
-from neurosym.errors import InvalidValue
+from neurosym.errors import InvalidFile, InvalidValue
+from neurosym.stages.folder import DomainFolder
 from neurosym.stages.layout import scene_file
 from neurosym.wording import quoted
-
-if TYPE_CHECKING:
-    pass
 
 
 def new_problem(
@@ -28,28 +27,66 @@ def new_problem(
         UseAppendAction,
         arg(metavar="ITEM=X,Y[,Z]", help="A goal by hand, in the world frame [m], once for each object."),
     ] = (),
+    scene: Annotated[
+        Path | None,
+        arg(
+            metavar="FILE", help="A whole problem by hand, in a file like those in DIR/problems/*.scene.json."
+        ),
+    ] = None,
+    tolerance: Annotated[
+        float | None,
+        arg(metavar="METRES", help="How near objects must come to their goals: 0.05, or as the scene says."),
+    ] = None,
 ) -> int:
-    """Make a problem: a random scene, and a goal that random actions lead to (one in the paper) or yours."""
+    """Make a problem: a random scene, and a goal that random actions lead to (one in the paper) or yours.
+
+    With `--scene` it is all yours: the file is checked, copied and printed as PDDL.
+    """
     from neurosym.files import digest
-    from neurosym.problems import check_names
+    from neurosym.problems import Problem, check_names
     from neurosym.stages.compiling import problem_stage
+    from neurosym.stages.scenes import scene_stage
 
     domain = opened(folder)
-    name = domain.free_problem_name() if name is None else name
+    if scene:
+        if goal or (objects, actions, seed) != (1, 1, 0):
+            raise InvalidValue("Give --scene, or --objects, --actions, --seed and --goal, not both.")
+        name = _name_of(scene, domain) if name is None else name
+    else:
+        name = domain.free_problem_name() if name is None else name
     check_names((name,))
     if goal and actions != 1:
         raise InvalidValue("Give --actions or goals by hand, not both.")
     goals = _parse_goals(goal) if goal else None
-    scene = folder / scene_file(name)
-    before = digest(scene) if scene.is_file() else None
+    made = folder / scene_file(name)
+    before = digest(made) if made.is_file() else None
     verb = "replaced" if name in domain.problem_names() else "wrote"
-    stage = problem_stage(domain, name=name, objects=objects, actions=actions, seed=seed, goals=goals)
+    if scene:
+        stage = scene_stage(domain, scene, name=name, tolerance=tolerance)
+    else:
+        stage = problem_stage(
+            domain, name=name, objects=objects, actions=actions, seed=seed, goals=goals, tolerance=tolerance
+        )
     domain.perform(stage, again=True)
     say(f"{verb} {folder / 'problems' / name}.pddl and its scene")
-    if before != digest(scene) and (stale := domain.made_for(name)):
+    problem = Problem.load(made)
+    if problem.is_met(problem.scene().positions):
+        say(f"note: it is met at the start, within {1000 * problem.tolerance:g} mm")
+    if before != digest(made) and (stale := domain.made_for(name)):
         say(f"note: made for the former {name}, and stale now: {', '.join(stale)}")
     say_next(f"neurosym plan {quoted(folder)} {name}")
     return 0
+
+
+def _name_of(scene: Path, domain: DomainFolder) -> str:
+    """Name the problem of a scene like its file, unless that would replace another problem."""
+    if not scene.is_file():
+        raise InvalidFile(scene, "there is no such file" if not scene.exists() else "it is no file")
+    name = scene.name.removesuffix(".json").removesuffix(".scene")
+    there = domain / scene_file(name)
+    if name in domain.problem_names() and not (there.exists() and there.samefile(scene)):
+        raise InvalidValue(f"{domain.path} has a problem {name} already; give another name with --name.")
+    return name
 
 
 def _parse_goals(texts: tuple[str, ...]) -> dict[str, tuple[float, ...]]:

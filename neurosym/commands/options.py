@@ -19,6 +19,13 @@ ProblemName = Annotated[
     Positional[str],
     arg(metavar="PROBLEM", help="A problem in DIR/problems: its name or its file."),
 ]
+Tolerance = Annotated[
+    float | None,
+    arg(
+        metavar="METRES",
+        help="How near objects must come to their goals, instead of the problem's own tolerance.",
+    ),
+]
 Seed = Annotated[int, arg(help="Where all random draws start: same seed, same bytes.")]
 Workers = Annotated[int, arg(help="Processes that simulate; their number does not change the result.")]
 StrategyOption = Annotated[

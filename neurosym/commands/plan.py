@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Annotated, Literal
 from tyro.conf import arg
 
 from neurosym.commands.exit_codes import NO_RESULT
-from neurosym.commands.options import Folder, ProblemName, opened
+from neurosym.commands.options import Folder, ProblemName, Tolerance, opened
 from neurosym.console import say, say_next
 from neurosym.errors import InvalidValue
 from neurosym.wording import quoted
@@ -37,6 +37,7 @@ def plan(
     alternatives: Annotated[
         int, arg(metavar="K", help="Also write the K next-best plans: cheapest, of other steps.")
     ] = 0,
+    tolerance: Tolerance = None,
 ) -> int:
     """Plan for a problem; exit code 3 if there is no plan, with the reason.
 
@@ -62,6 +63,7 @@ def plan(
         unit_costs=unit_costs,
         nearest=nearest,
         more=alternatives,
+        tolerance=tolerance,
     )
     domain.perform(stage, again=True)
     plan_file, record_file = stage.outputs
@@ -70,7 +72,8 @@ def plan(
     if record.steps or record.solved:
         say(f"wrote {folder / plan_file}")
         _say_alternatives(record, folder, alternatives)
-        say_next(f"neurosym execute {quoted(folder)} {name} {quoted(folder / plan_file)}")
+        within = "" if record.tolerance is None else f" --tolerance {record.tolerance:g}"
+        say_next(f"neurosym execute {quoted(folder)} {name} {quoted(folder / plan_file)}{within}")
     return 0 if record.solved else NO_RESULT
 
 

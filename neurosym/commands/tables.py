@@ -119,7 +119,8 @@ def show_run(run: Run) -> None:
     columns = ["", "step", "promised [mm]", "happened [mm]", "apart [mm]", "as promised"]
     show_table(f"run of {run.problem}", columns, rows)
     far = ", ".join(f"{name} {1000 * distance:.0f} mm" for name, distance in run.distances.items())
-    say(f"goal {'reached' if run.reached else 'missed'}: {far} from it")
+    allowed = "" if run.tolerance is None else f", {1000 * run.tolerance:g} mm are allowed in this run"
+    say(f"goal {'reached' if run.reached else 'missed'}: {far} from it{allowed}")
     if run.nudge:
         by = 1000 * math.hypot(*run.nudge.by)
         say(f"before step {run.nudge.before_step} {run.nudge.object} was nudged by {by:.0f} mm")

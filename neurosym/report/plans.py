@@ -4,6 +4,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import partial
 
+from neurosym.execution.record import Run
 from neurosym.files import read_json
 from neurosym.report.examples import Example, ProblemReader, spared
 from neurosym.stages.folder import DomainFolder
@@ -63,7 +64,7 @@ def plan_rows(
                 steps=len(record.steps) if record.solved else None,
                 seconds=record.seconds,
                 reached=example.run.reached if example else None,
-                reason=(example.run.reason if example else "") or record.reason,
+                reason=_remark(example.run if example else record, record.reason),
             )
         )
     for example in runs.values():
@@ -76,10 +77,16 @@ def plan_rows(
                 steps=len(example.run.plan),
                 seconds=None,
                 reached=example.run.reached,
-                reason=example.run.reason,
+                reason=_remark(example.run),
             )
         )
     return tuple(sorted(rows, key=lambda row: (row.problem, row.planner)))
+
+
+def _remark(record: PlanRecord | Run, otherwise: str = "") -> str:
+    """Say what is to be said about a plan or its run, and by which tolerance it is judged if by its own."""
+    within = "" if record.tolerance is None else f"within {1000 * record.tolerance:g} mm"
+    return ": ".join(filter(None, (within, record.reason or otherwise)))
 
 
 @dataclass(frozen=True, slots=True)

@@ -70,8 +70,12 @@ def problem_stage(
     seed: int,
     actions: int = 1,
     goals: Mapping[str, tuple[float, ...]] | None = None,
+    tolerance: float | None = None,
 ) -> Stage:
-    """Make a problem: world, model and grounding -> `problems/NAME.pddl`, `.numeric.pddl`, `.scene.json`."""
+    """Make a problem: world, model and grounding -> `problems/NAME.pddl`, `.numeric.pddl`, `.scene.json`.
+
+    Scene and goals do not depend on the tolerance [m].
+    """
     scene = scene_file(name)
 
     def work() -> None:
@@ -85,6 +89,7 @@ def problem_stage(
             problem = draw_problem(world, categorise, name=name, objects=objects, actions=actions, seed=seed)
         else:
             problem = set_problem(world, categorise, goals, name=name, objects=objects, seed=seed)
+        problem = problem.within(tolerance)
         printed = _printed(problem, grounding)
         (folder / PROBLEMS).mkdir(exist_ok=True)
         for file, text in printed.items():
@@ -92,8 +97,26 @@ def problem_stage(
         problem.save(folder / scene)
 
     options = {"objects": objects, "actions": actions, "seed": seed, "goals": _plain(goals)}
+    if tolerance is not None:
+        options["tolerance"] = tolerance
     outputs = (*problem_files(name), scene)
     return Stage(f"new-problem {name}", (WORLD, MODEL, GROUNDING), outputs, work, options)
+
+
+def print_problem(
+    folder: DomainFolder, problem: Problem, grounding: Grounding, *, only_missing: bool = False
+) -> None:
+    """Print a problem for other planners, in both ways.
+
+    Args:
+        folder: The domain folder.
+        problem: The problem.
+        grounding: The learned domain.
+        only_missing: Leave what is there as it is.
+    """
+    for file, text in _printed(problem, grounding).items():
+        if not (only_missing and (folder / file).exists()):
+            write_atomically(folder / file, text)
 
 
 def _printed(problem: Problem, grounding: Grounding) -> dict[str, str]:

@@ -56,9 +56,20 @@ def execute_stage(
     replanner: str = REPLANNER,
     replans: int = REPLANS,
     nudge_seed: int | None = None,
+    tolerance: float | None = None,
     showing: Showing = Showing(),
 ) -> Stage:
     """Execute a plan: problem, grounding, world and a plan -> `runs/PROBLEM.PLAN.run.json`, and pictures.
+
+    Args:
+        folder: The domain folder.
+        name: Name of the problem.
+        plan_file: The plan.
+        replanner: Whom to ask for new plans.
+        replans: How many new plans may be asked for.
+        nudge_seed: Nudge an object once during the run, drawn from this seed, if given.
+        tolerance: How near objects must come to their goals [m], if not as the problem says.
+        showing: How the run is shown.
 
     Raises:
         UnknownChoice: If there is no such planner to replan with.
@@ -73,7 +84,8 @@ def execute_stage(
     def work() -> None:
         grounding = Grounding.load(folder.require(GROUNDING))
         world = read_world(folder.require(WORLD))()
-        problem = load_problem(folder, name, world)
+        own = load_problem(folder, name, world)
+        problem = own.within(tolerance)
         steps = read_plan(plan_file, grounding, problem)
         if impossible := hand_problem(steps, grounding):
             raise InvalidFile(plan_file, impossible)
@@ -89,7 +101,8 @@ def execute_stage(
             on_frame=shown.on_frame,
             on_step=shown.on_step,
         )
-        run = msgspec.structs.replace(run, machine=this_machine())
+        other = None if problem.tolerance == own.tolerance else problem.tolerance
+        run = msgspec.structs.replace(run, tolerance=other, machine=this_machine())
         (folder / RUNS).mkdir(exist_ok=True)
         write_json(folder / record_file, run)
         shown.end(run)
@@ -100,6 +113,8 @@ def execute_stage(
         options["replanner"] = replanner
     if nudge_seed is not None:
         options["disturb"] = nudge_seed
+    if tolerance is not None:
+        options["tolerance"] = tolerance
     return Stage(f"execute {run_name(name, plan_file)}", inputs, (record_file,), work, options)
 
 
@@ -135,12 +150,13 @@ def replay_run(folder: DomainFolder, record: Path, showing: Showing = Showing())
     world = read_world(folder.require(WORLD))()
     problem = load_problem(folder, run.problem, world)
     try:
+        problem = problem.within(run.tolerance)
         for step in run.steps:
             grounding.operator_named(step.operator)
             _check_object(step.object, problem)
         if run.nudge:
             _check_object(run.nudge.object, problem)
-    except UnknownChoice as error:
+    except (InvalidValue, UnknownChoice) as error:
         raise InvalidFile(record, str(error).rstrip(".")) from error
     shown = _Shown(showing, world, problem)
     again = rerun(world, problem, grounding, run, on_frame=shown.on_frame, on_step=shown.on_step)

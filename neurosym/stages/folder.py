@@ -72,9 +72,9 @@ class DomainFolder:
         return (self.path / INTERACTIONS).exists() and "explore" not in self.manifest().stages
 
     def problem_names(self) -> tuple[str, ...]:
-        """List the problems of this folder."""
-        files = (self.path / PROBLEMS).glob("*.pddl")
-        return tuple(sorted(path.stem for path in files if not path.match(f"*{NUMERIC}")))
+        """List the problems of this folder: scenes, and PDDL files whose scene is missing."""
+        found = [*(self.path / PROBLEMS).glob(f"*{SCENE}"), *(self.path / PROBLEMS).glob("*.pddl")]
+        return tuple(sorted({_problem_of(path.name) for path in found}))
 
     def problem(self, name: str) -> str:
         """Return a problem's name from what a user typed: the name, or the path of its file.
@@ -83,7 +83,7 @@ class DomainFolder:
             InvalidValue: If this is no domain folder.
             UnknownChoice: If there is no such problem here.
         """
-        stem = Path(name).name.removesuffix(SCENE).removesuffix(NUMERIC).removesuffix(".pddl")
+        stem = _problem_of(Path(name).name)
         known = self.problem_names()
         if stem in known:
             return stem
@@ -176,6 +176,11 @@ class DomainFolder:
 
     def _digests(self, names: tuple[str, ...]) -> dict[str, str]:
         return {name: digest(self.path / name) for name in names if (self.path / name).is_file()}
+
+
+def _problem_of(file: str) -> str:
+    """Return the name of the problem that a file is of."""
+    return file.removesuffix(SCENE).removesuffix(NUMERIC).removesuffix(".pddl")
 
 
 def _refuse_folder(path: Path) -> None:

@@ -1,10 +1,13 @@
 """How planning went, as it is written into a domain folder."""
 
+import re
 from collections.abc import Sequence
+from pathlib import Path
 
 import msgspec
 
-from neurosym.files import write_atomically, write_json
+from neurosym.errors import InvalidFile
+from neurosym.files import read_json, write_atomically, write_json
 from neurosym.grounding import Grounding
 from neurosym.pddl.moves import Encoding
 from neurosym.pddl.plan_text import PlanStep, Steps, named_steps, print_ground_plan, print_plan
@@ -14,6 +17,8 @@ from neurosym.planners.second_look import Planned
 from neurosym.problems import Problem
 from neurosym.stages.folder import DomainFolder
 from neurosym.stages.layout import PLANS, plan_files
+
+_ALTERNATIVE = r"-alt-\d+$"
 
 
 class PlannedSteps(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
@@ -42,6 +47,7 @@ class PlanRecord(msgspec.Struct, frozen=True, forbid_unknown_fields=True, omit_d
         reason: Why there is no plan, or what is to be said about the one found.
         chance: The chance that all steps go as promised; None without a plan.
         alternatives: The next-best plans, if they were asked for.
+        tolerance: How near objects had to come [m]; None if it was the problem's own tolerance.
     """
 
     problem: str
@@ -52,6 +58,7 @@ class PlanRecord(msgspec.Struct, frozen=True, forbid_unknown_fields=True, omit_d
     reason: str
     chance: float | None = None
     alternatives: tuple[PlannedSteps, ...] = ()
+    tolerance: float | None = None
 
     @property
     def solved(self) -> bool:
@@ -67,6 +74,7 @@ def write_plans(
     grounding: Grounding,
     planned: Planned,
     encoding: Encoding,
+    tolerance: float | None = None,
 ) -> None:
     """Write what was found for a problem: plan, next-best plans and record.
 
@@ -78,6 +86,7 @@ def write_plans(
         grounding: The learned domain.
         planned: What was found.
         encoding: The encoding that plans are printed for.
+        tolerance: How near objects had to come [m], if not as the problem says.
     """
     result = planned.result
     plan_file, record_file = plan_files(name, planner)
@@ -93,6 +102,7 @@ def write_plans(
         reason=result.reason,
         chance=_chance(result.steps, grounding) if result.has_plan else None,
         alternatives=written,
+        tolerance=tolerance,
     )
     if record.solved:
         write_atomically(folder / plan_file, _plan_text(result.steps, problem, grounding, encoding))
@@ -101,6 +111,19 @@ def write_plans(
     else:
         (folder / plan_file).unlink(missing_ok=True)
     write_json(folder / record_file, record)
+
+
+def planned_tolerance(plan_file: Path) -> float | None:
+    """Return the tolerance that a plan was made with [m]; None if it was the problem's own, or is not known.
+
+    Args:
+        plan_file: The plan; its record, if it has one, stands beside it.
+    """
+    record = plan_file.with_name(f"{re.sub(_ALTERNATIVE, '', plan_file.stem)}.json")
+    try:
+        return read_json(record, PlanRecord).tolerance
+    except InvalidFile:
+        return None
 
 
 def _write_alternatives(

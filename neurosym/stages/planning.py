@@ -1,7 +1,10 @@
 """The stage that plans: problem and grounding -> a plan, and how planning went."""
 
 from collections.abc import Mapping
+from pathlib import Path
 from typing import Any
+
+import msgspec
 
 from neurosym.errors import InvalidFile, InvalidValue, StageMissing, UnknownChoice
 from neurosym.grounding import Grounding
@@ -14,6 +17,7 @@ from neurosym.planners.planner import PredictEffects
 from neurosym.planners.registry import check_options
 from neurosym.planners.second_look import plan_with_second_look
 from neurosym.problems import Problem
+from neurosym.stages.compiling import print_problem
 from neurosym.stages.folder import DomainFolder
 from neurosym.stages.layout import GROUNDING, MODEL, WORLD, plan_files, scene_file
 from neurosym.stages.manifest import Stage
@@ -39,7 +43,23 @@ def load_problem(folder: DomainFolder, name: str, world: World | None = None) ->
     scene = folder / scene_file(folder.problem(name))
     if not scene.is_file():
         raise StageMissing(scene, f"neurosym new-problem {quoted(folder.path)} --name {folder.problem(name)}")
-    problem = Problem.load(scene)
+    problem = msgspec.structs.replace(Problem.load(scene), name=folder.problem(name))
+    check_scene(folder, problem, scene, world)
+    return problem
+
+
+def check_scene(folder: DomainFolder, problem: Problem, path: Path, world: World | None = None) -> None:
+    """Raise unless a problem can be one of a folder, as far as the folder tells; see `check_problem`.
+
+    Args:
+        folder: The domain folder.
+        problem: The problem.
+        path: Where it was read.
+        world: The folder's world, if it is at hand; else what `world.toml` says of it.
+
+    Raises:
+        InvalidFile: If it cannot be.
+    """
     grounding = Grounding.load(folder / GROUNDING) if (folder / GROUNDING).is_file() else None
     if world:
         limits = limits_of(world)
@@ -48,8 +68,7 @@ def load_problem(folder: DomainFolder, name: str, world: World | None = None) ->
     try:
         check_problem(problem, grounding, limits)
     except (InvalidValue, UnknownChoice) as error:
-        raise InvalidFile(scene, str(error).rstrip(".")) from error
-    return problem
+        raise InvalidFile(path, str(error).rstrip(".")) from error
 
 
 def plan_stage(
@@ -63,6 +82,7 @@ def plan_stage(
     unit_costs: bool = False,
     nearest: bool = False,
     more: int = 0,
+    tolerance: float | None = None,
 ) -> Stage:
     """Plan: problem and grounding (and model, for BFS) -> `plans/NAME.PLANNER.plan` and `.json`.
 
@@ -76,6 +96,7 @@ def plan_stage(
         unit_costs: Whether every step costs the same.
         nearest: Whether to plan to the nearest points that can be reached, if there is no plan to the goals.
         more: How many of the next-best plans to write, too: `plans/NAME.PLANNER-alt-1.plan` and so on.
+        tolerance: How near objects must come to their goals [m], if not as the problem says.
 
     Raises:
         UnknownChoice: If there is no such planner, or it does not take the encoding.
@@ -90,7 +111,9 @@ def plan_stage(
 
     def work() -> None:
         grounding = Grounding.load(folder.require(GROUNDING))
-        problem = load_problem(folder, name)
+        own = load_problem(folder, name)
+        print_problem(folder, own, grounding, only_missing=True)
+        problem = own.within(tolerance)
         for item in problem.objects:
             check_on_table(item, grounding)
         planned = plan_with_second_look(
@@ -106,9 +129,11 @@ def plan_stage(
             more=more,
         )
         printed = chosen.program.encoding_for(chosen.name, encoding) if chosen.program else "stepwise"
-        write_plans(folder, name, chosen.name, problem, grounding, planned, printed)
+        other = None if problem.tolerance == own.tolerance else problem.tolerance
+        write_plans(folder, name, chosen.name, problem, grounding, planned, printed, other)
 
-    asked = {"whole": whole, "unit_costs": unit_costs, "nearest": nearest, "alternatives": more}
+    asked: dict[str, Any] = {"whole": whole, "unit_costs": unit_costs, "nearest": nearest}
+    asked |= {"alternatives": more, "tolerance": tolerance}
     options = {"time_limit": time_limit, "encoding": encoding, **_asked_for(asked)}
     return Stage(f"plan {name} {chosen.name}", inputs, (plan_file, record_file), work, options)
 

@@ -1,0 +1,37 @@
+"""The stage that takes over a scene that somebody wrote: checked, copied, and printed as PDDL."""
+
+from pathlib import Path
+
+import msgspec
+
+from neurosym.files import digest
+from neurosym.grounding import Grounding
+from neurosym.problems import Problem
+from neurosym.stages.compiling import print_problem
+from neurosym.stages.folder import DomainFolder
+from neurosym.stages.layout import GROUNDING, PROBLEMS, WORLD, problem_files, scene_file
+from neurosym.stages.manifest import Stage
+from neurosym.stages.planning import check_scene
+
+
+def scene_stage(folder: DomainFolder, file: Path, *, name: str, tolerance: float | None = None) -> Stage:
+    """Take over a scene: a file and grounding -> `problems/NAME.pddl`, `.numeric.pddl`, `.scene.json`.
+
+    Args:
+        folder: The domain folder.
+        file: The scene, as `neurosym.problems.Problem` reads it.
+        name: What the problem is called in the folder, whatever it is called in the file.
+        tolerance: How near objects must come to their goals [m], if not as the file says.
+    """
+    scene = scene_file(name)
+
+    def work() -> None:
+        grounding = Grounding.load(folder.require(GROUNDING))
+        problem = msgspec.structs.replace(Problem.load(file), name=name).within(tolerance)
+        check_scene(folder, problem, file)
+        (folder / PROBLEMS).mkdir(exist_ok=True)
+        print_problem(folder, problem, grounding)
+        problem.save(folder / scene)
+
+    options = {"scene": digest(file)} | ({} if tolerance is None else {"tolerance": tolerance})
+    return Stage(f"new-problem {name}", (WORLD, GROUNDING), (*problem_files(name), scene), work, options)
