@@ -11,9 +11,10 @@ from pathlib import Path
 import msgspec
 
 from neurosym.errors import InvalidFile, UnknownChoice
-from neurosym.files import read_json, write_json
+from neurosym.files import write_json
 from neurosym.naming import counted_axes
 from neurosym.operators import MIN_CHANCE, Category, Effect, Mode, Operator, OperatorTable, Primitive, Vector
+from neurosym.reading import read_json
 from neurosym.symbols import Symbol
 from neurosym.wording import quoted
 from neurosym.world import Table

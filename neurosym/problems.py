@@ -9,8 +9,9 @@ import numpy as np
 from jaxtyping import Float
 
 from neurosym.errors import InvalidFile, InvalidValue
-from neurosym.files import read_json, write_json
+from neurosym.files import write_json
 from neurosym.operators import TOLERANCE, Vector
+from neurosym.reading import read_json
 from neurosym.symbols import Symbol
 from neurosym.world import Scene, Table
 

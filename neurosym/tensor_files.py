@@ -4,14 +4,21 @@ import json
 from pathlib import Path
 from typing import Any
 
+import msgspec
 import numpy as np
-from safetensors import SafetensorError, safe_open
-from safetensors.numpy import save
+from safetensors import SafetensorError
+from safetensors.numpy import load, save
 
 from neurosym.errors import InvalidFile
 from neurosym.files import write_atomically
+from neurosym.reading import MOST_DATA, decode_json, read_bytes
 
 _METADATA = "neurosym"
+_LENGTH = 8  # bytes that a file begins with, and which say how long its header is
+
+
+class _Header(msgspec.Struct, frozen=True):
+    metadata: dict[str, str] = msgspec.field(default={}, name="__metadata__")
 
 
 def write_tensors(
@@ -40,13 +47,15 @@ def read_tensors(path: Path, file_format: str) -> tuple[dict[str, np.ndarray], d
     Raises:
         InvalidFile: If it is not a file of that format, or holds a number that is not finite.
     """
+    content = read_bytes(path, MOST_DATA)
     try:
-        with safe_open(path, framework="np") as file:
-            description = json.loads((file.metadata() or {}).get(_METADATA, "{}"))
-            tensors = {name: file.get_tensor(name) for name in file.keys()}  # noqa: SIM118 (no mapping)
-    except (OSError, SafetensorError, ValueError, TypeError, AttributeError) as error:
+        tensors = load(content)  # checks the header against the file
+        header = int.from_bytes(content[:_LENGTH], "little")
+    except (SafetensorError, LookupError, MemoryError, TypeError, ValueError) as error:
         raise InvalidFile(path, "it is not a safetensors file, or it is damaged") from error
-    if not isinstance(description, dict) or description.get("format") != file_format:
+    metadata = decode_json(path, content[_LENGTH : _LENGTH + header], _Header).metadata
+    description: dict[str, Any] = decode_json(path, metadata.get(_METADATA, "{}").encode(), dict)
+    if description.get("format") != file_format:
         raise InvalidFile(path, f"it is not of the format {file_format}")
     for name, tensor in tensors.items():
         if not np.all(np.isfinite(tensor)):

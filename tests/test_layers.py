@@ -52,6 +52,31 @@ FENCES = {
 MAY_PRINT = ("commands/", "stages/", "console.py")
 PRINTERS = {"neurosym.console", "rich"}
 """Modules that are imported for printing."""
+OPENERS = (
+    "open",
+    "fdopen",
+    "ZipFile",
+    "read_text",
+    "read_bytes",
+    "fromfile",
+    "memmap",
+    "safe_open",
+    "load_file",
+)
+LOADERS = {"np", "numpy", "torch", "json", "pickle", "marshal", "tomllib"}
+OPENED_ELSEWHERE = {
+    "array_files.py": {"zipfile.ZipFile": "of what the door opened", "archive.open": "a part of that"},
+    "execution/machine.py": {"_CPUINFO.read_text": "the system's own"},
+    "files.py": {"os.fdopen": "to write"},
+    "planners/keeper.py": {
+        "os.open": "folders",
+        "Path(f'/proc/{process}/{what}').read_bytes": "the system's own",
+    },
+    "planners/process.py": {"source_file.open": "what we wrote for the planner"},
+    "sim/bullet.py": {"os.open": "the null device"},
+    "sim/interaction.py": {"self._robot.open": "a gripper"},
+}
+"""What is opened past the door, `neurosym/reading.py`, and why: no file that a user may have put there."""
 
 
 def wrong_arrows(package: Path) -> list[str]:
@@ -105,6 +130,23 @@ def printing(package: Path) -> list[str]:
     return found
 
 
+def past_the_door(package: Path) -> list[str]:
+    """Calls that open or read a file anywhere but in the one module that bounds what comes in."""
+    found = []
+    for name, _, path in files_of(package):
+        if name == "reading.py":
+            continue
+        calls = [node.func for node in ast.walk(ast.parse(path.read_text())) if isinstance(node, ast.Call)]
+        for call in calls:
+            words = ast.unparse(call).rsplit(".", 1)
+            opens = words[-1] in OPENERS and (len(words) == 2 or words[-1] == "open")
+            loads = words[-1] in ("load", "loadtxt", "genfromtxt") and words[0] in LOADERS
+            known = OPENED_ELSEWHERE.get(name, {})
+            if (opens or loads or words[0] == "tomllib") and ast.unparse(call) not in known:
+                found.append(f"{name}: {ast.unparse(call)}")
+    return found
+
+
 def is_main(node: ast.AST) -> bool:
     """Whether a node is what a file does when it is run as a program of its own."""
     return isinstance(node, ast.If) and ast.unparse(node.test) == "__name__ == '__main__'"
@@ -140,6 +182,12 @@ def test_picture_of_the_folders_is_that_of_the_code(tmp_path: Path):
 
 def test_only_the_command_line_prints():
     assert printing(PACKAGE) == []
+
+
+def test_files_are_read_through_one_door():
+    assert past_the_door(PACKAGE) == []
+    for name, calls in OPENED_ELSEWHERE.items():
+        assert all(call in ast.unparse(ast.parse((PACKAGE / name).read_text())) for call in calls), name
 
 
 @pytest.fixture
@@ -205,6 +253,22 @@ def test_a_breach_of_a_fence_is_noticed(package: Path, fence: str, line: str):
 def test_printing_is_noticed(package: Path, line: str):
     (package / "pddl" / "grid.py").write_text(line + "\n")
     assert printing(package) == ["pddl/grid.py"]
+
+
+@pytest.mark.parametrize(
+    "line",
+    [
+        "open('x')",
+        "Path('x').read_text()",
+        "np.load('x')",
+        "tomllib.loads('x')",
+        "torch.load('x')",
+        "x.open()",
+    ],
+)
+def test_reading_past_the_door_is_noticed(package: Path, line: str):
+    (package / "pddl" / "grid.py").write_text(line + "\n")
+    assert len(past_the_door(package)) == 1
 
 
 def loaded_by(statement: str) -> set[str]:

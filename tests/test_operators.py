@@ -5,10 +5,11 @@ import pytest
 from tables import table
 
 from neurosym.errors import InvalidFile, InvalidValue
-from neurosym.files import read_json, write_json
+from neurosym.files import write_json
 from neurosym.grounding import Grounding
 from neurosym.operators import Mode, Operator, OperatorTable, Primitive
 from neurosym.pddl import compile_domain
+from neurosym.reading import read_json
 from neurosym.world import Table
 
 

@@ -6,13 +6,13 @@ import pytest
 from shipped import FOLDER, GROUNDING
 
 import neurosym
-from neurosym.files import digest, read_json
 from neurosym.operators import OperatorTable
 from neurosym.pddl import domain_text, problem_text
 from neurosym.pddl.determinisation import with_every_outcome
 from neurosym.pddl.validation import validate
 from neurosym.planners import PlanStatus, plan
 from neurosym.planners.fast_downward import plan_fast_downward
+from neurosym.reading import digest, read_json
 from neurosym.stages.plan_records import PlanRecord
 from neurosym.stages.planning import load_problem
 

@@ -16,9 +16,9 @@ from command_line import neurosym
 from neurosym.exploration.choice import ExplorationConfig
 from neurosym.exploration.curiosity import LearningConfig
 from neurosym.exploration.loop import explore
-from neurosym.files import read_json
 from neurosym.planners import PlanStatus
 from neurosym.planners.fast_downward import plan_fast_downward
+from neurosym.reading import read_json
 from neurosym.stages.plan_records import PlanRecord
 from neurosym.worlds.world_file import make_world
 

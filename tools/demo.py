@@ -8,7 +8,7 @@ import shutil
 from pathlib import Path
 
 from neurosym.console import say, show_table
-from neurosym.files import read_json
+from neurosym.reading import read_json
 from neurosym.stages.compiling import compile_stage
 from neurosym.stages.executing import Showing, execute_stage, load_run
 from neurosym.stages.folder import DomainFolder

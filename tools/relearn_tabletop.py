@@ -7,10 +7,11 @@ from pathlib import Path
 
 from neurosym.commands.run import run
 from neurosym.console import say
-from neurosym.files import read_json, write_atomically
+from neurosym.files import write_atomically
 from neurosym.grounding import Grounding
 from neurosym.learning.report import TrainingReport
 from neurosym.operators import Category, Operator, OperatorTable, Vector
+from neurosym.reading import read_json
 from neurosym.stages.compiling import problem_stage
 from neurosym.stages.executing import execute_stage, load_run
 from neurosym.stages.folder import DomainFolder

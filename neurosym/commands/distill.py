@@ -29,8 +29,8 @@ def distill(
 ) -> int:
     """Turn action symbols into parameters and rehearse each in the world: -> `primitives.json`."""
     from neurosym.commands.tables import show_operators
-    from neurosym.files import read_json
     from neurosym.naming import counted_axes
+    from neurosym.reading import read_json
     from neurosym.stages.distilling import distill_stage
 
     domain = opened(folder)

@@ -42,8 +42,8 @@ def new_problem(
 
     With `--scene` it is all yours: the file is checked, copied and printed as PDDL.
     """
-    from neurosym.files import digest
     from neurosym.problems import Problem, check_names
+    from neurosym.reading import digest
     from neurosym.stages.compiling import problem_stage
     from neurosym.stages.scenes import scene_stage
 

@@ -45,7 +45,7 @@ def plan(
     `counting` finds the fewest primitives there can be. Any other planner can be given DIR/domain.pddl and
     DIR/problems/PROBLEM.pddl, and its plan file executed.
     """
-    from neurosym.files import read_json
+    from neurosym.reading import read_json
     from neurosym.stages.plan_records import PlanRecord
     from neurosym.stages.planning import plan_stage
 

@@ -10,11 +10,11 @@ from neurosym.console import say, show_table
 from neurosym.data.check import FLAGS
 from neurosym.data.interactions import Interactions
 from neurosym.execution.record import Run
-from neurosym.files import read_json
 from neurosym.learning.report import TrainingReport, error_table
 from neurosym.naming import NO_EFFECT, name_axes, names_of_features
 from neurosym.operators import CONVERGED, Effect, Operator, OperatorTable
 from neurosym.pddl.moves import PUT_DOWN
+from neurosym.reading import read_json
 
 
 def show_training(path: Path) -> None:

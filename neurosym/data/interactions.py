@@ -10,8 +10,6 @@ Axes, here and everywhere in the package:
 
 import io
 import json
-import zipfile
-import zlib
 from collections.abc import Sequence
 from dataclasses import dataclass, field, fields
 from pathlib import Path
@@ -20,6 +18,7 @@ from typing import Any
 import numpy as np
 from jaxtyping import Bool, Float
 
+from neurosym.array_files import read_arrays
 from neurosym.data.check import FLAGS, file_problems
 from neurosym.errors import InvalidFile
 from neurosym.files import write_atomically
@@ -150,7 +149,7 @@ def examine(path: Path) -> Examination:
     Raises:
         InvalidFile: If it is no .npz file at all.
     """
-    columns, given, problems = _read_arrays(path)
+    columns, given, problems = read_arrays(path, (*_ARRAYS, "origin"))
     origin: dict[str, Any] = {}
     if "origin" in columns:
         try:
@@ -164,39 +163,6 @@ def examine(path: Path) -> Examination:
 
 
 _ARRAYS = tuple(f.name for f in fields(Interactions) if f.name != "origin")
-_DAMAGED = (
-    OSError,
-    ValueError,
-    EOFError,
-    KeyError,
-    TypeError,
-    RuntimeError,
-    MemoryError,
-    zipfile.BadZipFile,
-    zlib.error,
-)
-"""What numpy and zipfile raise for files that are damaged, foreign, encrypted or pickled."""
-
-
-def _read_arrays(path: Path) -> tuple[dict[str, np.ndarray], tuple[str, ...], list[str]]:
-    """Read the known arrays of a file and the names of all, and say which cannot be read and why."""
-    arrays, problems = {}, []
-    try:
-        with path.open("rb") as file, np.load(file, allow_pickle=False) as archive:
-            given = tuple(archive.files)
-            for name in filter(set(given).__contains__, (*_ARRAYS, "origin")):
-                try:
-                    arrays[name] = np.asarray(archive[name])
-                except _DAMAGED:
-                    problems.append(
-                        f"{name!r} is damaged, or holds Python objects, which are never unpickled; "
-                        "valid: a plain array"
-                    )
-    except _DAMAGED as error:
-        raise InvalidFile(path, "it is not an .npz file of plain arrays") from error
-    doubles = sorted({name for name in given if given.count(name) > 1})
-    problems += [f"it holds {given.count(name)} arrays {name!r}; valid: one of each" for name in doubles]
-    return arrays, given, problems
 
 
 def _read_origin(array: np.ndarray) -> dict[str, Any]:

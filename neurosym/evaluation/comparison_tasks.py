@@ -10,9 +10,10 @@ from numpy import ndarray
 
 from neurosym.errors import InvalidFile
 from neurosym.evaluation.comparison import Setting, TaskRecord, compare
-from neurosym.files import digest, read_json, write_json
+from neurosym.files import write_json
 from neurosym.grounding import Grounding
 from neurosym.problems import Problem
+from neurosym.reading import digest, read_json
 from neurosym.stages.folder import DomainFolder
 from neurosym.stages.layout import COMPARISONS, GROUNDING, MODEL, WORLD
 from neurosym.symbols import Symbol

@@ -10,13 +10,14 @@ import numpy as np
 from neurosym.data.interactions import Interactions
 from neurosym.evaluation.comparison_summary import Comparison, Tally
 from neurosym.evaluation.primitive_kinds import KINDS
-from neurosym.files import read_json, write_json
+from neurosym.files import write_json
 from neurosym.learning.baselines import TEST_ROWS, trivial_predictions
 from neurosym.learning.report import TrainingReport
 from neurosym.markdown import mean_and_spread
 from neurosym.naming import name_axes
 from neurosym.operators import OperatorTable
 from neurosym.progress import Progress
+from neurosym.reading import read_json
 from neurosym.stages.folder import DomainFolder
 from neurosym.stages.layout import COMPARISONS, INTERACTIONS, KINDS_FOUND, MODEL, PRIMITIVES, TRAINING, WORLD
 from neurosym.stages.manifest import Stage, rehearsal_options

@@ -4,8 +4,8 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from neurosym.errors import InvalidFile, InvalidValue
-from neurosym.files import read_json
 from neurosym.operators import OperatorTable
+from neurosym.reading import read_json
 from neurosym.stages.folder import DomainFolder
 from neurosym.stages.layout import GROUNDING, INTERACTIONS, PRIMITIVES, WORLD
 

@@ -20,7 +20,15 @@ from neurosym.tensor_files import read_tensors, write_tensors
 
 Network = TypeVar("Network", bound="EffectNetwork")
 
-_MISFITS = (KeyError, TypeError, ValueError, RuntimeError, InvalidValue, msgspec.ValidationError)
+_MISFITS = (
+    KeyError,
+    TypeError,
+    ValueError,
+    ArithmeticError,
+    RuntimeError,
+    InvalidValue,
+    msgspec.ValidationError,
+)
 """What is raised where a description is foreign, or weights do not fit it."""
 
 
@@ -81,9 +89,14 @@ class EffectNetwork(nn.Module):
         weights, description = read_tensors(path, cls.FORMAT)
         try:
             dimensions = msgspec.convert(description["dimensions"], Dimensions)
-            network = cls(dimensions, msgspec.convert(description["config"], cls.CONFIG))
-            if msgspec.to_builtins(network.config) != description["config"]:
+            config = msgspec.convert(description["config"], cls.CONFIG)
+            if msgspec.to_builtins(config) != description["config"]:
                 raise ValueError("it has other options")
+            with torch.device("meta"):  # takes no memory, whatever sizes the file claims
+                sizes = {name: value.numel() for name, value in cls(dimensions, config).state_dict().items()}
+            if sizes != {name: array.size for name, array in weights.items()}:
+                raise ValueError("its weights are of other sizes")
+            network = cls(dimensions, config)
             network.load_state_dict({name: torch.from_numpy(array) for name, array in weights.items()})
             network.trained_by = dict(description["trained_by"])
         except _MISFITS as error:

@@ -9,15 +9,16 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from pathlib import Path
 
-from neurosym.errors import InvalidFile, InvalidPlan, InvalidValue, UnknownChoice, shortened
+from neurosym.errors import InvalidPlan, InvalidValue, UnknownChoice, shortened
 from neurosym.grounding import Grounding, is_lift
 from neurosym.operators import Operator
 from neurosym.pddl.grid import AXES, grid_of
 from neurosym.pddl.moves import FINISH, PUT_DOWN, REACH_GOAL, Encoding, moves_of, parts_of
 from neurosym.problems import Problem
+from neurosym.reading import MEGABYTE, read_text
 
-MOST_MB = 16
-"""Greater files are no plans."""
+MOST_PLAN = 16 * MEGABYTE
+"""Greater files are no plans [bytes]."""
 LONGEST_LINE = 10_000
 """Longer lines are no steps."""
 _TIME = re.compile(r"^\d+(\.\d+)?\s*:\s*")
@@ -116,14 +117,9 @@ def read_plan(path: Path, grounding: Grounding, problem: Problem) -> tuple[PlanS
 
     Raises:
         InvalidPlan: If a line cannot be read, or names an operator, object or pair that does not exist.
-        InvalidFile: If the file is far too large.
+        InvalidFile: If the file is far too large, or no text.
     """
-    try:
-        if (size := path.stat().st_size) > MOST_MB * 2**20:
-            raise InvalidFile(path, f"it has {size / 2**20:.0f} MB, and a plan has {MOST_MB} MB at most")
-        text = path.read_text(encoding="utf-8-sig")
-    except (OSError, UnicodeDecodeError) as error:
-        raise InvalidPlan(path, 1, f"the file cannot be read ({error})") from error
+    text = read_text(path, MOST_PLAN)
     return parse_plan(text, path, grounding, problem)
 
 

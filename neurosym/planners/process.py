@@ -20,8 +20,10 @@ from contextlib import suppress
 from dataclasses import dataclass
 from pathlib import Path
 
+from neurosym.errors import InvalidFile
 from neurosym.planners.keeper import MARK, end_processes, marked, processes, state_of, this_process
 from neurosym.planners.scratch import kept
+from neurosym.reading import read_bytes
 
 MEMORY = 4 * 1024**3
 """How much memory a planner may take, unless this process may take less [bytes]."""
@@ -110,12 +112,9 @@ def end_calls(threads: Collection[int]) -> None:
 
 def read_text(path: Path) -> str:
     """Read what a planner wrote, whatever it is; nothing if there is no such file, or it is too large."""
-    try:
-        if path.stat().st_size > _TOLD:
-            return ""
-        return path.read_text(encoding="utf-8", errors="replace")
-    except OSError:
-        return ""
+    with suppress(InvalidFile):
+        return read_bytes(path, _TOLD).decode(errors="replace")
+    return ""
 
 
 def kill_all(mark: str, root: int | None) -> None:

@@ -8,8 +8,8 @@ from typing import TypeVar
 
 from neurosym.errors import InvalidFile, StageMissing
 from neurosym.execution.record import Run
-from neurosym.files import read_json
 from neurosym.problems import Problem
+from neurosym.reading import read_json
 from neurosym.stages.folder import DomainFolder, Notify
 from neurosym.stages.layout import RECORD, RUNS
 from neurosym.stages.planning import load_problem

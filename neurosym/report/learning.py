@@ -4,10 +4,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from neurosym.files import read_json
 from neurosym.learning.learning_curve import LearningCurve
 from neurosym.learning.report import TrainingReport, error_table
 from neurosym.naming import name_axes
+from neurosym.reading import read_json
 from neurosym.report.charts import Axis, Chart, lines
 from neurosym.stages.folder import DomainFolder
 from neurosym.stages.layout import CURVE, TRAINING

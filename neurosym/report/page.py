@@ -7,10 +7,10 @@ from typing import TYPE_CHECKING
 from neurosym.errors import InvalidValue, UnknownChoice
 from neurosym.evaluation.comparison_summary import Comparison
 from neurosym.evaluation.paper_tables import comparisons_of
-from neurosym.files import read_json
 from neurosym.grounding import Grounding
 from neurosym.operators import OperatorTable
 from neurosym.progress import Progress
+from neurosym.reading import read_bytes, read_json
 from neurosym.report.charts import Chart
 from neurosym.report.examples import Example, problem_reader, runs_of, telling_examples
 from neurosym.report.exploration import Explored, explored
@@ -95,7 +95,8 @@ def gather(folder: DomainFolder, progress: Progress) -> Page:
     runs = runs_of(folder, read_problem)
     plans = plan_rows(folder, runs, read_problem)
     explanation = explain_folder(folder) if table else None
-    texts = {path.name: path.read_text(errors="replace") for path in sorted(folder.path.glob("domain*.pddl"))}
+    domains = sorted(folder.path.glob("domain*.pddl"))
+    texts = {path.name: read_bytes(path).decode(errors="replace") for path in domains}
     report, curves = learned(folder), curve_charts(folder)
     pictures, without_picture, examples, unlike = _pictures(folder, grounding, runs, progress)
     return Page(

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from functools import partial
 
 from neurosym.execution.record import Run
-from neurosym.files import read_json
+from neurosym.reading import read_json
 from neurosym.report.examples import Example, ProblemReader, spared
 from neurosym.stages.folder import DomainFolder
 from neurosym.stages.layout import PLANS

@@ -9,9 +9,10 @@ import msgspec
 import numpy as np
 from PIL import Image
 
-from neurosym.files import read_json, write_atomically, write_json
+from neurosym.files import write_atomically, write_json
 from neurosym.pictures.stills import Stills, primitive_stills, run_stills
 from neurosym.progress import Progress
+from neurosym.reading import read_bytes, read_json
 from neurosym.report.examples import Example
 from neurosym.stages.folder import DomainFolder
 from neurosym.stages.layout import (
@@ -141,4 +142,4 @@ def shown(folder: DomainFolder, stage: Stage) -> Shown:
 
 def data_uri(path: Path) -> str:
     """Return a WebP image as text that a page can hold."""
-    return f"data:image/webp;base64,{base64.b64encode(path.read_bytes()).decode()}"
+    return f"data:image/webp;base64,{base64.b64encode(read_bytes(path)).decode()}"

@@ -6,12 +6,13 @@ from typing import Any
 import numpy as np
 
 from neurosym.errors import InvalidValue
-from neurosym.files import read_json, write_atomically
+from neurosym.files import write_atomically
 from neurosym.grounding import Grounding
 from neurosym.operators import OperatorTable
 from neurosym.pddl import compile_domain, domain_text, problem_text
 from neurosym.pddl.compiler import check_axes
 from neurosym.problems import Problem
+from neurosym.reading import read_json
 from neurosym.stages.folder import DomainFolder
 from neurosym.stages.layout import (
     DOMAIN,

@@ -14,13 +14,14 @@ from neurosym.execution.machine import this_machine
 from neurosym.execution.record import Run, StepRecord
 from neurosym.execution.replanning import REPLANS
 from neurosym.execution.rerun import Agreement, compare_runs, rerun
-from neurosym.files import digest, read_json, write_json
+from neurosym.files import write_json
 from neurosym.grounding import Grounding
 from neurosym.pddl.plan_text import read_plan
 from neurosym.pddl.validation import hand_problem
 from neurosym.planners import Planner, PlanResult, plan, planner_named
 from neurosym.planners.registry import Replanner
 from neurosym.problems import Problem
+from neurosym.reading import digest, read_json
 from neurosym.stages.folder import DomainFolder
 from neurosym.stages.layout import GROUNDING, RUNS, WORLD, run_file, run_name, scene_file
 from neurosym.stages.manifest import Stage

@@ -5,9 +5,10 @@ from itertools import count
 from pathlib import Path
 from time import perf_counter
 
-from neurosym.errors import FolderNotFound, InvalidFile, InvalidValue, StageMissing, UnknownChoice
-from neurosym.files import digest, read_json, write_json
+from neurosym.errors import FolderNotFound, InvalidValue, StageMissing, UnknownChoice
+from neurosym.files import write_json
 from neurosym.grounding import Grounding
+from neurosym.reading import digest, read_json, refuse_other_kinds
 from neurosym.stages.layout import (
     COMMANDS,
     GROUNDING,
@@ -55,10 +56,10 @@ class DomainFolder:
 
         Raises:
             StageMissing: If it is not there; the message names the command that writes it.
-            InvalidFile: If it is a folder.
+            InvalidFile: If it is no file.
         """
         path = self.path / name
-        _refuse_folder(path)
+        refuse_other_kinds(path)
         if not path.is_file():
             command, besides = f"neurosym {COMMANDS[name]} {quoted(self.path)}", ""
             if name == INTERACTIONS:
@@ -120,7 +121,7 @@ class DomainFolder:
         """
         self.manifest()  # refuses a damaged one before anything is written
         for name in (*stage.outputs, MANIFEST):
-            _refuse_folder(self.path / name)
+            refuse_other_kinds(self.path / name)
         if not again and self._is_current(stage):
             return False
         if remarks := self.outdated(stage.inputs):
@@ -181,8 +182,3 @@ class DomainFolder:
 def _problem_of(file: str) -> str:
     """Return the name of the problem that a file is of."""
     return file.removesuffix(SCENE).removesuffix(NUMERIC).removesuffix(".pddl")
-
-
-def _refuse_folder(path: Path) -> None:
-    if path.is_dir():
-        raise InvalidFile(path, "it is a folder, and should be a file; move it away")

@@ -7,7 +7,7 @@ from pathlib import Path
 import msgspec
 
 from neurosym.errors import InvalidFile
-from neurosym.files import read_json, write_atomically, write_json
+from neurosym.files import write_atomically, write_json
 from neurosym.grounding import Grounding
 from neurosym.pddl.moves import Encoding
 from neurosym.pddl.plan_text import PlanStep, Steps, named_steps, print_ground_plan, print_plan
@@ -15,6 +15,7 @@ from neurosym.pddl.validation import expected_success
 from neurosym.planners import PlanStatus
 from neurosym.planners.second_look import Planned
 from neurosym.problems import Problem
+from neurosym.reading import read_json
 from neurosym.stages.folder import DomainFolder
 from neurosym.stages.layout import PLANS, plan_files
 

@@ -4,9 +4,9 @@ from pathlib import Path
 
 import msgspec
 
-from neurosym.files import digest
 from neurosym.grounding import Grounding
 from neurosym.problems import Problem
+from neurosym.reading import digest
 from neurosym.stages.compiling import print_problem
 from neurosym.stages.folder import DomainFolder
 from neurosym.stages.layout import GROUNDING, PROBLEMS, WORLD, problem_files, scene_file

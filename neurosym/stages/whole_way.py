@@ -4,8 +4,8 @@ from dataclasses import dataclass
 
 from neurosym.console import say, say_next, show_table
 from neurosym.errors import InvalidValue
-from neurosym.files import read_json
 from neurosym.pddl.compiler import CELL
+from neurosym.reading import read_json
 from neurosym.stages.compiling import compile_stage, problem_stage
 from neurosym.stages.distilling import distill_stage
 from neurosym.stages.executing import execute_stage, load_run

@@ -5,7 +5,6 @@ A world is one of ours by its name, or anybody's own as `module:factory` (`neuro
 
 import json
 import math
-import tomllib
 from collections.abc import Callable
 from dataclasses import asdict, fields, is_dataclass
 from functools import partial
@@ -15,10 +14,11 @@ from typing import TYPE_CHECKING, Any, TypeVar
 import msgspec
 import tomli_w
 
-from neurosym.errors import InvalidFile, InvalidValue, InvalidWorld, UnknownChoice
+from neurosym.errors import InvalidFile, InvalidValue, InvalidWorld, UnknownChoice, shortened
 from neurosym.factories import admit, is_factory
 from neurosym.files import write_atomically
 from neurosym.object_limits import ObjectLimits
+from neurosym.reading import read_toml
 from neurosym.wording import quoted
 from neurosym.world import World
 from neurosym.worlds.check import check_world
@@ -177,14 +177,11 @@ def read_limits(path: Path) -> ObjectLimits | None:
 
 def _read(path: Path) -> tuple[str, dict[str, Any]]:
     """Read the name of a world and its options."""
-    try:
-        document = tomllib.loads(path.read_text())
-    except (OSError, UnicodeDecodeError, tomllib.TOMLDecodeError) as error:
-        remedy = f"remove it, and `neurosym init {quoted(path.parent)}` writes a new one"
-        raise InvalidFile(path, f"it is not TOML: {error}; mend it, or {remedy}") from error
+    remedy = f"; mend it, or remove it, and `neurosym init {quoted(path.parent)}` writes a new one"
+    document = read_toml(path, remedy)
     name, options = document.pop("world", None), document.pop("options", {})
     if document or not isinstance(name, str) or not isinstance(options, dict):
-        extra = f"; there is no place for {next(iter(document))!r}" if document else ""
+        extra = f"; there is no place for {shortened(next(iter(document)))!r}" if document else ""
         raise InvalidFile(path, f'it must hold world = "NAME" and a table [options]{extra}')
     return name, options
 

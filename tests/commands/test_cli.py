@@ -9,8 +9,8 @@ from conftest import RUN_TOY
 from neurosym.commands.cli import COMMANDS
 from neurosym.data.interactions import Interactions
 from neurosym.errors import InvalidValue
-from neurosym.files import read_json
 from neurosym.operators import OperatorTable
+from neurosym.reading import read_json
 from neurosym.stages.folder import DomainFolder
 
 

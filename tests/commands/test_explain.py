@@ -8,9 +8,10 @@ from tables import table
 
 from neurosym.commands.explain_text import explanation_page
 from neurosym.explain.from_folder import explain_folder
-from neurosym.files import read_json, write_json
+from neurosym.files import write_json
 from neurosym.grounding import Grounding
 from neurosym.operators import OperatorTable
+from neurosym.reading import read_json
 from neurosym.stages.folder import DomainFolder
 
 

@@ -17,11 +17,11 @@ from neurosym.data.dimensions import Dimensions
 from neurosym.data.interactions import Interactions
 from neurosym.data.origin import strategy_of
 from neurosym.errors import InvalidFile
-from neurosym.files import read_json
 from neurosym.learning.direct_model import DirectModel
 from neurosym.learning.effect_model import EffectModel
 from neurosym.learning.model_config import DirectConfig, ModelConfig
 from neurosym.operators import OperatorTable
+from neurosym.reading import read_json
 from neurosym.stages.distilling import distill_stage
 from neurosym.stages.folder import DomainFolder
 from neurosym.tensor_files import read_tensors, write_tensors

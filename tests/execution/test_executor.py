@@ -8,10 +8,11 @@ from toy_domain import LEFT, WORLD, grounding, problem
 
 from neurosym.execution.executor import execute
 from neurosym.execution.record import Run
-from neurosym.files import read_json, write_json
+from neurosym.files import write_json
 from neurosym.operators import Primitive
 from neurosym.pddl.plan_text import PlanStep
 from neurosym.problems import Problem, SceneObject
+from neurosym.reading import read_json
 from neurosym.stages.layout import run_file
 
 PUSH_LEFT = PlanStep("push-left-001-cube", "item-01")

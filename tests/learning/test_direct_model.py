@@ -92,7 +92,7 @@ def test_files_that_are_no_safetensors_are_refused_in_a_sentence(tmp_path, conte
 
 
 def test_missing_torn_and_foreign_files_are_refused_in_a_sentence(tmp_path):
-    assert "not a safetensors file" in sentence(tmp_path / "nowhere")
+    assert "there is no such file" in sentence(tmp_path / "nowhere")
     a_model().save(tmp_path / "m")
     (tmp_path / "m").write_bytes((tmp_path / "m").read_bytes()[:-100])
     assert "damaged" in sentence(tmp_path / "m")

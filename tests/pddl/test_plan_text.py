@@ -102,12 +102,12 @@ def test_little_is_quoted_of_a_long_line(line: str):
 def test_file_that_is_far_too_large_is_refused_unread(tmp_path: Path):
     with (tmp_path / "huge.plan").open("wb") as file:
         file.truncate(200 * 2**20)
-    with pytest.raises(InvalidFile, match=r"huge\.plan cannot be used: it has 200 MB, and a plan has 16 MB"):
+    with pytest.raises(InvalidFile, match=r"huge\.plan cannot be used: it has 200 MB; valid: at most 16 MB"):
         read_plan(tmp_path / "huge.plan", grounding(), problem())
 
 
 def test_file_that_is_missing_or_no_text_is_refused(tmp_path: Path):
     (tmp_path / "image.plan").write_bytes(b"\xff\xfe\x00")
     for name in ("missing.plan", "image.plan"):
-        with pytest.raises(InvalidPlan, match=name):
+        with pytest.raises(InvalidFile, match=name):
             read_plan(tmp_path / name, grounding(), problem())

@@ -12,10 +12,11 @@ from toy_learning import BRIEF, SMALL
 
 from neurosym.data.interactions import Interactions
 from neurosym.evaluation.comparison_summary import Comparison, Tally
-from neurosym.files import read_json, write_json
+from neurosym.files import write_json
 from neurosym.grounding import Grounding
 from neurosym.learning.learning_curve import LearningCurve, learning_curve, sizes_up_to
 from neurosym.learning.training_config import REGIMES, Regime
+from neurosym.reading import read_json
 from neurosym.report.charts import Axis, lines, round_values
 from neurosym.report.exploration import explored, what_became
 from neurosym.report.page import gather, render
