@@ -4,7 +4,7 @@ VENV ?= .venv
 PYTHON ?= $(firstword $(shell command -v python3.11) $(shell command -v python3))
 BIN := $(VENV)/bin
 
-.PHONY: install demo test lint evaluate evaluate-world evaluate-learning evaluate-planning evaluate-planners tutorial architecture clean
+.PHONY: install demo test lint evaluate evaluate-world evaluate-learning evaluate-planning evaluate-planners faults tutorial architecture clean
 
 install: $(VENV)/.installed
 
@@ -49,6 +49,12 @@ evaluate-planning: STEPS := 2560
 evaluate-planning: install
 	$(BIN)/pip install --quiet --constraint constraints.txt --editable '.[dev,planners]'
 	$(BIN)/python -m tools.benchmarks.planning.evaluate --seeds $(SEEDS) --steps $(STEPS)
+
+# Kills, full disks, two at once, low limits and clocks that jump, into docs/results/faults.*; goes on where it was
+# interrupted. KILLS=5 for a glance.
+KILLS ?= 50
+faults: install
+	$(BIN)/python -m tools.faults --kill $(KILLS) --kill-slow $(KILLS)
 
 # Runs docs/tutorial.ipynb and stores what its cells say: some minutes.
 tutorial: install

@@ -1,0 +1,213 @@
+"""Running the command line as a user would, and finding what it leaves behind."""
+
+import hashlib
+import json
+import os
+import signal
+import subprocess
+import sys
+import time
+import zipfile
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+from tools.benchmarks.places import ROOT
+
+MARK = "NEUROSYM_FAULTS"
+"""A variable in the environment of all that a trial starts."""
+PATIENCE = 300.0
+"""How long a command may take before it counts as hanging [s]."""
+SETTLE = 5.0
+"""How long what a command leaves may take to end after it, on a busy machine [s]."""
+
+
+@dataclass(frozen=True)
+class Ending:
+    """How a command ended.
+
+    Attributes:
+        code: Its exit code, minus the signal if one ended it; None if it had to be killed because it hung.
+        errors: What it wrote to standard error, without progress bars.
+        seconds: How long it took [s].
+    """
+
+    code: int | None
+    errors: str
+    seconds: float
+
+    def complaints(self, codes: Sequence[int]) -> list[str]:
+        """Say what is wrong with it.
+
+        Args:
+            codes: The exit codes that are right.
+        """
+        if self.code is None:
+            return ["hangs"]
+        found = [] if self.code in codes else [f"exit code {self.code}: {self.errors[-300:]}"]
+        if "Traceback" in self.errors:
+            found.append(f"traceback: {self.errors[-300:]}")
+        elif self.code == 2 and len(self.errors.splitlines()) != 1:
+            found.append(f"not one sentence: {self.errors[-300:]}")
+        return found
+
+
+@dataclass
+class Running:
+    """A command that runs.
+
+    Attributes:
+        process: Its process.
+        mark: What its environment, and that of all it starts, names it by.
+        log: What it writes to standard error goes here.
+        begin: When it started, by `time.monotonic()` [s].
+    """
+
+    process: "subprocess.Popen[bytes]"
+    mark: str
+    log: Path
+    begin: float = field(default_factory=time.monotonic)
+
+    def ends_within(self, seconds: float) -> bool:
+        """Wait, and say whether it has ended."""
+        try:
+            self.process.wait(max(0.0, seconds))
+        except subprocess.TimeoutExpired:
+            return False
+        return True
+
+    def ending(self) -> Ending:
+        """Wait for its end; kill it if that does not come."""
+        hangs = not self.ends_within(PATIENCE)
+        if hangs:
+            self.process.kill()
+            self.process.wait()
+        written, code = self.log.read_text(errors="replace"), None if hangs else self.process.returncode
+        self.log.unlink()
+        lines = [line for line in written.splitlines() if "━" not in line]
+        return Ending(code, "\n".join(filter(str.strip, lines)), time.monotonic() - self.begin)
+
+
+def start(
+    arguments: Sequence[str],
+    scratch: Path,
+    *,
+    environment: Mapping[str, str] = {},
+    before: Sequence[str] = (),
+    logs: Path | None = None,
+) -> Running:
+    """Start `neurosym` with arguments.
+
+    Args:
+        arguments: What is typed after it.
+        scratch: An empty folder for its temporary files.
+        environment: Variables added to the environment.
+        before: A command that runs it.
+        logs: Folder for what it writes to standard error; beside the temporary files if not given.
+    """
+    scratch.mkdir(parents=True, exist_ok=True)
+    mark = f"{os.getpid()}-{time.monotonic_ns()}"
+    log = (logs or scratch.parent) / f"{mark}.log"
+    command = [*before, sys.executable, "-m", "neurosym", *arguments]
+    added = {MARK: mark, "TMPDIR": str(scratch), "OMP_NUM_THREADS": "1", "PYTHONPATH": str(ROOT)}
+    with log.open("wb") as sink:
+        process = subprocess.Popen(
+            command,
+            cwd=scratch.parent,
+            env={**os.environ, **added, **environment},
+            stdin=subprocess.DEVNULL,
+            stdout=subprocess.DEVNULL,
+            stderr=sink,
+        )
+    return Running(process, mark, log)
+
+
+def run(arguments: Sequence[str], scratch: Path, **options: Any) -> tuple[Ending, list[str]]:
+    """Run `neurosym` to its end; also return what it leaves behind. See `start`."""
+    running = start(arguments, scratch, **options)
+    return running.ending(), left_by(running, scratch)
+
+
+def left_by(running: Running, scratch: Path) -> list[str]:
+    """Name the processes and temporary files that a command has left, and kill those processes.
+
+    Args:
+        running: The command, which has ended.
+        scratch: The folder for its temporary files.
+    """
+    found = _until_nothing(lambda: [f"process left: {_command(n)}" for n in marked(running.mark)])
+    found += _until_nothing(lambda: [f"temporary file left: {path.name}" for path in scratch.iterdir()])
+    for number in marked(running.mark):
+        os.kill(number, signal.SIGKILL)
+    return found
+
+
+def _until_nothing(look: Callable[[], list[str]]) -> list[str]:
+    end = time.monotonic() + SETTLE
+    while (found := look()) and time.monotonic() < end:
+        time.sleep(0.02)
+    return found
+
+
+def marked(mark: str) -> list[int]:
+    """List the processes that a command has started, without those that only wait to be buried."""
+    wanted = f"{MARK}={mark}".encode()
+    return [int(path.name) for path in Path("/proc").glob("[0-9]*") if wanted in _read(path / "environ")]
+
+
+def _command(process: int) -> str:
+    return _read(Path(f"/proc/{process}/cmdline")).replace(b"\0", b" ").decode(errors="replace")[:120]
+
+
+def _read(path: Path) -> bytes:
+    try:
+        return path.read_bytes()
+    except OSError:
+        return b""
+
+
+def content(folder: Path) -> dict[str, str]:
+    """Return a digest of each file of a domain folder, without what a clock decides.
+
+    Args:
+        folder: The folder.
+    """
+    files = sorted(path for path in folder.rglob("*") if path.is_file())
+    return {str(path.relative_to(folder)): _digest(path) for path in files}
+
+
+def _digest(path: Path) -> str:
+    data = path.read_bytes()
+    if path.suffix == ".json":
+        try:
+            data = json.dumps(_timeless(json.loads(data))).encode()
+        except ValueError:
+            return "damaged"
+    if path.suffix == ".npz" and not zipfile.is_zipfile(path):
+        return "damaged"
+    return hashlib.sha256(data).hexdigest()[:16]
+
+
+def _timeless(value: Any) -> Any:
+    """Leave out seconds, and digests of files that hold them."""
+    if isinstance(value, dict):
+        return {
+            key: _timeless(entry)
+            for key, entry in value.items()
+            if key != "seconds" and not (key.endswith(".json") and isinstance(entry, str))
+        }
+    return [_timeless(entry) for entry in value] if isinstance(value, list) else value
+
+
+def differences(found: Mapping[str, str], wanted: Mapping[str, str]) -> list[str]:
+    """Say which files are missing, too many, damaged, or have other bytes.
+
+    Args:
+        found: What `content` gave.
+        wanted: What it should be.
+    """
+    said = [f"missing: {name}" for name in wanted if name not in found]
+    said += [f"too many: {name}" for name in found if name not in wanted]
+    both = [name for name in wanted if name in found]
+    return said + [f"other bytes: {name}" for name in both if found[name] != wanted[name]]
