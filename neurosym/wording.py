@@ -22,3 +22,8 @@ def in_millimetres(distance: float, allowed: float) -> str:
         if distance <= allowed or float(text) > 1000 * allowed:
             break
     return f"{text} mm"
+
+
+def counted(count: int, noun: str) -> str:
+    """Return a number with its noun, which takes an s if there is not exactly one."""
+    return f"{count} {noun}{'' if count == 1 else 's'}"

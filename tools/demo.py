@@ -19,7 +19,6 @@ from neurosym.stages.planning import load_problem, plan_stage
 SHIPPED = Path(__file__).parent.parent / "domains" / "tabletop"
 DEMO = Path("demo")
 PLANNERS = ("bfs", "fast-downward")
-TIME_LIMIT = 30.0
 LEARNED = ("world.toml", "effect_model.safetensors", "primitives.json", "problems")
 
 
@@ -62,7 +61,7 @@ def first_solvable(folder: DomainFolder, objects: int) -> str:
 
 def planned(folder: DomainFolder, name: str, planner: str) -> PlanRecord:
     """Plan a problem and tell how it went."""
-    folder.perform(plan_stage(folder, name, planner=planner, time_limit=TIME_LIMIT), again=True)
+    folder.perform(plan_stage(folder, name, planner=planner), again=True)
     return read_json(folder / plan_files(name, planner)[1], PlanRecord)
 
 

@@ -25,7 +25,6 @@ RISING = {(1, 1): 4, (1, 2): 2, (2, 1): 4, (2, 2): 2, (3, 2): 2, (4, 3): 2, (6, 
 SIZES = tuple(size for size, problems in RISING.items() for _ in range(problems))
 """Objects of each problem, and random actions that lead to its goal."""
 PLANNERS = ("bfs", "fast-downward")
-TIME_LIMIT = 60.0
 
 
 def main() -> None:
@@ -44,7 +43,7 @@ def main() -> None:
 
 def try_problem(folder: DomainFolder, name: str, planner: str) -> None:
     """Plan a problem, and execute the plan if there is one."""
-    folder.perform(plan_stage(folder, name, planner=planner, time_limit=TIME_LIMIT), again=False)
+    folder.perform(plan_stage(folder, name, planner=planner), again=False)
     plan_file, record_file = plan_files(name, planner)
     if read_json(folder / record_file, PlanRecord).solved:
         folder.perform(execute_stage(folder, name, folder / plan_file), again=False)

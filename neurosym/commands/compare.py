@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING, Annotated
 
 from tyro.conf import arg
 
-from neurosym.commands.options import CPUS, Folder, Seed, Workers, opened
+from neurosym.commands.options import CPUS, Folder, Seed, TimeLimit, Workers, check_time_limit, opened
 from neurosym.console import progress_bar, say, say_next, show_table
 from neurosym.errors import InvalidValue
 from neurosym.wording import quoted
@@ -25,7 +25,7 @@ def compare(
     ] = ("bfs", "fast-downward"),
     workers: Workers = CPUS,
     tolerance: Annotated[float, arg(help="How near each object must come to its goal [m].")] = 0.05,
-    time_limit: Annotated[float, arg(help="When each planner gives up [s].")] = 60.0,
+    time_limit: TimeLimit = None,
 ) -> int:
     """Give the same drawn tasks to several planners, and judge each plan in the model and in the world.
 
@@ -44,9 +44,9 @@ def compare(
         if not 1 <= value <= most:
             limit = "" if most == math.inf else f" and at most {most}"
             raise InvalidValue(f"{name} = {value} must be at least 1{limit}.")
-    for name, size in (("tolerance", tolerance), ("time-limit", time_limit)):
-        if not 0 < size < math.inf:
-            raise InvalidValue(f"{name} = {size} must be a number greater than 0.")
+    check_time_limit(time_limit)
+    if not 0 < tolerance < math.inf:
+        raise InvalidValue(f"tolerance = {tolerance} must be a number greater than 0.")
     for name, value, least in (("seed", seed, 0), ("objects", objects, 1)):
         if value < least:
             raise InvalidValue(f"{name} = {value} must be at least {least}.")

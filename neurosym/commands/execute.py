@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Annotated
 from tyro.conf import Positional, arg
 
 from neurosym.commands.exit_codes import NO_RESULT
-from neurosym.commands.options import Folder, ProblemName, Tolerance, opened
+from neurosym.commands.options import Folder, ProblemName, TimeLimit, Tolerance, check_time_limit, opened
 from neurosym.commands.showing import Gif, Gui, Strip, say_written, showing_of
 from neurosym.console import say, say_next
 from neurosym.errors import InvalidFile, InvalidValue
@@ -24,8 +24,15 @@ def execute(
         str, arg(help="Whom to ask for a new plan: see `neurosym planners`, or module:factory.")
     ] = "fast-downward",
     replans: Annotated[
-        int, arg(help="How many new plans may be asked for; 0: the plan is followed blindly to its end.")
-    ] = 10,
+        int | None,
+        arg(
+            metavar="N",
+            help="How many new plans may be asked for; 0: the plan is followed blindly to its end. "
+            "Without it: 10, and 2 more for each primitive of the plan. Ten in a row that come no nearer "
+            "end the run.",
+        ),
+    ] = None,
+    time_limit: TimeLimit = None,
     disturb: Annotated[
         int | None,
         arg(metavar="SEED", help="Nudge an object by 3 to 8 cm once during the run, drawn from this seed."),
@@ -45,6 +52,7 @@ def execute(
     from neurosym.stages.layout import run_file
     from neurosym.stages.plan_records import planned_tolerance
 
+    check_time_limit(time_limit)
     domain = opened(folder)
     name = domain.problem(problem)
     if plan_file.exists() and not plan_file.is_file():
@@ -66,6 +74,7 @@ def execute(
         plan_file,
         replanner=replanner,
         replans=replans,
+        time_limit=time_limit,
         nudge_seed=disturb,
         tolerance=tolerance,
         showing=showing_of(gif, strip, gui),

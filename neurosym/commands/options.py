@@ -1,5 +1,6 @@
 """Options that several commands of the command line share."""
 
+import math
 import os
 from pathlib import Path
 from typing import Annotated, Literal
@@ -7,6 +8,7 @@ from typing import Annotated, Literal
 from tyro.conf import Positional, arg
 
 from neurosym.console import say
+from neurosym.errors import InvalidValue
 from neurosym.stages.folder import DomainFolder
 from neurosym.strategies import StrategyName
 
@@ -35,6 +37,14 @@ StrategyOption = Annotated[
         "curiosity), random or active."
     ),
 ]
+TimeLimit = Annotated[
+    float | None,
+    arg(
+        metavar="SECONDS",
+        help="Your own ceiling: when planning ends without a plan. Ours and Fast Downward need none: their "
+        "budgets count work, so that plans are the same on a busy machine. Others give up after 60 s.",
+    ),
+]
 MinPredictedEffect = Annotated[
     float,
     arg(
@@ -47,6 +57,13 @@ RegimeName = Annotated[
     Literal["default", "quick", "paper"],
     arg(help="Network and training: default, quick (a first look), paper (as printed)."),
 ]
+
+
+def check_time_limit(time_limit: float | None) -> None:
+    """Raise `InvalidValue` unless a ceiling is a number of seconds, if there is one."""
+    if time_limit is not None and not 0 < time_limit < math.inf:
+        raise InvalidValue(f"time-limit = {time_limit:g} must be a number of seconds greater than 0.")
+
 
 CPUS = os.cpu_count() or 1
 

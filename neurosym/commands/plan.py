@@ -6,13 +6,15 @@ from typing import TYPE_CHECKING, Annotated, Literal
 from tyro.conf import arg
 
 from neurosym.commands.exit_codes import NO_RESULT
-from neurosym.commands.options import Folder, ProblemName, Tolerance, opened
+from neurosym.commands.options import Folder, ProblemName, TimeLimit, Tolerance, check_time_limit, opened
 from neurosym.console import say, say_next
-from neurosym.errors import InvalidValue
-from neurosym.wording import quoted
+from neurosym.wording import counted, quoted
 
 if TYPE_CHECKING:
     from neurosym.stages.plan_records import PlanRecord
+
+UNLIKELY = 0.1
+"""Below this chance it is said that a plan seldom goes through."""
 
 
 def plan(
@@ -21,7 +23,7 @@ def plan(
     planner: Annotated[
         str, arg(help="One that `neurosym planners` lists, or your own as module:factory.")
     ] = "fast-downward",
-    time_limit: Annotated[float, arg(help="When to give up [s].")] = 60.0,
+    time_limit: TimeLimit = None,
     encoding: Annotated[
         Literal["sas", "stepwise", "operators", "numeric"] | None,
         arg(help="For PDDL planners: sas, stepwise, operators or numeric, instead of the usual."),
@@ -51,8 +53,7 @@ def plan(
 
     domain = opened(folder)
     name = domain.problem(problem)
-    if not time_limit > 0:
-        raise InvalidValue(f"time-limit = {time_limit} must be greater than 0 s.")
+    check_time_limit(time_limit)
     stage = plan_stage(
         domain,
         name,
@@ -80,14 +81,20 @@ def plan(
 def _say_plan(record: "PlanRecord") -> None:
     if record.solved:
         remark = f" ({record.reason})" if record.reason else ""
-        count = f"{len(record.steps)} step{'' if len(record.steps) == 1 else 's'}"
-        chance = f"{record.chance or 0.0:.0%} likely to go as promised"
-        say(f"{count} in {record.seconds:.2f} s{remark}, {chance}:")
+        chance = 1.0 if record.chance is None else record.chance
+        likely = f"{chance:.0%} likely" if chance >= 0.005 else "less than 1% likely"
+        count = counted(record.primitives, "primitive")
+        say(f"{count} in {record.seconds:.2f} s{remark}, {likely} to go as promised:")
     else:
         say(f"no plan for {record.problem} ({record.status.value}, {record.seconds:.2f} s): {record.reason}")
         if record.steps:
             say("as near as it comes:")
     _say_steps(record.steps)
+    if record.solved and record.chance is not None and record.chance < UNLIKELY:
+        say(
+            f"note: a plan of {counted(record.primitives, 'primitive')} seldom goes through as it stands; "
+            "let `neurosym execute` plan anew on the way (unless --replans 0), or bring the goals nearer"
+        )
 
 
 def _say_alternatives(record: "PlanRecord", folder: Path, wanted: int) -> None:

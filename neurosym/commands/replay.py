@@ -13,6 +13,7 @@ from neurosym.console import say
 from neurosym.errors import InvalidFile, UnknownChoice
 from neurosym.stages.folder import DomainFolder
 from neurosym.stages.layout import RUNS
+from neurosym.wording import counted
 
 if TYPE_CHECKING:
     from neurosym.execution.record import Run
@@ -47,7 +48,7 @@ def replay(
         say(f"something else happened than {record} says, first in {agreement.where}{by}")
         say(_machines(run))
         return NO_RESULT
-    steps = f"{len(run.steps)} step{'' if len(run.steps) == 1 else 's'}"
+    steps = counted(len(run.steps), "step")
     goal = f"goal {'reached' if run.reached else 'missed'}"
     if agreement.course == "same bytes":
         say(f"the same happened again in {steps}, byte for byte; {goal}")

@@ -13,8 +13,9 @@ from neurosym.execution.record import Run
 from neurosym.learning.report import TrainingReport, error_table
 from neurosym.naming import NO_EFFECT, name_axes, names_of_features
 from neurosym.operators import CONVERGED, Effect, Operator, OperatorTable
-from neurosym.pddl.moves import PUT_DOWN
+from neurosym.pddl.plan_text import PlanStep, primitives
 from neurosym.reading import read_json
+from neurosym.wording import counted
 
 
 def show_training(path: Path) -> None:
@@ -125,9 +126,8 @@ def show_run(run: Run) -> None:
         by = 1000 * math.hypot(*run.nudge.by)
         say(f"before step {run.nudge.before_step} {run.nudge.object} was nudged by {by:.0f} mm")
     for new in run.replannings:
-        count = sum(not operator.startswith(PUT_DOWN) for operator, _ in new.plan)
-        steps = f"{count} step{'' if count == 1 else 's'}"
-        found = steps if new.plan else new.reason or "nothing is left to do"
+        count = counted(primitives(PlanStep(*step) for step in new.plan), "primitive")
+        found = count if new.plan else new.reason or "nothing is left to do"
         say(f"new plan before step {new.before_step}, for {new.why}: {found}")
     for number, step in enumerate(run.steps, 1):
         if step.touched:

@@ -18,7 +18,7 @@ from neurosym.errors import InvalidPlanner, InvalidValue, UnknownChoice
 from neurosym.execution.executor import execute
 from neurosym.execution.summary import Execution, summarise_run
 from neurosym.grounding import Grounding, at_rest, is_lift
-from neurosym.pddl.plan_text import PlanStep, named_steps
+from neurosym.pddl.plan_text import PlanStep, named_steps, primitives
 from neurosym.pddl.validation import Validation, validate
 from neurosym.planners import PLANNERS, PlanResult, PlanStatus, plan, planner_named
 from neurosym.planners.planner import PredictEffects
@@ -119,7 +119,7 @@ def compare(
     problem: Problem,
     planners: Sequence[str],
     *,
-    time_limit: float = 60.0,
+    time_limit: float | None = None,
     executed: bool = True,
 ) -> TaskRecord:
     """Have each planner plan for a task, and judge its plan.
@@ -128,7 +128,7 @@ def compare(
         setting: What to compare in.
         problem: The task.
         planners: Names of planners; see `planner_named`.
-        time_limit: When each gives up [s].
+        time_limit: The user's ceiling for each [s]; its own if not given.
         executed: Whether plans are executed in the world.
     """
     if problem.is_met(problem.scene().positions):
@@ -139,13 +139,13 @@ def compare(
     return TaskRecord(problem, met_at_start=False, attempts=attempts)
 
 
-def planner_of(setting: Setting, name: str, *, time_limit: float) -> Replanner:
+def planner_of(setting: Setting, name: str, *, time_limit: float | None) -> Replanner:
     """Return a planner as a function from a problem to its result; it may read the network's predictions.
 
     Args:
         setting: What to plan in.
         name: Name of the planner.
-        time_limit: When it gives up [s].
+        time_limit: The user's ceiling [s]; its own if not given.
     """
     planner = planner_named(name)
 
@@ -160,7 +160,9 @@ def planner_of(setting: Setting, name: str, *, time_limit: float) -> Replanner:
     return solve
 
 
-def _attempt(setting: Setting, problem: Problem, name: str, *, time_limit: float, executed: bool) -> Attempt:
+def _attempt(
+    setting: Setting, problem: Problem, name: str, *, time_limit: float | None, executed: bool
+) -> Attempt:
     solve = planner_of(setting, name, time_limit=time_limit)
     result = solve(problem, setting.grounding)
     steps = result.steps
@@ -173,7 +175,7 @@ def _attempt(setting: Setting, problem: Problem, name: str, *, time_limit: float
         reason=result.reason,
         steps=named_steps(steps),
         seconds=round(result.seconds, 4),
-        primitives=sum(not step.puts_down for step in steps),
+        primitives=primitives(steps),
         invalid=_invalid(replayed),
         replayed=replayed.reason,
         promised_miss=_worst(problem, replayed.positions[-1]) if replayed.possible else None,

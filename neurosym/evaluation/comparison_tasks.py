@@ -29,12 +29,12 @@ class Kept(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
 
     Attributes:
         made_from: SHA-256 of the files that it depends on, by name.
-        time_limit: When planners gave up [s].
+        time_limit: The user's ceiling for each planner [s], if there was one.
         record: What became of the task.
     """
 
     made_from: dict[str, str]
-    time_limit: float
+    time_limit: float | None
     record: TaskRecord
 
 
@@ -46,14 +46,14 @@ class Order(msgspec.Struct, frozen=True):
         objects: Objects in each task.
         planners: Whom to compare.
         tolerance: How near each object must come to its goal [m].
-        time_limit: When a planner gives up [s].
+        time_limit: The user's ceiling for each planner [s]; its own if not given.
     """
 
     folder: Path
     objects: int
     planners: tuple[str, ...]
     tolerance: float
-    time_limit: float = 60.0
+    time_limit: float | None = None
 
     @property
     def place(self) -> Path:

@@ -2,9 +2,11 @@
 
 A `put-down-...` step is the second half of the lift before it: the world performs both as one interaction,
 and only a lift that ends the plan is left in mid-air. Where a planner is at hand, what is left of the plan is
-replayed from what is seen after every step; if it would miss the goal, a new plan is asked for.
+replayed from what is seen after every step; if it would miss the goal, a new plan is asked for, as long as
+new plans come nearer to it.
 """
 
+import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 
@@ -15,6 +17,7 @@ from neurosym.errors import InvalidValue
 from neurosym.execution.experience import Experience
 from neurosym.execution.nudges import Nudger, nudged
 from neurosym.execution.record import (
+    Ended,
     Nudge,
     Replanning,
     Run,
@@ -23,10 +26,10 @@ from neurosym.execution.record import (
     record_step,
     why_missed,
 )
-from neurosym.execution.replanning import REPLANS, new_plan, why_not_go_on
+from neurosym.execution.replanning import PATIENCE, Progress, new_plan, usual_replans, why_not_go_on
 from neurosym.grounding import Grounding, is_lift
 from neurosym.operators import vector
-from neurosym.pddl.plan_text import PlanStep, Steps, named_steps
+from neurosym.pddl.plan_text import PlanStep, Steps, named_steps, primitives
 from neurosym.pddl.validation import validate
 from neurosym.planners.registry import Replanner
 from neurosym.planners.result import PlanStatus
@@ -41,7 +44,7 @@ def execute(
     plan: Sequence[PlanStep],
     *,
     replanner: Replanner | None = None,
-    replans: int = REPLANS,
+    replans: int | None = None,
     nudge_seed: int | None = None,
     on_frame: FrameSink | None = None,
     on_step: Callable[[StepRecord], None] | None = None,
@@ -57,19 +60,20 @@ def execute(
         grounding: What the operators' names mean.
         plan: The steps, whichever planner they come from.
         replanner: Plans anew where the plan would miss the goal from what is seen, if given.
-        replans: How many new plans may be asked for.
+        replans: How many new plans may be asked for; `usual_replans` if not given.
         nudge_seed: Nudge an object once during the run, drawn from this seed, if given.
         on_frame: Called with pictures of the motion as it happens, if given.
         on_step: Called with each step's record as soon as it is done, if given.
     """
     nudger = None
     if nudge_seed is not None:
-        nudger = Nudger(nudge_seed, sum(not step.puts_down for step in plan))
-    run = _Running(world, problem, grounding, list(plan), on_frame)
+        nudger = Nudger(nudge_seed, primitives(plan))
+    most = (usual_replans(plan) if replans is None else replans) if replanner else 0
+    run = _Running(world, problem, grounding, list(plan), on_frame, most)
     while run.goes_on:
         if nudger and nudger.before_step == len(run.records) + 1 and not run.nudge:
             run.be_nudged(nudger)
-        if replanner and len(run.replannings) < replans and (why := run.why_not_go_on()):
+        if replanner and most and (why := run.why_not_go_on()):
             run.replan(replanner, why)
         if not run.left:
             break
@@ -88,17 +92,25 @@ class _Running:
     grounding: Grounding
     left: list[PlanStep]
     on_frame: FrameSink | None
+    most_replans: int
     scene: Scene = field(init=False)
     experience: Experience = field(init=False)
     records: list[StepRecord] = field(default_factory=list)
     replannings: list[Replanning] = field(default_factory=list)
     nudge: Nudge | None = None
-    goes_on: bool = True
+    ended: Ended = "plan"
+    progress: Progress = field(init=False)
     _lifted: tuple[PlanStep, Scene] | None = None
 
     def __post_init__(self) -> None:
         self.scene = self.problem.scene()
         self.experience = Experience(self.grounding)
+        self.progress = Progress(primitives(self.left), self._miss())
+
+    @property
+    def goes_on(self) -> bool:
+        """Whether nothing has ended the run yet."""
+        return self.ended in ("plan", "budget")
 
     def be_nudged(self, nudger: Nudger) -> None:
         """Let somebody move an object, if there is room for that."""
@@ -111,17 +123,29 @@ class _Running:
         return why_not_go_on(self.left, self._now(), self.experience)
 
     def replan(self, replanner: Replanner, why: str) -> None:
-        """Ask for a new plan, or else go on with the old one while nothing leaves the table."""
+        """Ask for a new plan, or else go on with the old one while nothing leaves the table.
+
+        Args:
+            replanner: Whom to ask.
+            why: Why the old plan will not do.
+        """
+        if len(self.replannings) >= self.most_replans:
+            self.ended = "budget"
+            return
+        if self.progress.stalled >= PATIENCE:
+            self.ended, self.left = "no progress", []
+            return
         self._put_down()
         result, new, self.experience = new_plan(replanner, self._now(), self.experience)
         is_found = result.status is PlanStatus.SOLVED
         self.replannings.append(
             Replanning(len(self.records) + 1, why, named_steps(new), "" if is_found else result.reason)
         )
+        self.progress.note(primitives(new) if is_found else None, self._miss())
         if is_found:
             self.left = list(new)
-        elif not validate(self.left, self._now(), self.grounding).possible:
-            self.left = []
+        elif not self.left or not validate(self.left, self._now(), self.grounding).possible:
+            self.ended, self.left = "no plan", []
 
     def step(self) -> None:
         """Perform the next step of the plan, and put down what it lifts unless that ends the plan."""
@@ -133,7 +157,7 @@ class _Running:
         outcome = perform(self.world, self.problem, self.grounding, step, before, put_down, self.on_frame)
         if outcome is None:
             self.records.append(record_refusal(step, self.problem, self.scene))
-            self.goes_on = False
+            self.ended = "out of reach"
             return
         self._lifted = None if put_down or not outcome.held else (step, before)
         self._take(step, outcome, put_down)
@@ -146,17 +170,17 @@ class _Running:
         """
         distances = self.problem.distances(self.scene.positions)
         reached = self.problem.is_met(self.scene.positions)
-        missed = "" if reached else why_missed(self.records, distances, self.problem.tolerance)
-        no_plan = self.replannings[-1].reason if self.replannings else ""
+        ended = "goal" if reached else self.ended
         return Run(
             problem=self.problem.name,
             plan=plan,
             steps=tuple(self.records),
             reached=reached,
             distances=distances,
-            reason="" if reached else "; ".join(filter(None, (missed, no_plan))),
+            reason=why_missed(ended, self.records, self.replannings, distances, self.problem.tolerance),
             nudge=self.nudge,
             replannings=tuple(self.replannings),
+            ended=ended,
         )
 
     def _put_down(self) -> None:
@@ -173,7 +197,12 @@ class _Running:
         self.records.append(record_step(step, self.problem, self.grounding, outcome, put_down=put_down))
         if not self._lifted:
             self.experience.learn(step, outcome)
-        self.goes_on = not outcome.lost
+        if outcome.lost:
+            self.ended = "lost"
+
+    def _miss(self) -> float:
+        """Return how far objects are from their goals, in sum [m]."""
+        return math.fsum(self.problem.distances(self.scene.positions).values())
 
     def _now(self) -> Problem:
         """Return the problem as it stands now."""

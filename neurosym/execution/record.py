@@ -11,10 +11,13 @@ from neurosym.grounding import Grounding
 from neurosym.operators import TOLERANCE, Vector, vector
 from neurosym.pddl.plan_text import PlanStep, Steps
 from neurosym.problems import Problem
-from neurosym.wording import in_millimetres
+from neurosym.wording import counted, in_millimetres
 from neurosym.world import Disturbance, Outcome, Scene
 
 StepOutcome = Literal["resting", "held", "toppled", "lost", "not performed"]
+Ended = Literal["goal", "plan", "lost", "out of reach", "no plan", "budget", "no progress", "unknown"]
+"""What ended a run: the goal was reached, or the plan was at its end; an object was lost, or out of reach;
+there was no new plan, or none left to ask for, or new ones came no nearer; old records do not say."""
 
 
 class StepRecord(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
@@ -93,6 +96,7 @@ class Run(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
         replannings: The new plans that were asked for.
         tolerance: How near objects had to come [m]; None if it was the problem's own tolerance.
         machine: What it was made on; None in records of earlier versions, and where nothing was written.
+        ended: What ended it.
     """
 
     problem: str
@@ -105,6 +109,7 @@ class Run(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     replannings: tuple[Replanning, ...] = ()
     tolerance: float | None = None
     machine: Machine | None = None
+    ended: Ended = "unknown"
 
     @property
     def replans(self) -> int:
@@ -166,21 +171,60 @@ def record_refusal(step: PlanStep, problem: Problem, scene: Scene) -> StepRecord
     )
 
 
-def why_missed(records: Sequence[StepRecord], distances: dict[str, float], tolerance: float) -> str:
-    """Say which goal was missed, and which step was the first not to do as promised.
+def why_missed(
+    ended: Ended,
+    records: Sequence[StepRecord],
+    replannings: Sequence[Replanning],
+    distances: dict[str, float],
+    tolerance: float,
+) -> str:
+    """Say which goal was missed, and what ended the run; nothing if the goal was reached.
 
     Args:
+        ended: What ended it.
         records: The steps.
+        replannings: The new plans that were asked for.
         distances: How far each object with a goal ended from it [m].
         tolerance: How far it may be [m].
     """
+    if ended == "goal":
+        return ""
     name, distance = max(distances.items(), key=lambda item: item[1])
-    missed = (
-        f"{name} is {in_millimetres(distance, tolerance)} from its goal ({1000 * tolerance:g} mm allowed)"
-    )
+    allowed = f"{1000 * tolerance:g} mm allowed"
+    missed = f"{name} is {in_millimetres(distance, tolerance)} from its goal ({allowed})"
+    return f"{missed}; {_what_ended(ended, records, replannings)}"
+
+
+def _what_ended(ended: Ended, records: Sequence[StepRecord], replannings: Sequence[Replanning]) -> str:
+    number = len(records)
+    if ended == "lost":
+        lost = [records[-1].object] if records[-1].happened == "lost" else []
+        lost += [name for name, how in records[-1].disturbed.items() if how == "lost"]
+        return f"step {number} threw {' and '.join(lost)} off the table"
+    if ended == "out of reach":
+        return f"{records[-1].object} was out of the arm's reach in step {number}"
+    if ended == "no plan":
+        return f"no new plan after step {number}: {replannings[-1].reason}{_toppled(records)}"
+    if ended == "budget":
+        return f"all {counted(len(replannings), 'new plan')} were used up{_toppled(records)}"
+    if ended == "no progress":
+        return f"the last new plans came no nearer to the goal, after {len(replannings)}{_toppled(records)}"
+    return f"the plan came to its end; {_first_otherwise(records)}"
+
+
+def _toppled(records: Sequence[StepRecord]) -> str:
+    """Say which step toppled something last, if one did."""
+    for number, record in reversed([*enumerate(records, 1)]):
+        fell = [record.object] if record.happened == "toppled" else []
+        fell += [name for name, how in record.disturbed.items() if how == "toppled"]
+        if fell:
+            return f"; {' and '.join(fell)} toppled in step {number}"
+    return ""
+
+
+def _first_otherwise(records: Sequence[StepRecord]) -> str:
+    """Say which step was the first not to do as promised."""
     for number, record in enumerate(records, 1):
-        if record.happened == "not performed":
-            return f"{missed}; {record.object} was out of the arm's reach in step {number}"
         if not record.as_promised:
             apart = (
                 ""
@@ -188,10 +232,10 @@ def why_missed(records: Sequence[StepRecord], distances: dict[str, float], toler
                 else f", {in_millimetres(record.deviation, TOLERANCE)} from the promise"
             )
             told = f"promised {record.promised}, ended {record.happened}{apart}"
-            return f"{missed}; step {number}, {record.operator}: {told}"
+            return f"step {number}, {record.operator}: {told}"
     if not records:
-        return f"{missed}; the plan has no step"
-    return f"{missed}, though every step did as promised within {1000 * TOLERANCE:.0f} mm"
+        return "it has no step"
+    return f"every step did as promised within {1000 * TOLERANCE:.0f} mm"
 
 
 def named_positions(problem: Problem, scene: Scene) -> dict[str, Vector]:

@@ -1,16 +1,51 @@
-"""Replanning: whether what is left of a plan still leads to the goal, and asking for a new plan if not."""
+"""Replanning: whether what is left of a plan still leads to the goal, a new plan if not, and when to stop."""
 
 from collections.abc import Sequence
+from dataclasses import dataclass
 
 from neurosym.execution.experience import Experience, believed_name, learned_name
-from neurosym.pddl.plan_text import PlanStep
+from neurosym.pddl.plan_text import PlanStep, primitives
 from neurosym.pddl.validation import validate
 from neurosym.planners.registry import Replanner
 from neurosym.planners.result import PlanResult, PlanStatus
 from neurosym.problems import Problem
 
-REPLANS = 10
-"""How many new plans a run may ask for."""
+PATIENCE = 10
+"""After how many new plans in a row that come no nearer to the goal a run stops."""
+NEARER = 0.01
+"""How much nearer objects must have come to their goals, in sum, to be nearer [m]."""
+
+
+def usual_replans(plan: Sequence[PlanStep]) -> int:
+    """Return how many new plans a run may ask for: the longer the plan, the more can go otherwise."""
+    return PATIENCE + 2 * primitives(plan)
+
+
+@dataclass(slots=True)
+class Progress:
+    """How near a run has come to its goal.
+
+    Attributes:
+        left: The fewest primitives that any plan so far had left.
+        miss: The least sum of the distances from the goals so far [m].
+        stalled: How many new plans in a row changed neither.
+    """
+
+    left: int
+    miss: float
+    stalled: int = 0
+
+    def note(self, left: int | None, miss: float) -> None:
+        """Take note of a new plan.
+
+        Args:
+            left: How many primitives it has; None if there is none.
+            miss: How far objects are from their goals, in sum [m].
+        """
+        is_nearer = (left is not None and left < self.left) or miss < self.miss - NEARER
+        self.stalled = 0 if is_nearer else self.stalled + 1
+        self.left = self.left if left is None else min(left, self.left)
+        self.miss = min(miss, self.miss)
 
 
 def why_not_go_on(left: Sequence[PlanStep], seen: Problem, experience: Experience) -> str:

@@ -59,7 +59,7 @@ def summarise_run(run: Run, grounding: Grounding) -> Execution:
 
 
 def failure(run: Run) -> str:
-    """Say in a few words why a run missed its goal: the worst thing that happened in it.
+    """Say in a few words why a run missed its goal: what ended it, or the worst thing that happened in it.
 
     Args:
         run: A run that did not reach its goal.
@@ -72,6 +72,10 @@ def failure(run: Run) -> str:
         return "out of the arm's reach"
     if "toppled" in ends | bystanders:
         return "an object toppled"
+    if run.ended == "no progress":
+        return "new plans came no nearer"
+    if run.ended == "budget":
+        return "new plans were used up"
     if run.replannings and run.replannings[-1].reason:
         return "no plan from where things ended"
     if bystanders:

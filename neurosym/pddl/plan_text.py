@@ -5,7 +5,7 @@ the `stepwise` encoding several for one step; reading folds them into steps.
 """
 
 import re
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -16,6 +16,7 @@ from neurosym.pddl.grid import AXES, grid_of
 from neurosym.pddl.moves import FINISH, PUT_DOWN, REACH_GOAL, Encoding, moves_of, parts_of
 from neurosym.problems import Problem
 from neurosym.reading import MEGABYTE, read_text
+from neurosym.wording import counted
 
 MOST_PLAN = 16 * MEGABYTE
 """Greater files are no plans [bytes]."""
@@ -57,7 +58,12 @@ def named_steps(steps: Iterable[PlanStep]) -> Steps:
     return tuple((step.operator, step.object) for step in steps)
 
 
-def print_plan(steps: Iterable[PlanStep], comment: str = "") -> str:
+def primitives(steps: Iterable[PlanStep]) -> int:
+    """Count the primitives of a plan: putting down belongs to its lift, and is counted nowhere."""
+    return sum(not step.puts_down for step in steps)
+
+
+def print_plan(steps: Sequence[PlanStep], comment: str = "") -> str:
     """Print a plan in IPC form, one `(operator object)` a line.
 
     Args:
@@ -65,8 +71,8 @@ def print_plan(steps: Iterable[PlanStep], comment: str = "") -> str:
         comment: What the last line says; by default how many steps there are.
     """
     lines = [f"({step.operator} {step.object})" for step in steps]
-    counted = comment or f"{len(lines)} step{'' if len(lines) == 1 else 's'}"
-    return "\n".join([*lines, f"; {' '.join(counted.split())}"]) + "\n"
+    said = comment or counted(primitives(steps), "primitive")
+    return "\n".join([*lines, f"; {' '.join(said.split())}"]) + "\n"
 
 
 def print_ground_plan(

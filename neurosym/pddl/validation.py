@@ -49,7 +49,9 @@ def validate(steps: Sequence[PlanStep], problem: Problem, grounding: Grounding) 
     room, apart = problem.room(grounding.table), footprints_apart(problem)
     rests = np.ones(len(problem.objects), dtype=bool)
     held_by: PlanStep | None = None
-    for number, step in enumerate(steps, start=1):
+    number = 0
+    for step in steps:
+        number = max(1, number + (not step.puts_down))
         operator = grounding.operator_named(step.base)
         moved = problem.object_names.index(step.object)
         if reason := _hand_problem(step, operator, held_by):
@@ -73,7 +75,9 @@ def hand_problem(steps: Sequence[PlanStep], grounding: Grounding) -> str:
         grounding: The learned domain.
     """
     held_by: PlanStep | None = None
-    for number, step in enumerate(steps, start=1):
+    number = 0
+    for step in steps:
+        number = max(1, number + (not step.puts_down))
         operator = grounding.operator_named(step.base)
         if operator.promise and (problem := _hand_problem(step, operator, held_by)):
             return f"step {number}, {step.operator} {step.object}: {problem}"

@@ -1,6 +1,5 @@
 """The next-best plans: other choices of steps, the cheapest first, each of them replayed."""
 
-import time
 from collections import Counter
 from collections.abc import Sequence
 from itertools import takewhile
@@ -9,12 +8,15 @@ from neurosym.grounding import Grounding
 from neurosym.pddl.plan_text import PlanStep
 from neurosym.planners.count_vectors import Candidate, Choices, candidates
 from neurosym.planners.counting import Join
+from neurosym.planners.effort import Effort
 from neurosym.planners.ordering import mend
 from neurosym.problems import Problem
 
 LONGER = 2
 """How many primitives more than the fewest an alternative may need for an object."""
 _TRIES = 50
+WORK = 20_000
+"""How many candidates, ways to join them and beginnings of plans are looked at for each alternative."""
 
 
 def alternatives(
@@ -23,7 +25,6 @@ def alternatives(
     count: int,
     *,
     besides: Sequence[PlanStep] = (),
-    time_limit: float = 60.0,
 ) -> tuple[tuple[PlanStep, ...], ...]:
     """Find the cheapest plans that consist of other steps; the same steps in another order do not count.
 
@@ -35,16 +36,15 @@ def alternatives(
         grounding: The learned domain.
         count: How many plans there shall be at most.
         besides: A plan that is known already.
-        time_limit: When to stop looking [s].
 
     Raises:
         UnknownChoice: If an object is of a category that the domain does not have.
     """
-    deadline = time.perf_counter() + time_limit
+    effort = Effort(WORK * (count + 1))
 
     def cheapest(choices: Choices, name: str, at_rest: bool) -> list[Candidate]:
         goal, tolerance = problem.goals[name], problem.tolerance
-        source = candidates(choices, goal, tolerance, at_rest=at_rest, deadline=deadline)
+        source = candidates(choices, goal, tolerance, effort, at_rest=at_rest)
         first = next(source, None)
         if first is None:
             return []
@@ -53,11 +53,11 @@ def alternatives(
 
     found: list[tuple[PlanStep, ...]] = []
     known = [Counter(besides)]
-    join = Join(problem, grounding, listing=cheapest, by_cost=True)
+    join = Join(problem, grounding, effort, listing=cheapest, by_cost=True)
     for tried, steps in enumerate(join.plans()):
-        if len(found) == count or tried >= _TRIES * (count + 1) or time.perf_counter() > deadline:
+        if len(found) == count or tried >= _TRIES * (count + 1):
             break
-        ordered, checked = mend(steps, problem, grounding)
+        ordered, checked = mend(steps, problem, grounding, effort)
         if checked.valid and Counter(steps) not in known:
             known.append(Counter(steps))
             found.append(ordered)

@@ -6,11 +6,12 @@ through the numbers is breadth-first search. The last digit is handled for all i
 others in chunks, so memory stays bounded.
 
 The world's rules hold here as in PDDL: what is lifted must be put down before the next primitive (free of
-charge: a step of the plan, but not of the depth), a plan may end with the object held, and nobody leaves the
-table. A pair without a prediction has the effect NaN and is never chosen.
+charge: a step of the plan, but not of the depth), a plan may end with the object held, nobody leaves the
+table, and nobody is put where another stands. A pair without a prediction has the effect NaN and is never
+chosen.
 """
 
-import time
+import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
@@ -19,7 +20,9 @@ from jaxtyping import Bool, Float, Int
 
 from neurosym.pddl.moves import PUT_DOWN
 from neurosym.pddl.plan_text import PlanStep
+from neurosym.pddl.validation import footprints_apart, overlapping
 from neurosym.planners.branching import Branching
+from neurosym.planners.effort import check_time, within
 from neurosym.planners.result import PlanResult, PlanStatus
 from neurosym.problems import Problem
 from neurosym.world import Table
@@ -53,7 +56,7 @@ def plan_bfs(
     table: Table,
     *,
     depth: int = DEPTH,
-    time_limit: float = 60.0,
+    time_limit: float = math.inf,
 ) -> PlanResult:
     """Find a plan with the fewest primitives, the first in breadth-first order.
 
@@ -63,22 +66,24 @@ def plan_bfs(
         names: Name of the operator for each object and primitive, M rows of P.
         table: Where objects may stand.
         depth: How many primitives a plan may have.
-        time_limit: When to give up [s].
+        time_limit: The user's ceiling [s].
     """
-    begin = time.perf_counter()
     start, goals, room = problem.scene().positions, problem.goal_positions(), problem.room(table)
     if problem.is_met(start):
         return PlanResult(PlanStatus.SOLVED, (), 0.0, "the goal is met at the start")
-    for length in range(1, depth + 1):
-        for level in _levels(start, branching, room, length):
-            if found := _first_goal(level, goals, problem.tolerance):
-                steps = _steps(*found, branching, names, problem.object_names)
-                return PlanResult(PlanStatus.SOLVED, steps, time.perf_counter() - begin)
-            if time.perf_counter() - begin > time_limit:
-                reason = f"no plan in {time_limit:g} s; {length - 1} primitives do not suffice"
-                return PlanResult(PlanStatus.TIMEOUT, (), time.perf_counter() - begin, reason)
-    reason = f"{depth} primitives do not suffice"
-    return PlanResult(PlanStatus.UNSOLVABLE, (), time.perf_counter() - begin, reason)
+    apart = footprints_apart(problem)
+
+    def search(deadline: float) -> PlanResult:
+        for length in range(1, depth + 1):
+            for level in _levels(start, branching, room, length):
+                check_time(deadline)
+                for choices, ends_down in _goals(level, goals, problem.tolerance):
+                    if _keeps_clear(choices, ends_down, branching, start, apart):
+                        steps = _steps(choices, ends_down, branching, names, problem.object_names)
+                        return PlanResult(PlanStatus.SOLVED, steps, 0.0)
+        return PlanResult(PlanStatus.NOT_FOUND, (), 0.0, f"{depth} primitives do not suffice")
+
+    return within(time_limit, search)
 
 
 def _levels(
@@ -122,10 +127,10 @@ def _inside(positions: Float[np.ndarray, "*n 3"], room: Float[np.ndarray, "2 *m"
     return np.asarray(np.all((spots >= room[0]) & (spots <= room[1]), axis=-1))
 
 
-def _first_goal(
+def _goals(
     level: _Level, goals: Float[np.ndarray, "M 3"], tolerance: float
-) -> tuple[tuple[int, ...], bool] | None:
-    """Find the first sequence that meets all goals, and whether it ends with a put-down."""
+) -> Iterator[tuple[tuple[int, ...], bool]]:
+    """List the sequences that meet all goals, in order, and whether each ends with a put-down."""
     wrong = np.linalg.norm(level.before - goals, axis=-1) > tolerance  # (n, M), False without a goal
     wrong |= np.isnan(level.before[..., 0])
     others = wrong.sum(axis=1, keepdims=True) == wrong  # (n, M): all other objects are right
@@ -136,11 +141,32 @@ def _first_goal(
         return np.asarray(others[:, :, None] & (near | without_goal))
 
     at_once, after_put_down = meets(level.lifted), meets(level.settled)
-    hits = np.flatnonzero(at_once | after_put_down)
-    if not len(hits):
-        return None
-    row, last = divmod(int(hits[0]), at_once[0].size)
-    return (*map(int, level.digits[row]), last), not bool(at_once.reshape(-1)[hits[0]])
+    for hit in np.flatnonzero(at_once | after_put_down):
+        row, last = divmod(int(hit), at_once[0].size)
+        choices = (*map(int, level.digits[row]), last)
+        if at_once.reshape(-1)[hit]:
+            yield choices, False
+        if after_put_down.reshape(-1)[hit]:
+            yield choices, True
+
+
+def _keeps_clear(
+    choices: tuple[int, ...],
+    ends_down: bool,
+    branching: Branching,
+    start: Float[np.ndarray, "M 3"],
+    apart: Float[np.ndarray, "M M 2"],
+) -> bool:
+    """Say whether a sequence never puts an object where another stands."""
+    here = start.copy()
+    for position, choice in enumerate(choices, start=1):
+        thing, primitive = divmod(choice, branching.held.shape[1])
+        if branching.held[thing, primitive] and position == len(choices) and not ends_down:
+            return True
+        here[thing] += branching.settled[thing, primitive]
+        if overlapping(here[thing, :2], here[:, :2], apart[thing]).any():
+            return False
+    return True
 
 
 def _steps(

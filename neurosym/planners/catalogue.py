@@ -1,6 +1,7 @@
 """The planners by name: what each is, which encodings it takes, how it is called, and what brings it."""
 
 import importlib.util
+import math
 from functools import partial
 
 from neurosym.pddl.moves import SAS, Encoding
@@ -32,7 +33,8 @@ def _missing(*packages: str) -> str:
 
 def _fast_downward(name: str, about: str, search: str | None = None) -> Planner:
     call = partial(plan_fast_downward, searches=(Search(search),)) if search else plan_fast_downward
-    return pddl_planner(name, about, call, (SAS, *GRID), missing=partial(_missing, "up_fast_downward"))
+    missing = partial(_missing, "up_fast_downward")
+    return pddl_planner(name, about, call, (SAS, *GRID), missing=missing, ceiling=math.inf)
 
 
 def _unified(name: str, about: str, engine: str, package: str, cell: float = 0.0) -> Planner:
@@ -46,7 +48,9 @@ def _program(name: str, about: str, program: Program, *encodings: Encoding, cell
 
 
 PROGRAMS = (
-    _fast_downward("fast-downward", "Fast Downward: the cheapest plan if it can be had soon"),
+    _fast_downward(
+        "fast-downward", "Fast Downward: the cheapest plan if 256 MB suffice for it, else LAMA's first"
+    ),
     _fast_downward("lama-first", "Fast Downward's LAMA, the first plan it finds", LAMA_FIRST),
     _fast_downward("lmcut", "Fast Downward's A* with landmark cuts: the cheapest plan", "astar(lmcut())"),
     _unified(

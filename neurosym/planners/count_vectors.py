@@ -1,12 +1,13 @@
 """What can be done to one object, as vectors of counts: how often each move, in whatever order.
 
 Displacements commute, so where an object comes to rest depends only on how often it was moved how. With k
-moves there are C(d + k - 1, k - 1) vectors of d steps, and one matrix product says where all of them lead.
+moves there are C(d + k - 1, k - 1) vectors of d steps, and where they lead follows from those of d - 1 steps.
 The order matters only for staying on the table, and is looked for afterwards.
+
+There are ever more vectors, so looking ends somewhere: `looked_at` says where.
 """
 
 import math
-import time
 from collections.abc import Iterator
 from dataclasses import dataclass, field, replace
 from functools import lru_cache
@@ -15,8 +16,9 @@ import numpy as np
 from jaxtyping import Bool, Float, Int
 
 from neurosym.operators import Vector
+from neurosym.planners.effort import Effort
 
-MOST_STEPS = 20
+MOST_STEPS = 60
 """How many moves of one object are counted with."""
 MOST_VECTORS = 500_000
 """Lengths with more count vectors than this are not looked at."""
@@ -49,6 +51,10 @@ class Choices:
         low, high = self.room
         return np.asarray(np.all((positions[..., :2] >= low) & (positions[..., :2] <= high), axis=-1))
 
+    def ending_with(self, lift: int) -> "Choices":
+        """Return the choices of an object that a lift has left where it leads, and that is lifted no more."""
+        return replace(self, start=self.start + self.lifted[lift], held=np.zeros_like(self.held), dead=set())
+
 
 @dataclass(frozen=True, slots=True)
 class Candidate:
@@ -69,80 +75,116 @@ class Candidate:
     miss: float = 0.0
 
 
-@lru_cache(maxsize=128)
-def count_vectors(kinds: int, total: int) -> Int[np.ndarray, "n k"]:
-    """List all vectors of counts that sum up to a total.
+@dataclass(frozen=True, slots=True, eq=False)
+class _Ends:
+    """Where an object can end after so many moves.
+
+    Attributes:
+        length: How many moves.
+        lift: The lift that it ends held by, which comes last; None if it ends at rest.
+        places: The ends, one for each count vector of the other moves [m].
+        costs: What it costs to get there.
+    """
+
+    length: int
+    lift: int | None
+    places: Float[np.ndarray, "n 3"]
+    costs: Int[np.ndarray, " n"]
+
+
+def looked_at(choices: Choices, depth: int = MOST_STEPS) -> tuple[int, int]:
+    """Say up to how many moves of an object are looked at, and how many count vectors that are."""
+    kinds = len(choices.costs)
+    if kinds == 0:
+        return depth, 1
+    steps = next(length for length in range(depth, -1, -1) if _vectors(kinds, length) <= MOST_VECTORS)
+    return steps, math.comb(steps + kinds, kinds)
+
+
+def _vectors(kinds: int, length: int) -> int:
+    return math.comb(length + kinds - 1, length)
+
+
+@lru_cache(maxsize=256)
+def _level(kinds: int, length: int) -> tuple[Int[np.ndarray, " n"], Int[np.ndarray, " n"]]:
+    """List the count vectors of a length: which of the length before they continue, and by which move.
+
+    Moves are numbered such that none is followed by a lesser one, so each vector is there once.
+    """
+    before = _level(kinds, length - 1)[1] if length > 1 else np.zeros(1, dtype=np.int32)
+    widths = kinds - before
+    parents = np.repeat(np.arange(len(before), dtype=np.int32), widths)
+    first = np.repeat(np.cumsum(widths) - widths - before, widths)
+    return parents, np.arange(len(parents), dtype=np.int32) - first.astype(np.int32)
+
+
+def count_vector(kinds: int, length: int, row: int) -> Int[np.ndarray, " k"]:
+    """Return a count vector by its row.
 
     Args:
         kinds: How many moves there are.
-        total: How many steps.
+        length: How many of them are made.
+        row: Which of the vectors of that length it is.
     """
-    if kinds == 0:
-        return np.zeros((int(total == 0), 0), dtype=np.int8)
-    if kinds == 1:
-        return np.full((1, 1), total, dtype=np.int8)
-    blocks = []
-    for first in range(total, -1, -1):
-        rest = count_vectors(kinds - 1, total - first)
-        blocks.append(np.concatenate([np.full((len(rest), 1), first, dtype=np.int8), rest], axis=1))
-    return np.concatenate(blocks)
+    counts = np.zeros(kinds, dtype=int)
+    for shorter in range(length, 0, -1):
+        parents, moves = _level(kinds, shorter)
+        counts[moves[row]] += 1
+        row = int(parents[row])
+    return counts
 
 
-def is_countable(choices: Choices, length: int) -> bool:
-    """Say whether the count vectors of a length are few enough to be looked at."""
-    kinds = max(len(choices.costs), 1)
-    return length <= MOST_STEPS and math.comb(length + kinds - 1, kinds - 1) <= MOST_VECTORS
-
-
-def ends(choices: Choices, length: int) -> Iterator[tuple[int | None, Float[np.ndarray, "n 3"]]]:
-    """List where an object can end after so many moves: at rest (None), then held by each of the lifts.
-
-    Args:
-        choices: What can be done to the object.
-        length: How many moves; the vectors of the others, in order, belong to a lift.
-    """
-    yield None, choices.start + count_vectors(len(choices.costs), length) @ choices.settled
-    if length:
-        before = choices.start + count_vectors(len(choices.costs), length - 1) @ choices.settled
-        for lift in np.flatnonzero(choices.held):
-            yield int(lift), before + choices.lifted[lift]
+def _ends(choices: Choices, depth: int) -> Iterator[tuple[_Ends, ...]]:
+    """List where an object can end after 0, 1, 2 and more moves: at rest, then held by each of the lifts."""
+    now = _Ends(0, None, choices.start[None], np.zeros(1, dtype=int))
+    yield (now,)
+    kinds = len(choices.costs)
+    for length in range(1, looked_at(choices, depth)[0] + 1 if kinds else 1):
+        before = now
+        parents, moves = _level(kinds, length)
+        places = before.places[parents] + choices.settled[moves]
+        now = _Ends(length, None, places, before.costs[parents] + choices.costs[moves])
+        lifts = np.flatnonzero(choices.held).tolist()
+        held = (
+            _Ends(length, lift, before.places + choices.lifted[lift], before.costs + choices.costs[lift])
+            for lift in lifts
+        )
+        yield (now, *held)
 
 
 def candidates(
-    choices: Choices, goal: Vector, tolerance: float, *, at_rest: bool = False, deadline: float = math.inf
+    choices: Choices, goal: Vector, tolerance: float, effort: Effort, *, at_rest: bool = False
 ) -> Iterator[Candidate]:
     """List the ways to bring an object to its goal: fewest moves first, among those the cheapest first.
+
+    The list ends where `looked_at` says, or with the budget of work.
 
     Args:
         choices: What can be done to the object.
         goal: Where its centre shall come to be [m].
         tolerance: How near it must come [m].
+        effort: What may be spent.
         at_rest: Whether it may not end held.
-        deadline: When to stop, by `time.perf_counter()` [s].
+
+    Raises:
+        TimeIsUp: If the deadline passes.
     """
-    length = 0
-    while is_countable(choices, length):
+    for ends in _ends(choices, MOST_STEPS):
+        effort.spend(0)
         found: list[tuple[int, int, int]] = []  # cost, lift or -1, row
-        for lift, places in ends(choices, length):
-            if lift is not None and at_rest:
+        for end in ends:
+            if end.lift is not None and at_rest:
                 continue
-            away = places - np.array(goal)
+            away = end.places - np.array(goal)
             rows = np.flatnonzero(np.einsum("ij,ij->i", away, away) <= tolerance**2)
-            rows = rows[choices.is_inside(places[rows]) | (length == 0)]
-            counts = count_vectors(len(choices.costs), length - (lift is not None))[rows]
-            costs = counts @ choices.costs + (0 if lift is None else choices.costs[lift])
-            found += [
-                (int(cost), -1 if lift is None else lift, int(row))
-                for cost, row in zip(costs, rows, strict=True)
-            ]
+            rows = rows[choices.is_inside(end.places[rows]) | (end.length == 0)]
+            lift = -1 if end.lift is None else end.lift
+            found += [(int(end.costs[row]), lift, int(row)) for row in rows]
         for _, lift, row in sorted(found):
-            if time.perf_counter() > deadline:
+            if not effort.spend():
                 return
-            if candidate := in_order(choices, length, row, None if lift < 0 else lift):
+            if candidate := _in_order(choices, ends[0].length, row, None if lift < 0 else lift):
                 yield candidate
-        if time.perf_counter() > deadline:
-            return
-        length += 1
 
 
 def nearest(
@@ -159,7 +201,7 @@ def nearest(
     Args:
         choices: What can be done to the object.
         goal: Where its centre shall come to be [m].
-        depth: Most moves.
+        depth: Most moves; fewer are looked at if `looked_at` says so.
         at_rest: Whether it may not end held.
         anywhere: Whether it may leave its room; the moves are in no particular order then.
         gain: How much nearer more moves must bring it to be worth it [m].
@@ -168,22 +210,20 @@ def nearest(
     free = replace(choices, room=room, dead=set())
     x, y, z = map(float, choices.start)
     best = Candidate((), False, 0, (x, y, z), math.dist(choices.start, goal))
-    for length in range(1, depth + 1):
-        if not is_countable(choices, length):
-            break
-        for lift, places in ends(choices, length):
-            if lift is not None and at_rest:
+    for ends in _ends(choices, depth):
+        for end in ends:
+            if end.length == 0 or (end.lift is not None and at_rest):
                 continue
-            misses = np.linalg.norm(places - np.array(goal), axis=-1)
-            rows = np.flatnonzero((misses < best.miss - gain) & free.is_inside(places))
+            misses = np.linalg.norm(end.places - np.array(goal), axis=-1)
+            rows = np.flatnonzero((misses < best.miss - gain) & free.is_inside(end.places))
             for row in rows[np.argsort(misses[rows], kind="stable")]:
-                if found := in_order(free, length, int(row), lift):
+                if found := _in_order(free, end.length, int(row), end.lift):
                     best = replace(found, miss=float(misses[row]))
                     break
     return best
 
 
-def in_order(choices: Choices, length: int, row: int, lift: int | None) -> Candidate | None:
+def _in_order(choices: Choices, length: int, row: int, lift: int | None) -> Candidate | None:
     """Put the moves of a count vector in an order that stays in the object's room, if there is one.
 
     Args:
@@ -192,8 +232,8 @@ def in_order(choices: Choices, length: int, row: int, lift: int | None) -> Candi
         row: Which count vector it is.
         lift: The lift that the object ends held by, if any.
     """
-    counts = count_vectors(len(choices.costs), length - (lift is not None))[row]
-    order = _order(choices, tuple(map(int, counts)), lift)
+    counts = count_vector(len(choices.costs), length - (lift is not None), row)
+    order = _order(choices, tuple(counts.tolist()), lift)
     if order is None:
         return None
     end = choices.start + counts @ choices.settled + (0 if lift is None else choices.lifted[lift])

@@ -4,12 +4,13 @@ Objects do not interact but by standing in each other's way, and where one comes
 often each primitive was done to it (see `count_vectors`). So the shortest plans of each object are listed and
 joined: at most one object ends held, and comes last. What stands in each other at the end, or has no order of
 steps that works, is replaced by the next shortest (conflict-based search). The first that fits has provably
-the fewest primitives, and costs the least among those.
+the fewest primitives, and costs the least among those. Where none is found, that proves nothing, and what was
+looked at is said.
 """
 
 import heapq
 import math
-import time
+from collections import Counter
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass, field
 from itertools import count
@@ -21,50 +22,49 @@ from neurosym.pddl.moves import PUT_DOWN, step_cost
 from neurosym.pddl.plan_text import PlanStep
 from neurosym.pddl.validation import footprints_apart, overlapping
 from neurosym.planners.branching import Branching, Names, branching_of
-from neurosym.planners.count_vectors import Candidate, Choices, candidates, nearest
+from neurosym.planners.count_vectors import Candidate, Choices, candidates, looked_at, nearest
+from neurosym.planners.effort import Effort, within
 from neurosym.planners.ordering import mend
 from neurosym.planners.result import PlanResult, PlanStatus
 from neurosym.problems import Problem
 
 Listing = Callable[[Choices, str, bool], Iterable[Candidate]]
 """Lists candidates: what can be done to an object, its name, and whether it may not end held."""
-MOST_JOINS = 2000
-"""How many ways to join the objects' plans are tried."""
+MOST_WORK = 200_000
+"""How many candidates, ways to join them and beginnings of plans are looked at; some tens of seconds."""
 GAIN = 0.005
 """How much nearer to a goal out of reach more primitives must bring an object to be done [m]."""
 
 
-def plan_counting(problem: Problem, grounding: Grounding, *, time_limit: float = 60.0) -> PlanResult:
+def plan_counting(
+    problem: Problem, grounding: Grounding, *, time_limit: float = math.inf, work: int = MOST_WORK
+) -> PlanResult:
     """Find a plan with the fewest primitives, and among those the cheapest.
 
     Args:
         problem: The problem.
         grounding: The learned domain.
-        time_limit: When to give up [s].
+        time_limit: The user's ceiling [s].
+        work: How much is looked at.
 
     Raises:
         UnknownChoice: If an object is of a category that the domain does not have.
     """
-    begin = time.perf_counter()
-    search = Join(problem, grounding, deadline=begin + time_limit)
-    for number, steps in enumerate(search.plans(), start=1):
-        ordered, checked = mend(steps, problem, grounding)
-        seconds = time.perf_counter() - begin
-        if checked.valid:
-            return PlanResult(PlanStatus.SOLVED, ordered, seconds)
-        if seconds > time_limit:
-            break
-        if number == MOST_JOINS:
-            reason = f"none of {number} plans was true when replayed; the last: {checked.reason}"
-            return PlanResult(PlanStatus.FAILED, (), seconds, reason)
-    seconds = time.perf_counter() - begin
-    if seconds > time_limit:
-        return PlanResult(PlanStatus.TIMEOUT, (), seconds, f"no plan in {time_limit:g} s")
-    return PlanResult(PlanStatus.UNSOLVABLE, (), seconds, "no number of steps suffices")
+
+    def search(deadline: float) -> PlanResult:
+        join = Join(problem, grounding, Effort(work, deadline))
+        for steps in join.plans():
+            ordered, checked = mend(steps, problem, grounding, join.effort)
+            if checked.valid:
+                return PlanResult(PlanStatus.SOLVED, ordered, 0.0)
+            join.missed = checked.reason
+        return PlanResult(PlanStatus.NOT_FOUND, (), 0.0, join.why_none())
+
+    return within(time_limit, search)
 
 
-def fewest_steps(problem: Problem, grounding: Grounding, *, deadline: float = math.inf) -> int | None:
-    """Return the fewest primitives that can solve a problem, put-downs not counted; None if none do.
+def fewest_steps(problem: Problem, grounding: Grounding) -> int | None:
+    """Return the fewest primitives that can solve a problem, put-downs not counted; None if none are found.
 
     Each object stays on the table, and at most one ends held. No plan that replays well has fewer; where
     objects stand in each other's way it may need more.
@@ -72,12 +72,11 @@ def fewest_steps(problem: Problem, grounding: Grounding, *, deadline: float = ma
     Args:
         problem: The problem.
         grounding: The learned domain.
-        deadline: When to stop, by `time.perf_counter()` [s]; None says nothing from then on.
 
     Raises:
         UnknownChoice: If an object is of a category that the domain does not have.
     """
-    join = Join(problem, grounding, deadline=deadline)
+    join = Join(problem, grounding, Effort(MOST_WORK))
     saved, total = [0], 0
     must_be_held = 0
     for name in problem.goals:
@@ -144,14 +143,19 @@ _Pick = tuple[bool, int]
 
 
 class Join:
-    """Picks a candidate for each object with a goal, the fewest moves and then the cheapest first."""
+    """Picks a candidate for each object with a goal, the fewest moves and then the cheapest first.
+
+    Attributes:
+        effort: What may be spent, and was.
+        missed: Why the last plan that was tried is not true; whoever tries them says so.
+    """
 
     def __init__(
         self,
         problem: Problem,
         grounding: Grounding,
+        effort: Effort,
         *,
-        deadline: float = math.inf,
         nearest_depth: int | None = None,
         listing: Listing | None = None,
         by_cost: bool = False,
@@ -161,12 +165,14 @@ class Join:
         Args:
             problem: The problem.
             grounding: The learned domain.
-            deadline: When to stop, by `time.perf_counter()` [s].
+            effort: What may be spent.
             nearest_depth: Where no candidate reaches a goal, take the nearest with so many moves, if given.
             listing: Lists the candidates of an object in place of `candidates`, if given.
             by_cost: Whether the cheapest plans come first, and not those with the fewest primitives.
         """
-        self._deadline, self._nearest_depth = deadline, nearest_depth
+        self.effort, self._nearest_depth = effort, nearest_depth
+        self.missed = ""
+        self._bystanders: Counter[str] = Counter()
         self._listing, self._by_cost = listing, by_cost
         for item in problem.objects:
             grounding.category(item.category)
@@ -194,7 +200,7 @@ class Join:
         if self._listing:
             yield from self._listing(choices, name, at_rest)
             return
-        found = candidates(choices, goal, self._problem.tolerance, at_rest=at_rest, deadline=self._deadline)
+        found = candidates(choices, goal, self._problem.tolerance, self.effort, at_rest=at_rest)
         first = next(found, None)
         if first is None and self._nearest_depth is not None:
             first = nearest(choices, goal, depth=self._nearest_depth, at_rest=at_rest, gain=GAIN)
@@ -203,7 +209,13 @@ class Join:
         yield from found
 
     def plans(self) -> Iterator[tuple[PlanStep, ...]]:
-        """List plans in which no two objects end in each other or in the hand; orders are not looked at."""
+        """List plans in which no two objects end in each other or in the hand; orders are not looked at.
+
+        The list ends where no object has more candidates, or with the budget of work.
+
+        Raises:
+            TimeIsUp: If the deadline passes.
+        """
         first: tuple[_Pick, ...] = tuple((False, 0) for _ in self._names)
         seen, ticket = {first}, count()
         waiting: list[tuple[float, int, int, int, tuple[_Pick, ...]]] = []
@@ -217,7 +229,7 @@ class Join:
                 heapq.heappush(waiting, (miss, *order, next(ticket), picks))
 
         push(first)
-        while waiting and time.perf_counter() <= self._deadline:
+        while waiting and self.effort.spend():
             picks = heapq.heappop(waiting)[-1]
             picked = self._picked(picks)
             assert picked is not None, "only what can be picked waits"
@@ -232,6 +244,17 @@ class Join:
                 if one not in seen:
                     seen.add(one)
                     push(one)
+
+    def why_none(self) -> str:
+        """Say up to where plans were looked for in vain."""
+        looked = [looked_at(self._choices[name]) for name in self._names]
+        steps, vectors = min(steps for steps, _ in looked), sum(vectors for _, vectors in looked)
+        said = f"none within {steps} primitives with an object; {vectors:,} combinations looked at"
+        if self.effort.is_used_up:
+            said = f"none within {self.effort.work:,} candidates, joins and orders looked at"
+        if self._bystanders:
+            said += f"; {self._bystanders.most_common(1)[0][0]} was in the way most often"
+        return said + (f"; the last that was tried: {self.missed}" if self.missed else "")
 
     def _picked(self, picks: tuple[_Pick, ...]) -> list[Candidate] | None:
         found = [self.candidate(name, *pick) for name, pick in zip(self._names, picks, strict=True)]
@@ -252,7 +275,10 @@ class Join:
                 hit = overlapping(spots[row], spots, self._apart[row])
                 if hit.any():
                     other = int(np.flatnonzero(hit)[0])
-                    return False, (index, *((rows.index(other),) if other in rows else ()))
+                    if other in rows:
+                        return False, (index, rows.index(other))
+                    self._bystanders[self._problem.object_names[other]] += 1
+                    return False, (index,)
         return None
 
     def _steps(self, picked: list[Candidate]) -> tuple[PlanStep, ...]:

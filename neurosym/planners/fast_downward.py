@@ -1,8 +1,11 @@
 """Fast Downward, the one that the package up-fast-downward brings, on our own SAS+ or PDDL.
 
 Going through unified-planning takes seconds on fine grids, because it makes every ground fluent. Here one
-search runs after another: the cheapest plan if it can be had soon (blind A*: our states are small, and
-heuristics cost more than they save), any plan otherwise. PDDL is translated once before.
+search runs after another: the cheapest plan if it can be had in little memory (blind A*: our states are
+small, and heuristics cost more than they save), any plan otherwise. PDDL is translated once before.
+
+Fast Downward knows no limit of expansions, but how many states fit into some memory does not depend on how
+busy a machine is. So memory is the budget of a search, and the user's time ends all of them at once.
 """
 
 import importlib.util
@@ -13,7 +16,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from neurosym.planners.planner import PlannerMissing
-from neurosym.planners.process import Finished, read_text, run_limited
+from neurosym.planners.process import MEMORY, Finished, read_text, run_limited
 from neurosym.planners.result import PlannerAnswer, PlanStatus
 from neurosym.planners.scratch import scratch_folder
 
@@ -30,24 +33,19 @@ class Search:
 
     Attributes:
         configuration: What Fast Downward calls it; no blanks.
-        share: How much of the remaining time it may take.
-        at_most: How long it may take at most [s].
+        memory: How much memory it may take [bytes]; the next search begins when it wants more.
     """
 
     configuration: str
-    share: float = 1.0
-    at_most: float = float("inf")
+    memory: int = MEMORY
 
 
-PORTFOLIO = (
-    Search("astar(blind())", share=0.4, at_most=10.0),
-    Search("let(hff,ff(),eager_greedy([hff],preferred=[hff]))", share=0.5),
-    Search(LAMA_FIRST),
-)
-"""The cheapest plan first; greedy search and LAMA each solve cases that are too much for the other."""
+PORTFOLIO = (Search("astar(blind())", memory=256 * 1024**2), Search(LAMA_FIRST))
+"""The cheapest plan first: some 10 million states fit; a grid for one object has less than one million."""
 
 SAS_SUFFIX = ".sas"
 _UNSOLVABLE = (10, 11)
+_INCOMPLETE = 12
 _OUT_OF_TIME = (21, 23, 24)
 _OUT_OF_MEMORY = (20, 22)
 
@@ -91,22 +89,20 @@ def _translate(
 def _search(
     folder: Path, downward: Path, task: Path, searches: Sequence[Search], time_limit: float
 ) -> tuple[PlanStatus, str, str]:
-    """Run searches until one finds a plan or proves that there is none."""
+    """Run searches until one needs no more memory than it may take."""
     end = time.perf_counter() + time_limit
+    plan = folder / "plan"
     status, reason = PlanStatus.TIMEOUT, "the time was up before the search"
     for search in searches:
-        left = end - time.perf_counter()
-        if left <= 0:
-            break
-        plan = folder / "plan"
         command = [str(downward), "--search", search.configuration, "--internal-plan-file", str(plan)]
-        limit = min(left * search.share, search.at_most)
-        status, reason = _judge(run_limited(command, folder, limit, stdin=task))
-        if status is PlanStatus.SOLVED:
-            text = read_text(plan)
-            return (status, "", text) if text else (PlanStatus.FAILED, "Fast Downward wrote no plan", "")
-        if status is PlanStatus.UNSOLVABLE:
+        left = end - time.perf_counter()
+        finished = run_limited(command, folder, left, stdin=task, memory=search.memory)
+        status, reason = _judge(finished)
+        if finished.code not in _OUT_OF_MEMORY:
             break
+    if status is PlanStatus.SOLVED:
+        text = read_text(plan)
+        return (status, "", text) if text else (PlanStatus.FAILED, "Fast Downward wrote no plan", "")
     return status, reason, ""
 
 
@@ -118,8 +114,10 @@ def _judge(finished: Finished) -> tuple[PlanStatus, str]:
         return PlanStatus.SOLVED, ""
     if finished.code in _UNSOLVABLE:
         return PlanStatus.UNSOLVABLE, "Fast Downward proved that there is no plan"
+    if finished.code == _INCOMPLETE:
+        return PlanStatus.NOT_FOUND, "Fast Downward found no plan; its search does not look at everything"
     if finished.code in _OUT_OF_MEMORY:
-        return PlanStatus.FAILED, "Fast Downward ran out of memory"
+        return PlanStatus.NOT_FOUND, "Fast Downward ran out of memory"
     return PlanStatus.FAILED, f"Fast Downward ended with code {finished.code}: {finished.last_words}"
 
 

@@ -3,12 +3,11 @@
 Objects do not interact but by standing in each other's way. So each gets a plan of its own, which is cheap
 and makes every plan the cheapest; one that ends with its object held comes last. Where objects would end in
 each other, or no order of the steps leads past one, those in conflict are planned for again, with goals
-narrowed to where the exact planner, which looks at all objects together, would have them end. Those that are
+narrowed to where counting, which looks at all objects together, would have them end. Those that are
 still in conflict then are to end where there is room around them.
 """
 
 import math
-import time
 from collections import Counter
 from collections.abc import Callable, Collection, Mapping
 from functools import partial
@@ -22,6 +21,7 @@ from neurosym.operators import Vector, vector
 from neurosym.pddl.plan_text import PlanStep
 from neurosym.pddl.validation import footprints_apart, overlapping, validate
 from neurosym.planners.counting import Join, plan_counting
+from neurosym.planners.effort import Effort, check_time
 from neurosym.planners.ordering import ends_held, mend
 from neurosym.planners.parallel import plan_together
 from neurosym.planners.result import PlanResult, PlanStatus
@@ -31,10 +31,10 @@ NARROWER = (3, 6)
 """By how much the goal of an object in conflict is narrowed, the first time and then."""
 PARTINGS = 2
 """How often who is still in conflict then is sent to where there is room."""
-TIME_TO_COUNT = 3.0
-"""How long the exact planner looks for where objects could end [s]."""
-TIME_TO_PART = 0.3
-"""How long room around objects is looked for [s]; it is found at once, or there is little."""
+WORK_TO_COUNT = 20_000
+"""How much counting looks at to say where objects could end; see `Effort`."""
+WORK_TO_PART = 2_000
+"""How much is looked at to find room around objects; it is found at once, or there is little."""
 
 
 def plan_one_by_one(
@@ -49,7 +49,10 @@ def plan_one_by_one(
         problem: The problem.
         grounding: The learned domain.
         believed: Solves a problem such that the replay of the plan is right.
-        deadline: When to stop, by `time.perf_counter()` [s].
+        deadline: When the user's time is up, by `time.perf_counter()` [s].
+
+    Raises:
+        TimeIsUp: If the deadline passes.
     """
     wanted = {name: _alone(problem, name, goal, problem.tolerance) for name, goal in problem.goals.items()}
     narrowed: Counter[str] = Counter()
@@ -101,9 +104,9 @@ def _remark(plans: Mapping[str, PlanResult], narrowed: Collection[str]) -> str:
 
 
 def _aims(problem: Problem, grounding: Grounding, deadline: float) -> Float[np.ndarray, "M 3"] | None:
-    """Return where objects can end together [m], or None if the exact planner finds no plan in time."""
-    left = min(TIME_TO_COUNT, deadline - time.perf_counter())
-    found = plan_counting(problem, grounding, time_limit=left)
+    """Return where objects can end together [m], or None if counting finds no plan."""
+    found = plan_counting(problem, grounding, work=WORK_TO_COUNT)
+    check_time(deadline)
     if found.status is not PlanStatus.SOLVED:
         return None
     return np.asarray(validate(found.steps, problem, grounding).positions[-1])
@@ -129,8 +132,7 @@ def _aims_apart(
     task = msgspec.structs.replace(
         problem, objects=tuple(items), goals=goals, tolerance=problem.tolerance - room
     )
-    deadline = min(time.perf_counter() + TIME_TO_PART, deadline)
-    steps = next(Join(task, grounding, deadline=deadline).plans(), None)
+    steps = next(Join(task, grounding, Effort(WORK_TO_PART, deadline)).plans(), None)
     return None if steps is None else _ends(steps, task, grounding)
 
 

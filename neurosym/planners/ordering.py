@@ -14,6 +14,7 @@ from jaxtyping import Bool, Float, Int
 from neurosym.grounding import Grounding, is_lift
 from neurosym.pddl.plan_text import PlanStep
 from neurosym.pddl.validation import Validation, footprints_apart, validate
+from neurosym.planners.effort import Effort
 from neurosym.problems import Problem
 
 MOST_STATES = 2_000
@@ -31,7 +32,7 @@ _Order = tuple[int, ...]
 
 
 def mend(
-    steps: Sequence[PlanStep], problem: Problem, grounding: Grounding
+    steps: Sequence[PlanStep], problem: Problem, grounding: Grounding, effort: Effort | None = None
 ) -> tuple[tuple[PlanStep, ...], Validation]:
     """Find an order of the steps in which all are possible, beginning with the one given.
 
@@ -39,6 +40,7 @@ def mend(
         steps: The plan.
         problem: The problem it is for.
         grounding: The learned domain.
+        effort: What the beginnings of plans that are tried are counted in, if given.
 
     Returns:
         The first order that is possible, or the one given if none is; and its replay.
@@ -51,7 +53,10 @@ def mend(
     if not blocks:
         return tuple(steps), given
     search = _Search(blocks, problem, grounding)
-    if (found := search.run()) is not None:
+    found = search.run()
+    if effort:
+        effort.spend(search.looks)
+    if found is not None:
         ordered = (*found, *last)
         if (checked := validate(ordered, problem, grounding)).possible:
             return ordered, checked
@@ -83,6 +88,7 @@ class _Search:
 
     Attributes:
         stuck: After a search without success: the objects that were left over most often.
+        looks: How many beginnings of plans were tried.
     """
 
     def __init__(self, blocks: Sequence[_Block], problem: Problem, grounding: Grounding) -> None:
@@ -95,7 +101,7 @@ class _Search:
         self._room = problem.room(grounding.table)[:, self._moved]  # (2, K, 2)
         self._apart = footprints_apart(problem)[self._moved]  # (K, M, 2)
         self.stuck: frozenset[int] = frozenset()
-        self._looks = 0
+        self.looks = 0
 
     def run(self) -> tuple[PlanStep, ...] | None:
         """Return the steps in the first order that is found to be possible, or None if none is."""
@@ -136,7 +142,7 @@ class _Search:
     def _making_way(self) -> _Order | None:
         """Finish whoever can be finished; if nobody can, let somebody make a step. Who, is drawn."""
         rng, left_over = np.random.default_rng(0), Counter[frozenset[int]]()
-        self._looks = 0
+        most = self.looks + MOST_LOOKS
         for _ in range(MOST_DRAWS):
             here, left = self._start.copy(), np.array(self._counts)
             done: _Order = ()
@@ -145,12 +151,12 @@ class _Search:
                     here[self._moved[kind]] += self._last[kind]
                     left[kind] -= 1
                 done += path
-                if self._looks > MOST_LOOKS:
+                if self.looks > most:
                     break
             if not left.any():
                 return done
             left_over[frozenset(self._moved[left > 0].tolist())] += 1
-            if self._looks > MOST_LOOKS:
+            if self.looks > most:
                 break
         self.stuck = left_over.most_common(1)[0][0]
         return None
@@ -182,7 +188,7 @@ class _Search:
         waiting: list[tuple[_Order, tuple[int, ...], Float[np.ndarray, "M 3"]]] = [((), counts, start)]
         while waiting and len(seen) < MOST_STATES:
             done, left, here = waiting.pop()
-            self._looks += 1
+            self.looks += 1
             if not any(left):
                 return done, blockers
             wanted = np.flatnonzero(left)

@@ -20,6 +20,8 @@ from neurosym.problems import LEGAL_NAME, Problem
 Option = Literal["encoding", "whole", "unit-costs"]
 PredictEffects = Callable[[Float[np.ndarray, "M F"]], Float[np.ndarray, "M P 3"]]
 """Says what the network predicts each primitive to do to objects of these features [m]."""
+CEILING = 60.0
+"""When planners give up that count no work, if the user sets no limit [s]."""
 GRID: tuple[Encoding, ...] = ("stepwise", "operators")
 
 
@@ -38,7 +40,7 @@ class Query:
         problem: The problem.
         grounding: The learned domain; it says whether every step costs the same.
         predict: What the network predicts; None for planners that do not read it, or where there is none.
-        time_limit: When to give up [s].
+        time_limit: The user's ceiling, which may be infinite [s].
         encoding: The encoding to plan in; None for the one that the planner does best with.
         whole: Whether to plan for all objects at once instead of one by one.
     """
@@ -46,7 +48,7 @@ class Query:
     problem: Problem
     grounding: Grounding
     predict: PredictEffects | None = None
-    time_limit: float = 60.0
+    time_limit: float = CEILING
     encoding: Encoding | None = None
     whole: bool = False
 
@@ -101,7 +103,9 @@ class Planner:
         reads: Whether it plans over what the operators promise, or over what the network predicts.
         takes: The options that it takes.
         depth: How many primitives it looks ahead; None if there is no limit.
-        is_exact: Whether there is no plan if it finds none.
+        is_exact: Whether counting finds no plan where it finds none.
+        ceiling: When it gives up if the user sets no limit [s]; infinite if its budget counts work instead,
+            so that what it finds does not depend on the machine.
         program: What it gives files of PDDL to, if it does.
         missing: Says what to do about what is not installed, or nothing if everything is.
 
@@ -116,6 +120,7 @@ class Planner:
     takes: frozenset[Option] = frozenset()
     depth: int | None = None
     is_exact: bool = False
+    ceiling: float = CEILING
     program: PddlProgram | None = None
     missing: Callable[[], str] = str
 

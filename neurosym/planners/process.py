@@ -6,6 +6,7 @@ all its descendants are killed; those that have cut their ties are known by a ma
 When we are killed ourselves, the keeper does that (`keeper.py`).
 """
 
+import math
 import os
 import resource
 import signal
@@ -60,15 +61,17 @@ def run_limited(
     *,
     stdin: Path | None = None,
     environment: Mapping[str, str] | None = None,
+    memory: int = MEMORY,
 ) -> Finished:
     """Run a command in a session of its own, and kill all that is left of it when it ends or its time is up.
 
     Args:
         command: The command.
         folder: Its working directory, and where its temporary files go.
-        time_limit: When to kill it [s].
+        time_limit: When to kill it [s]; infinite: never.
         stdin: What it reads from its standard input.
         environment: Variables added to the environment.
+        memory: How much memory it may take [bytes].
     """
     mark = f"{this_process()}.{uuid.uuid4().hex}"
     added = {"TMPDIR": str(folder), **(environment or {}), MARK: mark}
@@ -86,8 +89,8 @@ def run_limited(
         code: int | None = None
         try:
             _running[threading.get_ident()] = process
-            _limit(process.pid)
-            code = process.wait(timeout=max(time_limit, 0.0))
+            _limit(process.pid, memory)
+            code = process.wait(timeout=None if math.isinf(time_limit) else max(time_limit, 0.0))
         except subprocess.TimeoutExpired:
             pass
         finally:
@@ -132,10 +135,10 @@ def kill_all(mark: str, root: int | None) -> None:
     end_processes(lambda: marked(mark) | (_descendants(root) if root else set()))
 
 
-def _limit(process: int) -> None:
+def _limit(process: int, memory: int) -> None:
     """Let a planner have what it may, and never more than this process, where the system can do that."""
     if sys.platform == "linux":
-        for kind, most in ((resource.RLIMIT_AS, MEMORY), (resource.RLIMIT_FSIZE, FILE_SIZE)):
+        for kind, most in ((resource.RLIMIT_AS, memory), (resource.RLIMIT_FSIZE, FILE_SIZE)):
             with suppress(ProcessLookupError):
                 limits = resource.prlimit(process, kind)
                 least = [most if limit == resource.RLIM_INFINITY else min(most, limit) for limit in limits]

@@ -25,12 +25,12 @@ from neurosym.pddl.moves import SAS, Encoding
 from neurosym.pddl.plan_text import parse_plan
 from neurosym.pddl.problem import STEPS, problem_text
 from neurosym.pddl.sas import sas_text
-from neurosym.planners.counting import fewest_steps
+from neurosym.planners.effort import TimeIsUp, check_time, within
 from neurosym.planners.fast_downward import SAS_SUFFIX
-from neurosym.planners.no_plan import explain_clash, explain_no_plan
+from neurosym.planners.no_plan import Explanation, explain_clash, explain_no_plan
 from neurosym.planners.one_by_one import plan_one_by_one
 from neurosym.planners.ordering import mend
-from neurosym.planners.planner import GRID, Option, PddlCall, PddlProgram, Planner, Query
+from neurosym.planners.planner import CEILING, GRID, Option, PddlCall, PddlProgram, Planner, Query
 from neurosym.planners.result import PlannerAnswer, PlanResult, PlanStatus
 from neurosym.planners.scratch import scratch_folder
 from neurosym.problems import Problem
@@ -67,6 +67,7 @@ def pddl_planner(
     encodings: Sequence[Encoding] = GRID,
     cell: float = 0.0,
     missing: Callable[[], str] = str,
+    ceiling: float = CEILING,
 ) -> Planner:
     """Return a planner that gives files of PDDL to a program, and believes only plans that come true.
 
@@ -77,6 +78,7 @@ def pddl_planner(
         encodings: Those of the domain that it takes, the one it does best with first.
         cell: Edge of the smallest cells that it is given at first, 0 for any [m].
         missing: Says what to do about what is not installed, or nothing if everything is.
+        ceiling: When it gives up if the user sets no limit [s]; infinite if its budget counts work instead.
 
     Raises:
         InvalidPlanner: If the name is not legal, or there is no such encoding.
@@ -88,7 +90,7 @@ def pddl_planner(
     program = PddlProgram(partial(_answer, name, call), tuple(encodings), cell)
     takes: frozenset[Option] = frozenset({"encoding", "whole", "unit-costs"})
     solve = partial(plan_pddl, name=name, program=program)
-    return Planner(name, about, solve, takes=takes, program=program, missing=missing)
+    return Planner(name, about, solve, takes=takes, program=program, missing=missing, ceiling=ceiling)
 
 
 def _answer(name: str, call: PddlCall, domain: Path, problem: Path, *, time_limit: float) -> PlannerAnswer:
@@ -116,52 +118,51 @@ def plan_pddl(query: Query, *, name: str, program: PddlProgram) -> PlanResult:
         UnknownChoice: If it does not take the encoding, or an object's category is unknown.
         InvalidValue: If an object stands off the table, or its name means something else in the domain.
     """
-    problem, grounding, whole, time_limit = query.problem, query.grounding, query.whole, query.time_limit
+    problem, grounding = query.problem, query.grounding
     chosen = program.encoding_for(name, query.encoding)
-    begin = time.perf_counter()
-    deadline = begin + time_limit
     if problem.is_met(problem.scene().positions):
         return PlanResult(PlanStatus.SOLVED, (), 0.0, "the goal is met at the start")
     if reason := explain_clash(problem, grounding):
         return PlanResult(PlanStatus.UNSOLVABLE, (), 0.0, reason)
 
-    at_once = whole or len(problem.objects) == 1
+    at_once = query.whole or len(problem.objects) == 1
 
-    def attempt(learned: Grounding) -> PlanResult:
+    def attempt(learned: Grounding, deadline: float) -> PlanResult:
         def solve(task: Problem, slack: _Slack) -> PlanResult:
-            left = deadline - time.perf_counter()
-            if left <= 0:
-                return PlanResult(PlanStatus.TIMEOUT, (), 0.0, f"no plan in {time_limit:g} s")
-            return _solve(task, learned, program, left, chosen, slack)
+            check_time(deadline)
+            found = _solve(task, learned, program, deadline - time.perf_counter(), chosen, slack)
+            if found.status is PlanStatus.TIMEOUT:
+                raise TimeIsUp
+            return found
 
-        believed = partial(_believed, grounding=learned, solve=solve, deadline=deadline)
+        believed = partial(_believed, grounding=learned, solve=solve)
         return believed(problem) if at_once else plan_one_by_one(problem, learned, believed, deadline)
 
-    result = attempt(grounding)
-    if result.status is PlanStatus.FAILED and not at_once and not grounding.unit_costs:
-        # The most reliable plans are long, and long ones stand in each other's way; shorter ones may not.
-        shorter = attempt(msgspec.structs.replace(grounding, unit_costs=True))
-        if shorter.status is PlanStatus.SOLVED:
-            result = dataclasses.replace(shorter, reason=f"not the most reliable: {result.reason}")
-    return dataclasses.replace(result, seconds=time.perf_counter() - begin)
+    def search(deadline: float) -> PlanResult:
+        result = attempt(grounding, deadline)
+        if result.status is PlanStatus.FAILED and not at_once and not grounding.unit_costs:
+            # The most reliable plans are long, and long ones stand in each other's way; shorter ones may not.
+            shorter = attempt(msgspec.structs.replace(grounding, unit_costs=True), deadline)
+            if shorter.status is PlanStatus.SOLVED:
+                return dataclasses.replace(shorter, reason=f"not the most reliable: {result.reason}")
+        return result
+
+    return within(query.time_limit, search)
 
 
-def _believed(problem: Problem, grounding: Grounding, solve: _Solve, deadline: float) -> PlanResult:
+def _believed(problem: Problem, grounding: Grounding, solve: _Solve) -> PlanResult:
     """Solve a problem until the replay of the plan is right; each time with more slack, and then finer."""
-    slack, said = _Slack(STEPS), ""
+    slack, said, wrong = _Slack(STEPS), "", ""
     for attempt in range(1, ATTEMPTS + 1):
         result = solve(problem, slack)
         if result.status is PlanStatus.UNSOLVABLE and (slack.steps or slack.margin):
             # What has no plan in a smaller region may have one in the whole.
             result = solve(problem, _Slack(0, 0, slack.finer))
         if result.status is PlanStatus.UNSOLVABLE:
-            if said == "" and fewest_steps(problem, grounding, deadline=deadline) is None:
-                if time.perf_counter() < deadline:
-                    return _explained(result, problem, grounding)
-                return PlanResult(
-                    PlanStatus.TIMEOUT, (), 0.0, "no plan on this grid, and no time for finer ones"
-                )
-            wrong, longest = "that there is none on so coarse a grid", 0
+            why = explain_no_plan(problem, grounding)
+            if why.is_proved or slack.finer > 1:
+                return _explained(result, why, slack.finer)
+            wrong, longest, finer = "that there is none on so coarse a grid", 0, FINER
         elif result.status is not PlanStatus.SOLVED:
             return result
         else:
@@ -170,8 +171,8 @@ def _believed(problem: Problem, grounding: Grounding, solve: _Solve, deadline: f
                 return dataclasses.replace(result, steps=steps, reason=said)
             wrong = checked.reason
             longest = max(Counter(step.object for step in steps).values(), default=0)
+            finer = FINER if attempt >= ATTEMPTS // 2 else slack.finer
         said = f"attempt {attempt + 1}, after a replay that said: {wrong}"
-        finer = FINER if attempt >= ATTEMPTS // 2 else 1
         steps_reckoned = STEPS if finer > slack.finer else 2 * slack.steps
         slack = _Slack(max(steps_reckoned, longest), slack.margin + 1, finer)
     reason = f"no plan was true when replayed, in {ATTEMPTS} attempts; the last: {wrong}"
@@ -226,7 +227,9 @@ def _edges(room: Float[np.ndarray, "2 M 2"]) -> tuple[Float[np.ndarray, "2"], Fl
     return room[0].min(axis=0), room[1].max(axis=0)
 
 
-def _explained(result: PlanResult, problem: Problem, grounding: Grounding) -> PlanResult:
-    """Add to a result without a plan which goal is out of reach, if it was proved that there is none."""
-    why = explain_no_plan(problem, grounding)
-    return dataclasses.replace(result, reason="; ".join(filter(None, (result.reason, why))))
+def _explained(result: PlanResult, why: Explanation, finer: int) -> PlanResult:
+    """Say whether a planner's "unsolvable" holds beyond its grid, and which goal is out of reach."""
+    if why.is_proved:
+        return dataclasses.replace(result, reason="; ".join(filter(None, (result.reason, why.reason))))
+    on_grid = f"{result.reason} on a grid {finer} times finer than the domain's" if result.reason else ""
+    return PlanResult(PlanStatus.NOT_FOUND, (), 0.0, "; ".join(filter(None, (on_grid, why.reason))))

@@ -27,7 +27,7 @@ def plan(
     planner: str | Planner = "fast-downward",
     *,
     predict: PredictEffects | None = None,
-    time_limit: float = 60.0,
+    time_limit: float | None = None,
     encoding: Encoding | None = None,
     whole: bool = False,
     costs: bool = True,
@@ -40,7 +40,7 @@ def plan(
         planner: The planner, or its name; see `planner_named`.
         predict: For planners that read the network, what it predicts; what the operators promise, if not
             given.
-        time_limit: When to give up [s].
+        time_limit: The user's ceiling [s]; the planner's own if not given, and ours have none.
         encoding: For PDDL planners, the encoding of the domain; the one that the planner does best with, if
             not given.
         whole: For PDDL planners, solve for all objects at once instead of one by one.
@@ -64,7 +64,8 @@ def plan(
     if not costs:
         grounding = msgspec.structs.replace(grounding, unit_costs=True)
     read = predict if chosen.reads == "network" else None
-    query = Query(problem, grounding, read, time_limit, encoding, whole)
+    ceiling = chosen.ceiling if time_limit is None else time_limit
+    query = Query(problem, grounding, read, ceiling, encoding, whole)
     return chosen.solve(query) if is_ours else solve_checked(chosen, query)
 
 

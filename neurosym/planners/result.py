@@ -7,11 +7,17 @@ from neurosym.pddl.plan_text import PlanStep
 
 
 class PlanStatus(Enum):
-    """How a search for a plan ended; `NEAREST` is a plan that comes as near to the goal as can be."""
+    """How a search for a plan ended.
+
+    `NEAREST` is a plan that comes as near to the goal as was found. `UNSOLVABLE` means proved: there is no
+    plan. `NOT_FOUND` is a search that came to its own end, in depth or work, and proves nothing; `TIMEOUT`
+    is one that the user's limit of time ended.
+    """
 
     SOLVED = "solved"
     NEAREST = "nearest"
     UNSOLVABLE = "unsolvable"
+    NOT_FOUND = "not found"
     TIMEOUT = "timeout"
     FAILED = "failed"
 

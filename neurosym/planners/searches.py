@@ -1,11 +1,12 @@
 """Our own searches as planners: they read no PDDL, and say why a goal that they miss is out of reach."""
 
 import dataclasses
+import math
 
 from neurosym.planners.bfs import DEPTH, plan_bfs
 from neurosym.planners.branching import branching_of, predicted_branching
 from neurosym.planners.counting import plan_counting
-from neurosym.planners.no_plan import explain_clash, explain_no_plan
+from neurosym.planners.no_plan import Explanation, explain_clash, explain_no_plan
 from neurosym.planners.planner import Planner, Query
 from neurosym.planners.result import PlanResult, PlanStatus
 
@@ -18,24 +19,28 @@ def search_breadth_first(query: Query) -> PlanResult:
     else:
         table = predicted_branching(problem, grounding, query.predict(problem.scene().features))
     result = plan_bfs(problem, *table, grounding.table, time_limit=query.time_limit)
-    if result.status is not PlanStatus.UNSOLVABLE:
+    if result.status is not PlanStatus.NOT_FOUND:
         return result
-    why = explain_no_plan(problem, grounding, branching=table, depth=DEPTH) or result.reason
-    if query.predict is not None and why != explain_clash(problem, grounding):
-        why = f"by what the network predicts, {why}"
-    return dataclasses.replace(result, reason=why)
+    why = explain_no_plan(problem, grounding, branching=table, depth=DEPTH)
+    over = "by what the network predicts, " if query.predict and why.reason else ""
+    return _explained(result, Explanation(over + why.reason, why.is_proved))
 
 
 def count_primitives(query: Query) -> PlanResult:
     """Count how often each primitive must be done to each object."""
     problem, grounding = query.problem, query.grounding
     if reason := explain_clash(problem, grounding):
-        result = PlanResult(PlanStatus.UNSOLVABLE, (), 0.0, reason)
-    else:
-        result = plan_counting(problem, grounding, time_limit=query.time_limit)
-    if result.status is not PlanStatus.UNSOLVABLE:
+        return PlanResult(PlanStatus.UNSOLVABLE, (), 0.0, reason)
+    result = plan_counting(problem, grounding, time_limit=query.time_limit)
+    if result.status is not PlanStatus.NOT_FOUND:
         return result
-    return dataclasses.replace(result, reason=explain_no_plan(problem, grounding) or result.reason)
+    return _explained(result, explain_no_plan(problem, grounding))
+
+
+def _explained(result: PlanResult, why: Explanation) -> PlanResult:
+    """Say why no plan was found, and whether it is proved that there is none."""
+    status = PlanStatus.UNSOLVABLE if why.is_proved else result.status
+    return dataclasses.replace(result, status=status, reason=why.reason or result.reason)
 
 
 SEARCHES = (
@@ -45,18 +50,21 @@ SEARCHES = (
         search_breadth_first,
         reads="network",
         depth=DEPTH,
+        ceiling=math.inf,
     ),
     Planner(
         "bfs-operators",
         "the same search over what the operators promise",
         search_breadth_first,
         depth=DEPTH,
+        ceiling=math.inf,
     ),
     Planner(
         "counting",
-        "the fewest primitives there can be, exactly, by counting how often each is done",
+        "the fewest primitives there can be, by counting how often each is done",
         count_primitives,
         takes=frozenset({"unit-costs"}),
         is_exact=True,
+        ceiling=math.inf,
     ),
 )

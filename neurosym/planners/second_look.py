@@ -1,10 +1,11 @@
 """What is found beyond a planner's own answer: nearest points, what counting knows, the next-best plans."""
 
 import dataclasses
+import math
 
 from neurosym.grounding import Grounding
 from neurosym.pddl.moves import Encoding
-from neurosym.pddl.plan_text import PlanStep
+from neurosym.pddl.plan_text import PlanStep, primitives
 from neurosym.planners.alternatives import alternatives
 from neurosym.planners.counting import plan_counting
 from neurosym.planners.no_plan import plan_nearest
@@ -12,9 +13,10 @@ from neurosym.planners.planner import Planner, PredictEffects
 from neurosym.planners.registry import plan
 from neurosym.planners.result import PlanResult, PlanStatus
 from neurosym.problems import Problem
+from neurosym.wording import counted
 
-TIME_TO_COUNT = 5.0
-"""How long to look for a plan by the rehearsed effects, where the planner has none [s]."""
+WORK_TO_COUNT = 40_000
+"""How much counting looks at for a plan by the rehearsed effects, where the planner has none."""
 
 
 @dataclasses.dataclass(frozen=True, slots=True)
@@ -36,7 +38,7 @@ def plan_with_second_look(
     planner: Planner,
     *,
     predict: PredictEffects | None = None,
-    time_limit: float = 60.0,
+    time_limit: float | None = None,
     encoding: Encoding | None = None,
     whole: bool = False,
     costs: bool = True,
@@ -50,7 +52,7 @@ def plan_with_second_look(
         grounding: The learned domain.
         planner: The planner.
         predict: For planners that read the network, what it predicts.
-        time_limit: When to give up [s].
+        time_limit: The user's ceiling [s]; the planner's own if not given.
         encoding: For PDDL planners, the encoding of the domain, if not the usual one.
         whole: For PDDL planners, plan for all objects at once.
         costs: Whether steps cost the more the rarer they keep their promise.
@@ -70,14 +72,16 @@ def plan_with_second_look(
         whole=whole,
         costs=costs,
     )
-    if result.status in (PlanStatus.UNSOLVABLE, PlanStatus.FAILED):
-        is_limited = planner.depth is not None or result.status is PlanStatus.FAILED
+    if result.status in (PlanStatus.UNSOLVABLE, PlanStatus.NOT_FOUND, PlanStatus.FAILED):
+        ceiling = math.inf if time_limit is None else time_limit
         if nearest:
-            result = _nearest(result, problem, grounding, planner, time_limit)
-        elif is_limited and not planner.is_exact:
-            result = _with_rehearsed(result, problem, grounding, time_limit)
+            result = _nearest(result, problem, grounding, planner, ceiling)
+        elif not planner.is_exact and (
+            planner.reads == "network" or result.status is not PlanStatus.UNSOLVABLE
+        ):
+            result = _with_rehearsed(result, problem, grounding)
     count = more if result.status is PlanStatus.SOLVED else 0
-    others = alternatives(problem, grounding, count, besides=result.steps, time_limit=time_limit)
+    others = alternatives(problem, grounding, count, besides=result.steps)
     return Planned(result, tuple(others))
 
 
@@ -87,8 +91,9 @@ def _nearest(
     """Plan as near to the goal as can be, and keep saying why the planner had no plan that comes nearer."""
     found = plan_nearest(problem, grounding, time_limit=time_limit)
     if not found.has_plan:
+        status = found.status if found.status is PlanStatus.TIMEOUT else none.status
         reason = f"{none.reason}; {found.reason}"
-        return dataclasses.replace(none, seconds=none.seconds + found.seconds, reason=reason)
+        return PlanResult(status, (), none.seconds + found.seconds, reason)
     if found.status is PlanStatus.NEAREST:
         return dataclasses.replace(found, reason=f"{found.reason}; {none.reason}")
     over = ", over what the network predicts," if planner.reads == "network" else ""
@@ -96,13 +101,10 @@ def _nearest(
     return dataclasses.replace(found, reason=said)
 
 
-def _with_rehearsed(
-    none: PlanResult, problem: Problem, grounding: Grounding, time_limit: float
-) -> PlanResult:
-    """Add to what a planner has no plan for whether exact counting has one."""
-    found = plan_counting(problem, grounding, time_limit=min(time_limit, TIME_TO_COUNT))
+def _with_rehearsed(none: PlanResult, problem: Problem, grounding: Grounding) -> PlanResult:
+    """Add to what a planner has no plan for whether counting has one."""
+    found = plan_counting(problem, grounding, work=WORK_TO_COUNT)
     if found.status is not PlanStatus.SOLVED:
         return none
-    count = sum(not step.puts_down for step in found.steps)
-    known = f"by the rehearsed effects there is a plan of {count} primitive{'' if count == 1 else 's'}"
+    known = f"by the rehearsed effects there is a plan of {counted(primitives(found.steps), 'primitive')}"
     return dataclasses.replace(none, reason=f"{none.reason}; {known}: try another planner, say counting")

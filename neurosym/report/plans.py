@@ -61,7 +61,7 @@ def plan_rows(
                 objects=len(problem.objects),
                 planner=record.planner,
                 status=record.status.value,
-                steps=len(record.steps) if record.solved else None,
+                steps=record.primitives if record.solved else None,
                 seconds=record.seconds,
                 reached=example.run.reached if example else None,
                 reason=_remark(example.run if example else record, record.reason),

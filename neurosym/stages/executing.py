@@ -12,7 +12,6 @@ from neurosym.errors import InvalidFile, InvalidValue, UnknownChoice
 from neurosym.execution.executor import execute
 from neurosym.execution.machine import this_machine
 from neurosym.execution.record import Run, StepRecord
-from neurosym.execution.replanning import REPLANS
 from neurosym.execution.rerun import Agreement, compare_runs, rerun
 from neurosym.files import write_json
 from neurosym.grounding import Grounding
@@ -30,8 +29,6 @@ from neurosym.world import FrameSink, World
 from neurosym.worlds.world_file import read_world
 
 REPLANNER = "fast-downward"
-TIME_TO_REPLAN = 10.0
-"""When a planner that is asked for a new plan gives up [s]."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -55,7 +52,8 @@ def execute_stage(
     plan_file: Path,
     *,
     replanner: str = REPLANNER,
-    replans: int = REPLANS,
+    replans: int | None = None,
+    time_limit: float | None = None,
     nudge_seed: int | None = None,
     tolerance: float | None = None,
     showing: Showing = Showing(),
@@ -67,7 +65,8 @@ def execute_stage(
         name: Name of the problem.
         plan_file: The plan.
         replanner: Whom to ask for new plans.
-        replans: How many new plans may be asked for.
+        replans: How many new plans may be asked for; the longer the plan, the more, if not given.
+        time_limit: The user's ceiling for each new plan [s]; the planner's own if not given.
         nudge_seed: Nudge an object once during the run, drawn from this seed, if given.
         tolerance: How near objects must come to their goals [m], if not as the problem says.
         showing: How the run is shown.
@@ -77,7 +76,7 @@ def execute_stage(
         InvalidValue: If a number is impossible.
     """
     asked_again = planner_named(replanner, folder.path)
-    for option, value in (("replans", replans), ("disturb", nudge_seed or 0)):
+    for option, value in (("replans", replans or 0), ("disturb", nudge_seed or 0)):
         if value < 0:
             raise InvalidValue(f"{option} = {value} must be at least 0.")
     record_file = run_file(name, plan_file)
@@ -96,7 +95,7 @@ def execute_stage(
             problem,
             grounding,
             steps,
-            replanner=replanning(asked_again) if replans else None,
+            replanner=None if replans == 0 else replanning(asked_again, time_limit),
             replans=replans,
             nudge_seed=nudge_seed,
             on_frame=shown.on_frame,
@@ -110,8 +109,8 @@ def execute_stage(
 
     inputs = (scene_file(name), GROUNDING, WORLD)
     options: dict[str, Any] = {"plan": digest(plan_file), "replans": replans}
-    if replans:
-        options["replanner"] = replanner
+    if replans != 0:
+        options |= {"replanner": replanner, "time_limit": time_limit}
     if nudge_seed is not None:
         options["disturb"] = nudge_seed
     if tolerance is not None:
@@ -119,15 +118,16 @@ def execute_stage(
     return Stage(f"execute {run_name(name, plan_file)}", inputs, (record_file,), work, options)
 
 
-def replanning(planner: Planner) -> Replanner:
+def replanning(planner: Planner, time_limit: float | None = None) -> Replanner:
     """Return a planner such that a run can ask it for a new plan.
 
     Args:
         planner: The planner; what it reads is what the operators promise, by what was seen.
+        time_limit: The user's ceiling for each new plan [s]; the planner's own if not given.
     """
 
     def replan(problem: Problem, grounding: Grounding) -> PlanResult:
-        return plan(problem, grounding, planner, time_limit=TIME_TO_REPLAN)
+        return plan(problem, grounding, planner, time_limit=time_limit)
 
     return replan
 

@@ -10,7 +10,14 @@ from neurosym.errors import InvalidFile
 from neurosym.files import write_atomically, write_json
 from neurosym.grounding import Grounding
 from neurosym.pddl.moves import Encoding
-from neurosym.pddl.plan_text import PlanStep, Steps, named_steps, print_ground_plan, print_plan
+from neurosym.pddl.plan_text import (
+    PlanStep,
+    Steps,
+    named_steps,
+    primitives,
+    print_ground_plan,
+    print_plan,
+)
 from neurosym.pddl.validation import expected_success
 from neurosym.planners import PlanStatus
 from neurosym.planners.second_look import Planned
@@ -65,6 +72,11 @@ class PlanRecord(msgspec.Struct, frozen=True, forbid_unknown_fields=True, omit_d
     def solved(self) -> bool:
         """Whether there is a plan."""
         return self.status is PlanStatus.SOLVED
+
+    @property
+    def primitives(self) -> int:
+        """How many primitives the plan has."""
+        return primitives(PlanStep(*step) for step in self.steps)
 
 
 def write_plans(

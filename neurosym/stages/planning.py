@@ -76,7 +76,7 @@ def plan_stage(
     name: str,
     *,
     planner: str,
-    time_limit: float,
+    time_limit: float | None = None,
     encoding: Encoding | None = None,
     whole: bool = False,
     unit_costs: bool = False,
@@ -90,7 +90,7 @@ def plan_stage(
         folder: The domain folder.
         name: Name of the problem.
         planner: Name of the planner.
-        time_limit: When to give up [s].
+        time_limit: The user's ceiling [s]; the planner's own if not given.
         encoding: For PDDL planners, the encoding of the domain, if not the usual one.
         whole: For PDDL planners, plan for all objects at once.
         unit_costs: Whether every step costs the same.

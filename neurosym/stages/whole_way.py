@@ -19,7 +19,6 @@ from neurosym.stages.training import train_stage
 from neurosym.wording import quoted
 
 PLANNER = "fast-downward"
-TIME_LIMIT = 60.0
 MOST_PROBLEMS = 30
 """How many problems are drawn at most, if none of those asked for has a plan."""
 
@@ -75,7 +74,7 @@ def go_the_whole_way(
     while problems and len(rows) < MOST_PROBLEMS and not any(row.executed for row in rows):
         rows.append(_try_problem(folder, len(rows) + 1, seed))
     if rows:
-        columns = ["problem", "objects", "plan", "steps", "seconds", "goal", "why not"]
+        columns = ["problem", "objects", "plan", "primitives", "seconds", "goal", "why not"]
         show_table(f"{len(rows)} problems drawn from the world", columns, [row.cells for row in rows])
     say(f"everything lies in {folder.path}; {folder / 'domain.pddl'} is the domain")
     say_next(f"neurosym plan {quoted(folder.path)} task-01 --planner bfs")
@@ -91,10 +90,10 @@ def _try_problem(folder: DomainFolder, number: int, seed: int) -> _Row:
     """Draw a problem, plan it, and execute the plan if there is one."""
     name, objects = f"task-{number:02d}", 2 - number % 2
     _perform(folder, problem_stage(folder, name=name, objects=objects, seed=seed + number))
-    _perform(folder, plan_stage(folder, name, planner=PLANNER, time_limit=TIME_LIMIT))
+    _perform(folder, plan_stage(folder, name, planner=PLANNER))
     plan_file, record_file = plan_files(name, PLANNER)
     record = read_json(folder / record_file, PlanRecord)
-    cells = (name, str(objects), record.status.value, str(len(record.steps)), f"{record.seconds:.2f}")
+    cells = (name, str(objects), record.status.value, str(record.primitives), f"{record.seconds:.2f}")
     if not record.solved:
         return _Row((*cells, "-", record.reason), executed=False)
     _perform(folder, execute_stage(folder, name, folder / plan_file))

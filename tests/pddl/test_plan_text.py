@@ -19,7 +19,7 @@ def read(text: str) -> tuple[PlanStep, ...]:
 def test_printed_plan_is_read_back(tmp_path: Path):
     path = tmp_path / "errand.plan"
     path.write_text(print_plan([PULL, LIFT, DOWN, PUSH]))
-    assert path.read_text().endswith("(push-away-001-block item-01)\n; 4 steps\n")
+    assert path.read_text().endswith("(push-away-001-block item-01)\n; 3 primitives\n")
     assert read_plan(path, grounding(), problem()) == (PULL, LIFT, DOWN, PUSH)
 
 

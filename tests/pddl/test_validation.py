@@ -29,7 +29,7 @@ def test_object_put_down_is_back_at_its_height():
         ([LIFT, PUSH], "step 2, push-away-001-block item-01: the hand still holds item-01"),
         ([LIFT, PULL], "step 2, pull-010-tray item-02: the hand still holds item-01"),
         ([DOWN], "step 1, put-down-lift-010-block item-01: item-01 is not held by lift-010-block"),
-        ([LIFT, DOWN, DOWN], "step 3, put-down-lift-010-block item-01: item-01 is not held"),
+        ([LIFT, DOWN, DOWN], "step 1, put-down-lift-010-block item-01: item-01 is not held"),
         ([LEFT] * 4, "step 4, push-left-000-block item-01: item-01 leaves the table at x = 0.460"),
         ([LIFT], "item-01 ends 73 mm from its goal, 50 mm are allowed"),
         ([], "item-01 ends 222 mm from its goal"),
@@ -49,7 +49,7 @@ def test_miss_by_less_than_is_printed_does_not_look_allowed():
     x, y, z = item.position
     near = msgspec.structs.replace(problem(), goals={"item-01": (x + 0.0502, y, z)})
     assert validate([], near, grounding()).reason == "item-01 ends 50.2 mm from its goal, 50 mm are allowed"
-    assert why_missed([], {"item-01": 0.0502}, 0.05).startswith(
+    assert why_missed("plan", [], [], {"item-01": 0.0502}, 0.05).startswith(
         "item-01 is 50.2 mm from its goal (50 mm allowed)"
     )
 

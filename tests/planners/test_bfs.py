@@ -114,9 +114,9 @@ def test_nobody_leaves_the_table_on_the_way():
 
 def test_search_that_is_exhausted_says_how_deep_it_went():
     found = one_object((0.6, 0.28, 0.02), [(0.0, 0.06, 0.0)])
-    assert (found.status, found.reason) == (PlanStatus.UNSOLVABLE, "3 primitives do not suffice")
+    assert (found.status, found.reason) == (PlanStatus.NOT_FOUND, "3 primitives do not suffice")
     table, names = branching_of(problem(), grounding())
-    assert plan_bfs(problem(), table, names, BOUNDS).status is PlanStatus.UNSOLVABLE
+    assert plan_bfs(problem(), table, names, BOUNDS).status is PlanStatus.NOT_FOUND
     assert plan_bfs(problem(), table, names, BOUNDS, depth=4).status is PlanStatus.SOLVED
 
 
@@ -161,7 +161,7 @@ def test_object_off_the_table_may_come_back_but_go_no_further():
     off = Problem(
         "p", (SceneObject("item-01", "00", (0.05,) * 4, (0.93, 0.0, 0.02)),), {"item-01": (0.8, 0.0, 0.02)}
     )
-    for step, status in ((-0.1, PlanStatus.SOLVED), (0.01, PlanStatus.UNSOLVABLE)):
+    for step, status in ((-0.1, PlanStatus.SOLVED), (0.01, PlanStatus.NOT_FOUND)):
         effects = np.array([[(step, 0.0, 0.0), (0.01, -0.01, 0.0)]])
         table = Branching(effects, effects, np.zeros((1, 2), dtype=bool))
         assert plan_bfs(off, table, (("op", "out"),), BOUNDS).status is status

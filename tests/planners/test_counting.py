@@ -16,7 +16,7 @@ from neurosym.pddl.validation import validate
 from neurosym.planners import PlanStatus, fewest_steps, plan
 from neurosym.planners.bfs import plan_bfs
 from neurosym.planners.branching import branching_of
-from neurosym.planners.count_vectors import count_vectors
+from neurosym.planners.count_vectors import count_vector
 from neurosym.planners.ordering import mend
 from neurosym.problems import Problem, SceneObject
 
@@ -42,11 +42,10 @@ def primitives(steps: tuple[PlanStep, ...]) -> int:
 
 def test_count_vectors_are_all_there_are():
     expected = {one for one in itertools.product(range(5), repeat=3) if sum(one) == 4}
-    found = count_vectors(3, 4)
-    assert len(found) == len(expected)
-    assert {tuple(row) for row in found.tolist()} == expected
-    assert count_vectors(0, 0).shape == (1, 0)
-    assert count_vectors(0, 2).shape == (0, 0)
+    assert {tuple(count_vector(3, 4, row).tolist()) for row in range(len(expected))} == expected
+    with pytest.raises(IndexError):
+        count_vector(3, 4, len(expected))
+    assert count_vector(0, 0, 0).shape == (0,)
 
 
 @pytest.mark.parametrize("objects", [1, 2])

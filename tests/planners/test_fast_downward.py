@@ -119,4 +119,4 @@ def test_a_search_that_is_not_complete_proves_nothing(tmp_path: Path, scratch: P
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(fast_downward, "run_limited", lambda *_, **__: Finished(12, "no solution!"))
         answer = plan_fast_downward(*files, time_limit=1.0)
-    assert (answer.status, answer.text) == (PlanStatus.FAILED, "")
+    assert (answer.status, answer.text) == (PlanStatus.NOT_FOUND, "")

@@ -14,6 +14,7 @@ from neurosym.pddl.plan_text import PlanStep
 from neurosym.pddl.validation import validate
 from neurosym.planners import PlanResult, PlanStatus, one_by_one, pddl_planner, plan, refinement
 from neurosym.planners.counting import Join
+from neurosym.planners.effort import Effort
 from neurosym.planners.one_by_one import plan_one_by_one
 from neurosym.planners.result import PlannerAnswer
 from neurosym.problems import Problem
@@ -112,7 +113,7 @@ def test_unsolvable_says_which_object_and_how_near(planner: str):
     found = plan(task, grounding(), planner)
     assert found.status is PlanStatus.UNSOLVABLE
     assert (
-        "item-02 cannot reach its goal: out of every primitive's reach, up to 8 primitives bring it to 150"
+        "item-02 cannot reach its goal: out of every primitive's reach; up to 8 primitives bring it to 150"
         in found.reason
     )
 
@@ -190,7 +191,7 @@ def test_who_is_in_conflict_with_narrow_goals_is_sent_to_where_there_is_room(
     task = Problem("p", (item("item-01", 0.4, 0.0), item("item-02", 0.4, 0.12)), goals)
 
     def believed(one: Problem) -> PlanResult:
-        plans = list(itertools.islice(Join(one, grounding()).plans(), 40))
+        plans = list(itertools.islice(Join(one, grounding(), Effort(20_000)).plans(), 40))
         ends = [validate(steps, one, grounding()).positions[-1][0] for steps in plans]
         nearest = min(range(len(plans)), key=lambda index: math.dist(ends[index], (0.57, 0.08, 0.025)))
         return PlanResult(PlanStatus.SOLVED, plans[nearest], 0.0)
