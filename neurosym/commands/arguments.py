@@ -83,7 +83,9 @@ def _refuse(commands: Mapping[str, Command], event: Any) -> None:
         said = f"unrecognized options: {_quoted(event.tokens)}"
     elif isinstance(event, events.InstantiationFailure):
         option = _called(event.argument) if event.argument else "what was typed"
-        reason = event.message.splitlines()[-1].removeprefix("- <class 'int'>: ")  # of several, the last kind
+        reason = re.sub(
+            r"^- <class '\w+'>: ", "", event.message.splitlines()[-1]
+        )  # of several, the last kind
         said = f"error parsing {option}: {reason.rstrip('.')}"
     if said:
         raise _Unreadable(said)

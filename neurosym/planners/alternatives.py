@@ -7,8 +7,8 @@ from itertools import takewhile
 from neurosym.grounding import Grounding
 from neurosym.pddl.plan_text import PlanStep
 from neurosym.planners.count_vectors import Candidate, Choices, candidates
-from neurosym.planners.counting import Join
 from neurosym.planners.effort import Effort
+from neurosym.planners.joins import Join
 from neurosym.planners.ordering import mend
 from neurosym.problems import Problem
 

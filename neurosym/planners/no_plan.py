@@ -19,9 +19,10 @@ from neurosym.operators import Vector
 from neurosym.pddl.validation import footprints_apart
 from neurosym.planners.branching import Branching, Names, branching_of
 from neurosym.planners.count_vectors import Choices, candidates, looked_at, nearest
-from neurosym.planners.counting import MOST_WORK, Join, choices_of
+from neurosym.planners.counting import MOST_WORK
 from neurosym.planners.effort import Effort, within
 from neurosym.planners.impossible import is_off_table, is_out_of_reach
+from neurosym.planners.joins import Join, choices_of
 from neurosym.planners.ordering import mend
 from neurosym.planners.result import PlanResult, PlanStatus
 from neurosym.problems import Problem

@@ -20,8 +20,9 @@ from neurosym.grounding import Grounding
 from neurosym.operators import Vector, vector
 from neurosym.pddl.plan_text import PlanStep
 from neurosym.pddl.validation import footprints_apart, overlapping, validate
-from neurosym.planners.counting import Join, plan_counting
+from neurosym.planners.counting import plan_counting
 from neurosym.planners.effort import Effort, check_time
+from neurosym.planners.joins import Join
 from neurosym.planners.ordering import ends_held, mend
 from neurosym.planners.parallel import plan_together
 from neurosym.planners.result import PlanResult, PlanStatus

@@ -13,8 +13,8 @@ from neurosym.grounding import Grounding
 from neurosym.pddl.plan_text import PlanStep
 from neurosym.pddl.validation import validate
 from neurosym.planners import PlanResult, PlanStatus, one_by_one, pddl_planner, plan, refinement
-from neurosym.planners.counting import Join
 from neurosym.planners.effort import Effort
+from neurosym.planners.joins import Join
 from neurosym.planners.one_by_one import plan_one_by_one
 from neurosym.planners.result import PlannerAnswer
 from neurosym.problems import Problem

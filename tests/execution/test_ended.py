@@ -1,0 +1,109 @@
+"""A run says what ended it, and asks for new plans as long as they come nearer to the goal."""
+
+from dataclasses import replace
+
+from toy_domain import WORLD, grounding, problem
+
+from neurosym.errors import InvalidValue
+from neurosym.execution.executor import execute
+from neurosym.execution.replanning import PATIENCE, Progress, usual_replans
+from neurosym.execution.summary import failure
+from neurosym.grounding import Grounding
+from neurosym.pddl.plan_text import PlanStep
+from neurosym.planners import PlanResult, PlanStatus, plan
+from neurosym.problems import Problem, SceneObject
+from neurosym.world import Outcome, Scene
+
+PUSH_LEFT = PlanStep("push-left-001-cube", "item-01")
+LIFT, PUT_DOWN = PlanStep("lift-000-cube", "item-01"), PlanStep("put-down-lift-000-cube", "item-01")
+AWAY = {"item-01": (0.6, 0.16, 0.025)}
+
+
+def replanner(task: Problem, learned: Grounding) -> PlanResult:
+    return plan(task, learned, "counting")
+
+
+class Stubborn(type(WORLD)):
+    """The toy world, but nothing moves for the first so many times, or ever."""
+
+    def __init__(self, idle: int) -> None:
+        super().__init__(WORLD.config)
+        self.idle = idle
+
+    def interact(self, scene: Scene, *arguments, **options) -> Outcome:
+        """Act, or find that nothing moves."""
+        self.idle -= 1
+        outcome = super().interact(scene, *arguments, **options)
+        return outcome if self.idle < 0 else replace(outcome, lifted=scene, end=scene, held=False)
+
+
+def test_budget_grows_with_the_plan():
+    assert usual_replans([PUSH_LEFT]) == PATIENCE + 2
+    assert usual_replans([LIFT, PUT_DOWN, PUSH_LEFT]) == PATIENCE + 4
+
+
+def test_run_goes_on_as_long_as_it_comes_nearer():
+    """Eight failures in a row are no reason to stop, nor eight more after the object has moved."""
+    run = execute(Stubborn(8), problem(AWAY), grounding(), [PUSH_LEFT, PUSH_LEFT], replanner=replanner)
+    assert (run.reached, run.ended, run.reason) == (True, "goal", "")
+    assert len(run.steps) == 10
+
+
+def test_run_stops_when_new_plans_come_no_nearer():
+    run = execute(Stubborn(1000), problem(AWAY), grounding(), [PUSH_LEFT] * 2, replanner=replanner)
+    assert (run.reached, run.ended) == (False, "no progress")
+    assert len(run.replannings) == PATIENCE
+    assert "the last new plans came no nearer to the goal, after 10" in run.reason
+    assert failure(run) == "new plans came no nearer"
+
+
+def test_budget_that_is_given_is_kept_to_and_named():
+    run = execute(Stubborn(1000), problem(AWAY), grounding(), [PUSH_LEFT], replanner=replanner, replans=3)
+    assert (run.ended, len(run.replannings)) == ("budget", 3)
+    assert "all 3 new plans were used up" in run.reason
+    assert failure(run) == "new plans were used up"
+
+
+def test_progress_is_fewer_primitives_or_a_shorter_way():
+    progress = Progress(left=5, miss=0.4)
+    progress.note(5, 0.395)
+    assert progress.stalled == 1
+    progress.note(4, 0.4)
+    assert progress.stalled == 0
+    progress.note(6, 0.3)
+    assert (progress.stalled, progress.left) == (0, 4)
+    progress.note(None, 0.3)
+    assert progress.stalled == 1
+
+
+def test_lost_object_is_named_as_what_ended_the_run():
+    cube = SceneObject("item-01", "00", (0.05, 0.05, 0.05, 0.0), (0.6, 0.25, 0.025))
+    run = execute(WORLD, Problem("edge", (cube,), {"item-01": (0.6, 0.1, 0.025)}), grounding(), [PUSH_LEFT])
+    assert run.ended == "lost"
+    assert "step 1 threw item-01 off the table" in run.reason
+
+
+def test_plan_that_is_followed_blindly_comes_to_its_end():
+    run = execute(WORLD, problem(AWAY), grounding(), [PUSH_LEFT])
+    assert run.ended == "plan"
+    assert "the plan came to its end; every step did as promised" in run.reason
+
+
+def test_no_new_plan_is_what_ended_the_run():
+    def none(task: Problem, learned: Grounding) -> PlanResult:
+        return PlanResult(PlanStatus.NOT_FOUND, (), 0.0, "there is none")
+
+    run = execute(WORLD, problem(AWAY), grounding(), [PUSH_LEFT], replanner=none)
+    assert run.ended == "no plan"
+    assert run.reason.endswith("no new plan after step 1: there is none")
+
+
+def test_object_that_was_moved_out_of_reach_is_named(monkeypatch):
+    def refuse(*arguments: object, **options: object) -> Outcome:
+        raise InvalidValue("out of reach")
+
+    world = Stubborn(0)
+    monkeypatch.setattr(world, "interact", refuse)
+    run = execute(world, problem(AWAY), grounding(), [PUSH_LEFT])
+    assert (run.ended, run.steps[0].happened) == ("out of reach", "not performed")
+    assert "item-01 was out of the arm's reach in step 1" in run.reason
