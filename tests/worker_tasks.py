@@ -1,7 +1,9 @@
 """Work for worker processes, of one machine or of a cluster."""
 
 import os
+import time
 from dataclasses import dataclass
+from pathlib import Path
 
 import numpy as np
 
@@ -25,3 +27,15 @@ class Deadly(ToyWorld):
 
     def interact(self, *arguments, **options):  # noqa: ARG002, D102
         os._exit(1)
+
+
+@dataclass
+class Hanging(ToyWorld):
+    """A toy world in which an interaction takes a minute; it says in which process."""
+
+    def __init__(self):
+        super().__init__(make_world().config)
+
+    def interact(self, *arguments, **options):  # noqa: ARG002, D102
+        Path(f"{os.environ['NEUROSYM_TEST_STARTED']}-{os.getpid()}").touch()
+        time.sleep(60)

@@ -3,6 +3,7 @@
 import hashlib
 import json
 import os
+import shutil
 import signal
 import subprocess
 import sys
@@ -101,12 +102,13 @@ def start(
 
     Args:
         arguments: What is typed after it.
-        scratch: An empty folder for its temporary files.
+        scratch: A folder for its temporary files, which is emptied before.
         environment: Variables added to the environment.
         before: A command that runs it.
         logs: Folder for what it writes to standard error; beside the temporary files if not given.
     """
-    scratch.mkdir(parents=True, exist_ok=True)
+    shutil.rmtree(scratch, ignore_errors=True)
+    scratch.mkdir(parents=True)
     mark = f"{os.getpid()}-{time.monotonic_ns()}"
     log = (logs or scratch.parent) / f"{mark}.log"
     command = [*before, sys.executable, "-m", "neurosym", *arguments]

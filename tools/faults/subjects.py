@@ -113,7 +113,6 @@ class Bench:
 
     def __init__(self, place: Path):
         self.place = place.resolve()
-        shutil.rmtree(self.place / "scratch", ignore_errors=True)
         self.known: dict[Subject, Undisturbed] = {}
 
     @cached_property
