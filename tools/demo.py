@@ -68,7 +68,7 @@ def planned(folder: DomainFolder, name: str, planner: str) -> PlanRecord:
 def row_of(folder: DomainFolder, name: str, objects: int, planner: str) -> list[str]:
     """Plan and execute a problem with one planner; returns a row of the table."""
     record = planned(folder, name, planner)
-    row = [name, str(objects), planner, record.status.value, str(len(record.steps)), f"{record.seconds:.2f}"]
+    row = [name, str(objects), planner, record.status.value, str(record.primitives), f"{record.seconds:.2f}"]
     if not record.solved:
         return [*row, "-", record.reason]
     plan_file = folder / plan_files(name, planner)[0]

@@ -18,6 +18,7 @@ from neurosym.stages.folder import DomainFolder
 from neurosym.stages.layout import PRIMITIVES, TRAINING, plan_files
 from neurosym.stages.plan_records import PlanRecord
 from neurosym.stages.planning import load_problem, plan_stage
+from neurosym.wording import counted
 
 FOLDER = Path("domains/tabletop")
 STEPS, SEED = 10_000, 1
@@ -153,7 +154,7 @@ def _outcome(folder: DomainFolder, name: str, planner: str) -> tuple[bool, bool,
     if not record.solved:
         return False, False, f"no plan: {record.reason}"
     run = load_run(folder, name, folder / plan_file)
-    steps = f"{len(record.steps)} step{'' if len(record.steps) == 1 else 's'}"
+    steps = counted(record.primitives, "primitive")
     return True, run.reached, f"{steps}, {'reached' if run.reached else f'missed: {run.reason}'}"
 
 

@@ -147,7 +147,7 @@ def why_not_found(record: TaskRecord, name: str, planners: Sequence[str]) -> str
     if planner.reads == "network":
         if not predicts_goal(other, record):
             return "the network predicts the other plan to end elsewhere"
-        return "the network predicts that an object leaves the table"
+        return "the network predicts that an object leaves the table or ends in another"
     if other.left_out:
         return "the other plan uses an operator that the domain leaves out"
     return why_invalid(other).replace("it ends", "the other plan ends") or "though the other plan is valid"

@@ -79,7 +79,7 @@ def bfs(grounding: Grounding, times: int) -> Results:
 
     def search() -> None:
         found = plan_bfs(task, branching, names, grounding.table)
-        assert found.status is PlanStatus.UNSOLVABLE, "there is no plan to be found"
+        assert found.status is PlanStatus.NOT_FOUND, "there is no plan to be found"
 
     best, clock = least(search, times)
     return {
