@@ -48,6 +48,22 @@ class InvalidFile(NeurosymError):
         super().__init__(f"{path} cannot be used: {problem}.")
 
 
+class CannotWrite(NeurosymError, OSError):
+    """A file that the system does not let be written: no room, no permission, no such folder."""
+
+    def __init__(self, path: Path, error: OSError):
+        super().__init__(f"{path} cannot be written: {error.strerror or error}.")
+
+
+class FolderTaken(NeurosymError):
+    """A domain folder in which another process works that it cannot be shared with."""
+
+    def __init__(self, folder: Path, holders: Iterable[int]):
+        numbers = ", ".join(map(str, holders))
+        said = f"Process {numbers} works" if numbers else "Another process works"
+        super().__init__(f"{said} in {folder}; wait until it has ended, or name another folder.")
+
+
 class InvalidData(InvalidFile):
     """A data set with all its problems, a line each."""
 

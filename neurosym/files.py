@@ -1,10 +1,19 @@
-"""Writing files whole or not at all."""
+"""Writing files whole or not at all.
+
+Every file of ours is written here, so that a write that fails names the file.
+"""
 
 import os
-import tempfile
+from collections.abc import Mapping
 from pathlib import Path
 
 import msgspec
+
+from neurosym.drafts import Draft, collecting, naming, remove_leftovers
+from neurosym.errors import InvalidFile
+from neurosym.reading import digest
+
+_BLOCK = bytes(4096)  # as much as any file system sets aside for a small file
 
 
 def write_atomically(path: Path, content: bytes | str) -> None:
@@ -13,19 +22,100 @@ def write_atomically(path: Path, content: bytes | str) -> None:
     Args:
         path: Where the file shall stand; its folder exists.
         content: Bytes, or text that is written as UTF-8.
+
+    Raises:
+        CannotWrite: If the system does not let it be written; nothing has changed.
     """
-    data = content.encode() if isinstance(content, str) else content
-    descriptor, temporary = tempfile.mkstemp(dir=path.parent, prefix=f".{path.name}.")
-    try:
-        with os.fdopen(descriptor, "wb") as file:
-            file.write(data)
-        Path(temporary).chmod(0o644)
-        Path(temporary).replace(path)
-    except BaseException:
-        Path(temporary).unlink(missing_ok=True)
-        raise
+    # A name that is not UTF-8 can only be told by escapes.
+    data = content.encode(errors="backslashreplace") if isinstance(content, str) else content
+    with naming(path):
+        draft = Draft(path, data)
+        if drafts := collecting():
+            drafts.add(path, draft)
+            return
+        try:
+            draft.put_in_place()
+        except BaseException:
+            draft.drop()
+            raise
+
+
+def write_new(path: Path, content: bytes | str) -> bool:
+    """Write a file unless one is there, and say whether it was written; of several writers one does it.
+
+    Args:
+        path: Where the file shall stand; its folder exists.
+        content: Bytes, or text that is written as UTF-8.
+    """
+    if path.exists():
+        return False
+    with naming(path):
+        draft = Draft(path, content.encode() if isinstance(content, str) else content)
+        try:
+            os.link(draft.path, path)
+        except FileExistsError:
+            return False
+        except OSError:  # a file system without links
+            draft.put_in_place()
+        finally:
+            draft.drop()
+    return True
+
+
+def remove(path: Path) -> None:
+    """Remove a file, if it is there; among `Drafts`, when they are put in place."""
+    if drafts := collecting():
+        drafts.add(path, None)
+        return
+    with naming(path):
+        path.unlink(missing_ok=True)
+
+
+def make_folder(path: Path) -> None:
+    """Make a folder and those above it, unless it is there.
+
+    Raises:
+        InvalidFile: If it is a file.
+        CannotWrite: If the system does not let it be made.
+    """
+    with naming(path):
+        try:
+            path.mkdir(parents=True, exist_ok=True)
+        except FileExistsError as error:
+            raise InvalidFile(path, "it is a file, and should be a folder; move it away") from error
+
+
+def check_writable(path: Path) -> None:
+    """Raise unless a file can be written, before the work is done whose result it is to hold.
+
+    Args:
+        path: The file; folders above it that do not exist yet are made later.
+
+    Raises:
+        InvalidFile: If it is a folder, or one of the folders above it is a file.
+        CannotWrite: If the folder, or the disk, takes no file.
+    """
+    with naming(path):
+        if path.is_dir():
+            raise InvalidFile(path, "it is a folder, and should be a file; move it away")
+        folder = next(place for place in path.absolute().parents if place.exists())
+        if not folder.is_dir():
+            raise InvalidFile(folder, "it is a file, and should be a folder; move it away")
+        remove_leftovers(folder)
+        Draft(folder / path.name, _BLOCK).drop()
 
 
 def write_json(path: Path, document: object) -> None:
     """Write a document as indented JSON with a stable order of keys."""
     write_atomically(path, msgspec.json.format(msgspec.json.encode(document), indent=1) + b"\n")
+
+
+def digests(places: Mapping[str, Path]) -> dict[str, str]:
+    """Return the SHA-256 of each file that is there, or will be when `Drafts` are put in place.
+
+    Args:
+        places: The files, by name.
+    """
+    drafts = collecting()
+    found = {name: drafts.now_at(path) if drafts else path for name, path in places.items()}
+    return {name: digest(path) for name, path in found.items() if path and path.is_file()}

@@ -1,10 +1,15 @@
 """A file is written whole or not at all, and nothing else is left."""
 
+import errno
+import os
+import tempfile
 from pathlib import Path
+from unittest.mock import MagicMock
 
 import pytest
 
-from neurosym.files import write_atomically
+from neurosym.errors import CannotWrite, InvalidFile
+from neurosym.files import check_writable, make_folder, write_atomically, write_new
 
 
 def test_a_file_that_cannot_be_put_in_place_leaves_nothing_behind(tmp_path: Path):
@@ -26,3 +31,92 @@ def test_an_interrupted_write_keeps_the_old_file(tmp_path: Path, monkeypatch: py
         write_atomically(path, "new")
     assert path.read_text() == "old"
     assert [entry.name for entry in tmp_path.iterdir()] == ["a.json"]
+
+
+FULL = OSError(errno.ENOSPC, "No space left on device")
+
+
+@pytest.fixture
+def full_disk(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A disk on which a file can be made, and nothing can be written into it."""
+    real = os.fdopen
+
+    def opened(*arguments: object) -> object:
+        file = real(*arguments)
+        file.close()
+        file = MagicMock()
+        file.write.side_effect = FULL
+        return file
+
+    monkeypatch.setattr(os, "fdopen", opened)
+
+
+@pytest.mark.usefixtures("full_disk")
+def test_write_that_fails_names_the_file_and_leaves_nothing(tmp_path: Path):
+    with pytest.raises(CannotWrite, match=r"/a\.json cannot be written: No space left on device\.$"):
+        write_atomically(tmp_path / "a.json", "text")
+    assert list(tmp_path.iterdir()) == []
+
+
+@pytest.mark.usefixtures("full_disk")
+def test_full_disk_is_noticed_before_the_work(tmp_path: Path):
+    with pytest.raises(CannotWrite, match=r"/a\.json cannot be written: No space left"):
+        check_writable(tmp_path / "a.json")
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_folder_that_takes_no_file_is_noticed_before_the_work(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+):
+    def refuse(**_: object) -> None:
+        raise OSError(errno.EROFS, "Read-only file system")
+
+    check_writable(tmp_path / "a.json")
+    monkeypatch.setattr(tempfile, "mkstemp", refuse)
+    with pytest.raises(CannotWrite, match=r"/a\.json cannot be written: Read-only file system"):
+        check_writable(tmp_path / "a.json")
+
+
+@pytest.mark.parametrize("name", ["deep/below/a", "a" * 255])
+def test_file_that_can_be_written_is_found_so_and_nothing_is_made(tmp_path: Path, name: str):
+    check_writable(tmp_path / name)
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_name_that_is_too_long_is_noticed_before_the_work(tmp_path: Path):
+    with pytest.raises(CannotWrite, match="File name too long"):
+        check_writable(tmp_path / ("a" * 256))
+
+
+def test_file_in_the_way_of_a_folder_is_noticed(tmp_path: Path):
+    (tmp_path / "plans").touch()
+    for act, name in ((check_writable, "plans/below"), (make_folder, "plans")):
+        with pytest.raises(InvalidFile, match=r"/plans cannot be used: it is a file, and should be a folder"):
+            act(tmp_path / name)
+    with pytest.raises(InvalidFile, match="it is a folder, and should be a file"):
+        check_writable(tmp_path)
+
+
+def test_new_file_is_written_once(tmp_path: Path):
+    assert write_new(tmp_path / "a", "1")
+    assert not write_new(tmp_path / "a", "2")
+    assert [(path.name, path.read_text()) for path in tmp_path.iterdir()] == [("a", "1")]
+
+
+@pytest.mark.parametrize("error", [FileExistsError, OSError])
+def test_new_file_that_another_writes_meanwhile_is_kept(tmp_path: Path, monkeypatch, error):
+    def meanwhile(*_: object) -> None:
+        if error is FileExistsError:
+            (tmp_path / "a").write_text("2")
+        raise error
+
+    monkeypatch.setattr(os, "link", meanwhile)
+    assert write_new(tmp_path / "a", "1") is (error is OSError)
+    assert [(path.name, path.read_text()) for path in tmp_path.iterdir()] == [
+        ("a", "1" if error is OSError else "2")
+    ]
+
+
+def test_text_with_a_name_that_is_not_utf8_is_written_with_escapes(tmp_path: Path):
+    write_atomically(tmp_path / "a", os.fsdecode(b"\xff.plan"))
+    assert (tmp_path / "a").read_text() == r"\udcff.plan"

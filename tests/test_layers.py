@@ -67,7 +67,11 @@ LOADERS = {"np", "numpy", "torch", "json", "pickle", "marshal", "tomllib"}
 OPENED_ELSEWHERE = {
     "array_files.py": {"zipfile.ZipFile": "of what the door opened", "archive.open": "a part of that"},
     "execution/machine.py": {"_CPUINFO.read_text": "the system's own"},
-    "files.py": {"os.fdopen": "to write"},
+    "drafts.py": {"os.fdopen": "to write", "path.open": "a leftover, to lock it"},
+    "locks.py": {
+        "os.open": "files and folders, to lock them",
+        "Path('/proc/locks').read_text": "the system's own",
+    },
     "planners/keeper.py": {
         "os.open": "folders",
         "Path(f'/proc/{process}/{what}').read_bytes": "the system's own",

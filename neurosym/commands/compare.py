@@ -8,6 +8,7 @@ from tyro.conf import arg
 from neurosym.commands.options import CPUS, Folder, Seed, TimeLimit, Workers, check_time_limit, opened
 from neurosym.console import progress_bar, say, say_next, show_table
 from neurosym.errors import InvalidValue
+from neurosym.stages.manifest import Claim
 from neurosym.wording import quoted
 
 if TYPE_CHECKING:
@@ -55,7 +56,7 @@ def compare(
     domain = opened(folder)
     order = Order(domain.path, objects, planners, tolerance, time_limit)
     records = []
-    with progress_bar("comparing") as advance:
+    with domain.claimed(Claim.SHARED), progress_bar("comparing") as advance:
         for record in compare_tasks(order, range(seed, seed + tasks), workers=workers):
             records.append(record)
             advance(len(records), tasks)

@@ -24,9 +24,7 @@ def init(folder: Folder, world: WorldName = "tabletop") -> int:
     from neurosym.stages.exploring import has_own_data
 
     if (folder / WORLD).exists():
-        raise InvalidValue(
-            f"{folder / 'world.toml'} exists already; change it by hand, or name another folder."
-        )
+        raise _exists(folder)
     make_folder(folder, world)
     say_next(f"neurosym {'train' if has_own_data(opened(folder)) else 'explore'} {quoted(folder)}")
     return 0
@@ -34,12 +32,19 @@ def init(folder: Folder, world: WorldName = "tabletop") -> int:
 
 def make_folder(folder: Path, world: str) -> None:
     """Make a domain folder with every option of its world."""
-    from neurosym.files import write_atomically
+    from neurosym.files import make_folder as make
+    from neurosym.files import write_new
     from neurosym.worlds.world_file import default_text
 
     if folder.exists() and not folder.is_dir():
         raise InvalidValue(f"{folder} is not a folder; name another.")
     text = default_text(world, folder)
-    folder.mkdir(parents=True, exist_ok=True)
-    write_atomically(folder / WORLD, text)
+    make(folder)
+    if not write_new(folder / WORLD, text):
+        raise _exists(folder)
     say(f"wrote {folder / 'world.toml'}")
+
+
+def _exists(folder: Path) -> InvalidValue:
+    said = f"{folder / WORLD} exists already; change it by hand, or name another folder."
+    return InvalidValue(said)

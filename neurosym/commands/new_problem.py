@@ -48,26 +48,32 @@ def new_problem(
     from neurosym.stages.scenes import scene_stage
 
     domain = opened(folder)
-    if scene:
-        if goal or (objects, actions, seed) != (1, 1, 0):
-            raise InvalidValue("Give --scene, or --objects, --actions, --seed and --goal, not both.")
-        name = _name_of(scene, domain) if name is None else name
-    else:
-        name = domain.free_problem_name() if name is None else name
-    check_names((name,))
+    if scene and (goal or (objects, actions, seed) != (1, 1, 0)):
+        raise InvalidValue("Give --scene, or --objects, --actions, --seed and --goal, not both.")
     if goal and actions != 1:
         raise InvalidValue("Give --actions or goals by hand, not both.")
     goals = _parse_goals(goal) if goal else None
-    made = folder / scene_file(name)
-    before = digest(made) if made.is_file() else None
-    verb = "replaced" if name in domain.problem_names() else "wrote"
-    if scene:
-        stage = scene_stage(domain, scene, name=name, tolerance=tolerance)
-    else:
-        stage = problem_stage(
-            domain, name=name, objects=objects, actions=actions, seed=seed, goals=goals, tolerance=tolerance
-        )
-    domain.perform(stage, again=True)
+    if name is not None:
+        check_names((name,))
+    with domain.naming_problems():
+        name = name or (_name_of(scene, domain) if scene else domain.free_problem_name())
+        check_names((name,))
+        made = folder / scene_file(name)
+        before = digest(made) if made.is_file() else None
+        verb = "replaced" if name in domain.problem_names() else "wrote"
+        if scene:
+            stage = scene_stage(domain, scene, name=name, tolerance=tolerance)
+        else:
+            stage = problem_stage(
+                domain,
+                name=name,
+                objects=objects,
+                actions=actions,
+                seed=seed,
+                goals=goals,
+                tolerance=tolerance,
+            )
+        domain.perform(stage, again=True)
     say(f"{verb} {folder / 'problems' / name}.pddl and its scene")
     problem = Problem.load(made)
     if problem.is_met(problem.scene().positions):

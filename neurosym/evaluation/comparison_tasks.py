@@ -10,8 +10,9 @@ from numpy import ndarray
 
 from neurosym.errors import InvalidFile
 from neurosym.evaluation.comparison import Setting, TaskRecord, compare
-from neurosym.files import write_json
+from neurosym.files import check_writable, make_folder, write_json
 from neurosym.grounding import Grounding
+from neurosym.locks import locked
 from neurosym.problems import Problem
 from neurosym.reading import digest, read_json
 from neurosym.stages.folder import DomainFolder
@@ -114,7 +115,8 @@ def compare_tasks(order: Order, seeds: Sequence[int], *, workers: int = 1) -> It
     """
     folder = DomainFolder(order.folder)
     made_from = {name: digest(folder.require(name)) for name in (WORLD, MODEL, GROUNDING)}
-    order.place.mkdir(parents=True, exist_ok=True)
+    make_folder(order.place)
+    check_writable(order.place / "comparison.json")
     kept = {seed: _load(order, seed, made_from) for seed in seeds}
     left = [seed for seed, record in kept.items() if _planners_left(order, record)]
     measured = _measure_all(order, made_from, [(seed, kept[seed]) for seed in left], workers)
@@ -177,9 +179,10 @@ def _measure(
     problem = known.problem if known else bench.draw(order.objects, seed, order.tolerance)
     missing = _planners_left(order, known)
     record = compare(bench.setting, problem, missing, time_limit=order.time_limit)
-    if known:
-        record = msgspec.structs.replace(record, attempts={**known.attempts, **record.attempts})
-    write_json(_path(order, seed), Kept(made_from, order.time_limit, record))
+    with locked(order.place):  # another process may compare other planners on the same task
+        if known := _load(order, seed, made_from) or known:
+            record = msgspec.structs.replace(record, attempts={**known.attempts, **record.attempts})
+        write_json(_path(order, seed), Kept(made_from, order.time_limit, record))
     return record
 
 

@@ -17,6 +17,7 @@ import numpy as np
 
 from neurosym.data.dimensions import Dimensions
 from neurosym.data.interactions import Interactions
+from neurosym.drafts import at_once
 from neurosym.errors import InvalidFile, InvalidValue
 from neurosym.exploration.choice import ExplorationConfig, choose_action, make_curiosity
 from neurosym.learning.model_config import EXPLORING, ModelConfig
@@ -164,10 +165,11 @@ class _Explorer:
     def save(self, folder: Path) -> None:
         """Write the interactions first and then the state, so that the state is never ahead of them."""
         assert self.interactions is not None
-        self.interactions.save(folder / INTERACTIONS_FILE)
         tensors = {} if self.curiosity is None else self.curiosity.state()
         description = {"blocks": self.blocks, "options": self.origin}
-        write_tensors(folder / STATE_FILE, FORMAT, tensors, description)
+        with at_once():
+            self.interactions.save(folder / INTERACTIONS_FILE)
+            write_tensors(folder / STATE_FILE, FORMAT, tensors, description)
 
     def resume(self, folder: Path, steps: int) -> None:
         """Go on from the whole blocks that are written in a folder, if any."""

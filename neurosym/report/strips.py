@@ -9,7 +9,7 @@ import msgspec
 import numpy as np
 from PIL import Image
 
-from neurosym.files import write_atomically, write_json
+from neurosym.files import make_folder, write_atomically, write_json
 from neurosym.pictures.stills import Stills, primitive_stills, run_stills
 from neurosym.progress import Progress
 from neurosym.reading import read_bytes, read_json
@@ -25,7 +25,7 @@ from neurosym.stages.layout import (
     WORLD,
     scene_file,
 )
-from neurosym.stages.manifest import Stage, rehearsal_options
+from neurosym.stages.manifest import Claim, Stage, rehearsal_options
 from neurosym.world import Frame
 
 STILL_SIZE = (480, 360)
@@ -70,7 +70,7 @@ def curve_stage(folder: DomainFolder, progress: Progress | None = None) -> Stage
         interactions = Interactions.load(folder.require(INTERACTIONS))
         write_json(folder / CURVE, learning_curve(interactions, progress=progress))
 
-    return Stage("learning curve", (INTERACTIONS,), (CURVE,), work)
+    return Stage("learning curve", (INTERACTIONS,), (CURVE,), work, claim=Claim.NONE)
 
 
 def primitive_stage(folder: DomainFolder, symbol: str) -> Stage:
@@ -117,11 +117,11 @@ def _strip_stage(
 
     def work() -> None:
         stills = make()
-        (folder / REPORT_PICTURES).mkdir(parents=True, exist_ok=True)
+        make_folder(folder / REPORT_PICTURES)
         write_atomically(folder / image_file, side_by_side(stills.frames))
         write_json(folder / about_file, Strip(stills.title, stills.captions))
 
-    return Stage(f"picture {name}", inputs, files, work, options)
+    return Stage(f"picture {name}", inputs, files, work, options, Claim.NONE)
 
 
 def side_by_side(frames: Sequence[Frame]) -> bytes:

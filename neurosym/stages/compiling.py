@@ -6,14 +6,14 @@ from typing import Any
 import numpy as np
 
 from neurosym.errors import InvalidValue
-from neurosym.files import write_atomically
+from neurosym.files import make_folder, write_atomically
 from neurosym.grounding import Grounding
 from neurosym.operators import OperatorTable
 from neurosym.pddl import compile_domain, domain_text, problem_text
 from neurosym.pddl.compiler import check_axes
 from neurosym.problems import Problem
 from neurosym.reading import read_json
-from neurosym.stages.folder import DomainFolder
+from neurosym.stages.folder import DomainFolder, load_scene
 from neurosym.stages.layout import (
     DOMAIN,
     GROUNDING,
@@ -27,7 +27,7 @@ from neurosym.stages.layout import (
     problem_files,
     scene_file,
 )
-from neurosym.stages.manifest import Stage
+from neurosym.stages.manifest import Claim, Stage
 from neurosym.wording import quoted
 from neurosym.worlds.world_file import read_world
 
@@ -55,12 +55,11 @@ def compile_stage(folder: DomainFolder, *, cell: float) -> Stage:
         write_atomically(folder / NUMERIC_DOMAIN, domain_text(grounding, "numeric"))
         grounding.save(folder / GROUNDING)
         for scene in sorted((folder / PROBLEMS).glob(f"*{SCENE}")):
-            problem = Problem.load(scene)
-            for file, text in _printed(problem, grounding).items():
+            for file, text in _printed(load_scene(scene), grounding).items():
                 write_atomically(folder / file, text)
 
     outputs = (DOMAIN, OPERATORS_DOMAIN, NUMERIC_DOMAIN, GROUNDING)
-    return Stage("compile-domain", (WORLD, PRIMITIVES), outputs, work, {"cell": cell})
+    return Stage("compile-domain", (WORLD, PRIMITIVES), outputs, work, {"cell": cell}, Claim.ALONE)
 
 
 def problem_stage(
@@ -92,7 +91,7 @@ def problem_stage(
             problem = set_problem(world, categorise, goals, name=name, objects=objects, seed=seed)
         problem = problem.within(tolerance)
         printed = _printed(problem, grounding)
-        (folder / PROBLEMS).mkdir(exist_ok=True)
+        make_folder(folder / PROBLEMS)
         for file, text in printed.items():
             write_atomically(folder / file, text)
         problem.save(folder / scene)

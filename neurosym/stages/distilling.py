@@ -12,7 +12,7 @@ from neurosym.files import write_json
 from neurosym.primitives.audition import CHOICES
 from neurosym.stages.folder import DomainFolder
 from neurosym.stages.layout import DIRECT_MODEL, INTERACTIONS, MODEL, PRIMITIVES, WORLD
-from neurosym.stages.manifest import Stage
+from neurosym.stages.manifest import Claim, Stage
 from neurosym.world import WorldFactory
 from neurosym.worlds.world_file import read_world
 
@@ -61,7 +61,8 @@ def distill_stage(
         write_json(folder / PRIMITIVES, table)
 
     options = {"objects": objects, "seed": seed, "choice": choice}
-    return Stage("distill", (WORLD, MODEL, DIRECT_MODEL, INTERACTIONS), (PRIMITIVES,), work, options)
+    inputs = (WORLD, MODEL, DIRECT_MODEL, INTERACTIONS)
+    return Stage("distill", inputs, (PRIMITIVES,), work, options, Claim.ALONE)
 
 
 def _box(path: Path, interactions: Interactions, factory: WorldFactory | None) -> ActionBox:

@@ -13,7 +13,7 @@ from neurosym.execution.executor import execute
 from neurosym.execution.machine import this_machine
 from neurosym.execution.record import Run, StepRecord
 from neurosym.execution.rerun import Agreement, compare_runs, rerun
-from neurosym.files import write_json
+from neurosym.files import make_folder, write_json
 from neurosym.grounding import Grounding
 from neurosym.pddl.plan_text import read_plan
 from neurosym.pddl.validation import hand_problem
@@ -103,7 +103,7 @@ def execute_stage(
         )
         other = None if problem.tolerance == own.tolerance else problem.tolerance
         run = msgspec.structs.replace(run, tolerance=other, machine=this_machine())
-        (folder / RUNS).mkdir(exist_ok=True)
+        make_folder(folder / RUNS)
         write_json(folder / record_file, run)
         shown.end(run)
 

@@ -9,7 +9,7 @@ from neurosym.errors import InvalidValue
 from neurosym.learning.training_config import Regime, regime_named
 from neurosym.stages.folder import DomainFolder
 from neurosym.stages.layout import INTERACTIONS, WORLD
-from neurosym.stages.manifest import Stage
+from neurosym.stages.manifest import Claim, Stage
 from neurosym.strategies import own_name, strategy_named
 from neurosym.wording import quoted
 from neurosym.worlds.world_file import origin_of, read_world
@@ -62,7 +62,7 @@ def explore_stage(
     options: dict[str, Any] = {"strategy": strategy, "steps": steps, "seed": seed, "regime": regime}
     if min_predicted_effect:
         options["min_predicted_effect"] = min_predicted_effect
-    return Stage("explore", (WORLD,), (INTERACTIONS,), work, options)
+    return Stage("explore", (WORLD,), (INTERACTIONS,), work, options, Claim.ALONE)
 
 
 def check_choices(strategy: str, regime: str, min_predicted_effect: float = 0.0) -> Regime:

@@ -1,27 +1,48 @@
-"""A domain folder that exists: finding what it holds (`layout`), and performing stages in it."""
+"""A domain folder that exists: finding what it holds (`layout`), and performing stages in it.
 
-from collections.abc import Callable
+Several processes can work in one folder. What learns takes it for itself; what plans and executes shares it
+with its like. A stage's files are replaced together when it is done, and the manifest with them.
+"""
+
+import os
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from itertools import count
 from pathlib import Path
 from time import perf_counter
 
-from neurosym.errors import FolderNotFound, InvalidValue, StageMissing, UnknownChoice
-from neurosym.files import write_json
+import msgspec
+
+from neurosym.drafts import Drafts, remove_leftovers
+from neurosym.errors import (
+    FolderNotFound,
+    FolderTaken,
+    InvalidFile,
+    InvalidValue,
+    StageMissing,
+    UnknownChoice,
+)
+from neurosym.files import check_writable, digests, write_json, write_new
 from neurosym.grounding import Grounding
-from neurosym.reading import digest, read_json, refuse_other_kinds
+from neurosym.locks import holders, locked, take
+from neurosym.problems import Problem
+from neurosym.reading import read_json, refuse_other_kinds
 from neurosym.stages.layout import (
     COMMANDS,
+    COMPARISONS,
     GROUNDING,
     INTERACTIONS,
     MANIFEST,
     NUMERIC,
+    PICTURES,
     PLANS,
     PROBLEMS,
+    REPORT_PICTURES,
     RUNS,
     SCENE,
     WORLD,
 )
-from neurosym.stages.manifest import Manifest, Stage, StageRecord, versions
+from neurosym.stages.manifest import Claim, Manifest, Stage, StageRecord, versions
 from neurosym.wording import quoted
 
 Notify = Callable[[str], None]
@@ -47,6 +68,7 @@ class DomainFolder:
         if not path.is_dir():
             raise FolderNotFound(path)
         self.path, self.notify = path, notify
+        self._claim = Claim.NONE
 
     def __truediv__(self, name: str) -> Path:
         return self.path / name
@@ -109,6 +131,38 @@ class DomainFolder:
         path = self.path / MANIFEST
         return read_json(path, Manifest) if path.exists() else Manifest()
 
+    @contextmanager
+    def naming_problems(self) -> Iterator[None]:
+        """Keep others from making a problem here meanwhile, who would find the same name free."""
+        path = self.require(GROUNDING)
+        if others := holders(path):
+            self.notify(f"waiting for process {others[0]}, which makes a problem here")
+        with locked(path):
+            yield
+
+    @contextmanager
+    def claimed(self, claim: Claim) -> Iterator[None]:
+        """Have the folder as some work needs it, until that is done; what is held already is not taken again.
+
+        Args:
+            claim: For oneself, shared with others who share it, or not at all.
+
+        Raises:
+            FolderTaken: If another process has it, and goes on having it for two seconds.
+        """
+        if claim <= self._claim:
+            yield
+            return
+        held = take(self.path, alone=claim is Claim.ALONE)
+        if held is None:
+            raise FolderTaken(self.path, holders(self.path))
+        try:
+            before, self._claim = self._claim, claim
+            yield
+        finally:
+            self._claim = before
+            os.close(held)
+
     def perform(self, stage: Stage, *, again: bool) -> bool:
         """Do a stage's work and record it, unless it is done already.
 
@@ -118,28 +172,60 @@ class DomainFolder:
 
         Returns:
             Whether there was anything to do.
+
+        Raises:
+            FolderTaken: If another process works in the folder that it cannot be shared with.
+            CannotWrite: If files cannot be written; those that were there are as they were.
         """
+        with self.claimed(stage.claim):
+            return self._perform(stage, again=again)
+
+    def _perform(self, stage: Stage, *, again: bool) -> bool:
         self.manifest()  # refuses a damaged one before anything is written
         for name in (*stage.outputs, MANIFEST):
             refuse_other_kinds(self.path / name)
         if not again and self._is_current(stage):
             return False
+        self.prepare(*stage.outputs, MANIFEST)
         if remarks := self.outdated(stage.inputs):
             self._refuse_damaged(stage.inputs)
         for remark in remarks:
             self.notify(remark)
         inputs = self._digests(stage.inputs)
         start = perf_counter()
-        stage.work()
-        record = StageRecord(
-            options=stage.options,
-            inputs=inputs,
-            outputs=self._digests(stage.outputs),
-            seconds=round(perf_counter() - start, 1),
-            versions=versions(),
-        )
-        write_json(self.path / MANIFEST, Manifest({**self.manifest().stages, stage.name: record}))
+        with Drafts() as drafts:
+            stage.work()
+            seconds = round(perf_counter() - start, 1)
+            with self._recording():
+                outputs = self._digests(stage.outputs)
+                record = StageRecord(stage.options, inputs, outputs, seconds, versions())
+                write_json(self.path / MANIFEST, Manifest({**self.manifest().stages, stage.name: record}))
+                drafts.put_in_place()
         return True
+
+    def prepare(self, *names: str) -> None:
+        """Raise unless files can be written, and remove what killed processes left of theirs.
+
+        Args:
+            names: The files, relative to the folder.
+
+        Raises:
+            InvalidFile: If a folder stands in the place of a file, or a file in that of a folder.
+            CannotWrite: If the system does not let them be written.
+        """
+        for place in ("", PROBLEMS, PLANS, RUNS, PICTURES, REPORT_PICTURES, f"{COMPARISONS}/*"):
+            for folder in self.path.glob(place) if place else (self.path,):
+                remove_leftovers(folder)
+        for name in {str(Path(name).parent): name for name in names}.values():
+            check_writable(self.path / name)
+
+    @contextmanager
+    def _recording(self) -> Iterator[None]:
+        """Keep others from recording a stage meanwhile, whose record would be lost."""
+        path = self.path / MANIFEST
+        write_new(path, msgspec.json.encode(Manifest()))  # so that there is what to lock
+        with locked(path):
+            yield
 
     def outdated(self, names: tuple[str, ...]) -> list[str]:
         """Say which of these files were made from others than those that are there now, if any are.
@@ -176,7 +262,23 @@ class DomainFolder:
                 read(self.path / name)
 
     def _digests(self, names: tuple[str, ...]) -> dict[str, str]:
-        return {name: digest(self.path / name) for name in names if (self.path / name).is_file()}
+        return digests({name: self.path / name for name in names})
+
+
+def load_scene(path: Path) -> Problem:
+    """Read a problem of a folder; it is called as its file is, whatever stands in it.
+
+    Args:
+        path: The file, NAME.scene.json.
+
+    Raises:
+        InvalidFile: If it is no problem, or its name is none that a problem can have.
+    """
+    problem, name = Problem.load(path), path.name.removesuffix(SCENE)
+    try:
+        return problem if problem.name == name else msgspec.structs.replace(problem, name=name)
+    except InvalidValue as error:
+        raise InvalidFile(path, str(error).rstrip(".")) from error
 
 
 def _problem_of(file: str) -> str:

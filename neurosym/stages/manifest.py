@@ -3,6 +3,7 @@
 import platform
 from collections.abc import Callable
 from dataclasses import dataclass, field
+from enum import IntEnum
 from importlib.metadata import version
 from typing import Any
 
@@ -35,6 +36,17 @@ class Manifest(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     stages: dict[str, StageRecord] = {}
 
 
+class Claim(IntEnum):
+    """How a stage has the folder while it works; each includes those before it."""
+
+    NONE = 0
+    """It looks at what is there, which changes whole files at a time."""
+    SHARED = 1
+    """It adds to what was learned: several can at the same time, while nobody learns."""
+    ALONE = 2
+    """It learns: what others would read changes."""
+
+
 @dataclass(frozen=True, slots=True)
 class Stage:
     """One step of the way: what it reads, what it writes, and the work itself.
@@ -45,6 +57,7 @@ class Stage:
         outputs: Files it writes, relative to the folder.
         work: Does the work.
         options: What decides the outcome beside the inputs.
+        claim: How it has the folder meanwhile.
     """
 
     name: str
@@ -52,6 +65,7 @@ class Stage:
     outputs: tuple[str, ...]
     work: Callable[[], None]
     options: dict[str, Any] = field(default_factory=dict)
+    claim: Claim = Claim.SHARED
 
     def __post_init__(self) -> None:
         if self.options.get("seed", 0) < 0:

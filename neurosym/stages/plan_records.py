@@ -7,7 +7,7 @@ from pathlib import Path
 import msgspec
 
 from neurosym.errors import InvalidFile
-from neurosym.files import write_atomically, write_json
+from neurosym.files import make_folder, remove, write_atomically, write_json
 from neurosym.grounding import Grounding
 from neurosym.pddl.moves import Encoding
 from neurosym.pddl.plan_text import (
@@ -103,7 +103,7 @@ def write_plans(
     """
     result = planned.result
     plan_file, record_file = plan_files(name, planner)
-    (folder / PLANS).mkdir(exist_ok=True)
+    make_folder(folder / PLANS)
     stem = plan_file.removesuffix(".plan")
     written = _write_alternatives(folder, stem, planned.alternatives, problem, grounding, encoding)
     record = PlanRecord(
@@ -122,7 +122,7 @@ def write_plans(
     elif result.has_plan:
         write_atomically(folder / plan_file, print_plan(result.steps, result.reason))
     else:
-        (folder / plan_file).unlink(missing_ok=True)
+        remove(folder / plan_file)
     write_json(folder / record_file, record)
 
 
@@ -149,7 +149,7 @@ def _write_alternatives(
 ) -> tuple[PlannedSteps, ...]:
     """Write the next-best plans, in place of those of an earlier time."""
     for stale in folder.path.glob(f"{stem}-alt-*.plan"):
-        stale.unlink()
+        remove(stale)
     written = []
     for number, steps in enumerate(plans, start=1):
         file = f"{stem}-alt-{number}.plan"

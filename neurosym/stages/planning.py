@@ -4,8 +4,6 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
-import msgspec
-
 from neurosym.errors import InvalidFile, InvalidValue, StageMissing, UnknownChoice
 from neurosym.grounding import Grounding
 from neurosym.object_limits import limits_of
@@ -18,7 +16,7 @@ from neurosym.planners.registry import check_options
 from neurosym.planners.second_look import plan_with_second_look
 from neurosym.problems import Problem
 from neurosym.stages.compiling import print_problem
-from neurosym.stages.folder import DomainFolder
+from neurosym.stages.folder import DomainFolder, load_scene
 from neurosym.stages.layout import GROUNDING, MODEL, WORLD, plan_files, scene_file
 from neurosym.stages.manifest import Stage
 from neurosym.stages.plan_records import write_plans
@@ -43,7 +41,7 @@ def load_problem(folder: DomainFolder, name: str, world: World | None = None) ->
     scene = folder / scene_file(folder.problem(name))
     if not scene.is_file():
         raise StageMissing(scene, f"neurosym new-problem {quoted(folder.path)} --name {folder.problem(name)}")
-    problem = msgspec.structs.replace(Problem.load(scene), name=folder.problem(name))
+    problem = load_scene(scene)
     check_scene(folder, problem, scene, world)
     return problem
 

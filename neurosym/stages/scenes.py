@@ -4,6 +4,7 @@ from pathlib import Path
 
 import msgspec
 
+from neurosym.files import make_folder
 from neurosym.grounding import Grounding
 from neurosym.problems import Problem
 from neurosym.reading import digest
@@ -29,7 +30,7 @@ def scene_stage(folder: DomainFolder, file: Path, *, name: str, tolerance: float
         grounding = Grounding.load(folder.require(GROUNDING))
         problem = msgspec.structs.replace(Problem.load(file), name=name).within(tolerance)
         check_scene(folder, problem, file)
-        (folder / PROBLEMS).mkdir(exist_ok=True)
+        make_folder(folder / PROBLEMS)
         print_problem(folder, problem, grounding)
         problem.save(folder / scene)
 

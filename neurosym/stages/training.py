@@ -10,7 +10,7 @@ from neurosym.files import write_json
 from neurosym.learning.training_config import regime_named
 from neurosym.stages.folder import DomainFolder
 from neurosym.stages.layout import DIRECT_MODEL, INTERACTIONS, MODEL, TRAINING
-from neurosym.stages.manifest import Stage
+from neurosym.stages.manifest import Claim, Stage
 
 
 def train_stage(folder: DomainFolder, *, seed: int, regime: str) -> Stage:
@@ -34,7 +34,7 @@ def train_stage(folder: DomainFolder, *, seed: int, regime: str) -> Stage:
         trained.model.save(folder / MODEL)
 
     options = {"seed": seed, "regime": regime}
-    return Stage("train", (INTERACTIONS,), (MODEL, DIRECT_MODEL, TRAINING), work, options)
+    return Stage("train", (INTERACTIONS,), (MODEL, DIRECT_MODEL, TRAINING), work, options, Claim.ALONE)
 
 
 def _trainable(path: Path) -> Interactions:

@@ -12,7 +12,7 @@ from neurosym.stages.executing import execute_stage, load_run
 from neurosym.stages.exploring import explore_stage
 from neurosym.stages.folder import DomainFolder
 from neurosym.stages.layout import plan_files
-from neurosym.stages.manifest import Stage
+from neurosym.stages.manifest import Claim, Stage
 from neurosym.stages.plan_records import PlanRecord
 from neurosym.stages.planning import plan_stage
 from neurosym.stages.training import train_stage
@@ -68,11 +68,12 @@ def go_the_whole_way(
         distill_stage(folder, objects=rehearsals, seed=seed, workers=workers),
         compile_stage(folder, cell=CELL),
     )
-    for stage in learning:
-        _perform(folder, stage)
-    rows = [_try_problem(folder, number, seed) for number in range(1, problems + 1)]
-    while problems and len(rows) < MOST_PROBLEMS and not any(row.executed for row in rows):
-        rows.append(_try_problem(folder, len(rows) + 1, seed))
+    with folder.claimed(Claim.ALONE):
+        for stage in learning:
+            _perform(folder, stage)
+        rows = [_try_problem(folder, number, seed) for number in range(1, problems + 1)]
+        while problems and len(rows) < MOST_PROBLEMS and not any(row.executed for row in rows):
+            rows.append(_try_problem(folder, len(rows) + 1, seed))
     if rows:
         columns = ["problem", "objects", "plan", "primitives", "seconds", "goal", "why not"]
         show_table(f"{len(rows)} problems drawn from the world", columns, [row.cells for row in rows])

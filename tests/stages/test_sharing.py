@@ -1,0 +1,185 @@
+"""Several processes in one domain folder: some share it, some have it for themselves; no record is lost."""
+
+import json
+import os
+import threading
+from pathlib import Path
+
+import pytest
+from command_line import refusal
+
+from neurosym import locks
+from neurosym.commands.cli import main
+from neurosym.errors import CannotWrite, FolderTaken, InvalidFile
+from neurosym.files import write_atomically
+from neurosym.stages.compiling import compile_stage
+from neurosym.stages.folder import DomainFolder
+from neurosym.stages.manifest import Claim, Stage
+from neurosym.stages.planning import load_problem
+
+
+@pytest.fixture(autouse=True)
+def ask_once(monkeypatch: pytest.MonkeyPatch):
+    monkeypatch.setattr(locks, "_TRIES", 1)
+
+
+def stage(folder: DomainFolder, name: str, *, claim: Claim = Claim.SHARED) -> Stage:
+    """A stage that writes a file of its name."""
+    return Stage(name, (), (name,), lambda: write_atomically(folder / name, name), claim=claim)
+
+
+ALLOWED = {(Claim.SHARED, Claim.SHARED), *((claim, Claim.NONE) for claim in Claim)}
+
+
+@pytest.mark.parametrize("held", Claim)
+@pytest.mark.parametrize("wanted", Claim)
+def test_folder_is_had_together_only_by_those_who_share_or_look(tmp_path: Path, held: Claim, wanted: Claim):
+    first, second = DomainFolder(tmp_path), DomainFolder(tmp_path)
+    with first.claimed(held):
+        if (held, wanted) in ALLOWED or held is Claim.NONE:
+            assert second.perform(stage(second, "mine", claim=wanted), again=True)
+        else:
+            with pytest.raises(FolderTaken, match=rf"Process {os.getpid()} works in .*; wait until it has"):
+                second.perform(stage(second, "mine", claim=wanted), again=True)
+            assert list(tmp_path.iterdir()) == []
+
+
+def test_claim_is_given_back_whatever_happens(tmp_path: Path):
+    def fail() -> None:
+        raise KeyboardInterrupt
+
+    first, second = DomainFolder(tmp_path), DomainFolder(tmp_path)
+    with pytest.raises(KeyboardInterrupt):
+        first.perform(Stage("fails", (), ("a",), fail, claim=Claim.ALONE), again=True)
+    assert second.perform(stage(second, "mine", claim=Claim.ALONE), again=True)
+
+
+def test_stages_of_a_whole_way_do_not_ask_for_the_folder_again(tmp_path: Path):
+    folder, other = DomainFolder(tmp_path), DomainFolder(tmp_path)
+    with folder.claimed(Claim.ALONE):
+        folder.perform(stage(folder, "a", claim=Claim.ALONE), again=True)
+        folder.perform(stage(folder, "b"), again=True)
+        with pytest.raises(FolderTaken):
+            other.perform(stage(other, "c"), again=True)
+
+
+def test_no_record_of_stages_at_the_same_time_is_lost(tmp_path: Path):
+    names = [f"stage-{number}" for number in range(12)]
+    together = threading.Barrier(len(names))
+
+    def perform(name: str) -> None:
+        folder = DomainFolder(tmp_path)
+        together.wait()
+        folder.perform(stage(folder, name), again=True)
+
+    threads = [threading.Thread(target=perform, args=(name,)) for name in names]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    assert sorted(DomainFolder(tmp_path).manifest().stages) == sorted(names)
+    assert {path.name for path in tmp_path.iterdir()} == {*names, "manifest.json"}
+
+
+def test_stage_that_fails_while_it_writes_changes_nothing(tmp_path: Path):
+    folder = DomainFolder(tmp_path)
+    folder.perform(stage(folder, "a"), again=True)
+    before = {path: path.read_bytes() for path in tmp_path.iterdir()}
+
+    def fail() -> None:
+        write_atomically(folder / "a", "another")
+        write_atomically(folder / "gone" / "b", "in a folder that is not there")
+
+    with pytest.raises(CannotWrite, match="gone/b cannot be written: No such file or directory"):
+        folder.perform(Stage("a", (), ("a",), fail), again=True)
+    assert {path: path.read_bytes() for path in tmp_path.iterdir()} == before
+
+
+def test_manifest_that_cannot_be_written_leaves_the_files_as_they_were(tmp_path: Path, monkeypatch):
+    folder = DomainFolder(tmp_path)
+    folder.perform(stage(folder, "a"), again=True)
+
+    def full(path: Path, _: object) -> None:
+        raise CannotWrite(path, OSError(28, "No space left on device"))
+
+    monkeypatch.setattr("neurosym.stages.folder.write_json", full)
+    work = lambda: write_atomically(folder / "a", "another")  # noqa: E731
+    with pytest.raises(CannotWrite, match=r"manifest\.json cannot be written: No space left"):
+        folder.perform(Stage("a", (), ("a",), work), again=True)
+    assert (tmp_path / "a").read_text() == "a"
+
+
+def test_file_that_cannot_be_written_is_noticed_before_the_work(tmp_path: Path):
+    folder, calls = DomainFolder(tmp_path), []
+    (tmp_path / "plans").touch()
+    with pytest.raises(InvalidFile, match=r"plans cannot be used: it is a file, and should be a folder"):
+        folder.perform(Stage("plan", (), ("plans/a.plan",), lambda: calls.append(1)), again=True)
+    assert not calls
+
+
+def test_leftovers_of_a_killed_stage_are_removed_by_the_next(tmp_path: Path):
+    folder = DomainFolder(tmp_path)
+    (tmp_path / "comparison" / "1-objects").mkdir(parents=True)
+    left = [tmp_path / place / ".neurosym-killed" for place in ("", "comparison/1-objects")]
+    for path in left:
+        path.touch()
+    folder.perform(stage(folder, "a"), again=True)
+    assert not any(path.exists() for path in left)
+
+
+def test_folder_in_which_another_learns_is_refused_in_a_sentence(folder: Path, capsys):
+    with DomainFolder(folder).claimed(Claim.ALONE):
+        for command in (
+            ["plan", folder, "task-01"],
+            ["train", folder],
+            ["new-problem", folder],
+            ["compare", folder, "--tasks", 1, "--workers", 1],
+            ["run", folder, "--steps", 1024, "--regime", "quick", "--strategy", "random", "--seed", 3],
+        ):
+            assert f"Process {os.getpid()} works in {folder}" in refusal(capsys, *command)
+
+
+def test_problems_made_at_the_same_time_get_names_of_their_own(folder: Path, capsys):
+    together = threading.Barrier(4)
+    before = set(DomainFolder(folder).problem_names())
+
+    def make(seed: int) -> None:
+        together.wait()
+        with pytest.raises(SystemExit) as ended:
+            main(["new-problem", str(folder), "--seed", str(seed)])
+        assert ended.value.code == 0
+
+    threads = [threading.Thread(target=make, args=(seed,)) for seed in range(4)]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    made = set(DomainFolder(folder).problem_names()) - before
+    assert len(made) == 4
+    said = capsys.readouterr().out
+    assert all(f"wrote {folder}/problems/{name}.pddl" in said for name in made)
+    seeds = {json.loads((folder / f"problems/{name}.scene.json").read_text())["provenance"] for name in made}
+    assert len(seeds) == 4
+
+
+def test_scene_that_bears_the_name_of_another_problem_keeps_to_its_own_files(folder: Path):
+    domain = DomainFolder(folder)
+    problems = folder / "problems"
+    (problems / "other.scene.json").write_bytes((problems / "task-01.scene.json").read_bytes())
+    before = {path.name: path.read_bytes() for path in problems.glob("task-*")}
+    domain.perform(compile_stage(domain, cell=0.01), again=True)
+    domain.perform(compile_stage(domain, cell=0.005), again=True)
+    assert {path.name: path.read_bytes() for path in problems.glob("task-*")} == before
+    assert "(problem other)" in (problems / "other.pddl").read_text()
+    assert load_problem(domain, "other").name == "other"
+
+
+def test_scene_whose_name_no_problem_can_have_is_refused_before_anything_is_written(folder: Path):
+    domain = DomainFolder(folder)
+    (folder / "problems/My scene.scene.json").write_bytes(
+        (folder / "problems/task-01.scene.json").read_bytes()
+    )
+    before = {path: path.read_bytes() for path in folder.rglob("*") if path.is_file()}
+    with pytest.raises(InvalidFile, match=r"My scene\.scene\.json cannot be used: 'My scene' is not a legal"):
+        domain.perform(compile_stage(domain, cell=0.01), again=True)
+    assert {path: path.read_bytes() for path in folder.rglob("*") if path.is_file()} == before

@@ -1,0 +1,151 @@
+"""Drafts are put in place together or not at all, and what a kill leaves of them is removed."""
+
+import os
+import signal
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from neurosym.drafts import Drafts, at_once, remove_leftovers
+from neurosym.errors import CannotWrite
+from neurosym.files import digests, remove, write_atomically
+
+
+def names(folder: Path) -> list[str]:
+    return sorted(path.name for path in folder.iterdir())
+
+
+def test_drafts_change_nothing_until_they_are_put_in_place(tmp_path: Path):
+    old, new, gone = (tmp_path / name for name in ("old", "new", "gone"))
+    old.write_text("1")
+    gone.write_text("2")
+    with Drafts() as drafts:
+        write_atomically(old, "3")
+        write_atomically(new, "4")
+        remove(gone)
+        assert (old.read_text(), new.exists(), gone.exists()) == ("1", False, True)
+        drafts.put_in_place()
+    assert {path.name: path.read_text() for path in tmp_path.iterdir()} == {"old": "3", "new": "4"}
+
+
+def test_drafts_that_are_not_put_in_place_are_dropped(tmp_path: Path):
+    (tmp_path / "old").write_text("1")
+
+    def fail() -> None:
+        with Drafts():
+            write_atomically(tmp_path / "old", "3")
+            remove(tmp_path / "old")
+            write_atomically(tmp_path / "old", "5")
+            write_atomically(tmp_path / "new", "4")
+            raise KeyboardInterrupt
+
+    with pytest.raises(KeyboardInterrupt):
+        fail()
+    assert names(tmp_path) == ["old"]
+    assert (tmp_path / "old").read_text() == "1"
+    write_atomically(tmp_path / "old", "6")
+    assert (tmp_path / "old").read_text() == "6"
+
+
+def test_last_draft_for_a_place_counts(tmp_path: Path):
+    with Drafts() as drafts:
+        for text in ("1", "2"):
+            write_atomically(tmp_path / "a", text)
+        remove(tmp_path / "b")
+        write_atomically(tmp_path / "b", "3")
+        drafts.put_in_place()
+    assert {path.name: path.read_text() for path in tmp_path.iterdir()} == {"a": "2", "b": "3"}
+
+
+def test_digests_are_those_of_drafts(tmp_path: Path):
+    places = {name: tmp_path / name for name in ("a", "b", "c")}
+    write_atomically(places["a"], "1")
+    write_atomically(places["b"], "2")
+    with Drafts() as drafts:
+        write_atomically(places["a"], "3")
+        remove(places["b"])
+        write_atomically(places["c"], "4")
+        promised = digests(places)
+        drafts.put_in_place()
+    assert promised == digests(places)
+    assert promised.keys() == {"a", "c"}
+
+
+def test_checkpoint_is_written_at_once_among_drafts(tmp_path: Path):
+    with Drafts():
+        with at_once():
+            write_atomically(tmp_path / "checkpoint", "1")
+        assert names(tmp_path) == ["checkpoint"]
+    assert names(tmp_path) == ["checkpoint"]
+
+
+def test_more_drafts_can_be_made_than_files_may_be_open(tmp_path: Path):
+    resource = pytest.importorskip("resource")
+    soft, hard = resource.getrlimit(resource.RLIMIT_NOFILE)
+    resource.setrlimit(resource.RLIMIT_NOFILE, (250, hard))
+    try:
+        with Drafts() as drafts:
+            for number in range(400):
+                write_atomically(tmp_path / f"{number}", "1")
+            drafts.put_in_place()
+    finally:
+        resource.setrlimit(resource.RLIMIT_NOFILE, (soft, hard))
+    assert len(names(tmp_path)) == 400
+
+
+DRAFT_AND_WAIT = """
+import sys, time
+from pathlib import Path
+from neurosym.drafts import Drafts
+from neurosym.files import write_atomically
+with Drafts():
+    write_atomically(Path(sys.argv[1]) / "a", "1")
+    print("written", flush=True)
+    time.sleep(60)
+"""
+
+
+def test_leftovers_of_a_killed_process_are_removed_and_those_of_a_live_one_kept(tmp_path: Path):
+    (tmp_path / ".neurosymmetry").touch()
+    os.mkfifo(tmp_path / ".neurosym-pipe")  # which nobody writes into
+    command = [sys.executable, "-c", DRAFT_AND_WAIT, str(tmp_path)]
+    with subprocess.Popen(command, stdout=subprocess.PIPE, text=True) as process:
+        assert process.stdout is not None
+        assert process.stdout.readline() == "written\n"
+        remove_leftovers(tmp_path)
+        assert len(names(tmp_path)) == 3
+        process.send_signal(signal.SIGKILL)
+    assert len(names(tmp_path)) == 3
+    remove_leftovers(tmp_path)
+    assert names(tmp_path) == [".neurosym-pipe", ".neurosymmetry"]
+
+
+def test_draft_that_somebody_took_for_a_leftover_before_it_was_locked_is_made_again(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+):
+    import fcntl
+
+    real, swept = fcntl.flock, []
+
+    def sweep_first(file: int, how: int) -> None:
+        if not swept:
+            swept.extend(tmp_path.iterdir())
+            for path in swept:
+                path.unlink()
+        real(file, how)
+
+    monkeypatch.setattr(fcntl, "flock", sweep_first)
+    write_atomically(tmp_path / "a", "1")
+    assert len(swept) == 1
+    assert names(tmp_path) == ["a"]
+
+
+def test_place_that_became_a_folder_is_named(tmp_path: Path):
+    with Drafts() as drafts:
+        write_atomically(tmp_path / "a", "1")
+        (tmp_path / "a").mkdir()
+        with pytest.raises(CannotWrite, match=r"/a cannot be written: Is a directory"):
+            drafts.put_in_place()
+    assert names(tmp_path) == ["a"]
