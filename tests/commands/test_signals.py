@@ -151,7 +151,7 @@ def test_the_folder_and_the_planner_of_a_living_owner_are_let_alone(here: Path):
     assert alive(str(here)) == []
 
 
-def test_a_second_interrupt_ends_at_once_and_a_repeated_hangup_changes_nothing(here: Path):
+def test_a_repeated_hangup_changes_nothing(here: Path):
     process = start_hanging(here, "plan")
     for _ in range(20):
         process.send_signal(signal.SIGHUP)
@@ -162,7 +162,28 @@ def test_a_second_interrupt_ends_at_once_and_a_repeated_hangup_changes_nothing(h
     assert alive(str(here)) == []
 
 
-def test_a_signal_that_is_ignored_stays_so(here: Path):
+def test_a_second_interrupt_ends_at_once():
+    code = """if True:
+        import time
+        from neurosym.commands.signals import raised_signals
+        with raised_signals():
+            try:
+                print("ready", flush=True)
+                time.sleep(60)
+            finally:
+                print("ending", flush=True)
+                time.sleep(60)
+    """
+    process = subprocess.Popen([sys.executable, "-c", code], stdout=subprocess.PIPE, text=True)
+    for line in ("ready", "ending"):
+        assert process.stdout.readline().strip() == line
+        time.sleep(0.7)  # less is the same Ctrl-C
+        process.send_signal(signal.SIGINT)
+    process.communicate(timeout=SOON)
+    assert process.returncode == 130
+
+
+def test_a_signal_that_is_ignored_stays_so():
     code = "import os, signal; signal.signal(signal.SIGHUP, signal.SIG_IGN);"
     code += "from neurosym.commands.signals import raised_signals\n"
     code += "with raised_signals(): os.kill(os.getpid(), signal.SIGHUP); print('still here')"
