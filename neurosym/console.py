@@ -1,9 +1,10 @@
 """What the command line shows: progress bars, tables, and where things lie."""
 
+import re
 import sys
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
-from typing import Protocol
+from typing import Any, Protocol
 
 from rich.console import Console
 from rich.progress import (
@@ -19,12 +20,39 @@ from rich.progress import (
 from rich.table import Table
 from rich.text import Text
 
+from neurosym.errors import shortened
+from neurosym.wording import harmless
+
+_LONG = re.compile(r"\S{1000,}")
 _PIPE_WIDTH = 160  # columns, where there is no terminal to ask
 
-console = Console(
+
+class HarmlessConsole(Console):
+    """A console that shows what stands in texts, which may come from files of strangers, and does no more."""
+
+    def print(self, *objects: Any, **options: Any) -> None:
+        """Print as rich does, without what a terminal would act on."""
+        super().print(*(harmless(text) if isinstance(text, str) else text for text in objects), **options)
+
+
+class ErrorConsole(HarmlessConsole):
+    """A console for sentences about what was given, however long that is."""
+
+    def print(self, *objects: Any, **options: Any) -> None:
+        """Print, without the end of words that nobody reads to their end."""
+        super().print(
+            *(_LONG.sub(_cut, text) if isinstance(text, str) else text for text in objects), **options
+        )
+
+
+def _cut(word: re.Match[str]) -> str:
+    return shortened(word[0], 300)
+
+
+console = HarmlessConsole(
     highlight=False, emoji=False, soft_wrap=True, width=None if sys.stdout.isatty() else _PIPE_WIDTH
 )
-error_console = Console(stderr=True, highlight=False, emoji=False, soft_wrap=True)
+error_console = ErrorConsole(stderr=True, highlight=False, emoji=False, soft_wrap=True)
 
 
 class Advance(Protocol):
@@ -91,9 +119,9 @@ def show_table(title: str, columns: Sequence[str], rows: Sequence[Sequence[str]]
         columns: Headings.
         rows: One text for each heading.
     """
-    table = Table(title=title, title_justify="left")
+    table = Table(title=Text(harmless(title), style="table.title"), title_justify="left")
     for column in columns:
-        table.add_column(column, overflow="fold")
+        table.add_column(Text(harmless(column)), overflow="fold")
     for row in rows:
-        table.add_row(*(Text(cell) for cell in row))
+        table.add_row(*(Text(harmless(cell)) for cell in row))
     console.print(table)

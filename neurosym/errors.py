@@ -3,11 +3,19 @@
 Expected outcomes (no plan, a time-out, a failed step) are values, not errors.
 """
 
+from bisect import bisect_left
 from collections.abc import Iterable
+from difflib import get_close_matches
 from pathlib import Path
 from typing import Any
 
 from neurosym.wording import quoted
+
+_MOST_LISTED, _LONGEST_LIST = (
+    20,
+    400,
+)  # names that a sentence lists whole, and its characters if there are more
+_NEAREST, _LOOKED_AT = 3, 500
 
 
 class NeurosymError(Exception):
@@ -77,11 +85,19 @@ def shortened(text: str, longest: int = 80) -> str:
 
 
 class UnknownChoice(NeurosymError):
-    """A name that is not among the valid ones."""
+    """A name that is not among the valid ones; of many, the nearest are named, and where all are listed."""
 
-    def __init__(self, kind: str, name: str, known: Iterable[str]):
-        choices = ", ".join(sorted(known)) or "none"
-        super().__init__(f"There is no {kind} {shortened(name)!r}; valid: {choices}.")
+    def __init__(self, kind: str, name: str, known: Iterable[str], listed: str = ""):
+        choices = sorted(known)
+        valid = f"valid: {', '.join(choices) or 'none'}"
+        if len(choices) > _MOST_LISTED and len(valid) > _LONGEST_LIST:
+            here = bisect_left(choices, name)
+            around = choices[max(0, here - _LOOKED_AT) : here + _LOOKED_AT]
+            near = get_close_matches(name[:_LOOKED_AT], around, _NEAREST)
+            places = f" that {listed} lists" if listed else ""
+            such = f"near to it: {', '.join(near)}" if near else f"such as {', '.join(around[:_NEAREST])}"
+            valid = f"valid: {len(choices):,}{places}, {such}"
+        super().__init__(f"There is no {kind} {shortened(name)!r}; {valid}.")
 
 
 class InvalidValue(NeurosymError):

@@ -79,7 +79,8 @@ class Grounding(msgspec.Struct, frozen=True, forbid_unknown_fields=True, omit_de
         for operator in self.operators.operators:
             if operator.name == name:
                 return operator
-        raise UnknownChoice("operator", name, (operator.name for operator in self.operators.operators))
+        known = (operator.name for operator in self.operators.operators)
+        raise UnknownChoice("operator", name, known, "`neurosym explain`")
 
     def operator_for(self, category: Symbol, primitive: Symbol) -> Operator | None:
         """Return what a primitive mostly does to a category, or None if that was never rehearsed."""

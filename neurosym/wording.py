@@ -1,12 +1,28 @@
-"""Paths and lengths as a user reads them."""
+"""Paths, lengths and texts of strangers as a user reads them."""
 
 import shlex
+import unicodedata
 from pathlib import Path
 
 
 def quoted(path: Path | str) -> str:
     """Return a path as it is typed in a shell: in quotes if it has blanks or the like."""
     return shlex.quote(str(path))
+
+
+def harmless(text: str) -> str:
+    """Return a text such that a terminal does nothing but show it.
+
+    Control characters, which may hide text or type commands, become escapes as in Python's strings. So does
+    what changes the direction of writing, and what is no character at all. Line ends and tabs stay.
+    """
+    return text if text.isprintable() else "".join(map(_shown, text))
+
+
+def _shown(sign: str) -> str:
+    if sign in "\n\t" or unicodedata.category(sign) not in ("Cc", "Cf", "Cs", "Zl", "Zp"):
+        return sign
+    return f"\\x{ord(sign):02x}" if ord(sign) < 256 else f"\\u{ord(sign):04x}"
 
 
 def in_millimetres(distance: float, allowed: float) -> str:

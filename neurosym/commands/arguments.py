@@ -3,14 +3,32 @@
 tyro tells what it is about to refuse as an event. Events are no stable part of it, so the version is pinned.
 """
 
+import inspect
+import math
 import re
 from collections.abc import Callable, Mapping, Sequence
 from functools import partial, wraps
+from itertools import pairwise
 from typing import Any
 
 from neurosym.errors import InvalidValue, UnknownChoice, shortened
+from neurosym.reading import LARGEST_WHOLE
 
 Command = Callable[..., int]
+LONGEST = 4096
+"""Characters of one argument, as of a path."""
+MOST = {
+    "steps": 10_000_000,  # more rows than this are not read again either
+    "rehearsals": 1_000_000,
+    "objects": 1_000_000,
+    "actions": 10_000,
+    "problems": 10_000,
+    "tasks": 1_000_000,
+    "alternatives": 1_000,
+    "replans": 1_000_000,
+    "time-limit": 10_000_000,  # seconds, nearly four months
+}
+"""What is the most that makes sense of some options; of any other number, the greatest whole one."""
 
 
 class _Unreadable(Exception):
@@ -38,9 +56,10 @@ def read_arguments(
     name = arguments[0] if arguments and not arguments[0].startswith("-") else ""
     if name and name not in commands:
         raise UnknownChoice("command", name, commands)
+    _check_words(arguments)
     try:
         with on_parse_error(partial(_refuse, commands)):
-            chosen: Callable[[], int] = tyro.extras.subcommand_cli_from_dict(
+            chosen: partial[int] = tyro.extras.subcommand_cli_from_dict(
                 {known: _later(command) for known, command in commands.items()},
                 prog="neurosym",
                 description=about,
@@ -50,7 +69,34 @@ def read_arguments(
     except _Unreadable as error:
         said = f"neurosym{' ' if name else ''}{name}: {error}"
         raise InvalidValue(said + _hint(name, arguments)) from None
+    given = inspect.signature(chosen.func).bind(*chosen.args, **chosen.keywords).arguments
+    for option, value in given.items():
+        for number in value if isinstance(value, tuple) else (value,):
+            _check_number(option.replace("_", "-"), number)
     return chosen
+
+
+def _check_words(arguments: Sequence[str]) -> None:
+    """Refuse what cannot be meant, however it is read: nothing at all, which as a path is this folder."""
+    for before, word in pairwise(["", *arguments]):
+        if word.startswith("--") and word.endswith("="):
+            raise InvalidValue(f"{word.rstrip('=')} is given nothing; leave it out, or say what is meant.")
+        if not word.strip():
+            place = f"{before} is given nothing" if before.startswith("--") else "An argument is empty"
+            raise InvalidValue(f"{place}; leave it out, or say what is meant.")
+        if len(word) > LONGEST:
+            raise InvalidValue(f"{shortened(word)} has {len(word)} characters; valid: at most {LONGEST}.")
+        if "\0" in word:
+            raise InvalidValue(f"{shortened(word)} holds a zero byte, which no argument can.")
+
+
+def _check_number(option: str, value: object) -> None:
+    """Refuse numbers that no option can take, so that they go no further."""
+    if isinstance(value, float) and not math.isfinite(value):
+        raise InvalidValue(f"{option} = {value} must be a finite number.")
+    if isinstance(value, int | float) and abs(value) > (most := MOST.get(option, LARGEST_WHOLE)):
+        given = shortened(f"{value}", 40)
+        raise InvalidValue(f"{option} = {given} is too great; valid: at most {most:,}.")
 
 
 def _later(command: Command) -> Callable[..., Callable[[], int]]:
@@ -86,7 +132,7 @@ def _refuse(commands: Mapping[str, Command], event: Any) -> None:
         reason = re.sub(
             r"^- <class '\w+'>: ", "", event.message.splitlines()[-1]
         )  # of several, the last kind
-        said = f"error parsing {option}: {reason.rstrip('.')}"
+        said = f"error parsing {option}: {shortened(reason.rstrip('.'), 300)}"
     if said:
         raise _Unreadable(said)
 
@@ -99,7 +145,7 @@ def _called(argument: Any) -> str:
 
 
 def _quoted(tokens: Sequence[str]) -> str:
-    return ", ".join(shortened(token, 300) for token in tokens)
+    return shortened(", ".join(shortened(token, 300) for token in tokens), 600)
 
 
 def _hint(name: str, arguments: Sequence[str]) -> str:

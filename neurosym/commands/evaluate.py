@@ -41,12 +41,11 @@ def evaluate(
     """
     from neurosym.data.interactions import Interactions
     from neurosym.evaluation.paper_tables import measure, tables
-    from neurosym.worlds.workers import MOST_WORKERS
+    from neurosym.worlds.workers import check_workers
 
     if not folders:
         raise InvalidValue("Name at least one domain folder.")
-    if not 1 <= workers <= MOST_WORKERS:
-        raise InvalidValue(f"workers = {workers} must be at least 1 and at most {MOST_WORKERS}.")
+    check_workers(workers)
     if output and (output.suffix not in _ENDINGS or output.is_dir() or not output.absolute().parent.is_dir()):
         raise InvalidValue(
             f"No tables can be written to {output}; name a file that ends in .md or .json, in an existing "

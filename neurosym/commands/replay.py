@@ -76,7 +76,7 @@ def _record(domain: DomainFolder, typed: Path) -> Path:
     """Find the record of a run that was typed as a file, or as a name."""
     from neurosym.stages.layout import RECORD
 
-    if typed.is_file():
+    if typed.exists() and not typed.is_dir():
         return typed
     known = {path.name.removesuffix(RECORD): path for path in (domain / RUNS).glob(f"*{RECORD}")}
     if found := known.get(typed.name.removesuffix(RECORD)) if typed.name == str(typed) else None:

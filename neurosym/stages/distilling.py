@@ -14,6 +14,7 @@ from neurosym.stages.folder import DomainFolder
 from neurosym.stages.layout import DIRECT_MODEL, INTERACTIONS, MODEL, PRIMITIVES, WORLD
 from neurosym.stages.manifest import Claim, Stage
 from neurosym.world import WorldFactory
+from neurosym.worlds.workers import check_workers
 from neurosym.worlds.world_file import read_world
 
 
@@ -25,9 +26,9 @@ def distill_stage(
     Without a `world.toml`, nothing is rehearsed: effects are averaged from the data, whose origin, or else
     least and greatest values, are the action box.
     """
-    for name, value in (("objects", objects), ("workers", workers)):
-        if value < 1:
-            raise InvalidValue(f"{name} = {value} must be at least 1.")
+    if objects < 1:
+        raise InvalidValue(f"objects = {objects} must be at least 1.")
+    check_workers(workers)
     if choice not in CHOICES:
         raise UnknownChoice("choice", choice, CHOICES)
 

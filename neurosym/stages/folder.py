@@ -114,7 +114,7 @@ class DomainFolder:
             raise InvalidValue(
                 f"{self.path} is no domain folder, it has neither {WORLD} nor {GROUNDING}; name one that has."
             )
-        raise UnknownChoice("problem", name, known)
+        raise UnknownChoice("problem", name, known, str(self.path / PROBLEMS))
 
     def free_problem_name(self) -> str:
         """Return the first of `task-01`, `task-02`, ... that no problem of this folder has."""

@@ -63,6 +63,12 @@ class WorkerDied(NeurosymError):
         )
 
 
+def check_workers(workers: int) -> None:
+    """Raise `InvalidValue` unless there can be so many processes."""
+    if not 1 <= workers <= MOST_WORKERS:
+        raise InvalidValue(f"workers = {workers} must be at least 1 and at most {MOST_WORKERS}.")
+
+
 @contextmanager
 def crew(world_factory: WorldFactory, workers: int) -> Iterator[Perform]:
     """Keep workers at hand; yields the function that has tasks performed and gives outcomes in order.
@@ -75,8 +81,7 @@ def crew(world_factory: WorldFactory, workers: int) -> Iterator[Perform]:
         InvalidValue: If there are fewer than one.
         WorkerDied: From the outcomes, if a worker process ends.
     """
-    if not 1 <= workers <= MOST_WORKERS:
-        raise InvalidValue(f"workers = {workers} must be at least 1 and at most {MOST_WORKERS}.")
+    check_workers(workers)
     if workers == 1:
         world = world_factory()
         yield lambda tasks: (perform_task(world, task) for task in tasks)

@@ -46,7 +46,7 @@ from neurosym.strategies import STRATEGIES
             "no strategy 'luck'; valid: active, curiosity, disagreement, entropy, random",
         ),
         (["explore", "--min-predicted-effect", "-0.1"], "min-predicted-effect = -0.1 m must be at least 0"),
-        (["explore", "--min-predicted-effect", "nan"], "min-predicted-effect = nan m must be at least 0"),
+        (["explore", "--min-predicted-effect", "nan"], "min-predicted-effect = nan must be a finite number"),
         (
             ["explore", *LEARN_TOY, "--min-predicted-effect", "0.1"],
             "random predicts no effect that min-predicted-effect could compare; valid with it: disagreement",

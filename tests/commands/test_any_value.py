@@ -1,0 +1,75 @@
+"""Whatever is given to an option, a command ends in an answer or in one sentence, and in time."""
+
+import inspect
+import shutil
+from collections.abc import Iterator
+from pathlib import Path
+from typing import get_args, get_type_hints
+
+import pytest
+from command_line import neurosym
+from conftest import LEARN_TOY, RUN_TOY
+
+from neurosym.commands.cli import COMMANDS
+
+NUMBERS = ["nan", "inf", "-1", "1e308", f"{2**63 - 1}", f"{10**30}", "9" * 5000]
+WORDS = ["\x1b[31m", "x" * 4000, "/dev/full", "\udcff", "a\0b"]
+NOTHING = ""
+PLACES = {
+    "run": ["{folder}", *RUN_TOY],
+    "explore": ["{folder}", *LEARN_TOY, "--seed", "3", "--steps", "1024"],
+    "new-problem": ["{folder}", "--name", "drawn"],
+    "plan": ["{folder}", "task-01"],
+    "execute": ["{folder}", "task-01", "{folder}/empty.plan", "--replans", "0"],
+    "replay": ["{folder}", "task-01.fast-downward"],
+    "compare": ["{folder}", "--tasks", "1", "--workers", "1", "--planners", "bfs-operators"],
+    "check": ["{folder}"],
+    "planners": [],
+}
+"""What each command is given besides, if it is more than a domain folder."""
+COSTLY = {(command, "--seed", NUMBERS[4]) for command in ("train", "distill")}
+"""A seed as good as any: the command does its work."""
+
+
+def options() -> Iterator[tuple[str, str, str]]:
+    """Give each command, each of its options, and each value to try."""
+    for name, command in COMMANDS.items():
+        hints = get_type_hints(command)
+        for option, parameter in inspect.signature(command).parameters.items():
+            kinds = {hints[option], *get_args(hints[option])}
+            if parameter.default is inspect.Parameter.empty or bool in kinds:
+                continue
+            values = NUMBERS if kinds & {int, float} else WORDS
+            for value in [NOTHING, *values]:
+                if (name, f"--{option.replace('_', '-')}", value) not in COSTLY:
+                    yield name, f"--{option.replace('_', '-')}", value
+
+
+@pytest.fixture(scope="module")
+def used(toy_folder: Path, tmp_path_factory) -> Path:
+    """A domain folder that all values are tried on."""
+    folder = tmp_path_factory.mktemp("used") / "toy"
+    shutil.copytree(toy_folder, folder)
+    (folder / "empty.plan").write_text("; nothing\n")
+    return folder
+
+
+@pytest.mark.parametrize(("name", "option", "value"), list(options()), ids=lambda word: repr(word[:20]))
+def test_any_value_of_any_option_ends_in_an_answer_or_a_sentence(
+    used: Path, name: str, option: str, value: str, capsys, monkeypatch, tmp_path
+):
+    monkeypatch.chdir(tmp_path)
+    words = [word.format(folder=used) for word in PLACES.get(name, ["{folder}"])]
+    if option in words:
+        words[words.index(option) + 1] = value
+    else:
+        words += [option, value]
+    code = neurosym(name, *words)
+    captured = capsys.readouterr()
+    assert code in (0, 2, 3)
+    assert "Traceback" not in captured.err + captured.out
+    if code == 2:
+        assert 0 < len(captured.err) < 2500
+        assert len(captured.err.strip().splitlines()) == 1
+    assert "\x1b[31m" not in captured.err + captured.out
+    assert value != NOTHING or code == 2
