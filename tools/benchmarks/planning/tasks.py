@@ -9,8 +9,8 @@ from neurosym.grounding import Grounding, is_lift
 from neurosym.operators import TOLERANCE, Operator, vector
 from neurosym.pddl.plan_text import PlanStep
 from neurosym.pddl.validation import validate
-from neurosym.planners import PlanStatus, plan
-from neurosym.planners.counting import fewest_steps
+from neurosym.planners import PlanStatus
+from neurosym.planners.counting import fewest_steps, plan_counting
 from neurosym.problems import Problem, SceneObject
 from neurosym.worlds.problem_drawing import item_names
 
@@ -20,8 +20,8 @@ CROWD, SMALL = 4, 0.075
 """Where more objects than this are to find room, none is wider [m]."""
 STRAY = 0.03
 """How much chance there is in walking away from the start [m]."""
-KNOWN = 3.0
-"""How long a plan is looked for by counting [s]."""
+KNOWN = 20_000
+"""How much counting looks at for a plan."""
 _STREAM = 0x73796D62  # keeps this randomness apart from any other
 _TRIES, _OBJECT_TRIES = 50, 2000
 
@@ -56,7 +56,7 @@ def draw_symbolic(bench: Bench, objects: int, difficulty: str, seed: int) -> Pro
             task = Problem(
                 f"{difficulty}-{objects:02d}-{seed:05d}", tuple(items), goals, provenance="live operators"
             )
-            known = plan(task, bench.setting.grounding, "counting", time_limit=KNOWN)
+            known = plan_counting(task, bench.setting.grounding, work=KNOWN)
             if known.status is PlanStatus.SOLVED:
                 return task
     raise InvalidValue(f"No task of {objects} objects was found in {_TRIES} draws.")
