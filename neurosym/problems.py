@@ -21,6 +21,8 @@ LONGEST_NAME = 100
 """So many characters a name has at most: files are called by it."""
 NEAR_TABLE = 0.1
 """How far off the table an object may stand and still be planned for, after a push or a nudge [m]."""
+ROUNDED = 1e-9
+"""What binary numbers make of a sum of decimal ones, at most: 0.14 + 0.04 is no more than 0.18 [m]."""
 
 
 class SceneObject(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
@@ -107,19 +109,20 @@ class Problem(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
         nowhere = (math.nan, math.nan, math.nan)
         return np.array([self.goals.get(name, nowhere) for name in self.object_names], dtype=float)
 
-    def room(self, table: Table) -> Float[np.ndarray, "2 M 2"]:
+    def room(self, table: Table, *, rounded: float = ROUNDED) -> Float[np.ndarray, "2 M 2"]:
         """Return the least and greatest x and y that each object's centre may have in a plan [m].
 
         That is the table; for an object that stands a little off it, as far out as it stands.
 
         Args:
             table: Where objects may stand.
+            rounded: By how much sums of displacements may be off, and so be beyond the edge [m].
         """
         low, high = np.array([table.x, table.y]).T
         spots = self.scene().positions[:, :2]
         near = np.all((spots >= low - NEAR_TABLE) & (spots <= high + NEAR_TABLE), axis=1, keepdims=True)
         lows, highs = np.minimum(low, spots), np.maximum(high, spots)
-        return np.stack([np.where(near, lows, low), np.where(near, highs, high)])
+        return np.stack([np.where(near, lows, low) - rounded, np.where(near, highs, high) + rounded])
 
     def distances(self, positions: Float[np.ndarray, "M 3"]) -> dict[str, float]:
         """Measure how far each object with a goal is from it [m].

@@ -11,7 +11,7 @@ from neurosym.grounding import Grounding, is_lift
 from neurosym.operators import Operator
 from neurosym.pddl.moves import chance
 from neurosym.pddl.plan_text import PlanStep
-from neurosym.problems import Problem
+from neurosym.problems import ROUNDED, Problem
 from neurosym.wording import in_millimetres
 
 
@@ -117,13 +117,14 @@ def expected_success(steps: Sequence[PlanStep], grounding: Grounding) -> float:
 def footprints_apart(problem: Problem) -> Float[np.ndarray, "M M 2"]:
     """Return how far apart the centres of two objects must be on x or y, not to stand in each other [m].
 
-    Footprints count as boxes along the axes. Of two that overlap at the start already nothing is asked.
+    Footprints count as boxes along the axes, which may touch, whatever binary numbers make of their sizes. Of
+    two that overlap at the start already nothing is asked.
 
     Args:
         problem: The problem.
     """
     sizes = np.array([item.features[:2] for item in problem.objects], dtype=float)
-    apart = (sizes[:, None] + sizes) / 2
+    apart = (sizes[:, None] + sizes) / 2 - ROUNDED
     spots = problem.scene().positions[:, :2]
     apart[np.all(np.abs(spots[:, None] - spots) < apart, axis=-1)] = 0.0
     return np.asarray(apart)

@@ -214,7 +214,8 @@ def _fitted(grounding: Grounding, problem: Problem, cell: float) -> Grounding:
     """Keep only what the problem needs, on another grid, with a table that reaches to where objects stand."""
     categories = {item.category for item in problem.objects}
     kept = tuple(operator for operator in grounding.live if operator.category in categories)
-    (x_low, y_low), (x_high, y_high) = (edge.tolist() for edge in _edges(problem.room(grounding.table)))
+    room = problem.room(grounding.table, rounded=0.0)
+    (x_low, y_low), (x_high, y_high) = (edge.tolist() for edge in _edges(room))
     return msgspec.structs.replace(
         grounding,
         cell=cell,

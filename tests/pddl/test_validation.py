@@ -2,12 +2,15 @@
 
 import msgspec
 import pytest
-from tables import DOWN, LEFT, LIFT, PULL, PUSH, TRAY_LEFT, crossing, grounding, item, problem
+from tables import DOWN, LEFT, LIFT, PULL, PUSH, TRAY_LEFT, crossing, grounding, item, mode, problem
 
 from neurosym.execution.record import why_missed
 from neurosym.pddl.plan_text import PlanStep
 from neurosym.pddl.validation import validate
+from neurosym.planners import plan
+from neurosym.problems import Problem
 from neurosym.wording import in_millimetres
+from neurosym.world import Table
 
 
 def test_right_plan_is_valid_and_its_positions_are_exact():
@@ -84,3 +87,30 @@ def test_objects_that_overlap_from_the_start_are_not_held_against_a_plan():
     )
     near = msgspec.structs.replace(near, goals={"item-01": (0.5, 0.0832, 0.025)})
     assert validate([LEFT], near, grounding()).valid
+
+
+def test_object_may_come_to_the_very_edge_and_touch_another_whatever_binary_numbers_make_of_it():
+    """0.14 + 0.04 is greater than 0.18 in binary, and 0.09 - 0.04 less than 0.05."""
+    learned = grounding()
+    push = msgspec.structs.replace(
+        learned.operator_named("push-left-000-block"), modes=(mode((0.0, 0.04, 0.0)),)
+    )
+    small = msgspec.structs.replace(
+        learned,
+        table=Table(x=(0.3, 0.9), y=(-0.3, 0.18)),
+        operators=msgspec.structs.replace(learned.operators, operators=(push,)),
+    )
+    step = PlanStep(push.name, "item-01")
+    edge = Problem("edge", (item("item-01", 0.5, 0.14),), {"item-01": (0.5, 0.18, 0.025)}, tolerance=0.01)
+    touching = Problem(
+        "touching",
+        (item("item-01", 0.5, 0.0), item("item-02", 0.5, 0.09)),
+        {"item-01": (0.5, 0.04, 0.025)},
+        tolerance=0.01,
+    )
+    assert 0.14 + 0.04 > 0.18
+    assert abs(0.04 - 0.09) < 0.05
+    for task in (edge, touching):
+        assert validate([step], task, small).valid
+        assert plan(task, small, "counting").steps == (step,)
+        assert plan(task, small, "bfs-operators").steps == (step,)
