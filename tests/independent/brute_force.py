@@ -1,0 +1,168 @@
+"""Breadth-first search over every position that objects can come to: exact, slow, and nothing of neurosym.
+
+Lengths are whole numbers here, so that equal positions are equal, and a scene is looked at once.
+"""
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from decimal import Decimal
+
+from independent.replay import Json, Step, Tabletop, displacement, in_domain, lifts, settled
+
+UNIT = 10**6
+"""Lengths are counted in micrometres."""
+MOST_STATES = 2_000_000
+PUT_DOWN = "put-down-"
+
+Spot = tuple[int, int]
+State = tuple[Spot, ...]
+
+
+@dataclass(frozen=True)
+class Move:
+    """What one primitive does to one object."""
+
+    name: str
+    lifts: bool
+    up: tuple[int, int, int]
+    down: Spot
+
+
+@dataclass(frozen=True)
+class Answer:
+    """What the search says: the fewest primitives, or that there is no plan, or how deep it looked.
+
+    Attributes:
+        fewest: The fewest primitives; None if none was found.
+        is_exact: Whether everything that can be reached was looked at, or a plan was found.
+        depth: All plans of so many primitives were looked at.
+        steps: The plan.
+    """
+
+    fewest: int | None
+    is_exact: bool
+    depth: int
+    steps: tuple[Step, ...] = ()
+
+
+class Search:
+    """All that can be done in a scene."""
+
+    def __init__(self, grounding: Json, scene: Json, most_states: int = MOST_STATES) -> None:
+        top = Tabletop(grounding, scene)
+        self.names = [item["name"] for item in scene["objects"]]
+        self.most_states = most_states
+        cell = grounding["cell"]
+        live = [one for one in grounding["operators"]["operators"] if in_domain(one, cell)]
+        self.moves = [
+            [_move(one) for one in live if one["category"] == item["category"]] for item in scene["objects"]
+        ]
+        sizes = [tuple(whole(size) for size in item["features"][:2]) for item in scene["objects"]]
+        self.twice_apart = [
+            [
+                (0, 0) if (name, other) in top.in_each_other else (one[0] + two[0], one[1] + two[1])
+                for other, two in zip(self.names, sizes, strict=True)
+            ]
+            for name, one in zip(self.names, sizes, strict=True)
+        ]
+        self.heights = [whole(item["position"][2]) for item in scene["objects"]]
+        self.start: State = tuple(
+            (whole(item["position"][0]), whole(item["position"][1])) for item in scene["objects"]
+        )
+        self.rooms = [[tuple(map(whole, axis)) for axis in top.room(name)] for name in self.names]
+        goals = scene["goals"]
+        self.goals = [tuple(map(whole, goals[name])) if name in goals else None for name in self.names]
+        self.near = whole(scene["tolerance"]) ** 2
+
+    def solve(self) -> Answer:
+        """Find a plan with the fewest primitives."""
+        if all(self._meets(row, (*spot, self.heights[row])) for row, spot in enumerate(self.start)):
+            return Answer(0, True, 0)
+        came_from: dict[State, tuple[State, int, Move] | None] = {self.start: None}
+        level, depth = [self.start], 0
+        while level:
+            depth += 1
+            following = []
+            for state in level:
+                wrong = [row for row in range(len(state)) if not self._rests_right(state, row)]
+                for row, move, held, then in self._children(state, wrong):
+                    if held:
+                        return Answer(depth, True, depth, _steps(self, came_from, state, (row, move, True)))
+                    if then is None or then in came_from:
+                        continue
+                    if all(self._rests_right(then, other) for other in {*wrong, row}):
+                        return Answer(depth, True, depth, _steps(self, came_from, state, (row, move, False)))
+                    came_from[then] = (state, row, move)
+                    following.append(then)
+                if len(came_from) > self.most_states:
+                    return Answer(None, False, depth - 1)
+            level = following
+        return Answer(None, True, depth)
+
+    def _children(self, state: State, wrong: list[int]) -> Iterator[tuple[int, Move, bool, State | None]]:
+        """List what can be done: with what, whether all goals are met in the air, and where it ends."""
+        for row, moves in enumerate(self.moves):
+            x, y = state[row]
+            for move in moves:
+                if not self._on_table(row, up := (x + move.up[0], y + move.up[1])):
+                    continue
+                held = False
+                if move.lifts:
+                    others_right = all(other == row for other in wrong)
+                    held = others_right and self._meets(row, (*up, self.heights[row] + move.up[2]))
+                down = (x + move.down[0], y + move.down[1])
+                fits = self._on_table(row, down) and self._is_free(state, row, down)
+                if held or fits:
+                    yield row, move, held, (*state[:row], down, *state[row + 1 :]) if fits else None
+
+    def _on_table(self, row: int, spot: Spot) -> bool:
+        (x_low, x_high), (y_low, y_high) = self.rooms[row]
+        return x_low <= spot[0] <= x_high and y_low <= spot[1] <= y_high
+
+    def _is_free(self, state: State, row: int, spot: Spot) -> bool:
+        apart = self.twice_apart[row]
+        for other, (x, y) in enumerate(state):
+            if (
+                other != row
+                and 2 * abs(x - spot[0]) < apart[other][0]
+                and 2 * abs(y - spot[1]) < apart[other][1]
+            ):
+                return False
+        return True
+
+    def _rests_right(self, state: State, row: int) -> bool:
+        return self._meets(row, (*state[row], self.heights[row]))
+
+    def _meets(self, row: int, place: tuple[int, ...]) -> bool:
+        goal = self.goals[row]
+        return goal is None or sum((a - b) ** 2 for a, b in zip(place, goal, strict=True)) <= self.near
+
+
+def whole(length: Decimal) -> int:
+    """Return a length [m] as a whole number of micrometres, which it must be."""
+    counted = length * UNIT
+    assert counted == int(counted), f"{length} m is no whole number of micrometres"
+    return int(counted)
+
+
+def _move(operator: Json) -> Move:
+    x, y, z = map(whole, displacement(operator))
+    down_x, down_y, _ = map(whole, settled(operator))
+    return Move(operator["name"], lifts(operator), (x, y, z), (down_x, down_y))
+
+
+def _steps(
+    search: Search,
+    came_from: dict[State, tuple[State, int, Move] | None],
+    state: State,
+    last: tuple[int, Move, bool],
+) -> tuple[Step, ...]:
+    row, move, ends_held = last
+    steps: list[Step] = [(PUT_DOWN + move.name, search.names[row])] if move.lifts and not ends_held else []
+    steps.append((move.name, search.names[row]))
+    while (before := came_from[state]) is not None:
+        state, row, move = before
+        if move.lifts:
+            steps.append((PUT_DOWN + move.name, search.names[row]))
+        steps.append((move.name, search.names[row]))
+    return tuple(reversed(steps))
