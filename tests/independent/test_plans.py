@@ -1,7 +1,7 @@
 """Plans of all planners for random tables, judged by what shares no line with them; see `campaign`.
 
 The long campaign gives 200 tables of up to 16 objects to every planner that is installed, in every encoding:
-`python -m pytest -m evaluation -s tests/independent`; an estimated two hours on one core. It prints its figures.
+`python -m pytest -m evaluation -s tests/independent`. It prints its figures; about two hours (estimated).
 """
 
 import os
