@@ -11,7 +11,6 @@ import os
 import resource
 import signal
 import subprocess
-import sys
 import tempfile
 import textwrap
 import threading
@@ -78,7 +77,7 @@ def run_limited(
     source_file = stdin or Path(os.devnull)
     with kept(), source_file.open("rb") as source, tempfile.TemporaryFile() as sink:
         process = subprocess.Popen(
-            command,
+            _limited(command, memory),
             cwd=folder,
             stdin=source,
             stdout=sink,
@@ -89,7 +88,6 @@ def run_limited(
         code: int | None = None
         try:
             _running[threading.get_ident()] = process
-            _limit(process.pid, memory)
             code = process.wait(timeout=None if math.isinf(time_limit) else max(time_limit, 0.0))
         except subprocess.TimeoutExpired:
             pass
@@ -135,14 +133,17 @@ def kill_all(mark: str, root: int | None) -> None:
     end_processes(lambda: marked(mark) | (_descendants(root) if root else set()))
 
 
-def _limit(process: int, memory: int) -> None:
-    """Let a planner have what it may, and never more than this process, where the system can do that."""
-    if sys.platform == "linux":
-        for kind, most in ((resource.RLIMIT_AS, memory), (resource.RLIMIT_FSIZE, FILE_SIZE)):
-            with suppress(ProcessLookupError):
-                limits = resource.prlimit(process, kind)
-                least = [most if limit == resource.RLIM_INFINITY else min(most, limit) for limit in limits]
-                resource.prlimit(process, kind, (least[0], least[1]))
+def _limited(command: Sequence[str], memory: int) -> list[str]:
+    """Have a shell limit itself and then become the command, so that no moment is without the limits."""
+    kibibytes = _at_most(resource.RLIMIT_AS, memory) // 1024
+    blocks = _at_most(resource.RLIMIT_FSIZE, FILE_SIZE) // 512
+    limits = f"{{ ulimit -v {kibibytes}; ulimit -f {blocks}; }} 2>/dev/null"  # not every system has both
+    return ["/bin/sh", "-c", f'{limits}; exec "$@"', "sh", *command]
+
+
+def _at_most(kind: int, most: int) -> int:
+    """Return what a planner may have, which is never more than this process may have."""
+    return min(limit for limit in (most, *resource.getrlimit(kind)) if limit != resource.RLIM_INFINITY)
 
 
 def _descendants(root: int) -> set[int]:

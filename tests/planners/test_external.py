@@ -168,6 +168,21 @@ def test_a_planner_gets_no_more_than_its_caller_may_have(tmp_path: Path):
     assert ended.stdout.strip() == f"{(3 << 30, 3 << 30)} {(1 << 20, 1 << 20)}"
 
 
+def test_a_planner_is_limited_from_its_first_moment(tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
+    """Also on a machine so busy that this process is not heard of for a while after it started one."""
+    start = subprocess.Popen
+
+    def start_and_sleep(*arguments: object, **options: object) -> object:
+        process = start(*arguments, **options)
+        time.sleep(1.0)
+        return process
+
+    monkeypatch.setattr(subprocess, "Popen", start_and_sleep)
+    asked = "import resource as r; print(r.getrlimit(r.RLIMIT_AS))"
+    finished = run_limited([sys.executable, "-c", asked], tmp_path, 10.0, memory=1 << 30)
+    assert finished.last_words == f"{(1 << 30, 1 << 30)}"
+
+
 def test_where_the_system_does_not_tell_of_processes_a_planner_is_ended_all_the_same(
     scratch: Path, monkeypatch: pytest.MonkeyPatch
 ):
