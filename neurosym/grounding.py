@@ -21,7 +21,7 @@ from neurosym.world import Table
 
 FORMAT = "neurosym-grounding-1"
 MIN_TRIALS = 5
-"""An operator with fewer rehearsals than this is not believed."""
+"""An operator with fewer rehearsals, or rows of the data, than this is not believed."""
 
 Cells = tuple[int, int, int]
 
@@ -134,13 +134,14 @@ class Grounding(msgspec.Struct, frozen=True, forbid_unknown_fields=True, omit_de
         """Say why an operator is not in the PDDL domain, or return None if it is."""
         toppled = sum(mode.count for mode in operator.modes if mode.kind == "toppled")
         if operator.trials < MIN_TRIALS:
-            return f"fewer than {MIN_TRIALS} rehearsals"
+            return f"fewer than {MIN_TRIALS} {self.operators.trials}"
         if operator.successes < MIN_CHANCE * operator.trials and 2 * toppled > operator.trials:
             return "topples more often than not"
         if operator.promise is None:
             return "never ends at rest or held"
         if operator.successes < MIN_CHANCE * operator.trials:
-            return f"keeps its promise in {operator.successes} of {operator.trials} rehearsals only"
+            trials = f"{operator.trials} {self.operators.trials}"
+            return f"keeps its promise in {operator.successes} of {trials} only"
         if self.cells(operator) == (0, 0, 0):
             return "moves less than half a cell"
         if math.hypot(*self.displacement(operator)) < math.hypot(*_promise(operator).scatter):

@@ -139,7 +139,7 @@ class Operator(msgspec.Struct, frozen=True, forbid_unknown_fields=True, omit_def
 
     @property
     def successes(self) -> int:
-        """Rehearsals that ended in the promised mode, within the planning tolerance of its mean."""
+        """Trials that ended in the promised mode, within the planning tolerance of its mean."""
         return self.promise.near_mean if self.promise else 0
 
 
@@ -168,6 +168,16 @@ class OperatorTable(msgspec.Struct, frozen=True, forbid_unknown_fields=True, omi
     def axes(self) -> int:
         """How many axes the effects have; 3 if there are none."""
         return next(iter(self._widths), 3)
+
+    @property
+    def trials(self) -> str:
+        """What the trials of operators are called: rehearsals, or rows of the data."""
+        return "rehearsals" if self.measured == "rehearsal" else "rows of the data"
+
+    @property
+    def effects(self) -> str:
+        """What the effects of operators are called, by how they came about."""
+        return "rehearsed effects" if self.measured == "rehearsal" else "effects averaged over the data"
 
     @property
     def unreached(self) -> tuple[Symbol, ...]:

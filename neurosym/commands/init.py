@@ -10,8 +10,9 @@ from neurosym.commands.options import (
     opened,
 )
 from neurosym.console import say, say_next
-from neurosym.errors import InvalidValue
-from neurosym.stages.layout import WORLD
+from neurosym.errors import InvalidFile, InvalidValue
+from neurosym.stages.folder import DomainFolder
+from neurosym.stages.layout import DIRECT_MODEL, GROUNDING, INTERACTIONS, MODEL, PRIMITIVES, WORLD
 from neurosym.wording import quoted
 
 WorldName = Annotated[
@@ -21,13 +22,29 @@ WorldName = Annotated[
 
 def init(folder: Folder, world: WorldName = "tabletop") -> int:
     """Make a new domain folder with a `world.toml` that holds every option of its world."""
-    from neurosym.stages.exploring import has_own_data
-
     if (folder / WORLD).exists():
         raise _exists(folder)
     make_folder(folder, world)
-    say_next(f"neurosym {'train' if has_own_data(opened(folder)) else 'explore'} {quoted(folder)}")
+    say_next(f"neurosym {_next_step(opened(folder))} {quoted(folder)}")
     return 0
+
+
+def _next_step(folder: DomainFolder) -> str:
+    """Return the command that comes after what a folder holds besides its world."""
+    from neurosym.files import read_json
+    from neurosym.operators import OperatorTable
+
+    if not (folder / INTERACTIONS).is_file():
+        return "explore"
+    if not all((folder / model).is_file() for model in (MODEL, DIRECT_MODEL)) or folder.outdated((MODEL,)):
+        return "train"
+    try:
+        table = read_json(folder / PRIMITIVES, OperatorTable)
+    except InvalidFile:
+        return "distill"
+    if table.measured == "data" or folder.outdated((PRIMITIVES,)):  # there is a world to rehearse in now
+        return "distill"
+    return "new-problem" if (folder / GROUNDING).is_file() else "compile-domain"
 
 
 def make_folder(folder: Path, world: str) -> None:

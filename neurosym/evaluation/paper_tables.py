@@ -27,6 +27,8 @@ from neurosym.wording import quoted
 OWN_DATA = "own data"
 Errors = dict[str, list[float]]
 """Mean absolute error of each predictor on each axis [m]."""
+Explained = dict[str, float]
+"""R2 of each predictor, mean over the axes that vary."""
 
 
 class KindsFound(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
@@ -49,6 +51,7 @@ class Measured(msgspec.Struct, frozen=True):
         strategy: How its interactions were chosen.
         errors: Errors of prediction.
         rows: On how many interactions.
+        r2: R2 of each predictor on them.
         kinds: The kinds of primitive that were found.
         comparisons: How planners did, by the kind of task.
     """
@@ -59,6 +62,7 @@ class Measured(msgspec.Struct, frozen=True):
     rows: int
     kinds: KindsFound | None
     comparisons: dict[str, Comparison]
+    r2: Explained | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -116,25 +120,30 @@ def measure(
     """
     report = read_json(folder / TRAINING, TrainingReport) if (folder / TRAINING).is_file() else None
     errors, rows = (report.mae, report.held_out) if report else (None, 0)
+    r2 = {"model": report.r2_through_codes} if report else None
     if test is not None and (folder / MODEL).is_file():
-        errors, rows = errors_on(folder, test)
+        errors, r2, rows = errors_on(folder, test)
     kinds = None
     if all((folder / name).is_file() for name in (WORLD, PRIMITIVES, MODEL)):
         folder.perform(kinds_stage(folder, workers=workers, progress=progress), again=False)
         kinds = read_json(folder / KINDS_FOUND, KindsFound)
     origin = Interactions.load(folder.require(INTERACTIONS)).origin
     strategy = str(origin.get("strategy", OWN_DATA))
-    return Measured(str(folder.path), strategy, errors, rows, kinds, comparisons_of(folder.path))
+    return Measured(str(folder.path), strategy, errors, rows, kinds, comparisons_of(folder.path), r2)
 
 
-def errors_on(folder: DomainFolder, test: Interactions) -> tuple[Errors, int]:
+def errors_on(folder: DomainFolder, test: Interactions) -> tuple[Errors, Explained, int]:
     """Measure a folder's model and the trivial predictors on the test interactions with a high effect.
 
     Args:
         folder: The domain folder, whose interactions the trivial predictors are of.
         test: The test set.
+
+    Returns:
+        Mean absolute error and R2 of each predictor, and on how many interactions they were measured.
     """
     from neurosym.learning.effect_model import EffectModel
+    from neurosym.learning.training import mean_over_axes, r_squared
 
     model, seen = EffectModel.load(folder / MODEL), Interactions.load(folder.require(INTERACTIONS))
     test = test[np.flatnonzero(has_high_effect(test.effects))[:TEST_ROWS]]
@@ -143,7 +152,9 @@ def errors_on(folder: DomainFolder, test: Interactions) -> tuple[Errors, int]:
         "model": model.predict_from_codes(test.features, test.actions)[0],
         **trivial_predictions(seen.effects, len(effects)),
     }
-    return {name: np.abs(guess - effects).mean(0).tolist() for name, guess in guesses.items()}, len(test)
+    errors = {name: np.abs(guess - effects).mean(0).tolist() for name, guess in guesses.items()}
+    r2 = {name: mean_over_axes(r_squared(guess, effects), effects) for name, guess in guesses.items()}
+    return errors, r2, len(test)
 
 
 def comparisons_of(folder: Path) -> dict[str, Comparison]:
@@ -176,7 +187,8 @@ def _table1(measured: Sequence[Measured], test: Path | None) -> Table:
         for name in group[0].errors or ():
             values = np.array([m.errors[name] for m in group if m.errors and name in m.errors])
             cells = [mean_and_spread((_scale(values) * column).tolist(), 1) for column in values.T]
-            rows.append([strategy, str(len(values)), name, *cells])
+            r2 = [m.r2[name] for m in group if m.r2 and name in m.r2]
+            rows.append([strategy, str(len(values)), name, *cells, mean_and_spread(r2, 2) if r2 else "-"])
     axes = name_axes(max((len(errors["model"]) for m in known if (errors := m.errors)), default=3))
     unit = " [mm]" if len(axes) == 3 else ""
     counts = ", ".join(sorted({str(m.rows) for m in known}))
@@ -186,8 +198,9 @@ def _table1(measured: Sequence[Measured], test: Path | None) -> Table:
         else f"on the held-out interactions of each folder ({counts}), which strategies chose themselves, so "
         "that rows of different strategies are not of the same test; --test DATA gives all the same"
     )
-    columns = ["strategy", "folders", "predictor", *(f"{axis}{unit}" for axis in axes)]
-    return Table("Table I: errors of prediction", f"Mean absolute error, {where}.", columns, rows)
+    columns = ["strategy", "folders", "predictor", *(f"{axis}{unit}" for axis in axes), "R2"]
+    said = f"Mean absolute error on each axis, and R2 (mean over the axes that vary), {where}."
+    return Table("Table I: errors of prediction", said, columns, rows)
 
 
 def _scale(values: np.ndarray) -> float:

@@ -145,7 +145,7 @@ def check_table(table: OperatorTable) -> None:
 def _measured(table: OperatorTable) -> str:
     aside = ", and not what the distilled parameters do" if table.measured == "data" else ""
     tolerance = distance_in_words(TOLERANCE, _axes(table))
-    means = f"Effects are means over {_trials(table)}{aside}"
+    means = f"Effects are means over {table.trials}{aside}"
     return f"{means}; as promised is what ended within {tolerance} of them."
 
 
@@ -173,7 +173,7 @@ def _explain_action(
     about = [
         *action_in_words(primitive.action, gripper),
         *_error_in_words(primitive),
-        *_held_in_words(operators, _trials(table)),
+        *_held_in_words(operators, table.trials),
         *_never_tried(table, operators),
     ]
     nearest = likenesses.nearest_action(symbol)
@@ -246,11 +246,6 @@ def _never_tried(table: OperatorTable, operators: Sequence[Operator]) -> tuple[s
     met = {operator.category for operator in operators}
     missing = [c.name for c in table.categories if c.share and c.symbol not in met]
     return (f"It was never tried on {', '.join(missing)}.",) if missing else ()
-
-
-def _trials(table: OperatorTable) -> str:
-    is_data = table.measured == "data"
-    return "rows of the data" if is_data else "rehearsals"
 
 
 def _symbols(table: OperatorTable) -> tuple[Symbol, ...]:

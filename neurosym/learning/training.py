@@ -161,10 +161,7 @@ def assess(
     }
     r2_coded, r2 = r_squared(coded, effects), r_squared(uncut, effects)
     r2_direct = r_squared(direct.predict(held_out.features, held_out.actions), effects)
-    varies = effects.std(0) > 0
-    mean_coded, mean_uncut, mean_direct = (
-        float(r2s[varies].mean()) if varies.any() else 0.0 for r2s in (r2_coded, r2, r2_direct)
-    )
+    mean_coded, mean_uncut, mean_direct = (mean_over_axes(r2s, effects) for r2s in (r2_coded, r2, r2_direct))
     return TrainingReport(
         held_out=len(held_out),
         r2_through_codes=mean_coded,
@@ -197,6 +194,17 @@ def r_squared(
     residual = ((predicted - observed) ** 2).sum(0)
     total = ((observed - observed.mean(0)) ** 2).sum(0)
     return np.where(total > 1e-12, 1 - residual / np.maximum(total, 1e-12), 0.0)
+
+
+def mean_over_axes(r2: Float[np.ndarray, "E"], observed: Float[np.ndarray, "N E"]) -> float:
+    """Return the mean of R2 over the axes that vary; 0 if none does.
+
+    Args:
+        r2: R2 on each axis.
+        observed: The effects that were observed [m].
+    """
+    varies = observed.std(0) > 0
+    return float(r2[varies].mean()) if varies.any() else 0.0
 
 
 def _seed(seed: int, restart: int) -> int:

@@ -15,16 +15,17 @@ def header(grounding: Grounding, encoding: Encoding, about: list[str]) -> str:
         encoding: Name of the encoding.
         about: What is to be said about the encoding, one sentence a line.
     """
+    trials = grounding.operators.trials
     lines = [
         f"Learned domain {grounding.name}, encoding {encoding}. Printed by neurosym; do not edit.",
         *about,
         "After a lift the hand is full: only the put-down of that lift applies.",
         "Cost of a step: 1."
         if grounding.unit_costs
-        else "Cost of a step: 1 + round(-100 ln((k + 1) / (n + 2))), k successes in n rehearsals.",
+        else f"Cost of a step: 1 + round(-100 ln((k + 1) / (n + 2))), k successes in n {trials}.",
     ]
     if grounding.operators.measured == "data":
-        lines.append("Nothing was rehearsed: by rehearsals, rows of the data are meant.")
+        lines.append("Nothing was rehearsed: effects are averages over rows of the data.")
     return comment(lines, "")
 
 
@@ -65,13 +66,14 @@ def about_move(move: Move, grounding: Grounding) -> str:
     if move.kind == "put-down":
         return comment([f"Put down what {operator.name} lifted."], "  ")
     assert promise is not None
+    trials = f"{operator.trials} {grounding.operators.trials}"
     action = " ".join(f"{value:.4f}" for value in grounding.primitive(operator.primitive).action)
     lines = [
         f"Primitive {operator.primitive} on category {operator.category} ({move.category}); ends "
-        f"{'held' if move.kind == 'lift' else 'at rest'} in {promise.count} of {operator.trials} rehearsals "
+        f"{'held' if move.kind == 'lift' else 'at rest'} in {promise.count} of {trials} "
         f"({promise.share:.0%}).",
         f"Effect {_vector(promise.outcome)} mm, spread {_vector(promise.scatter)} mm; "
-        f"{operator.successes} of {operator.trials} rehearsals as promised: cost {move.cost}.",
+        f"{operator.successes} of {trials} as promised: cost {move.cost}.",
         f"Action parameters: {action}",
     ]
     return comment(lines, "  ")

@@ -97,7 +97,7 @@ def _nearest(
     if found.status is PlanStatus.NEAREST:
         return dataclasses.replace(found, reason=f"{found.reason}; {none.reason}")
     over = ", over what the network predicts," if planner.reads == "network" else ""
-    said = f"it meets the goal by the rehearsed effects; {planner.name}{over} found none"
+    said = f"it meets the goal by the {grounding.operators.effects}; {planner.name}{over} found none"
     return dataclasses.replace(found, reason=said)
 
 
@@ -106,5 +106,6 @@ def _with_rehearsed(none: PlanResult, problem: Problem, grounding: Grounding) ->
     found = plan_counting(problem, grounding, work=WORK_TO_COUNT)
     if found.status is not PlanStatus.SOLVED:
         return none
-    known = f"by the rehearsed effects there is a plan of {counted(primitives(found.steps), 'primitive')}"
+    count = counted(primitives(found.steps), "primitive")
+    known = f"by the {grounding.operators.effects} there is a plan of {count}"
     return dataclasses.replace(none, reason=f"{none.reason}; {known}: try another planner, say counting")

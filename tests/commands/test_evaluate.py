@@ -1,6 +1,7 @@
 """`neurosym evaluate` prints the paper's tables from what was measured in domain folders."""
 
 import json
+import re
 import shutil
 
 import numpy as np
@@ -30,6 +31,7 @@ def measured(folder, strategy, error, kinds, found) -> Measured:
         errors={"model": [error] * 3, "always zero": [0.04] * 3},
         rows=100,
         kinds=KindsFound(10, {kind: (("000", "00"),) if kind in kinds else () for kind in KINDS}),
+        r2={"model": 1 - 10 * error, "always zero": -0.1},
         comparisons={"1-objects-50-mm": Comparison(12, 2, 0, {"bfs": tally(found, found)})} if found else {},
     )
 
@@ -41,8 +43,9 @@ def test_folders_are_averaged_by_strategy():
         measured("c", "active", 0.02, ["grasp", "pull"], 0),
     ]
     first, second, third = tables(found, None)
-    assert first.rows[0] == ["random", "2", "model", *["20.0 ± 10.0"] * 3]
-    assert ["active", "1", "always zero", *["40.0 ± 0.0"] * 3] in first.rows
+    assert first.columns == ["strategy", "folders", "predictor", "x [mm]", "y [mm]", "z [mm]", "R2"]
+    assert first.rows[0] == ["random", "2", "model", *["20.0 ± 10.0"] * 3, "0.80 ± 0.10"]
+    assert ["active", "1", "always zero", *["40.0 ± 0.0"] * 3, "-0.10 ± 0.00"] in first.rows
     assert second.columns == ["", "random", "active"]
     assert ["grasp", "1 of 2", "1 of 1"] in second.rows
     assert second.rows[-1] == ["kinds, by folder", "1, 0", "2"]
@@ -70,7 +73,9 @@ def test_tables_hold_what_was_measured(folder, tmp_path, capsys):
     page = (tmp_path / "tables.md").read_text()
     report = read_json(folder / "training.json", TrainingReport)
     x, y, z = (f"{1000 * error:.1f} ± 0.0" for error in report.mae["model"])
-    assert f"| random | 1 | model | {x} | {y} | {z} |" in page
+    r2 = f"{report.r2_through_codes:.2f} ± 0.00"
+    assert f"| random | 1 | model | {x} | {y} | {z} | {r2} |" in page
+    assert re.search(r"\| random \| 1 \| always zero \| [^|]+ \| [^|]+ \| [^|]+ \| - \|", page)
     kinds = read_json(folder / KINDS_FOUND, KindsFound).kinds
     for kind in KINDS:
         assert f"| {kind} | {int(bool(kinds[kind]))} of 1 |" in page
@@ -85,12 +90,20 @@ def test_tables_hold_what_was_measured(folder, tmp_path, capsys):
 def test_errors_are_measured_on_a_test_set_on_request(folder, tmp_path, capsys):
     shutil.copy(folder / "interactions.npz", tmp_path / "test.npz")
     test = Interactions.load(tmp_path / "test.npz")
-    errors, rows = errors_on(DomainFolder(folder), test)
+    errors, r2, rows = errors_on(DomainFolder(folder), test)
     high = has_high_effect(test.effects)
     assert rows == high.sum()
     np.testing.assert_allclose(errors["always zero"], np.abs(test.effects[high]).mean(0), rtol=1e-5)
-    assert neurosym("evaluate", folder, "--test", tmp_path / "test.npz", "--workers", 1) == 0
-    assert f"{1000 * errors['model'][0]:.1f} ± 0.0" in capsys.readouterr().out
+    effects = test.effects[high].astype(float)
+    squared = (effects**2).sum(0) / ((effects - effects.mean(0)) ** 2).sum(0)
+    assert r2["always zero"] == pytest.approx(np.mean(1 - squared))
+    assert r2["model"] > 0 > r2["always zero"]
+    tested = ("evaluate", folder, "--test", tmp_path / "test.npz", "--workers", 1)
+    assert neurosym(*tested, "--output", tmp_path / "tables.json") == 0
+    said = capsys.readouterr().out
+    assert f"{1000 * errors['model'][0]:.1f} ± 0.0" in said
+    assert f"{r2['model']:.2f} ± 0.00" in said
+    assert json.loads((tmp_path / "tables.json").read_text())["folders"][0]["r2"] == r2
 
 
 @pytest.mark.parametrize(
@@ -98,7 +111,8 @@ def test_errors_are_measured_on_a_test_set_on_request(folder, tmp_path, capsys):
     [
         (["--output", "tables.csv"], "ends in .md or .json"),
         (["--workers", 0], "workers = 0"),
-        (["--test", "nowhere.npz"], "nowhere.npz"),
+        (["--test", "nowhere.npz"], "nowhere.npz cannot be used: there is no such file"),
+        (["--test", "nowhere"], "nowhere cannot be used: there is no such file"),
     ],
 )
 def test_what_cannot_be_evaluated_is_refused(toy_folder, capsys, arguments, said):

@@ -114,7 +114,12 @@ def test_own_data_along_three_axes_lack_nothing_but_a_world(folder, capsys):
     assert "world.toml is missing: a domain also needs where objects may stand" in said
     assert neurosym("init", folder, "--world", "toy") == 0
     assert neurosym("compile-domain", folder) == 0
-    assert "Nothing was rehearsed" in (folder / "domain.pddl").read_text()
+    domain = (folder / "domain.pddl").read_text()
+    assert "; Nothing was rehearsed: effects are averages over rows of the data." in domain
+    assert "k successes in n rows of the data." in domain
+    assert " rows of the data (" in domain
+    assert " rows of the data as promised: cost" in domain
+    assert "rehearsals" not in domain
 
 
 @pytest.mark.parametrize("command", ["explore", "run"])
@@ -142,7 +147,11 @@ def test_nothing_is_written_if_there_is_nothing_to_run(discs, capsys):
     assert sorted(discs.iterdir()) == before
 
 
-def test_world_for_data_of_ones_own_leads_to_training(discs, capsys):
+def test_world_for_data_of_ones_own_leads_to_training_or_what_comes_after_it(discs, capsys):
+    assert neurosym("init", discs, "--world", "toy") == 0
+    assert f"next: neurosym distill {discs}" in capsys.readouterr().out
+    for made in ("world.toml", "effect_model.safetensors"):
+        (discs / made).unlink()
     assert neurosym("init", discs, "--world", "toy") == 0
     assert f"next: neurosym train {discs}" in capsys.readouterr().out
 
