@@ -31,8 +31,8 @@ def init(folder: Folder, world: WorldName = "tabletop") -> int:
 
 def _next_step(folder: DomainFolder) -> str:
     """Return the command that comes after what a folder holds besides its world."""
-    from neurosym.files import read_json
     from neurosym.operators import OperatorTable
+    from neurosym.reading import read_json
 
     if not (folder / INTERACTIONS).is_file():
         return "explore"

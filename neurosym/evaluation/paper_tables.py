@@ -7,7 +7,9 @@ from pathlib import Path
 import msgspec
 import numpy as np
 
+from neurosym.data.check import model_misfit
 from neurosym.data.interactions import Interactions
+from neurosym.errors import InvalidValue
 from neurosym.evaluation.comparison_summary import Comparison, Tally
 from neurosym.evaluation.primitive_kinds import KINDS
 from neurosym.files import write_json
@@ -21,7 +23,7 @@ from neurosym.reading import read_json
 from neurosym.stages.folder import DomainFolder
 from neurosym.stages.layout import COMPARISONS, INTERACTIONS, KINDS_FOUND, MODEL, PRIMITIVES, TRAINING, WORLD
 from neurosym.stages.manifest import Stage, rehearsal_options
-from neurosym.strategies import has_high_effect
+from neurosym.strategies import MIN_EFFECT, has_high_effect
 from neurosym.wording import quoted
 
 OWN_DATA = "own data"
@@ -141,12 +143,25 @@ def errors_on(folder: DomainFolder, test: Interactions) -> tuple[Errors, Explain
 
     Returns:
         Mean absolute error and R2 of each predictor, and on how many interactions they were measured.
+
+    Raises:
+        InvalidValue: If none has a high effect, or they are not what the model predicts.
     """
     from neurosym.learning.effect_model import EffectModel
     from neurosym.learning.training import mean_over_axes, r_squared
 
     model, seen = EffectModel.load(folder / MODEL), Interactions.load(folder.require(INTERACTIONS))
+    if problem := model_misfit(model.dimensions, test.columns, test.origin):
+        raise InvalidValue(
+            f"The model of {folder.path} cannot be tested on these interactions: "
+            f"{problem.removesuffix('; train it again')}."
+        )
     test = test[np.flatnonzero(has_high_effect(test.effects))[:TEST_ROWS]]
+    if not len(test):
+        raise InvalidValue(
+            f"No interaction of the test set has absolute displacements that sum to {MIN_EFFECT} m or more; "
+            "errors are measured on those."
+        )
     effects = np.asarray(test.effects, dtype=np.float64)
     guesses = {
         "model": model.predict_from_codes(test.features, test.actions)[0],

@@ -119,6 +119,18 @@ def test_what_cannot_be_evaluated_is_refused(toy_folder, capsys, arguments, said
     assert said in refusal(capsys, "evaluate", toy_folder, *arguments)
 
 
+def test_test_set_of_other_columns_or_without_a_high_effect_is_refused(toy_folder, tmp_path, capsys):
+    seen = Interactions.load(toy_folder / "interactions.npz")
+    seen[np.flatnonzero(~has_high_effect(seen.effects))].save(tmp_path / "low.npz")
+    said = refusal(capsys, "evaluate", toy_folder, "--test", tmp_path / "low.npz")
+    assert "No interaction of the test set has absolute displacements that sum to 0.08 m" in said
+    rows = np.random.default_rng(0).normal(size=(9, 7)).astype(np.float32)
+    np.savez(tmp_path / "odd.npz", features=rows, actions=rows[:, :5], effects=rows[:, :2])
+    said = refusal(capsys, "evaluate", toy_folder, "--test", tmp_path / "odd.npz")
+    assert "it was trained on 4 object features, 12" in said
+    assert "the data have 7" in said
+
+
 def test_folder_without_data_is_refused(tmp_path, capsys):
     assert "no folder" in refusal(capsys, "evaluate", tmp_path / "nowhere")
     assert "neurosym explore" in refusal(capsys, "evaluate", tmp_path)
