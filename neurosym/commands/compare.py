@@ -8,8 +8,9 @@ from tyro.conf import arg
 from neurosym.commands.options import CPUS, Folder, Seed, TimeLimit, Workers, check_time_limit, opened
 from neurosym.console import progress_bar, say, say_next, show_table
 from neurosym.errors import InvalidValue
+from neurosym.operators import TOLERANCE
 from neurosym.stages.manifest import Claim
-from neurosym.wording import quoted
+from neurosym.wording import counted, quoted
 
 if TYPE_CHECKING:
     from neurosym.evaluation.comparison_summary import Comparison
@@ -25,7 +26,7 @@ def compare(
         arg(help="bfs (reads the network), bfs-operators (the table), ..., or module:factory."),
     ] = ("bfs", "fast-downward"),
     workers: Workers = CPUS,
-    tolerance: Annotated[float, arg(help="How near each object must come to its goal [m].")] = 0.05,
+    tolerance: Annotated[float, arg(help="How near each object must come to its goal [m].")] = TOLERANCE,
     time_limit: TimeLimit = None,
 ) -> int:
     """Give the same drawn tasks to several planners, and judge each plan in the model and in the world.
@@ -62,18 +63,21 @@ def compare(
             advance(len(records), tasks)
     comparison = summarise(records, planners)
     write_json(order.place / "comparison.json", comparison)
-    kind = f"{objects} object{'' if objects == 1 else 's'}, {1000 * tolerance:g} mm"
-    title = f"{comparison.counted} tasks drawn with seeds {seed} to {seed + tasks - 1}, {kind}"
+    kind = f"{counted(objects, 'object')}, {1000 * tolerance:g} mm"
+    seeds = f"seed {seed}" if tasks == 1 else f"seeds {seed} to {seed + tasks - 1}"
+    title = f"{counted(comparison.counted, 'task')} drawn with {seeds}, {kind}"
     draw_comparison(comparison, title, order.place / "comparison.png")
     _show(comparison, title)
     say(f"wrote {order.place / 'comparison.json'}, comparison.png, and a file for each task")
-    say_next(f"neurosym new-problem {quoted(folder)} --name mine --seed {seed}")
+    like = "" if objects == 1 else f" --objects {objects}"
+    like += "" if tolerance == TOLERANCE else f" --tolerance {tolerance:g}"
+    say_next(f"neurosym new-problem {quoted(folder)} --name mine --seed {seed}{like}")
     return 0
 
 
 def _show(comparison: "Comparison", title: str) -> None:
     """Print how each planner did, and why where it did not."""
-    counted = max(comparison.counted, 1)
+    tasks = max(comparison.counted, 1)
     columns = [title, *comparison.planners]
     shares = {
         "plan found": "found",
@@ -83,7 +87,7 @@ def _show(comparison: "Comparison", title: str) -> None:
         "reached with replanning": "reached_with_replanning",
     }
     rows = [
-        [words, *(f"{getattr(tally, field) / counted:.0%}" for tally in comparison.planners.values())]
+        [words, *(f"{getattr(tally, field) / tasks:.0%}" for tally in comparison.planners.values())]
         for words, field in shares.items()
     ]
     tallies = comparison.planners.values()
@@ -93,8 +97,10 @@ def _show(comparison: "Comparison", title: str) -> None:
     )
     show_table("the same tasks to each planner", columns, rows)
     if comparison.met_at_start:
-        say(f"{comparison.met_at_start} more tasks need no step and are not counted")
-    say(f"{comparison.solved_by_none} of {comparison.counted} tasks have no plan by any of them")
+        more = comparison.met_at_start
+        said = "task needs no step and is" if more == 1 else "tasks need no step and are"
+        say(f"{more} more {said} not counted")
+    say(f"no plan by any of them: {comparison.solved_by_none} of {counted(comparison.counted, 'task')}")
     for name, tally in comparison.planners.items():
         for words, reasons in (
             ("no plan where another has one", tally.unfound),

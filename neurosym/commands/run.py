@@ -44,11 +44,16 @@ def run(
     """
     from neurosym.stages.exploring import check_choices, check_steps
     from neurosym.stages.whole_way import go_the_whole_way
+    from neurosym.worlds.workers import MOST_WORKERS
     from neurosym.worlds.world_file import read_world
 
     check_choices(strategy, regime, min_predicted_effect)
-    if rehearsals < 1:
-        raise InvalidValue(f"rehearsals = {rehearsals} must be at least 1.")
+    least = {"steps": (steps, 1), "workers": (workers, 1), "rehearsals": (rehearsals, 1)}
+    for name, (value, limit) in (least | {"seed": (seed, 0), "problems": (problems, 0)}).items():
+        if value < limit:
+            raise InvalidValue(f"{name} = {value} must be at least {limit}.")
+    if workers > MOST_WORKERS:
+        raise InvalidValue(f"workers = {workers} must be at most {MOST_WORKERS}.")
     if folder.is_dir():
         check_steps(opened(folder), steps)
     if not (folder / WORLD).exists():

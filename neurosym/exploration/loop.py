@@ -22,7 +22,7 @@ from neurosym.errors import InvalidFile, InvalidValue
 from neurosym.exploration.choice import ExplorationConfig, choose_action, make_curiosity
 from neurosym.learning.model_config import EXPLORING, ModelConfig
 from neurosym.progress import Progress
-from neurosym.strategies import DEFAULT_STRATEGY, own_name, strategy_named
+from neurosym.strategies import DEFAULT_STRATEGY, StrategyName, own_name, strategy_named
 from neurosym.tensor_files import read_tensors, write_tensors
 from neurosym.world import World, WorldFactory
 from neurosym.worlds.ray_workers import ray_crew
@@ -37,7 +37,7 @@ def explore(
     world_factory: WorldFactory,
     *,
     steps: int = 10_000,
-    strategy: str = DEFAULT_STRATEGY,
+    strategy: StrategyName = DEFAULT_STRATEGY,
     seed: int,
     workers: int = 1,
     ray: str | None = None,
@@ -110,7 +110,7 @@ class _Explorer:
     def __init__(
         self,
         world: World,
-        strategy: str,
+        strategy: StrategyName,
         seed: int,
         config: ExplorationConfig,
         model_config: ModelConfig,

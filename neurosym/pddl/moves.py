@@ -8,7 +8,7 @@ from neurosym.grounding import Cells, Grounding, is_lift
 from neurosym.operators import Operator
 from neurosym.pddl.grid import AXES
 
-Encoding = str
+Encoding = Literal["sas", "stepwise", "operators", "numeric"]
 ENCODINGS: tuple[Encoding, ...] = ("stepwise", "operators", "numeric")
 
 SAS: Encoding = "sas"

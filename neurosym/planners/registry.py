@@ -1,5 +1,6 @@
 """Planning by name: ours, those that were registered, and anybody's own as `module:factory`."""
 
+import dataclasses
 from collections.abc import Callable
 from pathlib import Path
 
@@ -13,7 +14,7 @@ from neurosym.pddl.moves import Encoding
 from neurosym.planners.catalogue import PLANNERS
 from neurosym.planners.custom import check_installed, check_planner, load_planner, solve_checked
 from neurosym.planners.planner import Option, Planner, PredictEffects, Query
-from neurosym.planners.result import PlanResult
+from neurosym.planners.result import PlanResult, PlanStatus
 from neurosym.problems import NEAR_TABLE, Problem
 
 Replanner = Callable[[Problem, Grounding], PlanResult]
@@ -66,7 +67,16 @@ def plan(
     read = predict if chosen.reads == "network" else None
     ceiling = chosen.ceiling if time_limit is None else time_limit
     query = Query(problem, grounding, read, ceiling, encoding, whole)
-    return chosen.solve(query) if is_ours else solve_checked(chosen, query)
+    result = chosen.solve(query) if is_ours else solve_checked(chosen, query)
+    if result.has_plan or result.reason:
+        return result
+    return dataclasses.replace(result, reason=_unexplained(chosen, result.status))
+
+
+def _unexplained(planner: Planner, status: PlanStatus) -> str:
+    """Say in a planner's place why it has no plan, where it says nothing."""
+    ends = {PlanStatus.TIMEOUT: "found no plan in time", PlanStatus.UNSOLVABLE: "says that there is no plan"}
+    return f"{planner.name} {ends.get(status, 'failed, and does not say why')}"
 
 
 def planner_named(name: str, domain_folder: Path | None = None) -> Planner:

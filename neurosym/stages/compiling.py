@@ -11,6 +11,7 @@ from neurosym.grounding import Grounding
 from neurosym.operators import OperatorTable
 from neurosym.pddl import compile_domain, domain_text, problem_text
 from neurosym.pddl.compiler import check_axes
+from neurosym.pddl.moves import Encoding
 from neurosym.problems import Problem
 from neurosym.reading import read_json
 from neurosym.stages.folder import DomainFolder, load_scene
@@ -121,7 +122,7 @@ def print_problem(
 
 def _printed(problem: Problem, grounding: Grounding) -> dict[str, str]:
     """Print a problem in both ways, by file."""
-    encodings = ("stepwise", "numeric")
+    encodings: tuple[Encoding, ...] = ("stepwise", "numeric")
     files = zip(problem_files(problem.name), encodings, strict=True)
     return {file: problem_text(problem, grounding, encoding) for file, encoding in files}
 

@@ -10,7 +10,7 @@ from neurosym.learning.training_config import Regime, regime_named
 from neurosym.stages.folder import DomainFolder
 from neurosym.stages.layout import INTERACTIONS, WORLD
 from neurosym.stages.manifest import Claim, Stage
-from neurosym.strategies import own_name, strategy_named
+from neurosym.strategies import StrategyName, own_name, strategy_named
 from neurosym.wording import quoted
 from neurosym.worlds.world_file import origin_of, read_world
 
@@ -18,7 +18,7 @@ from neurosym.worlds.world_file import origin_of, read_world
 def explore_stage(
     folder: DomainFolder,
     *,
-    strategy: str,
+    strategy: StrategyName,
     steps: int,
     seed: int,
     regime: str,
@@ -28,7 +28,7 @@ def explore_stage(
 ) -> Stage:
     """Explore the world: `world.toml` -> `interactions.npz`, with a checkpoint after every block."""
     chosen = check_choices(strategy, regime, min_predicted_effect)
-    strategy = own_name(strategy)
+    name = own_name(strategy)
 
     def work() -> None:
         from neurosym.exploration.choice import ExplorationConfig
@@ -43,7 +43,7 @@ def explore_stage(
                 learning_rate=chosen.exploration_rate, loss_coefficient=chosen.training.loss_coefficient
             ),
         )
-        with progress_bar(f"exploring ({strategy})") as advance:
+        with progress_bar(f"exploring ({name})") as advance:
             interactions = explore(
                 factory,
                 steps=steps,
@@ -59,13 +59,13 @@ def explore_stage(
             )
         interactions.save(folder / INTERACTIONS)
 
-    options: dict[str, Any] = {"strategy": strategy, "steps": steps, "seed": seed, "regime": regime}
+    options: dict[str, Any] = {"strategy": name, "steps": steps, "seed": seed, "regime": regime}
     if min_predicted_effect:
         options["min_predicted_effect"] = min_predicted_effect
     return Stage("explore", (WORLD,), (INTERACTIONS,), work, options, Claim.ALONE)
 
 
-def check_choices(strategy: str, regime: str, min_predicted_effect: float = 0.0) -> Regime:
+def check_choices(strategy: StrategyName, regime: str, min_predicted_effect: float = 0.0) -> Regime:
     """Return a regime, or raise unless there are such a strategy and regime, and they can be combined."""
     strategy_named(strategy, min_predicted_effect)
     return regime_named(regime)

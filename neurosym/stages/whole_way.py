@@ -16,7 +16,8 @@ from neurosym.stages.manifest import Claim, Stage
 from neurosym.stages.plan_records import PlanRecord
 from neurosym.stages.planning import plan_stage
 from neurosym.stages.training import train_stage
-from neurosym.wording import quoted
+from neurosym.strategies import StrategyName
+from neurosym.wording import counted, quoted
 
 PLANNER = "fast-downward"
 MOST_PROBLEMS = 30
@@ -26,7 +27,7 @@ MOST_PROBLEMS = 30
 def go_the_whole_way(
     folder: DomainFolder,
     *,
-    strategy: str,
+    strategy: StrategyName,
     steps: int,
     seed: int,
     regime: str,
@@ -76,7 +77,9 @@ def go_the_whole_way(
             rows.append(_try_problem(folder, len(rows) + 1, seed))
     if rows:
         columns = ["problem", "objects", "plan", "primitives", "seconds", "goal", "why not"]
-        show_table(f"{len(rows)} problems drawn from the world", columns, [row.cells for row in rows])
+        show_table(
+            f"{counted(len(rows), 'problem')} drawn from the world", columns, [row.cells for row in rows]
+        )
     say(f"everything lies in {folder.path}; {folder / 'domain.pddl'} is the domain")
     say_next(f"neurosym plan {quoted(folder.path)} task-01 --planner bfs")
 

@@ -147,6 +147,23 @@ def test_command_writes_records_counts_and_a_picture_and_does_nothing_twice(fold
     assert {path: path.stat().st_mtime_ns for path in place.glob("task-*.json")} == before
 
 
+def test_one_task_is_told_as_one_and_how_to_look_at_it(folder, capsys):
+    for seed in range(4):  # some tasks are met at the start
+        asked = ("--tasks", 1, "--workers", 1, "--planners", "counting", "--seed", seed)
+        assert neurosym("compare", folder, *asked, "--objects", 2, "--tolerance", "0.02") == 0
+        said = capsys.readouterr().out
+        if "1 task drawn" in said:
+            break
+    assert f"1 task drawn with seed {seed}, 2 objects, 20 mm" in said
+    assert f"--name mine --seed {seed} --objects 2 --tolerance 0.02" in said.splitlines()[-1]
+    looked_at = said.splitlines()[-1].split()[3:]
+    assert neurosym("new-problem", *looked_at) == 0
+    [record] = (folder / "comparison/2-objects-20-mm").glob(f"task-*{seed}.json")
+    compared = json.loads(record.read_text())["record"]["problem"]
+    mine = json.loads((folder / "problems/mine.scene.json").read_text())
+    assert {**mine, "name": ""} == {**compared, "name": ""}
+
+
 def test_another_planner_is_added_to_what_is_there_and_another_domain_begins_anew(folder):
     order = Order(folder, 1, ("bfs",), 0.05)
     [first] = compare_tasks(order, [5])

@@ -161,6 +161,19 @@ def test_a_planner_that_fails_is_named(solve: Callable[..., PlanResult], message
         plan(problem(), grounding(), Planner("mine", "mine", solve))
 
 
+@pytest.mark.parametrize(
+    ("status", "reason"),
+    [
+        (PlanStatus.TIMEOUT, "mine found no plan in time"),
+        (PlanStatus.UNSOLVABLE, "mine says that there is no plan"),
+        (PlanStatus.FAILED, "mine failed, and does not say why"),
+    ],
+)
+def test_a_planner_that_gives_no_reason_is_given_one(status: PlanStatus, reason: str):
+    mute = Planner("mine", "mine", lambda _: PlanResult(status, (), 0.01))
+    assert plan(problem(), grounding(), mute).reason == reason
+
+
 def test_a_plan_that_is_not_true_is_not_believed():
     goals = {"item-01": (0.68, 0.0, 0.025)}
     right = solved(PlanStep("push-forward-010-cube", "item-01"))
