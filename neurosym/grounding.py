@@ -7,13 +7,25 @@ needed beyond this point. It is stored as `grounding.json`, next to the domain.
 import math
 from collections.abc import Collection
 from pathlib import Path
+from typing import Annotated
 
 import msgspec
 
 from neurosym.errors import InvalidFile, UnknownChoice
 from neurosym.files import write_json
 from neurosym.naming import counted_axes
-from neurosym.operators import MIN_CHANCE, Category, Effect, Mode, Operator, OperatorTable, Primitive, Vector
+from neurosym.operators import (
+    MIN_CHANCE,
+    Category,
+    Effect,
+    LegalName,
+    Length,
+    Mode,
+    Operator,
+    OperatorTable,
+    Primitive,
+    Vector,
+)
 from neurosym.reading import read_json
 from neurosym.symbols import Symbol
 from neurosym.wording import quoted
@@ -40,10 +52,10 @@ class Grounding(msgspec.Struct, frozen=True, forbid_unknown_fields=True, omit_de
     """
 
     format: str
-    name: str
-    cell: float
+    name: LegalName
+    cell: Annotated[float, msgspec.Meta(ge=1e-6, le=1e3)]
     table: Table
-    lift_height: float
+    lift_height: Length
     operators: OperatorTable
     unit_costs: bool = False
 

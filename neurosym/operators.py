@@ -4,7 +4,7 @@ This one table is what every PDDL output is printed from, what plans are replaye
 compares observations against. It is stored in `primitives.json`.
 """
 
-from typing import Literal
+from typing import Annotated, Literal
 
 import msgspec
 import numpy as np
@@ -13,8 +13,13 @@ from jaxtyping import Float
 from neurosym.symbols import Symbol, all_symbols
 from neurosym.world import OutcomeKind
 
-Vector = tuple[float, float, float]
-Effect = tuple[float, ...]
+LegalName = Annotated[str, msgspec.Meta(pattern=r"\A[a-z][a-z0-9-]{0,199}\Z")]
+"""A name that PDDL takes, and that a terminal and a page show as it is."""
+Length = Annotated[float, msgspec.Meta(ge=-1e9, le=1e9)]
+Share = Annotated[float, msgspec.Meta(ge=0, le=1)]
+Count = Annotated[int, msgspec.Meta(ge=0)]
+Vector = tuple[Length, Length, Length]
+Effect = tuple[Length, ...]
 """A displacement: x, y and z [m] in every world, any number of axes in data of a user's own."""
 _MOST_BITS = 10  # of symbols whose unused codes are listed
 
@@ -47,14 +52,14 @@ class Mode(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     """
 
     kind: OutcomeKind
-    count: int
-    share: float
+    count: Count
+    share: Share
     effect: Effect
     spread: Effect
     resting_effect: Effect
     resting_spread: Effect
-    peak_height: float
-    near_mean: int
+    peak_height: Length
+    near_mean: Count
 
     def __post_init__(self) -> None:
         if len({len(self.effect), len(self.spread), len(self.resting_effect), len(self.resting_spread)}) > 1:
@@ -85,7 +90,7 @@ class Primitive(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     """
 
     symbol: Symbol
-    action: tuple[float, ...]
+    action: tuple[Length, ...]
     code_error: float
 
     @property
@@ -106,10 +111,10 @@ class Category(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     """
 
     symbol: Symbol
-    name: str
-    share: float
-    feature_means: tuple[float, ...]
-    feature_spreads: tuple[float, ...]
+    name: LegalName
+    share: Share
+    feature_means: tuple[Length, ...]
+    feature_spreads: tuple[Length, ...]
 
 
 class Operator(msgspec.Struct, frozen=True, forbid_unknown_fields=True, omit_defaults=True):
@@ -124,10 +129,10 @@ class Operator(msgspec.Struct, frozen=True, forbid_unknown_fields=True, omit_def
         promised: How it promises to end; None for the most frequent of ending at rest upright and held.
     """
 
-    name: str
+    name: LegalName
     category: Symbol
     primitive: Symbol
-    trials: int
+    trials: Count
     modes: tuple[Mode, ...]
     promised: OutcomeKind | None = None
 

@@ -10,7 +10,7 @@ from jaxtyping import Float
 
 from neurosym.errors import InvalidFile, InvalidValue
 from neurosym.files import write_json
-from neurosym.operators import TOLERANCE, Vector
+from neurosym.operators import TOLERANCE, Length, Vector
 from neurosym.reading import read_json
 from neurosym.symbols import Symbol
 from neurosym.world import Scene, Table
@@ -38,7 +38,7 @@ class SceneObject(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
 
     name: str
     category: Symbol
-    features: tuple[float, ...]
+    features: tuple[Length, ...]
     position: Vector
     orientation: tuple[float, float, float, float] = (0.0, 0.0, 0.0, 1.0)
 
@@ -57,7 +57,7 @@ class Problem(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     name: str
     objects: tuple[SceneObject, ...]
     goals: dict[str, Vector]
-    tolerance: float = TOLERANCE
+    tolerance: Length = TOLERANCE
     provenance: str = "by hand"
 
     def __post_init__(self) -> None:

@@ -19,7 +19,7 @@ from typing import Any, TypeVar
 import msgspec
 import numpy as np
 
-from neurosym.errors import InvalidFile, shortened
+from neurosym.errors import InvalidFile, InvalidValue, shortened
 
 Document = TypeVar("Document")
 
@@ -139,7 +139,7 @@ def decode_json(path: Path, content: bytes, kind: type[Document], remedy: str = 
         raise InvalidFile(path, _too_deep() + remedy)
     try:
         return msgspec.json.decode(content, type=kind)
-    except (msgspec.MsgspecError, UnicodeDecodeError, OverflowError, RecursionError) as error:
+    except (msgspec.MsgspecError, UnicodeDecodeError, OverflowError, RecursionError, InvalidValue) as error:
         raise InvalidFile(path, shortened(str(error).rstrip("."), 300) + remedy) from error
 
 

@@ -2,11 +2,14 @@
 
 from collections.abc import Callable
 from itertools import product
+from typing import Annotated
 
+import msgspec
 import numpy as np
 from jaxtyping import Float
 
-Symbol = str
+Symbol = Annotated[str, msgspec.Meta(pattern=r"\A[01]{1,64}\Z")]
+"""A code of bits; what stands in files is checked when it is read."""
 Categorise = Callable[[Float[np.ndarray, "N F"]], tuple[Symbol, ...]]
 """Gives the object symbols of features."""
 

@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from neurosym.console import console, say
 from neurosym.explain.explanation import EffectRow, Explanation, SymbolExplanation
 from neurosym.markdown import markdown_table
+from neurosym.wording import harmless
 
 _COLUMNS = ("operator", "trials", "as promised", "share", "ends", "effect", "spread")
 _WIDEST = 110  # columns of running text
@@ -38,7 +39,8 @@ def explanation_page(explanation: Explanation, title: str) -> str:
         for symbol in symbols:
             table = markdown_table(*_effects(symbol.effects)) if symbol.effects else ""
             blocks += [f"### {symbol.symbol}: {symbol.title}", symbol.about, table, symbol.compared]
-    return "\n\n".join(filter(None, blocks)) + "\n"
+    text = "\n\n".join(filter(None, blocks)) + "\n"
+    return harmless(text).replace("<", "&lt;")  # names in data of a user's own may hold anything
 
 
 def _parts(explanation: Explanation) -> tuple[tuple[str, tuple[SymbolExplanation, ...]], ...]:

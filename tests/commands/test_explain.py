@@ -107,3 +107,17 @@ def test_missing_table_or_folder_is_refused(folder, capsys):
     (folder / "primitives.json").unlink()
     assert f"`neurosym distill {folder}` writes it" in refusal(capsys, "explain", folder)
     assert "no folder" in refusal(capsys, "explain", folder / "nowhere")
+
+
+def test_names_of_a_stranger_are_refused_or_shown_and_never_acted_on(folder, tmp_path, capsys):
+    text = (folder / "primitives.json").read_text()
+    before, _, after = text.partition('"name": "')
+    for name in ("\\u001b[2Jx", "<script>", "a b", "[red]x", "x" * 300, "A"):
+        (folder / "primitives.json").write_text(f'{before}"name": "{name}{after}')
+        assert "primitives.json cannot be used" in refusal(capsys, "explain", folder)
+    (folder / "primitives.json").write_text(text)
+    strange = (folder.parent / "<script>[bold]\x1b[2J").resolve()
+    folder.rename(strange)
+    assert neurosym("explain", strange, "--output", tmp_path / "page.md") == 0
+    assert "\x1b" not in capsys.readouterr().out
+    assert "# What the symbols of &lt;script>[bold]\\x1b[2J mean" in (tmp_path / "page.md").read_text()
