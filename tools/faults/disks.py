@@ -1,6 +1,5 @@
 """Each stage is performed on a disk that is full, or nearly so, and again when there is room."""
 
-import shutil
 import subprocess
 import time
 from collections.abc import Iterator
@@ -70,7 +69,7 @@ def _trial(bench: Bench, subject: Subject, share: float, scratch_too: bool, name
         scratch = (disk if scratch_too else bench.place / "trial") / "scratch"
         scratch.mkdir(parents=True, exist_ok=True)
         before = content(folder)
-        _fill(disk, round(share * _written(bench, subject)))
+        _fill(disk, round(share * goal.written))
         ending, left = run(subject.arguments(folder), scratch, logs=bench.place / "trial")
         found += left
         if ending.code != goal.ending.code:
@@ -89,18 +88,3 @@ def _trial(bench: Bench, subject: Subject, share: float, scratch_too: bool, name
     outcome += ", then the same bytes" if not found else ", a finding"
     seconds = round(time.monotonic() - begin, 1)
     return Trial(PART, name, subject.name, subject.world, told, outcome, tuple(found), 0, seconds)
-
-
-def _written(bench: Bench, subject: Subject) -> int:
-    """How many bytes a stage writes."""
-    folder = bench.fresh(subject, bench.place / "trial" / "measured")
-    before = {path: path.stat().st_mtime_ns for path in folder.rglob("*") if path.is_file()}
-    run(subject.arguments(folder), bench.place / "trial" / "scratch")
-    new = [path for path in folder.rglob("*") if path.is_file() and _is_new(path, before)]
-    size = sum(path.stat().st_size for path in new)
-    shutil.rmtree(folder)
-    return size
-
-
-def _is_new(path: Path, before: dict[Path, int]) -> bool:
-    return before.get(path) != path.stat().st_mtime_ns

@@ -54,10 +54,12 @@ class Undisturbed:
     Attributes:
         ending: How it ended.
         content: What it made of the folder.
+        written: How large the files are that it wrote [bytes].
     """
 
     ending: Ending
     content: dict[str, str]
+    written: int
 
 
 def subjects(world: WorldName) -> tuple[Subject, ...]:
@@ -182,10 +184,17 @@ class Bench:
 
     def _once(self, subject: Subject) -> Undisturbed:
         folder = self.fresh(subject, self.place / "trial" / "domain")
+        before = set(_files(folder))
         ending, _ = run(subject.arguments(folder), self.place / "trial" / "scratch")
         if ending.code not in (0, 3):
             raise AssertionError(f"{subject.title} fails by itself: {ending}")
-        return Undisturbed(ending, content(folder))
+        new = [path for path, _ in set(_files(folder)) - before]
+        return Undisturbed(ending, content(folder), sum(path.stat().st_size for path in new))
+
+
+def _files(folder: Path) -> list[tuple[Path, int]]:
+    """List files with the times at which they were written."""
+    return [(path, path.stat().st_mtime_ns) for path in folder.rglob("*") if path.is_file()]
 
 
 def _restore_needed(subject: Subject, learned: Path, folder: Path) -> None:
