@@ -13,6 +13,7 @@ from typing import Annotated, Any
 
 import tyro
 
+from neurosym.commands.signals import raised_signals, say_interrupted
 from neurosym.console import progress_bar, say
 from neurosym.files import write_atomically
 from tools.faults.clocks import clocks
@@ -124,7 +125,7 @@ def _write(results: Path, journal: Journal, seed: int, left_out: list[str]) -> N
 
 if __name__ == "__main__":
     try:
-        tyro.cli(main)
-    except KeyboardInterrupt:
-        say("interrupted; the same command goes on from what is written")
-        sys.exit(130)
+        with raised_signals():
+            tyro.cli(main)
+    except KeyboardInterrupt as error:
+        sys.exit(say_interrupted(error))

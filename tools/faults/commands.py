@@ -76,6 +76,9 @@ class Running:
             self.process.wait(max(0.0, seconds))
         except subprocess.TimeoutExpired:
             return False
+        except KeyboardInterrupt:
+            self.process.kill()
+            raise
         return True
 
     def ending(self) -> Ending:
