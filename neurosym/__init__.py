@@ -6,9 +6,9 @@ used, so that `import neurosym` is quick and loads neither torch nor PyBullet.
 
 import sys
 from importlib import import_module
-from importlib.metadata import version
-from typing import TYPE_CHECKING
 
+TYPE_CHECKING = False  # as of `typing`, whose import takes long
+__version__: str
 if TYPE_CHECKING:
     from neurosym.actions import ActionBox as ActionBox
     from neurosym.actions import Mirror as Mirror
@@ -48,8 +48,6 @@ if TYPE_CHECKING:
     from neurosym.worlds.check import check_world as check_world
     from neurosym.worlds.problem_drawing import draw_problem as draw_problem
 
-__version__ = version("neurosym")
-
 _PLACES = {
     "neurosym.actions": ("ActionBox", "Mirror"),
     "neurosym.data.interactions": ("Interactions",),
@@ -83,6 +81,10 @@ __all__ = ["__version__", *_HOMES]
 if not TYPE_CHECKING:  # a type checker would take every name for granted
 
     def __getattr__(name: str) -> object:
+        if name == "__version__":
+            from importlib.metadata import version
+
+            return version("neurosym")
         if name in _HOMES:
             return getattr(import_module(_HOMES[name]), name)
         raise AttributeError(f"module 'neurosym' has no attribute {name!r}")

@@ -1,10 +1,12 @@
 """What the command line shows: progress bars, tables, and where things lie."""
 
+import os
 import re
 import sys
 from collections.abc import Iterator, Sequence
-from contextlib import contextmanager
-from typing import Any, Protocol
+from contextlib import contextmanager, suppress
+from pathlib import Path
+from typing import IO, Any, Protocol, TextIO, cast
 
 from rich.console import Console
 from rich.progress import (
@@ -20,11 +22,15 @@ from rich.progress import (
 from rich.table import Table
 from rich.text import Text
 
-from neurosym.errors import shortened
+from neurosym.errors import CannotWrite, shortened
 from neurosym.wording import harmless
 
 _LONG = re.compile(r"\S{1000,}")
 _PIPE_WIDTH = 160  # columns, where there is no terminal to ask
+
+
+class OutputClosed(BaseException):
+    """Nobody reads any longer what is printed; nothing that is in the way of an end catches this."""
 
 
 class HarmlessConsole(Console):
@@ -33,6 +39,16 @@ class HarmlessConsole(Console):
     def print(self, *objects: Any, **options: Any) -> None:
         """Print as rich does, without what a terminal would act on."""
         super().print(*(harmless(text) if isinstance(text, str) else text for text in objects), **options)
+
+
+class OutputConsole(HarmlessConsole):
+    """A console for what was asked for."""
+
+    def on_broken_pipe(self) -> None:
+        """Raise `OutputClosed`, and print no more."""
+        self.quiet = True
+        _turn_away(sys.stdout)
+        raise OutputClosed
 
 
 class ErrorConsole(HarmlessConsole):
@@ -44,15 +60,38 @@ class ErrorConsole(HarmlessConsole):
             *(_LONG.sub(_cut, text) if isinstance(text, str) else text for text in objects), **options
         )
 
+    def on_broken_pipe(self) -> None:
+        """Say no more."""
+        self.quiet = True
+        _turn_away(sys.stderr)
+
 
 def _cut(word: re.Match[str]) -> str:
     return shortened(word[0], 300)
 
 
-console = HarmlessConsole(
+class _Forgiving:
+    """Standard error, which a command can do without: what cannot be written there is lost."""
+
+    def __getattr__(self, name: str) -> Any:
+        return getattr(sys.stderr, name)
+
+    def write(self, text: str) -> int:
+        with suppress(OSError):
+            sys.stderr.write(text)
+        return len(text)
+
+    def flush(self) -> None:
+        with suppress(OSError):
+            sys.stderr.flush()
+
+
+console = OutputConsole(
     highlight=False, emoji=False, soft_wrap=True, width=None if sys.stdout.isatty() else _PIPE_WIDTH
 )
-error_console = ErrorConsole(stderr=True, highlight=False, emoji=False, soft_wrap=True)
+error_console = ErrorConsole(
+    file=cast(IO[str], _Forgiving()), stderr=True, highlight=False, emoji=False, soft_wrap=True
+)
 
 
 class Advance(Protocol):
@@ -101,9 +140,37 @@ def progress_bar(label: str) -> Iterator[Advance]:
             progress.stop()
 
 
+@contextmanager
+def naming_output() -> Iterator[None]:
+    """Have errors of the system while something is printed name standard output, and print no more.
+
+    Raises:
+        OutputClosed: If nobody reads it.
+        CannotWrite: If it cannot be written, because the disk is full for instance.
+    """
+    try:
+        yield
+    except BrokenPipeError as error:
+        _turn_away(sys.stdout)
+        raise OutputClosed from error
+    except OSError as error:
+        console.quiet = True
+        _turn_away(sys.stdout)
+        raise CannotWrite(Path("standard output"), error) from error
+
+
+def _turn_away(stream: TextIO) -> None:
+    """Let what is printed from now on, and what waits to be, go nowhere."""
+    with suppress(OSError, ValueError):
+        nowhere = os.open(os.devnull, os.O_WRONLY)
+        os.dup2(nowhere, stream.fileno())
+        os.close(nowhere)
+
+
 def say(text: str) -> None:
     """Print a line for the user."""
-    console.print(text, markup=False)
+    with naming_output():
+        console.print(text, markup=False)
 
 
 def say_next(command: str) -> None:
@@ -124,4 +191,5 @@ def show_table(title: str, columns: Sequence[str], rows: Sequence[Sequence[str]]
         table.add_column(Text(harmless(column)), overflow="fold")
     for row in rows:
         table.add_row(*(Text(harmless(cell)) for cell in row))
-    console.print(table)
+    with naming_output():
+        console.print(table)

@@ -60,7 +60,8 @@ class CannotWrite(NeurosymError, OSError):
     """A file that the system does not let be written: no room, no permission, no such folder."""
 
     def __init__(self, path: Path, error: OSError):
-        super().__init__(f"{path} cannot be written: {error.strerror or error}.")
+        self.reason = str(error.strerror or error)
+        super().__init__(f"{path} cannot be written: {self.reason}.")
 
 
 class FolderTaken(NeurosymError):

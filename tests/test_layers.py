@@ -67,6 +67,8 @@ LOADERS = {"np", "numpy", "torch", "json", "pickle", "marshal", "tomllib"}
 OPENED_ELSEWHERE = {
     "array_files.py": {"zipfile.ZipFile": "of what the door opened", "archive.open": "a part of that"},
     "execution/machine.py": {"_CPUINFO.read_text": "the system's own"},
+    "commands/surroundings.py": {"os.open": "the null device"},
+    "console.py": {"os.open": "the null device"},
     "drafts.py": {"os.fdopen": "to write", "path.open": "a leftover, to lock it"},
     "locks.py": {
         "os.open": "files and folders, to lock them",

@@ -1,63 +1,14 @@
 """The command line: `neurosym COMMAND DIR ...`.
 
 Exit codes: 0 done; 2 bad input, with one sentence that says what would be valid; 3 the work was done and the
-answer is no (no plan, goal missed); 130 interrupted; 128 + the signal, ended by another one.
+answer is no (no plan, goal missed); 130 interrupted; 128 + the signal, ended by another one; 141 whoever read
+the output has closed it (128 + SIGPIPE, as in `neurosym check ... | head -1`).
+
+This module imports next to nothing, so that Ctrl-C is heard while the rest is imported.
 """
 
 import sys
-from collections.abc import Callable, Sequence
-
-from neurosym.commands.arguments import read_arguments
-from neurosym.commands.check import check
-from neurosym.commands.compare import compare
-from neurosym.commands.compile_domain import compile_domain
-from neurosym.commands.distill import distill
-from neurosym.commands.evaluate import evaluate
-from neurosym.commands.execute import execute
-from neurosym.commands.exit_codes import BAD_INPUT
-from neurosym.commands.explain import explain
-from neurosym.commands.explore import explore
-from neurosym.commands.figures import figures
-from neurosym.commands.init import init
-from neurosym.commands.new_problem import new_problem
-from neurosym.commands.plan import plan
-from neurosym.commands.planners import planners
-from neurosym.commands.replay import replay
-from neurosym.commands.report import report
-from neurosym.commands.run import run
-from neurosym.commands.show import show
-from neurosym.commands.signals import raised_signals, say_interrupted
-from neurosym.commands.train import train
-from neurosym.console import error_console
-from neurosym.errors import NeurosymError
-
-COMMANDS: dict[str, Callable[..., int]] = {
-    "run": run,
-    "init": init,
-    "explore": explore,
-    "check": check,
-    "train": train,
-    "distill": distill,
-    "compile-domain": compile_domain,
-    "new-problem": new_problem,
-    "plan": plan,
-    "planners": planners,
-    "execute": execute,
-    "replay": replay,
-    "compare": compare,
-    "show": show,
-    "explain": explain,
-    "figures": figures,
-    "report": report,
-    "evaluate": evaluate,
-}
-"""The commands, in the order in which a domain folder meets them after `run`, which does it all."""
-
-ABOUT = """A robot plays with objects out of curiosity; neurosym turns what it learned into a PDDL domain that
-any planner takes, and turns any planner's plan back into motions.
-
-Everything about one learned domain lies in one folder, DIR. Each command reads what stands there and adds its
-own file; `neurosym run DIR` goes the whole way. To begin: neurosym run my-domain --steps 1024"""
+from collections.abc import Sequence
 
 
 def main(arguments: Sequence[str] | None = None) -> None:
@@ -66,16 +17,13 @@ def main(arguments: Sequence[str] | None = None) -> None:
     Args:
         arguments: What was typed after `neurosym`; the process's own arguments if not given.
     """
-    typed = sys.argv[1:] if arguments is None else arguments
     try:
-        with raised_signals():
-            code = read_arguments(COMMANDS, ABOUT, typed)()
-    except NeurosymError as error:
-        error_console.print(str(error), markup=False, style="red")
-        code = BAD_INPUT
-    except OSError as error:
-        error_console.print(f"{error.filename}: {error.strerror}", markup=False, style="red")
-        code = BAD_INPUT
-    except KeyboardInterrupt as error:
-        code = say_interrupted(error)
+        from neurosym.commands.surroundings import make_usable
+
+        make_usable()
+        from neurosym.commands.ending import perform
+
+        code = perform(sys.argv[1:] if arguments is None else arguments)
+    except KeyboardInterrupt:  # while something was imported; nothing has begun
+        code = 130
     sys.exit(code)

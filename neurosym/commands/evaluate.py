@@ -8,7 +8,7 @@ from tyro.conf import Positional, arg
 from neurosym.commands.options import CPUS, Workers, opened
 from neurosym.console import progress_bar, say, show_table
 from neurosym.errors import InvalidValue
-from neurosym.files import write_atomically, write_json
+from neurosym.files import check_writable, write_atomically, write_json
 from neurosym.stages.layout import INTERACTIONS
 
 if TYPE_CHECKING:
@@ -51,6 +51,8 @@ def evaluate(
             f"No tables can be written to {output}; name a file that ends in .md or .json, in an existing "
             "folder."
         )
+    if output:
+        check_writable(output)
     domains = [opened(folder) for folder in dict.fromkeys(folders)]
     for domain in domains:
         domain.require(INTERACTIONS)

@@ -8,3 +8,5 @@ NO_RESULT = 3
 """The work was done and the answer is no: no plan, or the goal was not reached."""
 INTERRUPTED = 130
 """Interrupted; the same command goes on from what is written. Other signals: 128 + their number."""
+NOBODY_READS = 141
+"""Whoever read the output has closed it, as `head` does: 128 + SIGPIPE."""

@@ -9,7 +9,7 @@ from neurosym.commands.options import Folder, opened
 from neurosym.console import say, say_next
 from neurosym.errors import InvalidValue
 from neurosym.explain.from_folder import explain_folder
-from neurosym.files import write_atomically
+from neurosym.files import check_writable, write_atomically
 from neurosym.stages.layout import GROUNDING, WORLD
 from neurosym.wording import quoted
 
@@ -48,3 +48,4 @@ def _check_page_path(path: Path) -> None:
         raise InvalidValue(
             f"No explanation can be written to {path}; name a file that ends in .md, in an existing folder."
         )
+    check_writable(path)

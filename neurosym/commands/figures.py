@@ -34,6 +34,7 @@ def figures(
     as blue, green and red dots. A row of Figure 4 is a run of DIR/runs: in its first picture the goals are
     transparent, in its last the start is.
     """
+    from neurosym.files import check_writable, make_folder
     from neurosym.grounding import Grounding
     from neurosym.pictures.images import save_sheet
     from neurosym.report.examples import problem_reader, runs_of
@@ -44,8 +45,9 @@ def figures(
     world = read_world(domain.require(WORLD))()
     grounding = Grounding.load(domain.require(GROUNDING))
     domain.require(MODEL)
+    make_folder(target)
+    check_writable(target / PRIMITIVES_FIGURE)
     runs = runs_of(domain, problem_reader(domain))
-    target.mkdir(exist_ok=True)
     save_sheet(target / PRIMITIVES_FIGURE, _primitive_rows(domain, world, grounding))
     say(f"wrote {target / PRIMITIVES_FIGURE}")
     if rows := _plan_rows(world, grounding, runs):

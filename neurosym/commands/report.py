@@ -8,7 +8,7 @@ from tyro.conf import arg
 from neurosym.commands.options import Folder, opened
 from neurosym.console import progress_bar, say
 from neurosym.errors import InvalidValue
-from neurosym.files import write_atomically
+from neurosym.files import check_writable, write_atomically
 from neurosym.stages.layout import PAGE
 
 _MEGABYTE = 1e6
@@ -37,6 +37,7 @@ def report(
         raise InvalidValue(
             f"No page can be written to {path}; name a file that ends in .html, in an existing folder."
         )
+    check_writable(path)
     if curve:
         with progress_bar("learning curve") as advance:
             domain.perform(curve_stage(domain, advance), again=False)

@@ -9,6 +9,7 @@ from tyro.conf import arg
 from neurosym.commands.options import Folder, opened
 from neurosym.console import say, say_next
 from neurosym.errors import InvalidValue
+from neurosym.files import check_writable, make_folder
 from neurosym.stages.folder import DomainFolder
 from neurosym.stages.layout import GROUNDING, INTERACTIONS, MODEL, PICTURES, WORLD
 from neurosym.wording import quoted
@@ -128,5 +129,7 @@ def _show_motions(
 def _picture_path(domain: DomainFolder, name: str, output: Path | None) -> Path:
     if output:
         return output
-    (domain / PICTURES).mkdir(exist_ok=True)
-    return domain / f"{PICTURES}/{name}.png"
+    path = domain / f"{PICTURES}/{name}.png"
+    make_folder(path.parent)
+    check_writable(path)
+    return path

@@ -1,7 +1,6 @@
 """Files of pictures: an animated GIF of a motion, or a sheet with a row of captioned pictures for each."""
 
 import io
-import tempfile
 from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
@@ -10,8 +9,8 @@ import numpy as np
 from jaxtyping import UInt8
 from PIL import Image, ImageDraw, ImageFont
 
-from neurosym.errors import InvalidValue
-from neurosym.files import write_atomically
+from neurosym.errors import CannotWrite, InvalidValue
+from neurosym.files import check_writable, write_atomically
 from neurosym.world import Frame
 
 ENDINGS = (".png", ".gif")
@@ -59,10 +58,9 @@ def check_picture_path(path: Path, endings: Sequence[str] = ENDINGS) -> None:
     if path.is_dir() or not path.absolute().parent.is_dir():
         raise InvalidValue(f"No picture can be written to {path}; name a file in an existing folder.")
     try:
-        with tempfile.NamedTemporaryFile(dir=path.absolute().parent):
-            pass
-    except OSError as error:
-        said = f"No picture can be written to {path} ({error.strerror})"
+        check_writable(path)
+    except CannotWrite as error:
+        said = f"No picture can be written to {path} ({error.reason})"
         raise InvalidValue(f"{said}; name a file in a folder that can be written.") from error
 
 

@@ -18,6 +18,7 @@ import msgspec
 import numpy as np
 from jaxtyping import Float
 
+from neurosym.drafts import naming
 from neurosym.errors import InvalidPlan, InvalidPlanner
 from neurosym.grounding import Grounding
 from neurosym.pddl.domain import domain_text
@@ -196,10 +197,10 @@ def _solve(
         domain, task = folder / "domain.pddl", folder / "problem.pddl"
         if encoding == SAS:
             domain = task = folder / f"problem{SAS_SUFFIX}"
-            task.write_text(sas_text(problem, narrowed, steps=slack.steps, margin=slack.margin))
+            _write(task, sas_text(problem, narrowed, steps=slack.steps, margin=slack.margin))
         else:
-            domain.write_text(domain_text(narrowed, encoding))
-            task.write_text(problem_text(problem, narrowed, encoding, steps=slack.steps, margin=slack.margin))
+            _write(domain, domain_text(narrowed, encoding))
+            _write(task, problem_text(problem, narrowed, encoding, steps=slack.steps, margin=slack.margin))
         left = time_limit - (time.perf_counter() - begin)
         answer = program.call(domain, task, time_limit=left)
     try:
@@ -208,6 +209,11 @@ def _solve(
         reason = f"what the planner wrote cannot be read: {textwrap.shorten(str(error), 200)}"
         return PlanResult(PlanStatus.FAILED, (), answer.seconds, reason)
     return PlanResult(answer.status, steps, answer.seconds, answer.reason)
+
+
+def _write(file: Path, text: str) -> None:
+    with naming(file):
+        file.write_text(text)
 
 
 def _fitted(grounding: Grounding, problem: Problem, cell: float) -> Grounding:

@@ -6,7 +6,7 @@ import pytest
 from command_line import neurosym
 from conftest import RUN_TOY
 
-from neurosym.commands.cli import COMMANDS
+from neurosym.commands.catalogue import COMMANDS
 from neurosym.data.interactions import Interactions
 from neurosym.errors import InvalidValue
 from neurosym.operators import OperatorTable

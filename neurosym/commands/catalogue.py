@@ -1,0 +1,50 @@
+"""The commands by name, and what `--help` says first."""
+
+from collections.abc import Callable
+
+from neurosym.commands.check import check
+from neurosym.commands.compare import compare
+from neurosym.commands.compile_domain import compile_domain
+from neurosym.commands.distill import distill
+from neurosym.commands.evaluate import evaluate
+from neurosym.commands.execute import execute
+from neurosym.commands.explain import explain
+from neurosym.commands.explore import explore
+from neurosym.commands.figures import figures
+from neurosym.commands.init import init
+from neurosym.commands.new_problem import new_problem
+from neurosym.commands.plan import plan
+from neurosym.commands.planners import planners
+from neurosym.commands.replay import replay
+from neurosym.commands.report import report
+from neurosym.commands.run import run
+from neurosym.commands.show import show
+from neurosym.commands.train import train
+
+COMMANDS: dict[str, Callable[..., int]] = {
+    "run": run,
+    "init": init,
+    "explore": explore,
+    "check": check,
+    "train": train,
+    "distill": distill,
+    "compile-domain": compile_domain,
+    "new-problem": new_problem,
+    "plan": plan,
+    "planners": planners,
+    "execute": execute,
+    "replay": replay,
+    "compare": compare,
+    "show": show,
+    "explain": explain,
+    "figures": figures,
+    "report": report,
+    "evaluate": evaluate,
+}
+"""The commands, in the order in which a domain folder meets them after `run`, which does it all."""
+
+ABOUT = """A robot plays with objects out of curiosity; neurosym turns what it learned into a PDDL domain that
+any planner takes, and turns any planner's plan back into motions.
+
+Everything about one learned domain lies in one folder, DIR. Each command reads what stands there and adds its
+own file; `neurosym run DIR` goes the whole way. To begin: neurosym run my-domain --steps 1024"""

@@ -1,0 +1,78 @@
+"""How a command ends: its exit code, and the one sentence if it could not be done."""
+
+import os
+import sys
+from collections.abc import Sequence
+from contextlib import suppress
+from pathlib import Path
+
+from neurosym.commands.arguments import read_arguments
+from neurosym.commands.catalogue import ABOUT, COMMANDS
+from neurosym.commands.exit_codes import BAD_INPUT, NOBODY_READS
+from neurosym.commands.signals import raised_signals, say_interrupted
+from neurosym.console import OutputClosed, error_console, naming_output
+from neurosym.errors import InvalidValue, NeurosymError
+
+_NO_MEMORY = "There is not enough memory; ask for less (workers, objects, rows), or end other programs."
+_TORCH_WANTS_MEMORY = ("can't allocate memory", "not enough memory", "bad allocation", "std::bad_alloc")
+
+
+def perform(typed: Sequence[str]) -> int:
+    """Perform what was typed, say what went wrong if anything did, and return the exit code.
+
+    Args:
+        typed: What was typed after `neurosym`.
+    """
+    try:
+        with raised_signals():
+            try:
+                _refuse_bytes(typed)
+                code = read_arguments(COMMANDS, ABOUT, typed)()
+            finally:
+                with naming_output():
+                    sys.stdout.flush()
+    except (OutputClosed, BrokenPipeError):
+        code = NOBODY_READS
+    except NeurosymError as error:
+        code = _refuse(str(error))
+    except OSError as error:
+        code = _refuse(_told(error))
+    except MemoryError:
+        code = _refuse(_NO_MEMORY)
+    except RuntimeError as error:  # which is how torch says it
+        if not any(words in str(error) for words in _TORCH_WANTS_MEMORY):
+            raise
+        code = _refuse(_NO_MEMORY)
+    except KeyboardInterrupt as error:
+        code = say_interrupted(error)
+    return code
+
+
+def _refuse(sentence: str) -> int:
+    error_console.print(sentence, markup=False, style="red")
+    return BAD_INPUT
+
+
+def _refuse_bytes(typed: Sequence[str]) -> None:
+    """Raise unless every argument is text that can be written down, in a record for instance."""
+    for word in typed:
+        try:
+            word.encode()
+        except UnicodeEncodeError as error:
+            encoding = sys.getfilesystemencoding()
+            said = f"{word!r} is no text in {encoding}; rename the file such that its name is."
+            raise InvalidValue(said) from error
+
+
+def _told(error: OSError) -> str:
+    """Say what the system did not do, by the name of the file if it tells it."""
+    try:
+        Path.cwd()
+    except OSError:
+        return "The current folder is no longer there; go to another one."
+    reason = error.strerror or str(error) or type(error).__name__
+    if error.filename is None:
+        return f"Something could not be read or written: {reason}."
+    with suppress(ValueError):
+        return f"{os.fsdecode(error.filename)}: {reason}"
+    return reason
