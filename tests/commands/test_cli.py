@@ -1,6 +1,7 @@
 """The command line: what it writes, and what it says."""
 
 import json
+import re
 
 import pytest
 from command_line import neurosym
@@ -126,7 +127,7 @@ def test_goal_out_of_reach_is_a_result_with_its_reason(folder, capsys):
         assert neurosym("plan", folder, "high", "--planner", planner) == 3
         said = capsys.readouterr().out
         assert "no plan for high" in said
-        assert "item-01 was not brought to its goal by up to" in said
+        assert re.search(r"item-01 (cannot reach|was not brought to) its goal", said)
         assert not (folder / f"plans/high.{planner}.plan").exists()
 
 
