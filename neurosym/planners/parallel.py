@@ -4,8 +4,9 @@ import threading
 import time
 from collections.abc import Callable, Sequence
 from concurrent.futures import Future, ThreadPoolExecutor
+from functools import partial
 
-from neurosym.planners.process import end_calls
+from neurosym.planners.process import CannotStart, end_calls
 from neurosym.planners.result import PlanResult, PlanStatus
 
 WORKERS = 2
@@ -19,6 +20,9 @@ def plan_together(tasks: Sequence[Callable[[], PlanResult]]) -> tuple[PlanResult
 
     Args:
         tasks: Each makes a plan.
+
+    Raises:
+        CannotStart: If the system lets no thread or process be started.
     """
     threads: set[int] = set()
 
@@ -27,17 +31,26 @@ def plan_together(tasks: Sequence[Callable[[], PlanResult]]) -> tuple[PlanResult
         return task()
 
     pool = ThreadPoolExecutor(WORKERS)
-    futures = [pool.submit(run, task) for task in tasks]
+    futures: list[Future[PlanResult]] = []
     results: list[PlanResult] = []
     try:
+        for task in tasks:
+            futures.append(_submitted(pool, partial(run, task)))
         for future in futures:
             results.append(future.result())
             if results[-1].status is not PlanStatus.SOLVED:
                 break
     finally:
         _end(futures, threads)
-        pool.shutdown()
+        pool.shutdown(cancel_futures=True)
     return tuple(results)
+
+
+def _submitted(pool: ThreadPoolExecutor, task: Callable[[], PlanResult]) -> Future[PlanResult]:
+    try:
+        return pool.submit(task)
+    except RuntimeError as error:
+        raise CannotStart(str(error)) from error
 
 
 def _end(futures: Sequence[Future[PlanResult]], threads: set[int]) -> None:

@@ -20,7 +20,7 @@ from contextlib import suppress
 from dataclasses import dataclass
 from pathlib import Path
 
-from neurosym.errors import InvalidFile
+from neurosym.errors import InvalidFile, NeurosymError
 from neurosym.planners.keeper import MARK, end_processes, marked, processes, state_of, this_process
 from neurosym.planners.scratch import kept
 from neurosym.reading import read_bytes
@@ -53,6 +53,15 @@ class Finished:
         return textwrap.shorten(lines[-1], 200) if lines else "it said nothing"
 
 
+class CannotStart(NeurosymError):
+    """The system lets no further process or thread be started."""
+
+    def __init__(self, why: str):
+        super().__init__(
+            f"No planner can be started: {why}; allow more processes, files or memory (ulimit -a)."
+        )
+
+
 def run_limited(
     command: Sequence[str],
     folder: Path,
@@ -71,20 +80,26 @@ def run_limited(
         stdin: What it reads from its standard input.
         environment: Variables added to the environment.
         memory: How much memory it may take [bytes].
+
+    Raises:
+        CannotStart: If the system lets no process be started.
     """
     mark = f"{this_process()}.{uuid.uuid4().hex}"
     added = {"TMPDIR": str(folder), **(environment or {}), MARK: mark}
     source_file = stdin or Path(os.devnull)
     with kept(), source_file.open("rb") as source, tempfile.TemporaryFile() as sink:
-        process = subprocess.Popen(
-            _limited(command, memory),
-            cwd=folder,
-            stdin=source,
-            stdout=sink,
-            stderr=subprocess.STDOUT,
-            env={**os.environ, **added},
-            start_new_session=True,
-        )
+        try:
+            process = subprocess.Popen(
+                _limited(command, memory),
+                cwd=folder,
+                stdin=source,
+                stdout=sink,
+                stderr=subprocess.STDOUT,
+                env={**os.environ, **added},
+                start_new_session=True,
+            )
+        except OSError as error:
+            raise CannotStart(str(error.strerror)) from error
         code: int | None = None
         try:
             _running[threading.get_ident()] = process

@@ -1,11 +1,15 @@
 """Plans made at the same time: all of them in order, or an end to the rest once one cannot be had."""
 
+import subprocess
 import sys
+import threading
 import time
 from pathlib import Path
 
+import pytest
+
 from neurosym.planners.parallel import plan_together
-from neurosym.planners.process import run_limited
+from neurosym.planners.process import CannotStart, run_limited
 from neurosym.planners.result import PlanResult, PlanStatus
 
 
@@ -35,3 +39,20 @@ def test_first_without_a_plan_ends_what_still_runs(tmp_path: Path):
     assert [one.reason for one in found] == ["no way"]
     assert time.perf_counter() - begin < 20
     assert set(ended) == {-9}
+
+
+def test_where_nothing_can_be_started_a_sentence_says_so(tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
+    def refused(*_: object, **__: object) -> None:
+        raise BlockingIOError(11, "Resource temporarily unavailable")
+
+    with monkeypatch.context() as patch:
+        patch.setattr(subprocess, "Popen", refused)
+        with pytest.raises(CannotStart, match="No planner can be started: Resource temporarily"):
+            run_limited(["true"], tmp_path, 1.0)
+
+    def no_thread(*_: object) -> None:
+        raise RuntimeError("can't start new thread")
+
+    monkeypatch.setattr(threading.Thread, "start", no_thread)
+    with pytest.raises(CannotStart, match="can't start new thread; allow more"):
+        plan_together([lambda: PlanResult(PlanStatus.SOLVED, (), 0.0)])
