@@ -6,6 +6,7 @@ needed beyond this point. It is stored as `grounding.json`, next to the domain.
 
 import math
 from collections.abc import Collection
+from functools import lru_cache
 from pathlib import Path
 from typing import Annotated
 
@@ -34,11 +35,12 @@ from neurosym.world import Table
 FORMAT = "neurosym-grounding-1"
 MIN_TRIALS = 5
 """An operator with fewer rehearsals, or rows of the data, than this is not believed."""
+_REMEMBERED = 8  # groundings of which what follows from them is kept: each object of a problem asks for it
 
 Cells = tuple[int, int, int]
 
 
-class Grounding(msgspec.Struct, frozen=True, forbid_unknown_fields=True, omit_defaults=True):
+class Grounding(msgspec.Struct, frozen=True, forbid_unknown_fields=True, omit_defaults=True, cache_hash=True):
     """Everything that planning, replay and execution know of a learned domain.
 
     Attributes:
@@ -133,8 +135,7 @@ class Grounding(msgspec.Struct, frozen=True, forbid_unknown_fields=True, omit_de
     @property
     def live(self) -> tuple[Operator, ...]:
         """The operators that the PDDL domain has actions for, by name."""
-        found = (operator for operator in self.operators.operators if self.why_left_out(operator) is None)
-        return tuple(sorted(found, key=lambda operator: operator.name))
+        return _live(self)
 
     @property
     def left_out(self) -> dict[str, str]:
@@ -197,13 +198,24 @@ class Grounding(msgspec.Struct, frozen=True, forbid_unknown_fields=True, omit_de
         On x and y the errors of several steps add up. On z they do not: whatever rests is at its own
         height exactly, so only an object that ends held errs.
         """
-        errors = [(0.0, 0.0, 0.0)]
-        for operator in self.live:
-            errors.append(_remainder(self.displacement(operator), self.cells(operator), self.cell))
-            resting = at_rest(_promise(operator))
-            errors.append(_remainder(resting, _in_cells(resting, self.cell), self.cell))
-        x, y, z = (max(axis) for axis in zip(*errors, strict=True))
-        return (x, y, z)
+        return _rounding(self)
+
+
+@lru_cache(maxsize=_REMEMBERED)
+def _live(grounding: Grounding) -> tuple[Operator, ...]:
+    found = (op for op in grounding.operators.operators if grounding.why_left_out(op) is None)
+    return tuple(sorted(found, key=lambda operator: operator.name))
+
+
+@lru_cache(maxsize=_REMEMBERED)
+def _rounding(grounding: Grounding) -> Vector:
+    errors = [(0.0, 0.0, 0.0)]
+    for operator in grounding.live:
+        errors.append(_remainder(grounding.displacement(operator), grounding.cells(operator), grounding.cell))
+        resting = at_rest(_promise(operator))
+        errors.append(_remainder(resting, _in_cells(resting, grounding.cell), grounding.cell))
+    x, y, z = (max(axis) for axis in zip(*errors, strict=True))
+    return (x, y, z)
 
 
 class _Versioned(msgspec.Struct, frozen=True):

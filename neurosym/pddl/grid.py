@@ -10,11 +10,13 @@ shrunken ball of no more steps than were reckoned with ends within the tolerance
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass
+from functools import lru_cache
 
 from neurosym.errors import InvalidValue
 from neurosym.grounding import Cells, Grounding, is_lift
 from neurosym.operators import Vector
 from neurosym.problems import SceneObject
+from neurosym.symbols import Symbol
 
 AXES = ("x", "y", "z")
 
@@ -74,6 +76,7 @@ class GoalRegion:
     z: tuple[int, ...]
 
 
+@lru_cache(maxsize=8)
 def grid_of(grounding: Grounding) -> Grid:
     """Lay the grid over the table, up to where the highest lift leads."""
     table = grounding.table
@@ -130,10 +133,15 @@ def check_on_table(item: SceneObject, grounding: Grounding, *, off: float = 0.0)
 
 def levels(item: SceneObject, grounding: Grounding) -> tuple[int, ...]:
     """List the heights that an object of this category can have, in cells above where it rests."""
+    return _levels(item.category, grounding)
+
+
+@lru_cache(maxsize=1024)
+def _levels(category: Symbol, grounding: Grounding) -> tuple[int, ...]:
     lifts = (
         grounding.cells(operator)[2]
         for operator in grounding.live
-        if operator.category == item.category and is_lift(operator)
+        if operator.category == category and is_lift(operator)
     )
     return (0, *sorted(set(lifts)))
 

@@ -12,6 +12,7 @@ units a step, and the table by half a unit a step: plans of no more than `STEPS`
 
 import math
 from collections.abc import Iterator
+from functools import lru_cache
 
 import msgspec
 
@@ -89,8 +90,12 @@ def numeric_problem_text(problem: Problem, grounding: Grounding, *, steps: int =
 def _moves(grounding: Grounding) -> tuple[Move, ...]:
     """List what the operators of the domain do, in units."""
     live = {operator.name for operator in grounding.live}
-    fine = msgspec.structs.replace(grounding, cell=UNIT)
-    return tuple(move for move in moves_of(fine) if move.operator.name in live)
+    return tuple(move for move in moves_of(_in_units(grounding)) if move.operator.name in live)
+
+
+@lru_cache(maxsize=8)
+def _in_units(grounding: Grounding) -> Grounding:
+    return msgspec.structs.replace(grounding, cell=UNIT)
 
 
 def _domain_header(grounding: Grounding) -> str:
@@ -165,7 +170,7 @@ def _heights(
     The heights in it are those that the cells of a goal would be chosen for. If all are too far from the
     goal, it is an interval that no object comes to.
     """
-    possible = levels(item, msgspec.structs.replace(grounding, cell=UNIT))
+    possible = levels(item, _in_units(grounding))
     misses = {z: abs(z - height) + (0.5 if z else 0.0) for z in possible}
     chosen = best_levels(misses, tolerance)
     if not chosen:

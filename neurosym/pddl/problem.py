@@ -2,6 +2,7 @@
 
 import math
 import re
+from functools import lru_cache
 
 from neurosym.errors import InvalidValue
 from neurosym.grounding import Grounding
@@ -62,10 +63,16 @@ def check_object(item: SceneObject, grounding: Grounding) -> None:
     """Raise `InvalidValue` unless an object stands on the table and its name is free in the domain."""
     grounding.category(item.category)
     check_on_table(item, grounding)
-    words = {"movable", "object", *(category.name for category in grounding.operators.categories)}
-    words |= {operator.name for operator in grounding.operators.operators}
-    if item.name in words or re.fullmatch(r"[xyz]\d*", item.name):
+    if item.name in _words(grounding) or re.fullmatch(r"[xyz]\d*", item.name):
         raise InvalidValue(f"No object can be called {item.name}, the domain uses that; try item-01.")
+
+
+@lru_cache(maxsize=8)
+def _words(grounding: Grounding) -> frozenset[str]:
+    """List what the domain calls its types and actions."""
+    categories = (category.name for category in grounding.operators.categories)
+    operators = (operator.name for operator in grounding.operators.operators)
+    return frozenset(("movable", "object", *categories, *operators))
 
 
 def _header(problem: Problem, grounding: Grounding, steps: int) -> str:
