@@ -4,7 +4,7 @@ VENV ?= .venv
 PYTHON ?= $(firstword $(shell command -v python3.11) $(shell command -v python3))
 BIN := $(VENV)/bin
 
-.PHONY: install demo test lint evaluate evaluate-world evaluate-learning evaluate-planning evaluate-planners faults tutorial architecture clean
+.PHONY: install demo test lint fuzz evaluate evaluate-world evaluate-learning evaluate-planning evaluate-planners evaluate-scale faults tutorial architecture clean
 
 install: $(VENV)/.installed
 
@@ -33,6 +33,13 @@ lint: install
 evaluate: install
 	$(BIN)/pytest -m evaluation -s
 
+# Fuzzes the command line for MINUTES, with files and arguments of all kinds. What it finds is kept in FUZZ, and the
+# same command goes on. A short round is part of the tests.
+MINUTES ?= 60
+FUZZ ?= /var/tmp/neurosym-fuzz
+fuzz: install
+	PYTHONPATH=tests $(BIN)/python -m fuzz --minutes $(MINUTES) --folder $(FUZZ)
+
 # Every figure of docs/world.md, into docs/results/; goes on where it was interrupted. SCALE=0.1 for a glance.
 SCALE ?= 1.0
 evaluate-world: install
@@ -49,6 +56,10 @@ evaluate-planning: STEPS := 2560
 evaluate-planning: install
 	$(BIN)/pip install --quiet --constraint constraints.txt --editable '.[dev,planners]'
 	$(BIN)/python -m tools.benchmarks.planning.evaluate --seeds $(SEEDS) --steps $(STEPS)
+
+# How far it goes (rows, symbols, objects), into docs/results/scale.*; goes on where it was interrupted.
+evaluate-scale: install
+	$(BIN)/python -m tools.benchmarks.scale.evaluate
 
 # Kills, full disks, two at once, low limits and clocks that jump, into docs/results/faults.*; goes on where it was
 # interrupted. KILLS=5 for a glance.

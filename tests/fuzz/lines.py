@@ -1,0 +1,184 @@
+"""Command lines: every command with its options, drawn from its own signature."""
+
+import inspect
+import types
+from collections.abc import Callable
+from itertools import pairwise
+from pathlib import Path
+from random import Random
+from typing import Annotated, Any, Literal, Union, get_args, get_origin, get_type_hints
+
+from fuzz.values import WORDS, odd_text
+
+FOLDER = "toy"
+"""What the domain folder is called, in the folder that commands are run in."""
+_PLANS = (
+    f"{FOLDER}/plans/task-01.fast-downward.plan",
+    f"{FOLDER}/plans/task-02.fast-downward.plan",
+    "other.plan",
+)
+_RUNS = (
+    f"{FOLDER}/runs/task-01.fast-downward.run.json",
+    "task-02.fast-downward",
+    f"{FOLDER}/plans/task-01.bfs.json",
+)
+_PLANNERS = (
+    "fast-downward",
+    "counting",
+    "bfs",
+    "bfs-operators",
+    "lama-first",
+    "lmcut",
+    *("own:planner", "own:raising", "own:leaving", "own:rubbish"),
+)
+USUAL: dict[str, tuple[Any, ...]] = {
+    "folder": (FOLDER,),
+    "folders": (FOLDER,),
+    "data": (FOLDER, f"{FOLDER}/interactions.npz"),
+    "test": (FOLDER, f"{FOLDER}/interactions.npz"),
+    "problem": (
+        "task-01",
+        "task-02",
+        "far",
+        "long",
+        f"{FOLDER}/problems/task-02.pddl",
+        f"{FOLDER}/problems/task-01.scene.json",
+    ),
+    "scene": (f"{FOLDER}/problems/task-01.scene.json", f"{FOLDER}/problems/task-02.scene.json"),
+    "plan_file": _PLANS,
+    "record": _RUNS,
+    "world": ("toy", "toy", "toy", "tabletop", "own:world", "own:angry", "own:gone", "own:odd"),
+    "planner": _PLANNERS,
+    "planners": _PLANNERS,
+    "replanner": _PLANNERS,
+    "name": ("task-01", "task-09", "mine"),
+    "goal": ("item-01=0.6,0.1", "item-02=0.7,0.0", "item-01=0.7,-0.2,0.225"),
+    "primitive": ("000", "001", "011", "111"),
+    "interaction": (0, 1, 1023),
+    "strategy": ("random", "random", "disagreement", "entropy", "active"),
+    "steps": (1, 64, 600, 1024, 1100),
+    "rehearsals": (1, 5),
+    "problems": (1, 2),
+    "tasks": (1, 2),
+    "objects": (1, 2, 3),
+    "actions": (1, 2),
+    "alternatives": (0, 1, 2),
+    "replans": (0, 1, 2),
+    "seed": (0, 3),
+    "workers": (1,),
+    "time_limit": (0.2, 1.0),
+    "tolerance": (0.05, 0.02),
+    "cell": (0.005, 0.01, 0.02),
+    "min_predicted_effect": (0.0, 0.01),
+    "regime": ("quick",),
+    "gif": ("out.gif",),
+    "strip": ("out.png",),
+    "output": ("out.png", "out.md", "out.html", "out.json", "out"),
+}
+"""What each parameter is mostly given: something that can be, and costs little."""
+ALWAYS = {
+    "strategy",
+    "steps",
+    "workers",
+    "rehearsals",
+    "problems",
+    "tasks",
+    "objects",
+    "time_limit",
+    "regime",
+}
+"""Options whose defaults cost too much to be tried over and over."""
+WORK = {
+    "steps",
+    "rehearsals",
+    "problems",
+    "tasks",
+    "objects",
+    "actions",
+    "alternatives",
+    "replans",
+    "workers",
+    "time_limit",
+}
+"""Options that may ask for work without end: then the command is interrupted soon."""
+NEVER = {"ray"}  # it would look for a cluster in the network
+
+
+def command_line(draw: Random, name: str, command: Callable[..., int]) -> tuple[str, ...]:
+    """Draw what is typed to have a command done.
+
+    Args:
+        draw: Source of randomness.
+        name: What the command is called.
+        command: The command, whose parameters say what can be typed.
+    """
+    hints = get_type_hints(command, include_extras=True)
+    arguments = [name]
+    for parameter in inspect.signature(command).parameters.values():
+        if parameter.name not in NEVER:
+            arguments += _typed(draw, parameter, hints[parameter.name])
+    if draw.randint(0, 11) == 0:
+        arguments = _garbled(draw, arguments)
+    return tuple(arguments)
+
+
+def _typed(draw: Random, parameter: inspect.Parameter, hint: Any) -> list[str]:
+    values = [_value(draw, parameter.name, hint)]
+    is_many = get_origin(_plain(hint)) is tuple
+    if is_many and draw.randint(0, 3) == 0:
+        values.append(_value(draw, parameter.name, hint))
+    if parameter.default is inspect.Parameter.empty:
+        return values
+    if parameter.name not in ALWAYS and draw.randint(0, 3):
+        return []
+    option = f"--{parameter.name.replace('_', '-')}"
+    if _plain(hint) is bool:
+        return [option]
+    return (
+        [part for value in values for part in (option, value)]
+        if parameter.name == "goal"
+        else [option, *values]
+    )
+
+
+def _value(draw: Random, name: str, hint: Any) -> str:
+    if draw.randint(0, 19) == 0:
+        return odd_text(draw)
+    kind = _plain(hint)
+    if get_origin(kind) is Literal:
+        return str(draw.choice(USUAL.get(name, get_args(kind))))
+    if name in USUAL:
+        return str(draw.choice(USUAL[name]))
+    return str({int: draw.randint(0, 3), float: draw.random()}.get(kind, draw.choice(WORDS)))
+
+
+def _plain(hint: Any) -> Any:
+    """Take away what is annotated, and that there may be none."""
+    if get_origin(hint) is Annotated:
+        return _plain(get_args(hint)[0])
+    if get_origin(hint) in (Union, types.UnionType):
+        return _plain(next(kind for kind in get_args(hint) if kind is not type(None)))
+    return hint if hint is not Path else str
+
+
+def _garbled(draw: Random, arguments: list[str]) -> list[str]:
+    place = draw.randint(0, len(arguments))
+    what = draw.choice(("drop", "insert", "twice", "joined", "help", "nothing"))
+    if what == "drop":
+        return arguments[:place] + arguments[place + 1 :]
+    if what == "insert":
+        return [*arguments[:place], odd_text(draw), *arguments[place:]]
+    if what == "twice":
+        return arguments + arguments[place:]
+    if what == "joined":
+        return ["=".join(arguments[:2]), *arguments[2:]]
+    return [*arguments, "--help"] if what == "help" else []
+
+
+def asks_for_much(arguments: tuple[str, ...]) -> bool:
+    """Say whether a command line asks for more work than the usual."""
+    for option, value in pairwise(arguments):
+        name = option.removeprefix("--").partition("=")[0].replace("-", "_")
+        if option.startswith("--") and name in WORK and value not in map(str, USUAL[name]):
+            return True
+    return any(part.startswith("--") and "=" in part for part in arguments)

@@ -1,0 +1,227 @@
+"""Performs cases, each in a process forked from this one, which has imported all but computed nothing.
+
+So a case costs what the command does, and not the seconds that importing torch takes; and whatever it does to
+its process, the next finds it as it was. Trainings are cut short: their code is run, with few steps.
+"""
+
+import atexit
+import faulthandler
+import importlib
+import json
+import os
+import pkgutil
+import resource
+import signal
+import sys
+import threading
+import time
+import traceback
+from contextlib import suppress
+from dataclasses import replace
+from functools import partial
+from pathlib import Path
+from typing import Any
+
+GRACE = 15.0
+"""How long a command may take to end once it was asked to [s]."""
+LINGER = 3.0
+"""How long a process that a command started may outlive it [s]."""
+MORE_MEMORY = 3 * 1024**3
+"""How much more memory a case may map than this process does [bytes]."""
+LARGEST_FILE = 1024**3
+"""How large a file a case may write [bytes]."""
+_SKIPPED = ("neurosym.__main__", "neurosym.worlds.ray_workers", "neurosym.worlds.gymnasium_env")
+
+
+def serve() -> None:
+    """Perform what is asked for on the standard input, a JSON object a line, and answer in the same way."""
+    answers = os.fdopen(os.dup(1), "w")
+    os.dup2(2, 1)  # libraries greet
+    _adopt_orphans()
+    _import_all()
+    _train_shortly()
+    answers.write("ready\n")
+    answers.flush()
+    for line in sys.stdin:
+        answers.write(json.dumps(perform(json.loads(line))) + "\n")
+        answers.flush()
+
+
+def _adopt_orphans() -> None:
+    """Become the parent of what processes of a case leave behind."""
+    import ctypes
+
+    pr_set_child_subreaper = 36
+    ctypes.CDLL(None, use_errno=True).prctl(pr_set_child_subreaper, 1, 0, 0, 0)
+
+
+def _import_all() -> None:
+    import neurosym
+
+    for module in pkgutil.walk_packages(neurosym.__path__, "neurosym."):
+        if module.name not in _SKIPPED:
+            importlib.import_module(module.name)
+
+
+def _train_shortly() -> None:
+    from neurosym.learning import training_config
+    from neurosym.primitives import distillation
+
+    for name, regime in training_config.REGIMES.items():
+        training = regime.training
+        short = replace(
+            training,
+            epochs=2,
+            teacher=replace(training.teacher, epochs=2),
+            naming=replace(
+                training.naming,
+                table_actions=100,
+                table_objects=8,
+                table_restarts=1,
+                actions=200,
+                objects=50,
+                steps=3,
+            ),
+            coding=replace(training.coding, steps=3),
+            decoder=replace(training.decoder, imagined=200, imagined_epochs=1, epochs=2),
+        )
+        training_config.REGIMES[name] = replace(regime, training=short)
+    config = partial(distillation.DistillationConfig, candidates=8, steps=10)
+    distillation.DistillationConfig = config  # type: ignore[misc,assignment]
+
+
+def perform(request: dict[str, Any]) -> dict[str, Any]:
+    """Run a command in a process of its own, and watch how it ends.
+
+    Args:
+        request: `arguments`, `home` (the folder it is run in), `temporary` (where its temporary files go),
+            `output`, `errors` and `stack` (files), `alone`, `signal` and `after`, and `patience`: when it is
+            interrupted [s].
+    """
+    begun, beginning = os.pipe()
+    start = time.monotonic()
+    process = os.fork()
+    if process == 0:
+        os.close(begun)
+        _become(request, beginning)
+    os.close(beginning)
+    os.read(begun, 1)
+    os.close(begun)
+    answer = _watch(process, request)
+    answer["seconds"] = round(time.monotonic() - start, 3)
+    answer["left"] = _left_behind()
+    return answer
+
+
+def _watch(process: int, request: dict[str, Any]) -> dict[str, Any]:
+    start, stage, deadlines = time.monotonic(), 0, [request["patience"], request["patience"] + GRACE]
+    pending = request["signal"]
+    while True:
+        ended, status, usage = os.wait4(process, os.WNOHANG)
+        if ended:
+            code = os.waitstatus_to_exitcode(status)
+            return {
+                "code": code if code >= 0 else 128 - code,
+                "stage": stage,
+                "memory": usage.ru_maxrss * 1024,
+            }
+        now = time.monotonic() - start
+        if pending and now >= request["after"]:
+            os.kill(process, getattr(signal, pending))
+            pending = None
+        if stage < len(deadlines) and now >= deadlines[stage]:
+            if stage == 0 and not request["alone"]:
+                os.kill(process, signal.SIGUSR1)
+                time.sleep(0.2)
+            os.kill(process, (signal.SIGINT, signal.SIGKILL)[stage])
+            stage += 1
+        time.sleep(0.002)
+
+
+def _left_behind() -> list[str]:
+    """Name the processes that outlive the command that started them, and end them."""
+    deadline = time.monotonic() + LINGER
+    while (left := _children()) and time.monotonic() < deadline:
+        time.sleep(0.01)
+    names = []
+    while left := _children():
+        for process in left:
+            with suppress(OSError):
+                line = Path(f"/proc/{process}/cmdline").read_bytes().replace(b"\0", b" ")
+                names.append(line.decode(errors="replace")[:200])
+            with suppress(OSError):
+                os.kill(process, signal.SIGKILL)
+        time.sleep(0.01)
+    return names
+
+
+def _children() -> list[int]:
+    with suppress(ChildProcessError):
+        while os.waitpid(-1, os.WNOHANG)[0]:
+            pass
+    listed = Path(f"/proc/self/task/{os.getpid()}/children").read_text()
+    return [int(number) for number in listed.split()]
+
+
+def _become(request: dict[str, Any], beginning: int) -> None:
+    """Turn this process into the command; does not return."""
+    code = 1
+    try:
+        _settle(request)
+        arguments = [os.fsdecode(bytes.fromhex(text)) for text in request["arguments"]]
+        os.write(beginning, b".")
+        os.close(beginning)
+        if request["alone"]:
+            os.execv(sys.executable, [sys.executable, "-m", "neurosym", *arguments])
+        code = _call(arguments)
+    except BaseException:
+        traceback.print_exc()
+    finally:
+        with suppress(BaseException):
+            threading._shutdown()  # type: ignore[attr-defined]
+            atexit._run_exitfuncs()
+            sys.stdout.flush()
+            sys.stderr.flush()
+        os._exit(code)
+
+
+def _settle(request: dict[str, Any]) -> None:
+    os.setsid()
+    os.chdir(request["home"])
+    os.environ["TMPDIR"] = request["temporary"]
+    for descriptor, path in ((0, os.devnull), (1, request["output"]), (2, request["errors"])):
+        opened = os.open(path, os.O_RDONLY if descriptor == 0 else os.O_WRONLY | os.O_CREAT | os.O_TRUNC)
+        os.dup2(opened, descriptor)
+        os.close(opened)
+    sys.stdin = open(0, closefd=False)  # noqa: SIM115
+    sys.stdout = open(1, "w", encoding="utf-8", closefd=False)  # noqa: SIM115
+    sys.stderr = open(2, "w", encoding="utf-8", errors="backslashreplace", closefd=False)  # noqa: SIM115
+    stack = os.open(request["stack"], os.O_WRONLY | os.O_CREAT)
+    faulthandler.register(signal.SIGUSR1, stack, all_threads=False)
+    pages = int(Path("/proc/self/statm").read_text().split()[0])
+    size = pages * resource.getpagesize() + MORE_MEMORY
+    resource.setrlimit(resource.RLIMIT_AS, (size, resource.RLIM_INFINITY))
+    resource.setrlimit(resource.RLIMIT_FSIZE, (LARGEST_FILE, LARGEST_FILE))
+    resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
+    signal.signal(signal.SIGINT, signal.default_int_handler)
+
+
+def _call(arguments: list[str]) -> int:
+    from neurosym.commands import cli
+
+    sys.argv = ["neurosym", *arguments]
+    try:
+        cli.main()
+    except SystemExit as ended:
+        if isinstance(ended.code, int) or ended.code is None:
+            return ended.code or 0
+        print(ended.code, file=sys.stderr)
+        return 1
+    except KeyboardInterrupt:
+        traceback.print_exc()
+        return 130
+    return 0
+
+
+if __name__ == "__main__":
+    serve()

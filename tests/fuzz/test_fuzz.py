@@ -1,0 +1,137 @@
+"""The short round of fuzzing, the same cases in every run (`make fuzz` is the long one), and what it sees."""
+
+import inspect
+import shutil
+from pathlib import Path
+from random import Random
+
+import pytest
+from fuzz.cases import Case, Edit, as_json, from_json, read_seeds
+from fuzz.files import KINDS, MUTATIONS, mutated
+from fuzz.lines import NEVER, asks_for_much, command_line
+from fuzz.running import Ending, Runner, judge, runner
+from fuzz.seeds import complete
+
+from neurosym.commands.cli import COMMANDS
+from neurosym.stages import layout
+
+FINE = Ending(0, 0, 0, (), (), "", "", "", 1.0)
+TRACEBACK = """Traceback (most recent call last):
+  File "/somewhere/neurosym/commands/cli.py", line 68, in main
+    code = read_arguments(COMMANDS, ABOUT, typed)()
+  File "/somewhere/neurosym/files.py", line 52, in read_json
+    return msgspec.json.decode(path.read_bytes(), type=kind)
+  File "/usr/lib/python3.11/pathlib.py", line 1051, in read_bytes
+    return f.read()
+MemoryError
+"""
+STACK = '  File "/somewhere/neurosym/files.py", line 60 in digest'
+
+
+@pytest.fixture(scope="module")
+def seed(toy_folder, tmp_path_factory) -> Path:
+    """A domain folder with a file of every format that is read."""
+    folder = Path(shutil.copytree(toy_folder, tmp_path_factory.mktemp("fuzz") / "toy"))
+    complete(folder)
+    return folder
+
+
+@pytest.fixture(scope="module")
+def run(seed) -> Runner:
+    with runner(seed) as running:
+        yield running
+
+
+def test_folder_to_begin_with_has_every_file_that_a_command_reads(seed):
+    names = {value for name, value in vars(layout).items() if name.isupper() and isinstance(value, str)}
+    read = {name for name in names if Path(name).suffix in MUTATIONS and not name.startswith(".")}
+    found = {Path(path).name for path in read_seeds(seed)}
+    assert read - {layout.CURVE} <= found  # which no command reads but the report, after it wrote it
+    endings = {layout.SCENE, layout.NUMERIC, layout.RECORD, ".plan", "interactions.partial.npz"}
+    assert {end for end in endings if any(name.endswith(end) for name in found)} == endings
+
+
+@pytest.mark.parametrize("name", COMMANDS)
+def test_every_option_of_a_command_is_drawn(name):
+    drawn = {word for n in range(300) for word in command_line(Random(n), name, COMMANDS[name])}
+    parameters = inspect.signature(COMMANDS[name]).parameters.values()
+    options = {p.name for p in parameters if p.default is not p.empty} - NEVER
+    assert {f"--{option.replace('_', '-')}" for option in options} <= drawn
+
+
+def test_mutations_change_files_and_are_the_same_again(seed):
+    seeds = read_seeds(seed)
+    for path, content in seeds.items():
+        drawn = [mutated(Random(n), path, seeds) for n in range(20)]
+        assert drawn == [mutated(Random(n), path, seeds) for n in range(20)]
+        assert sum(other != content for other in drawn) > 10, path
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_something_else_can_stand_in_the_place_of_a_file(kind, tmp_path):
+    (tmp_path / "world.toml").write_text("")
+    Case(("check",), edits=(Edit("world.toml", kind),)).prepare(tmp_path)
+    assert not (tmp_path / "world.toml").is_file() or kind == "sparse"
+
+
+def test_case_can_be_written_down():
+    case = Case(("plan", "\udcff.plan", "\x1b"), "begun", (Edit("world.toml", "fifo"),), True, "SIGTERM", 0.5)
+    assert from_json(as_json(case)) == case
+
+
+def test_command_that_asks_for_much_is_known():
+    assert asks_for_much(("explore", "toy", "--steps", "9223372036854775808"))
+    assert not asks_for_much(("explore", "toy", "--steps", "64"))
+
+
+def test_good_ends_are_no_findings():
+    case = Case(("plan", "toy"), signal="SIGTERM")
+    for code in (0, 2, 3, 130, 143):
+        assert judge(case, _ending(code=code, errors="There is none.\n")) == []
+
+
+@pytest.mark.parametrize(
+    ("key", "changes"),
+    [
+        ("MemoryError in neurosym/files.py:read_json", {"code": 1, "errors": TRACEBACK}),
+        ("exit code 139: ", {"code": 139}),
+        ("exit code 143: ", {"code": 143}),
+        ("exit code 2 without a word", {"code": 2}),
+        ("a message with None:: check", {"code": 2, "errors": "None: No space left on device\n"}),
+        ("a control character: check", {"output": "\x1b[31mred"}),
+        (
+            "a warning of Python: world.py 9 RuntimeWarning",
+            {"errors": "/neurosym/world.py:9: RuntimeWarning: x"},
+        ),
+        ("a long line: check", {"errors": "x" * 4000}),
+        ("much memory: check", {"memory": 3 * 1024**3}),
+        ("a process left: sleep", {"left": ("sleep",)}),
+        ("a file left: tmp/litter", {"files": ("tmp/litter",)}),
+        (
+            "over 120 s in neurosym/files.py:digest",
+            {"stage": 1, "stack": STACK},
+        ),
+        (
+            "deaf to Ctrl-C in neurosym/files.py:digest",
+            {"stage": 2, "stack": STACK},
+        ),
+    ],
+)
+def test_bad_ends_are_findings(key, changes):
+    assert [finding.key for finding in judge(Case(("check", "toy")), _ending(**changes))] == [key]
+
+
+def test_what_a_command_leaves_behind_is_found_and_ended(run):
+    case = Case(("plan", "toy", "task-01", "--planner", "own:littering"))
+    kinds = {finding.key.partition(":")[0] for finding in judge(case, run.run(case))}
+    assert kinds == {"a process left", "a file left"}
+
+
+def test_process_of_its_own_ends_like_a_forked_one(run):
+    for arguments, code in ((("check", "toy"), 0), (("check", "nowhere"), 2)):
+        assert [run.run(Case(arguments, alone=alone)).code for alone in (False, True)] == [code, code]
+
+
+def _ending(**changes) -> Ending:
+    values = {name: getattr(FINE, name) for name in Ending.__slots__}
+    return Ending(**{**values, **changes})

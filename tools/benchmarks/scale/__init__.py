@@ -1,0 +1,1 @@
+"""How far it goes: a million rows, a thousand symbols, a thousand objects."""

@@ -1,0 +1,125 @@
+"""What sizes cost: CPU seconds and memory, each measured in a process of its own."""
+
+import os
+import resource
+import subprocess
+import sys
+import tempfile
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any, TypeVar
+
+from neurosym.errors import NeurosymError
+from neurosym.learning.model_config import ModelConfig
+from neurosym.pddl import domain_text, problem_text
+from neurosym.pddl.validation import validate
+from neurosym.planners import plan
+from neurosym.problems import Problem
+from tools.benchmarks.scale.made import made_domain, made_problem, write_data
+
+PLANNERS = ("counting", "fast-downward")
+CEILING = 1800.0
+"""When a planner is given up [s]."""
+
+Results = dict[str, Any]
+Value = TypeVar("Value")
+
+
+def command(name: str, rows: int, *options: str) -> Results:
+    """Measure a command on a data set.
+
+    Args:
+        name: The command.
+        rows: How many interactions the data set has.
+        options: What else is typed.
+    """
+    with tempfile.TemporaryDirectory() as place:
+        write_data(Path(place) / "interactions.npz", rows)
+        typed = [sys.executable, "-m", "neurosym", name, place, *options]
+        ended = subprocess.run(typed, capture_output=True, text=True, check=False)
+    used = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return {
+        "code": ended.returncode,
+        "cpu_seconds": round(used.ru_utime + used.ru_stime, 1),
+        "megabytes": round(used.ru_maxrss / 1024),
+        "said": [line for line in ended.stdout.splitlines() if line.startswith("R2")],
+    }
+
+
+def symbols(action_bits: int) -> Results:
+    """Measure compiling a domain of so many bits, and planning with it for one object.
+
+    Args:
+        action_bits: Bits of the symbols of the primitives.
+    """
+    grounding, compiling = _timed(lambda: made_domain(action_bits, 1))
+    encodings = ("stepwise", "operators", "numeric")
+    texts, printing = _timed(lambda: [domain_text(grounding, encoding) for encoding in encodings])
+    size = max(map(len, texts)) / 1e6
+    told = {"compile_and_print": round(compiling + printing, 2), "domain_megabytes": round(size, 2)}
+    return {"operators": len(grounding.live), **told, **_planned(action_bits, 1)}
+
+
+def objects(count: int) -> Results:
+    """Measure printing, reading and solving a problem with so many objects, each with a goal.
+
+    Args:
+        count: How many.
+    """
+    grounding = made_domain(3, count)
+    problem = made_problem(grounding, count)
+    text, printing = _timed(lambda: problem_text(problem, grounding))
+    _, numeric = _timed(lambda: problem_text(problem, grounding, "numeric"))
+    with tempfile.TemporaryDirectory() as place:
+        path = Path(place) / "crowd.scene.json"
+        problem.save(path)
+        _, reading = _timed(lambda: Problem.load(path))
+    told = {"print": round(printing, 2), "print_numeric": round(numeric, 2), "read": round(reading, 3)}
+    return {**told, "problem_megabytes": round(len(text) / 1e6, 2), **_planned(3, count)}
+
+
+def _planned(action_bits: int, count: int) -> Results:
+    grounding = made_domain(action_bits, count)
+    problem = made_problem(grounding, count)
+    found: Results = {}
+    for planner in PLANNERS:
+        result, seconds = _timed(lambda: plan(problem, grounding, planner=planner, time_limit=CEILING))  # noqa: B023
+        valid = bool(result.steps) and validate(result.steps, problem, grounding).valid
+        found[planner] = {
+            "status": result.status.value,
+            "cpu_seconds": round(seconds, 1),
+            "steps": len(result.steps),
+            "valid": valid,
+            "reason": result.reason,
+        }
+    return {**found, "megabytes": _most_megabytes()}
+
+
+def refusals() -> Results:
+    """Say in which words what is beyond the limits is refused."""
+    return {"10 bits of action symbols": _refused(lambda: ModelConfig(action_bits=10))}
+
+
+def _refused(call: Callable[[], object]) -> str:
+    try:
+        call()
+    except NeurosymError as error:
+        return str(error)
+    return "not refused"
+
+
+def _timed(call: Callable[[], Value]) -> tuple[Value, float]:
+    """Call something, and measure the CPU seconds of this process and of those that it waits for."""
+    begin = _cpu_seconds()
+    value = call()
+    return value, _cpu_seconds() - begin
+
+
+def _cpu_seconds() -> float:
+    times = os.times()
+    return times.user + times.system + times.children_user + times.children_system
+
+
+def _most_megabytes() -> int:
+    kinds = (resource.RUSAGE_SELF, resource.RUSAGE_CHILDREN)
+    return round(max(resource.getrusage(kind).ru_maxrss for kind in kinds) / 1024)
