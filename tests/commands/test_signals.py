@@ -24,8 +24,8 @@ open(os.path.join(tempfile.gettempdir(), "left"), "w").write("x")
 if os.fork() == 0:
     os.setsid()
     subprocess.Popen([sys.executable, "-c", "import time; time.sleep(120)", sys.argv[1]])
+    open(sys.argv[3], "a").write("x")
     os._exit(0)
-open(sys.argv[3], "a").write("x")
 time.sleep(120)
 '''
 
