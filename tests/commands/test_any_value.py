@@ -10,7 +10,7 @@ import pytest
 from command_line import neurosym
 from conftest import LEARN_TOY, RUN_TOY
 
-from neurosym.commands.cli import COMMANDS
+from neurosym.commands.catalogue import COMMANDS
 
 NUMBERS = ["nan", "inf", "-1", "1e308", f"{2**63 - 1}", f"{10**30}", "9" * 5000]
 WORDS = ["\x1b[31m", "x" * 4000, "/dev/full", "\udcff", "a\0b"]

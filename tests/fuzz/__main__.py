@@ -19,11 +19,11 @@ from fuzz.cases import Case, as_json, drawn_case, from_json, read_seeds
 from fuzz.running import Finding, Runner, judge, runner
 from fuzz.seeds import build
 
-from neurosym.commands.cli import COMMANDS
+from neurosym.commands.catalogue import COMMANDS
 from neurosym.console import say
 from neurosym.files import write_atomically, write_json
 
-OFTEN = 200
+OFTEN = 50
 """After so many cases it says how far it is."""
 ALONE, SIGNALS = 4, 8
 """Of a hundred cases: so many are processes of their own, and so many are sent a signal."""

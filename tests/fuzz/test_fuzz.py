@@ -6,15 +6,17 @@ from pathlib import Path
 from random import Random
 
 import pytest
-from fuzz.cases import Case, Edit, as_json, from_json, read_seeds
+from fuzz.cases import Case, Edit, as_json, drawn_case, from_json, read_seeds
 from fuzz.files import KINDS, MUTATIONS, mutated
 from fuzz.lines import NEVER, asks_for_much, command_line
 from fuzz.running import Ending, Runner, judge, runner
 from fuzz.seeds import complete
 
-from neurosym.commands.cli import COMMANDS
+from neurosym.commands.catalogue import COMMANDS
 from neurosym.stages import layout
 
+ROUND = range(250)
+"""The cases of the short round, by the numbers that they are drawn from."""
 FINE = Ending(0, 0, 0, (), (), "", "", "", 1.0)
 TRACEBACK = """Traceback (most recent call last):
   File "/somewhere/neurosym/commands/cli.py", line 68, in main
@@ -40,6 +42,14 @@ def seed(toy_folder, tmp_path_factory) -> Path:
 def run(seed) -> Runner:
     with runner(seed) as running:
         yield running
+
+
+def test_short_round_finds_nothing(run, seed):
+    seeds = read_seeds(seed)
+    for number in ROUND:
+        case = drawn_case(Random(number), COMMANDS, seeds, alone=2)
+        found = judge(case, run.run(case))
+        assert not found, (number, as_json(case)[:500], found)
 
 
 def test_folder_to_begin_with_has_every_file_that_a_command_reads(seed):
