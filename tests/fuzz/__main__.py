@@ -6,6 +6,7 @@ command first tries those again, and then goes on with cases that it has not tri
 
 import re
 import shutil
+import signal
 import sys
 import time
 from contextlib import suppress
@@ -141,6 +142,8 @@ def main(
     ),
 ) -> int:
     """Fuzz the command line; exit code 3 if there is a finding."""
+    signal.signal(signal.SIGINT, signal.default_int_handler)  # which may be ignored in the background
+    signal.signal(signal.SIGTERM, signal.default_int_handler)
     folder.mkdir(parents=True, exist_ok=True)
     build(folder / "toy")
     with runner(folder / "toy") as run:

@@ -16,8 +16,10 @@ from fuzz import own
 from fuzz.cases import Case
 from fuzz.lines import FOLDER, asks_for_much
 
-PATIENCE, SHORT_PATIENCE = 120.0, 4.0
-"""When a command is interrupted [s], and one that was asked for much work."""
+MOST_WORK = 60.0
+"""When a command is interrupted [CPU s]; none of the cases need nearly as much."""
+PATIENCE, SHORT_PATIENCE = 600.0, 4.0
+"""When a command that only waits is interrupted, and one that was asked for much work [s]."""
 MUCH_MEMORY = 2 * 1024**3
 """How much memory no case needs [bytes]."""
 LONGEST_LINE = 3000
@@ -89,6 +91,7 @@ class Runner:
                 "alone": case.alone,
                 "signal": case.signal,
                 "after": case.after,
+                "work": MOST_WORK,
                 "patience": SHORT_PATIENCE if asks_for_much(case.arguments) else PATIENCE,
             }
             answer = self._ask(request)
@@ -188,7 +191,7 @@ def _bad_ends(case: Case, ending: Ending) -> Iterator[Finding]:
         )
     elif ending.stage == 1 and not asks_for_much(case.arguments):
         where = innermost(ending.stack, reverse=True) or " ".join(case.arguments[:1])
-        yield Finding(f"over {PATIENCE:g} s in {where}", ending.stack)
+        yield Finding(f"no end of {where}", ending.stack)
     elif ending.code not in allowed and not (case.signal == "SIGINT" and not innermost(ending.errors)):
         last = re.sub(r"\d+|'[^']*'|/\S+", "*", (ending.errors.strip().splitlines() or [""])[-1])[:100]
         yield Finding(f"exit code {ending.code}: {last}", (ending.output + ending.errors)[-3000:])

@@ -64,6 +64,7 @@ def _import_all() -> None:
 
 
 def _train_shortly() -> None:
+    from neurosym.exploration import choice
     from neurosym.learning import training_config
     from neurosym.primitives import distillation
 
@@ -86,6 +87,7 @@ def _train_shortly() -> None:
             decoder=replace(training.decoder, imagined=200, imagined_epochs=1, epochs=2),
         )
         training_config.REGIMES[name] = replace(regime, training=short)
+    choice.ExplorationConfig = partial(choice.ExplorationConfig, candidates=20)  # type: ignore[misc,assignment]
     config = partial(distillation.DistillationConfig, candidates=8, steps=10)
     distillation.DistillationConfig = config  # type: ignore[misc,assignment]
 
@@ -95,8 +97,8 @@ def perform(request: dict[str, Any]) -> dict[str, Any]:
 
     Args:
         request: `arguments`, `home` (the folder it is run in), `temporary` (where its temporary files go),
-            `output`, `errors` and `stack` (files), `alone`, `signal` and `after`, and `patience`: when it is
-            interrupted [s].
+            `output`, `errors` and `stack` (files), `alone`, `signal` and `after`, and when it is interrupted:
+            after `work` [CPU s] or `patience` [s].
     """
     begun, beginning = os.pipe()
     start = time.monotonic()
@@ -114,8 +116,8 @@ def perform(request: dict[str, Any]) -> dict[str, Any]:
 
 
 def _watch(process: int, request: dict[str, Any]) -> dict[str, Any]:
-    start, stage, deadlines = time.monotonic(), 0, [request["patience"], request["patience"] + GRACE]
-    pending = request["signal"]
+    start, stage, pending = time.monotonic(), 0, request["signal"]
+    deadline = request["patience"]
     while True:
         ended, status, usage = os.wait4(process, os.WNOHANG)
         if ended:
@@ -129,13 +131,19 @@ def _watch(process: int, request: dict[str, Any]) -> dict[str, Any]:
         if pending and now >= request["after"]:
             os.kill(process, getattr(signal, pending))
             pending = None
-        if stage < len(deadlines) and now >= deadlines[stage]:
+        if stage < 2 and (now >= deadline or (stage == 0 and _cpu_seconds(process) >= request["work"])):
             if stage == 0 and not request["alone"]:
                 os.kill(process, signal.SIGUSR1)
                 time.sleep(0.2)
             os.kill(process, (signal.SIGINT, signal.SIGKILL)[stage])
-            stage += 1
+            stage, deadline = stage + 1, now + GRACE
         time.sleep(0.002)
+
+
+def _cpu_seconds(process: int) -> float:
+    """Measure how long a process computed: unlike the clock, that does not depend on what else goes on."""
+    fields = Path(f"/proc/{process}/stat").read_text().rpartition(")")[2].split()
+    return (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK")
 
 
 def _left_behind() -> list[str]:

@@ -118,7 +118,7 @@ def test_good_ends_are_no_findings():
         ("a process left: sleep", {"left": ("sleep",)}),
         ("a file left: tmp/litter", {"files": ("tmp/litter",)}),
         (
-            "over 120 s in neurosym/files.py:digest",
+            "no end of neurosym/files.py:digest",
             {"stage": 1, "stack": STACK},
         ),
         (
