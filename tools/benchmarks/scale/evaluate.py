@@ -68,7 +68,7 @@ def page(found: dict[str, Any]) -> str:
         "A domain of so many action symbols and 4 categories, and a plan for one object.",
         _symbols(found),
         "## Objects",
-        "Problems with 8 action symbols and 4 categories: a goal for each object, two pushes away.",
+        "Problems with 8 action symbols and 4 categories: a goal for each object, 16 to 30 cm away.",
         _objects(found),
         "## What is refused",
         *(f"- {name}: {said}" for name, said in found.get("refusals", {}).items()),

@@ -72,7 +72,7 @@ def made_table(action_bits: int) -> OperatorTable:
 
 
 def _operator(symbol: str, category: Category, rng: np.random.Generator, *, held: bool) -> Operator:
-    angle, length = rng.uniform(0, 2 * math.pi), rng.uniform(0.03, 0.15)
+    angle, length = rng.uniform(0, 2 * math.pi), rng.uniform(0.08, 0.15)
     pushed: Vector = (length * math.cos(angle), length * math.sin(angle), 0.0)
     nothing, scatter = (0.0, 0.0, 0.0), (0.001, 0.001, 0.001)
     effect, resting = ((0.0, 0.0, _LIFTED), nothing) if held else (pushed, pushed)
@@ -96,7 +96,7 @@ def made_domain(action_bits: int, objects: int) -> Grounding:
 
 
 def made_problem(grounding: Grounding, objects: int) -> Problem:
-    """Make a problem: objects in rows and columns, and for each a goal that two pushes lead to.
+    """Make a problem: objects in rows and columns, and for each the goal that a push leads to, done twice.
 
     Args:
         grounding: The domain.
@@ -113,6 +113,6 @@ def made_problem(grounding: Grounding, objects: int) -> Problem:
         category = grounding.operators.categories[number % _CATEGORIES]
         name = f"item-{number + 1:04d}"
         items.append(SceneObject(name, category.symbol, (0.03, 0.03, 0.05, 0.0), (x, y, 0.025)))
-        moved = [grounding.displacement(operator) for operator in pushes[category.symbol][:2]]
-        goals[name] = (x + sum(by[0] for by in moved), y + sum(by[1] for by in moved), 0.025)
+        by = grounding.displacement(pushes[category.symbol][0])
+        goals[name] = (x + 2 * by[0], y + 2 * by[1], 0.025)
     return Problem("crowd", tuple(items), goals)

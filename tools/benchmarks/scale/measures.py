@@ -9,12 +9,16 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any, TypeVar
 
+import numpy as np
+
 from neurosym.errors import NeurosymError
 from neurosym.learning.model_config import ModelConfig
 from neurosym.pddl import domain_text, problem_text
 from neurosym.pddl.validation import validate
 from neurosym.planners import plan
 from neurosym.problems import Problem
+from neurosym.sim.config import TabletopConfig
+from neurosym.sim.tabletop import Tabletop
 from tools.benchmarks.scale.made import made_domain, made_problem, write_data
 
 PLANNERS = ("counting", "fast-downward")
@@ -97,7 +101,14 @@ def _planned(action_bits: int, count: int) -> Results:
 
 def refusals() -> Results:
     """Say in which words what is beyond the limits is refused."""
-    return {"10 bits of action symbols": _refused(lambda: ModelConfig(action_bits=10))}
+    world, rng = Tabletop(TabletopConfig()), np.random.default_rng(0)
+    scene = made_problem(made_domain(3, 9), 9).scene()
+    action = (world.action_box.low + world.action_box.high) / 2
+    return {
+        "10 bits of action symbols, to be learned": _refused(lambda: ModelConfig(action_bits=10)),
+        "9 objects in the simulator": _refused(lambda: world.interact(scene, action, 0)),
+        "1,000 objects to be drawn on the tabletop": _refused(lambda: world.sample_scene(rng, 1000)),
+    }
 
 
 def _refused(call: Callable[[], object]) -> str:
