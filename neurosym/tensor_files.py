@@ -13,6 +13,8 @@ from neurosym.errors import InvalidFile
 from neurosym.files import write_atomically
 from neurosym.reading import MOST_DATA, decode_json, read_bytes
 
+GREATEST_NUMBER = 1e18
+"""Greatest number in a file: the variance of the greatest data. With more, predictions would not be finite."""
 _METADATA = "neurosym"
 _LENGTH = 8  # bytes that a file begins with, and which say how long its header is
 
@@ -45,7 +47,7 @@ def read_tensors(path: Path, file_format: str) -> tuple[dict[str, np.ndarray], d
         file_format: What it must call itself.
 
     Raises:
-        InvalidFile: If it is not a file of that format, or holds a number that is not finite.
+        InvalidFile: If it is not a file of that format, or holds a number that is not finite, or too great.
     """
     content = read_bytes(path, MOST_DATA)
     try:
@@ -60,4 +62,6 @@ def read_tensors(path: Path, file_format: str) -> tuple[dict[str, np.ndarray], d
     for name, tensor in tensors.items():
         if not np.all(np.isfinite(tensor)):
             raise InvalidFile(path, f"{name!r} holds a value that is not finite")
+        if np.any(np.abs(tensor) > GREATEST_NUMBER):
+            raise InvalidFile(path, f"{name!r} holds a number beyond {GREATEST_NUMBER:g}")
     return tensors, description

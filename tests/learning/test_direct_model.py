@@ -135,3 +135,10 @@ def test_weights_that_are_not_finite_are_refused(tmp_path):
     model.effect_std.fill_(torch.inf)
     model.save(tmp_path / "m")
     assert "not finite" in sentence(tmp_path / "m")
+
+
+def test_weights_that_are_too_great_to_predict_with_are_refused(tmp_path):
+    model = a_model()
+    model.effect_std.fill_(-3e38)
+    model.save(tmp_path / "m")
+    assert "holds a number beyond 1e+18" in sentence(tmp_path / "m")
