@@ -14,7 +14,7 @@ from neurosym.files import write_atomically
 from neurosym.reading import MOST_DATA, decode_json, read_bytes
 
 GREATEST_NUMBER = 1e18
-"""Greatest number in a file: the variance of the greatest data. With more, predictions would not be finite."""
+"""Greatest number in a file: the variance of the greatest data. With more, predictions are not finite."""
 _METADATA = "neurosym"
 _LENGTH = 8  # bytes that a file begins with, and which say how long its header is
 

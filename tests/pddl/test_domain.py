@@ -3,6 +3,7 @@
 Run this file as a program to write the golden files anew.
 """
 
+import inspect
 import re
 from pathlib import Path
 
@@ -119,7 +120,7 @@ def test_a_table_without_live_operators_still_makes_a_domain():
 
 def test_unknown_encoding_is_refused():
     with pytest.raises(UnknownChoice, match="valid: numeric, operators, stepwise"):
-        domain_text(grounding(), "numbers")
+        inspect.unwrap(domain_text)(grounding(), "numbers")  # without the check of types that tests put on
 
 
 @pytest.mark.parametrize("name", ["movable", "block", "x12", "lift-010-block"])

@@ -32,7 +32,8 @@ WRONG = [
     ({"features": [0.05, 0.05, 0.05, 7]}, "item-01 has t = 7; valid: 0, 1"),
     ({"features": [0.05, 0.05, 0.05]}, "item-01 has 3 features; valid: s_x, s_y, d, t"),
     ({"position": [5, 5, 5]}, "item-01 stands at x = 5, y = 5 m, off the table"),
-    ({"position": [1e308, 0, 0.025]}, "item-01 stands at x = 1e+308, y = 0 m, off the table"),
+    ({"position": [1e8, 0, 0.025]}, "item-01 stands at x = 1e+08, y = 0 m, off the table"),
+    ({"position": [1e308, 0, 0.025]}, "Expected `float` <= 1000000000.0"),
     (
         {"position": [0.6, 0.0, -0.5]},
         "item-01 is at z = -0.5 m, where it does not rest; valid: 0.020 to 0.030",
@@ -40,7 +41,8 @@ WRONG = [
     ({"position": [0.6, 0.0, 0.035]}, "item-01 is at z = 0.035 m, where it does not rest"),
     ({"orientation": [0, 0, 0, 0]}, "item-01 has an orientation of length 0; valid: a quaternion"),
     ({"orientation": [0, 0, 1e308, 1e308]}, "item-01 has an orientation of length"),
-    ({"category": "99"}, "There is no category '99'"),
+    ({"category": "1111"}, "There is no category '1111'"),
+    ({"category": "99"}, "Expected `str` matching regex"),
 ]
 WRONG_GOALS = [
     ({}, "has no goal; give at least one object a goal"),

@@ -96,10 +96,6 @@ def test_a_planner_is_registered_in_one_call(here: Path, monkeypatch: pytest.Mon
             "from neurosym import pddl_planner\ndef make(): return pddl_planner('Mine', '', print)",
             "'Mine' is no name; valid: a lower-case letter",
         ),
-        (
-            "from neurosym import pddl_planner\ndef make(): return pddl_planner('a', '', print, ['runes'])",
-            "has encodings = ('runes',); valid: one or more of numeric, operators, sas, stepwise",
-        ),
     ],
 )
 def test_what_is_no_planner_is_refused_with_what_is_missing(
