@@ -1,11 +1,17 @@
 """The actions a world takes: the box they are drawn from, and the mirrors in which it looks the same."""
 
+import reprlib
 from collections.abc import Collection
 from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 from jaxtyping import Bool, Float
+
+from neurosym.errors import InvalidValue
+
+EFFECT_AXES = 3
+"""Axes of a displacement in a world."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -30,12 +36,20 @@ class ActionBox:
         high: Largest value of each action parameter.
         gripper: True where the parameter is a gripper value, which acts only through being >= 0.5 (open).
         mirrors: Mirrors that the world looks the same in; none where that is not known.
+
+    Raises:
+        InvalidValue: If the arrays are not of one shape, the box is empty or not finite, or a mirror names
+            what is not there.
     """
 
     low: Float[np.ndarray, "A"]
     high: Float[np.ndarray, "A"]
     gripper: Bool[np.ndarray, "A"]
     mirrors: tuple[Mirror, ...] = ()
+
+    def __post_init__(self) -> None:
+        if problem := box_problem(self):
+            raise InvalidValue(f"An ActionBox cannot be made with {problem}.")
 
     def sample(self, rng: np.random.Generator, count: int) -> Float[np.ndarray, "{count} A"]:
         """Draw actions uniformly from the box.
@@ -66,6 +80,44 @@ def three_waypoints() -> ActionBox:
         gripper=gripper,
         mirrors=mirrors,
     )
+
+
+def box_problem(box: ActionBox) -> str | None:
+    """Say what is wrong with the columns or the mirrors of an action box, or return None.
+
+    Args:
+        box: The action box.
+    """
+    low, high, gripper = box.low, box.high, box.gripper
+    for name, column, kinds in (("low", low, "fiu"), ("high", high, "fiu"), ("gripper", gripper, "b")):
+        valid = "bool" if kinds == "b" else "an array of numbers"
+        if not isinstance(column, np.ndarray):
+            return f"{name} of type {type(column).__name__}; valid: a numpy array, {valid}"
+        if column.dtype.kind not in kinds:
+            return f"{name} of {column.dtype}; valid: {valid}"
+    if low.ndim != 1 or not len(low) or not low.shape == high.shape == gripper.shape:
+        shapes = f"low {low.shape}, high {high.shape} and gripper {gripper.shape}"
+        return f"{shapes}; valid: one shape (A,) for all three"
+    if not (np.all(np.isfinite(low)) and np.all(np.isfinite(high)) and np.all(low <= high)):
+        return "bounds that are empty or not finite; valid: low <= high"
+    return _mirrors_problem(box)
+
+
+def _mirrors_problem(box: ActionBox) -> str | None:
+    if not isinstance(box.mirrors, tuple) or not all(isinstance(mirror, Mirror) for mirror in box.mirrors):
+        return f"mirrors = {reprlib.repr(box.mirrors)}; valid: a tuple of Mirror"
+    grippers = np.flatnonzero(box.gripper).tolist()
+    for mirror in box.mirrors:
+        if problem := column_problem(mirror, len(box.low), EFFECT_AXES, grippers):
+            return f"{mirror}; {problem}"
+        for number in mirror.actions:
+            low, high = box.low[number], box.high[number]
+            if low != -high:
+                return (
+                    f"{mirror}, but action parameter {number} goes from {low:g} to {high:g}; "
+                    "valid: as far below 0 as above"
+                )
+    return None
 
 
 def column_problem(mirror: Mirror, actions: int, effects: int, grippers: Collection[int]) -> str | None:

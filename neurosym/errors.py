@@ -108,8 +108,23 @@ class InvalidValue(NeurosymError):
 class InvalidWorld(InvalidValue):
     """A world of one's own that cannot be used; `name` is `module:factory`, or the name it has itself."""
 
+    is_placed = False
+    """Whether the message says where it was."""
+
     def __init__(self, name: str, problem: str):
         super().__init__(f"The world {name!r} {problem}.")
+
+    def at(self, place: str) -> "InvalidWorld":
+        """Return the same error, which also says where it was, unless it does so already.
+
+        Args:
+            place: Where, like `interaction 18`.
+        """
+        if self.is_placed:
+            return self
+        error = InvalidWorld.__new__(type(self))
+        error.args, error.is_placed = (f"{str(self).removesuffix('.')} (in {place}).",), True
+        return error
 
 
 class InvalidPlanner(InvalidValue):

@@ -14,10 +14,11 @@ from importlib.machinery import ModuleSpec
 from pathlib import Path
 from typing import Any
 
-from neurosym.errors import NeurosymError
+from neurosym.errors import NeurosymError, shortened
 
 Invalid = Callable[[str, str], NeurosymError]
 """Makes the error for a factory's name and what is wrong with it."""
+_LONGEST = 200
 _NAME = re.compile(r"([^\W\d]\w*(?:\.[^\W\d]\w*)*):([^\W\d]\w*)")
 
 
@@ -27,9 +28,14 @@ def is_factory(name: str) -> bool:
 
 
 def told(error: BaseException) -> str:
-    """Tell an exception in one line, without a full stop."""
-    text = " ".join(str(error).split()).rstrip(".")
-    return f"{type(error).__name__}: {text}" if text else type(error).__name__
+    """Tell an exception in one line of at most 200 characters, without a full stop."""
+    kind = type(error).__name__
+    try:
+        said = "".join(sign if sign.isprintable() else " " for sign in str(error))
+    except Exception:  # an exception of somebody's own may not even say what it is
+        return kind
+    text = shortened(" ".join(said.split()), _LONGEST).rstrip(".")
+    return f"{kind}: {text}" if text else kind
 
 
 def load_factory(name: str, invalid: Invalid) -> Any:
@@ -57,9 +63,8 @@ def admit(name: str, folder: Path, invalid: Invalid) -> None:
         invalid: Makes the error if the module is not found, or lies in the domain folder.
     """
     module_name, _ = _split(name, invalid)
-    inside, here = folder.resolve(), Path.cwd()
-    if str(here) not in sys.path and not here.is_relative_to(inside):
-        sys.path.append(str(here))
+    inside = folder.resolve()
+    search_here(folder)
     importlib.invalidate_caches()
     parts = module_name.split(".")
     for depth in range(1, len(parts) + 1):
@@ -74,6 +79,17 @@ def admit(name: str, folder: Path, invalid: Invalid) -> None:
             )
 
 
+def search_here(folder: Path) -> None:
+    """Let modules be imported from the current folder too, unless it lies in a domain folder.
+
+    Args:
+        folder: The domain folder.
+    """
+    here = Path.cwd()
+    if str(here) not in sys.path and not here.is_relative_to(folder.resolve()):
+        sys.path.append(str(here))
+
+
 def _split(name: str, invalid: Invalid) -> tuple[str, str]:
     match = _NAME.fullmatch(name)
     if match is None:
@@ -84,7 +100,9 @@ def _split(name: str, invalid: Invalid) -> tuple[str, str]:
 def _guarded(name: str, module_name: str, call: Callable[[], Any], invalid: Invalid) -> Any:
     try:
         return call()
-    except (Exception, SystemExit) as error:
+    except KeyboardInterrupt:
+        raise
+    except BaseException as error:
         if isinstance(error, ModuleNotFoundError) and f"{module_name}.".startswith(f"{error.name}."):
             raise _no_module(name, module_name, invalid) from error
         raise invalid(name, f"cannot be imported: {told(error)}") from error

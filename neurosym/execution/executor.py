@@ -13,7 +13,7 @@ from dataclasses import dataclass, field
 import msgspec
 import numpy as np
 
-from neurosym.errors import InvalidValue
+from neurosym.errors import InvalidValue, InvalidWorld
 from neurosym.execution.experience import Experience
 from neurosym.execution.nudges import Nudger, nudged
 from neurosym.execution.record import (
@@ -28,6 +28,7 @@ from neurosym.execution.record import (
 )
 from neurosym.execution.replanning import PATIENCE, Progress, new_plan, usual_replans, why_not_go_on
 from neurosym.grounding import Grounding, is_lift
+from neurosym.guarded import guarded, placed
 from neurosym.operators import vector
 from neurosym.pddl.plan_text import PlanStep, Steps, named_steps, primitives
 from neurosym.pddl.validation import validate
@@ -69,7 +70,7 @@ def execute(
     if nudge_seed is not None:
         nudger = Nudger(nudge_seed, primitives(plan))
     most = (usual_replans(plan) if replans is None else replans) if replanner else 0
-    run = _Running(world, problem, grounding, list(plan), on_frame, most)
+    run = _Running(guarded(world), problem, grounding, list(plan), on_frame, most)
     while run.goes_on:
         if nudger and nudger.before_step == len(run.records) + 1 and not run.nudge:
             run.be_nudged(nudger)
@@ -154,7 +155,8 @@ class _Running:
         if self.left and self.left[0].puts_down:
             self.left.pop(0)
         before = self.scene
-        outcome = perform(self.world, self.problem, self.grounding, step, before, put_down, self.on_frame)
+        with placed(f"step {len(self.records) + 1}"):
+            outcome = perform(self.world, self.problem, self.grounding, step, before, put_down, self.on_frame)
         if outcome is None:
             self.records.append(record_refusal(step, self.problem, self.scene))
             self.ended = "out of reach"
@@ -243,5 +245,7 @@ def perform(
     ghosts = problem.goal_positions()
     try:
         return world.interact(scene, action, target, put_down=put_down, on_frame=on_frame, ghosts=ghosts)
+    except InvalidWorld:
+        raise
     except InvalidValue:  # the object has been moved out of the arm's reach
         return None

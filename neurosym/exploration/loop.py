@@ -20,11 +20,12 @@ from neurosym.data.interactions import Interactions
 from neurosym.drafts import at_once
 from neurosym.errors import InvalidFile, InvalidValue
 from neurosym.exploration.choice import ExplorationConfig, choose_action, make_curiosity
+from neurosym.guarded import made, placed
 from neurosym.learning.model_config import EXPLORING, ModelConfig
 from neurosym.progress import Progress
 from neurosym.strategies import DEFAULT_STRATEGY, StrategyName, own_name, strategy_named
 from neurosym.tensor_files import read_tensors, write_tensors
-from neurosym.world import World, WorldFactory
+from neurosym.world import Outcome, World, WorldFactory
 from neurosym.worlds.ray_workers import ray_crew
 from neurosym.worlds.workers import Perform, Task, crew
 
@@ -72,7 +73,7 @@ def explore(
     if steps < 1:
         raise InvalidValue(f"steps = {steps} must be at least 1.")
     explorer = _Explorer(
-        world_factory(),
+        made(world_factory),
         strategy,
         seed,
         config or ExplorationConfig(),
@@ -135,7 +136,7 @@ class _Explorer:
                 about, dimensions, model_config, config.learning, box.mirrors, seed
             )
         self.interactions: Interactions | None = None
-        self.blocks = 0
+        self.blocks = self.kept = 0
 
     def __len__(self) -> int:
         return 0 if self.interactions is None else len(self.interactions)
@@ -144,8 +145,13 @@ class _Explorer:
         """Make one block of interactions, and learn from all so far if it is a whole one."""
         done = len(self)
         actions: list[np.ndarray] = []
-        outcomes = []
-        for outcome in perform(self._tasks(range(done, min(done + self.config.block, steps)), actions)):
+        outcomes: list[Outcome] = []
+        performed = perform(self._tasks(range(done, min(done + self.config.block, steps)), actions))
+        while True:
+            with placed(self._place(done + len(outcomes))):
+                outcome = next(performed, None)
+            if outcome is None:
+                break
             outcomes.append(outcome)
             if progress is not None:
                 progress(done + len(outcomes), steps)
@@ -158,9 +164,15 @@ class _Explorer:
 
     def _tasks(self, numbers: range, actions: list[np.ndarray]) -> Iterator[Task]:
         for number in numbers:
-            task = choose_action(self.world, self.curiosity, self.config, self.seed, number)
+            with placed(self._place(number)):
+                task = choose_action(self.world, self.curiosity, self.config, self.seed, number)
             actions.append(task.action)
             yield task
+
+    def _place(self, number: int) -> str:
+        """Say which interaction that is, and what is kept of those before it."""
+        kept = f"; the first {self.kept} are kept, and the same call goes on from them" if self.kept else ""
+        return f"interaction {number + 1}{kept}"
 
     def save(self, folder: Path) -> None:
         """Write the interactions first and then the state, so that the state is never ahead of them."""
@@ -170,6 +182,7 @@ class _Explorer:
         with at_once():
             self.interactions.save(folder / INTERACTIONS_FILE)
             write_tensors(folder / STATE_FILE, FORMAT, tensors, description)
+        self.kept = self.blocks * self.config.block
 
     def resume(self, folder: Path, steps: int) -> None:
         """Go on from the whole blocks that are written in a folder, if any."""
@@ -188,7 +201,7 @@ class _Explorer:
             )
         if rows == 0:
             return
-        self.interactions, self.blocks = self._interactions_of(path, rows), blocks
+        self.interactions, self.blocks, self.kept = self._interactions_of(path, rows), blocks, rows
         if self.curiosity is not None:
             try:
                 self.curiosity.restore(tensors)

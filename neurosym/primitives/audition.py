@@ -13,6 +13,7 @@ import numpy as np
 from jaxtyping import Float
 
 from neurosym.errors import UnknownChoice
+from neurosym.guarded import made
 from neurosym.operators import Primitive
 from neurosym.primitives.rehearsal import perform_on_each
 from neurosym.primitives.variety import best_set, observe, worth_in_place
@@ -126,7 +127,7 @@ def audition(
         workers: How many processes; their number does not change the result.
         progress: Called after each performance.
     """
-    world = world_factory()
+    world = made(world_factory)
     few, groups = _by_symbol(shortlisted)
     again = sum(min(AUDITIONED[1], len(group)) for group in groups)
     total, scenes, done = objects * (len(few) + again), list[Scene](), 0

@@ -12,6 +12,7 @@ import numpy as np
 from jaxtyping import Float
 
 from neurosym.errors import InvalidValue
+from neurosym.guarded import made, placed
 from neurosym.naming import name_categories, name_operator
 from neurosym.operators import Category, Mode, Operator, OperatorTable, Primitive
 from neurosym.primitives.modes import sort_into_modes
@@ -68,7 +69,7 @@ def rehearse(
         raise InvalidValue(
             f"Nothing can be rehearsed with {objects} objects and {len(primitives)} primitives."
         )
-    world = world_factory()
+    world = made(world_factory)
     scenes = [rehearsal_scene(world, seed, number) for number in range(objects)]
     features = np.concatenate([scene.features for scene in scenes])
     ordered = tuple(sorted(primitives, key=lambda primitive: primitive.symbol))
@@ -101,8 +102,10 @@ def perform_on_each(
         for scene in scenes
     ]
     outcomes: list[Outcome] = []
-    for outcome in perform_all(world_factory, tasks, workers):
-        outcomes.append(outcome)
+    performed = perform_all(world_factory, tasks, workers)
+    while len(outcomes) < len(tasks):
+        with placed(f"rehearsal {len(outcomes) + 1} of {len(tasks)}"):
+            outcomes.append(next(performed))
         if progress is not None:
             progress(len(outcomes), len(tasks))
     rows = range(0, len(outcomes), len(scenes))

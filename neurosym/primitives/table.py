@@ -5,6 +5,7 @@ from contextlib import AbstractContextManager, nullcontext
 from neurosym.actions import ActionBox
 from neurosym.data.interactions import Interactions
 from neurosym.errors import InvalidValue
+from neurosym.guarded import made
 from neurosym.learning.direct_model import DirectModel
 from neurosym.learning.effect_model import EffectModel
 from neurosym.operators import OperatorTable
@@ -78,7 +79,7 @@ def find_operators(
         found = rehearse(
             world_factory, primitives, categorise, objects=objects, seed=seed, workers=workers, progress=bar
         )
-    return tabulate(found, world_factory().feature_names)
+    return tabulate(found, made(world_factory).feature_names)
 
 
 def _silent(_: str) -> AbstractContextManager[Progress]:

@@ -5,15 +5,18 @@ So nothing is called that does not make worlds (`os:system`).
 """
 
 import inspect
+import json
 import math
 from collections.abc import Callable
 from functools import partial
+from pathlib import Path
 from typing import Any, get_type_hints
 
 from neurosym.errors import InvalidWorld
-from neurosym.factories import load_factory, told
+from neurosym.factories import admit, load_factory, told
+from neurosym.guarded import Guarded
 from neurosym.world import World
-from neurosym.worlds.check import check_attributes
+from neurosym.worlds.check import check_world
 
 Factory = Callable[..., Any]
 
@@ -32,10 +35,29 @@ def make_own_world(name: str, options: dict[str, Any]) -> World:
     _check_options(name, factory, options)
     try:
         world = factory(**options)
-    except Exception as error:
+    except (InvalidWorld, KeyboardInterrupt):
+        raise
+    except BaseException as error:
         raise InvalidWorld(name, f"cannot be made with its options: {told(error)}") from error
-    check_attributes(world, name)
-    return world  # type: ignore[no-any-return]
+    return Guarded(world, name)
+
+
+def describe_own_world(name: str, folder: Path) -> dict[str, Any]:
+    """Say which options a world of one's own has, as they stand in a TOML file, and check that it is a world.
+
+    Args:
+        name: `module:factory`.
+        folder: The domain folder that it is for.
+
+    Raises:
+        InvalidWorld: If it is no world, as far as a few interactions tell. What needs an option is not made.
+    """
+    admit(name, folder, InvalidWorld)
+    factory = load_world_factory(name)
+    options: dict[str, Any] = json.loads(json.dumps(default_options(factory)))
+    if not missing_options(factory, options):  # else they must be written into the file first
+        check_world(make_own_world(name, options))
+    return options
 
 
 def load_world_factory(name: str) -> Factory:

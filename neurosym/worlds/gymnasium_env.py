@@ -14,8 +14,8 @@ from gymnasium import spaces
 from gymnasium.error import ResetNeeded
 
 from neurosym.errors import InvalidValue, UnknownChoice
+from neurosym.guarded import guarded, made
 from neurosym.world import Frame, Outcome, Pictured, Scene, World
-from neurosym.worlds.check import check_attributes
 from neurosym.worlds.world_file import make_world
 
 Observation = dict[str, Any]
@@ -149,9 +149,7 @@ class WorldEnv(gymnasium.Env[Observation, np.ndarray]):
 def _made(world: World | Callable[[], World] | str) -> World:
     if isinstance(world, str):
         return make_world(world, {})
-    made = world() if isinstance(world, type) or not isinstance(world, World) else world
-    check_attributes(made)
-    return made
+    return made(world) if isinstance(world, type) or not isinstance(world, World) else guarded(world)
 
 
 def _observation(scene: Scene) -> Observation:

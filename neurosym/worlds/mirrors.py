@@ -1,14 +1,9 @@
-"""Whether a mirror is one: whether it names what is there, and whether the world looks the same in it."""
-
-import reprlib
+"""Whether a mirror is one: whether the world looks the same in it."""
 
 import numpy as np
 
-from neurosym.actions import ActionBox, Mirror, column_problem
+from neurosym.actions import EFFECT_AXES
 from neurosym.world import World
-
-EFFECT_AXES = 3
-"""Axes of a displacement in a world."""
 
 INTERACTIONS = 20
 """Interactions that are looked at through each mirror."""
@@ -17,28 +12,6 @@ LEAST_MOTION = 1e-3
 """Root mean square of effects along an axis below which nothing can be said of it [m]."""
 
 _OPPOSITE = -0.25
-
-
-def box_problem(box: ActionBox) -> str | None:
-    """Say what is wrong with the mirrors of an action box, or return None.
-
-    Args:
-        box: The action box; its columns fit together.
-    """
-    if not isinstance(box.mirrors, tuple) or not all(isinstance(mirror, Mirror) for mirror in box.mirrors):
-        return f"mirrors = {reprlib.repr(box.mirrors)}; valid: a tuple of Mirror"
-    grippers = np.flatnonzero(box.gripper).tolist()
-    for mirror in box.mirrors:
-        if problem := column_problem(mirror, len(box.low), EFFECT_AXES, grippers):
-            return f"{mirror}; {problem}"
-        for number in mirror.actions:
-            low, high = box.low[number], box.high[number]
-            if low != -high:
-                return (
-                    f"{mirror}, but action parameter {number} goes from {low:g} to {high:g}; "
-                    "valid: as far below 0 as above"
-                )
-    return None
 
 
 def broken_mirror(world: World) -> str | None:

@@ -5,6 +5,7 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 
 from neurosym.errors import InvalidValue
+from neurosym.guarded import guarded, placed
 from neurosym.operators import TOLERANCE, Vector, vector
 from neurosym.problems import Problem, SceneObject, check_goals, goal_heights
 from neurosym.symbols import Categorise
@@ -42,13 +43,15 @@ def draw_problem(
     Raises:
         InvalidValue: If the objects do not fit, or no draw moves anything.
     """
+    world = guarded(world)
     for kind, count in (("object", objects), ("action", actions)):
         if count < 1:
             raise InvalidValue(f"A problem needs at least one {kind}, not {count}.")
     for draw in range(_MOST_DRAWS):
         rng = np.random.default_rng([_TASKS, seed, draw])
-        scene = world.sample_scene(rng, objects)
-        outcomes = _act_at_random(world, scene, actions, rng)
+        with placed(f"draw {draw + 1}"):
+            scene = world.sample_scene(rng, objects)
+            outcomes = _act_at_random(world, scene, actions, rng)
         goals = dict(zip(item_names(objects), map(vector, outcomes[-1].lifted.positions), strict=True))
         problem = Problem(
             name=name,
@@ -105,6 +108,7 @@ def set_problem(
     Raises:
         InvalidValue: If the objects do not fit, or a goal names none of them or lies out of reach.
     """
+    world = guarded(world)
     scene = world.sample_scene(np.random.default_rng([_TASKS, seed]), objects)
     items = _items(scene, categorise)
     resting = {item.name: item.position[2] for item in items}

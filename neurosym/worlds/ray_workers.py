@@ -18,7 +18,9 @@ from pathlib import Path
 from typing import Any
 
 from neurosym.errors import InvalidValue, NeurosymError
+from neurosym.guarded import made
 from neurosym.world import Outcome, World, WorldFactory
+from neurosym.worlds.hosted import OwnFactory
 from neurosym.worlds.workers import AHEAD, Perform, WorkerDied, in_order, perform_task
 
 AUTO = "auto"
@@ -148,8 +150,8 @@ def _world_from(origin: bytes) -> World:
     for package, wanted in versions.items():
         if (found := version(package)) != wanted:
             raise OtherVersion(socket.gethostname(), package, found, wanted)
-    world: World = pickle.loads(factory)()
-    return world
+    world_factory = pickle.loads(factory)
+    return made(world_factory.here if isinstance(world_factory, OwnFactory) else world_factory)
 
 
 def _perform_there(origin: bytes, task: bytes) -> bytes:

@@ -16,6 +16,7 @@ from concurrent.futures import Future, ProcessPoolExecutor
 from concurrent.futures.process import BrokenProcessPool
 from contextlib import contextmanager
 from dataclasses import dataclass
+from functools import cache, partial
 from multiprocessing.process import BaseProcess
 from types import FrameType
 from typing import Any, TypeVar
@@ -24,7 +25,9 @@ from jaxtyping import Float
 from numpy import ndarray
 
 from neurosym.errors import InvalidValue, NeurosymError
+from neurosym.guarded import made
 from neurosym.world import Outcome, Scene, World, WorldFactory
+from neurosym.worlds.hosted import OwnFactory, hosts
 
 MOST_WORKERS = 256
 """Processes on one machine; a cluster may have more."""
@@ -83,11 +86,20 @@ def crew(world_factory: WorldFactory, workers: int) -> Iterator[Perform]:
     """
     check_workers(workers)
     if workers == 1:
-        world = world_factory()
+        world = made(world_factory)
         yield lambda tasks: (perform_task(world, task) for task in tasks)
         return
-    with worker_pool(workers, _start_worker, (world_factory,)) as submit:
-        yield lambda tasks: _outcomes(submit, tasks, workers * AHEAD)
+    if isinstance(world_factory, OwnFactory):
+        with hosts(world_factory, workers) as submit:
+            yield lambda tasks: in_order(
+                tasks,
+                submit=lambda task: submit(partial(perform_task, task=task)),
+                result=lambda future: future.result(),
+                ahead=workers * AHEAD,
+            )
+        return
+    with worker_pool(workers, _start_worker, (world_factory,)) as submit_there:
+        yield lambda tasks: _outcomes(submit_there, tasks, workers * AHEAD)
 
 
 def perform_all(world_factory: WorldFactory, tasks: Iterable[Task], workers: int) -> Iterator[Outcome]:
@@ -227,6 +239,21 @@ def _hear(_: int, __: FrameType | None) -> None:
     os._exit(_ENDED)
 
 
+_factory_here: WorldFactory | None = None
+
+
+def _start_worker(world_factory: WorldFactory) -> None:
+    global _factory_here
+    _factory_here = world_factory
+
+
+@cache
+def _world_here() -> World:
+    """Make the world when it is first needed, so that an error in making it is one of a task."""
+    assert _factory_here is not None, "the initializer ran"
+    return made(_factory_here)
+
+
 def _end_with_parent() -> None:
     parent = multiprocessing.parent_process()
     if parent is not None:
@@ -236,17 +263,8 @@ def _end_with_parent() -> None:
         os._exit(_ENDED)
 
 
-_world_here: World | None = None
-
-
-def _start_worker(world_factory: WorldFactory) -> None:
-    global _world_here
-    _world_here = world_factory()
-
-
 def _perform_here(task: Task) -> Outcome:
-    assert _world_here is not None, "the initializer ran"
-    return perform_task(_world_here, task)
+    return perform_task(_world_here(), task)
 
 
 def perform_task(world: World, task: Task) -> Outcome:

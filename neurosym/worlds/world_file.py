@@ -14,15 +14,15 @@ from typing import TYPE_CHECKING, Any, TypeVar
 import msgspec
 import tomli_w
 
-from neurosym.errors import InvalidFile, InvalidValue, InvalidWorld, UnknownChoice, shortened
-from neurosym.factories import admit, is_factory
+from neurosym.errors import InvalidFile, InvalidValue, UnknownChoice, shortened
+from neurosym.factories import is_factory
 from neurosym.files import write_atomically
 from neurosym.object_limits import ObjectLimits
 from neurosym.reading import read_toml
 from neurosym.wording import quoted
 from neurosym.world import World
-from neurosym.worlds.check import check_world
-from neurosym.worlds.custom import default_options, load_world_factory, make_own_world, missing_options
+from neurosym.worlds.custom import make_own_world
+from neurosym.worlds.hosted import OwnFactory, describe_apart
 
 if TYPE_CHECKING:
     from neurosym.sim.config import TabletopConfig
@@ -133,7 +133,7 @@ def make_world(name: str, options: dict[str, Any]) -> World:
     return WORLDS[name](options)
 
 
-def read_world(path: Path) -> "partial[World]":
+def read_world(path: Path) -> "partial[World] | OwnFactory":
     """Read a `world.toml` and return a function that makes its world, in this process or another.
 
     Args:
@@ -145,7 +145,10 @@ def read_world(path: Path) -> "partial[World]":
     name, options = _read(path)
     try:
         if is_factory(name):
-            admit(name, path.parent, InvalidWorld)
+            _check_finite(options)
+            own = OwnFactory(name, options, path.parent)
+            own()
+            return own
         make_world(name, options)
     except (UnknownChoice, InvalidValue) as error:
         raise InvalidFile(path, str(error).rstrip(".")) from error
@@ -190,7 +193,7 @@ def _no_world(name: str) -> UnknownChoice:
     return UnknownChoice("world", name, [*WORLDS, "your own as module:factory"])
 
 
-def origin_of(factory: "partial[World]") -> dict[str, Any]:
+def origin_of(factory: "partial[World] | OwnFactory") -> dict[str, Any]:
     """Return what identifies a world that was read, for the data made in it.
 
     Args:
@@ -215,21 +218,12 @@ def default_text(name: str, folder: Path) -> str:
         InvalidWorld: If somebody's own world is no world.
     """
     if is_factory(name):
-        remark, options = "It is made by code of yours: factory(**options).", _own_defaults(name, folder)
+        remark, options = "It is made by code of yours: factory(**options).", describe_apart(name, folder)
     else:
         remark = "Lengths in metres, times in seconds."
         options = asdict(getattr(make_world(name, {}), "config"))  # noqa: B009  (ours have one)
     text = tomli_w.dumps({"world": name, "options": options})
     return f"# The world of this domain folder. {remark}\n{text}"
-
-
-def _own_defaults(name: str, folder: Path) -> dict[str, Any]:
-    admit(name, folder, InvalidWorld)
-    factory = load_world_factory(name)
-    options = default_options(factory)
-    if not missing_options(factory, options):  # else they must be written into the file first
-        check_world(make_world(name, options))
-    return options
 
 
 def write_world(path: Path, name: str) -> None:

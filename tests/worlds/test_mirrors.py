@@ -1,5 +1,6 @@
 """Mirrors of worlds must name what is there, and show what the world does."""
 
+import copy
 from dataclasses import replace
 
 import numpy as np
@@ -7,7 +8,7 @@ import pytest
 
 from neurosym import check_world
 from neurosym.actions import Mirror, three_waypoints
-from neurosym.errors import InvalidWorld
+from neurosym.errors import InvalidValue, InvalidWorld
 from neurosym.worlds.mirrors import broken_mirror
 from neurosym.worlds.toy import ToyConfig, ToyWorld
 from neurosym.worlds.world_file import make_world
@@ -38,22 +39,28 @@ def box_with(number, **bounds):
 
 
 @pytest.mark.parametrize(
-    ("world", "message"),
+    ("mirror", "box", "message"),
     [
-        (MirroredToy(Mirror((12,), (0,))), "different action parameters from 0 to 11"),
-        (MirroredToy(Mirror((-1,), (0,))), "different action parameters from 0 to 11"),
-        (MirroredToy(Mirror((0, 0), (0,))), "different action parameters"),
-        (MirroredToy(Mirror((), (0,))), "at least one"),
-        (MirroredToy(Mirror((0, 3), (0,))), "no gripper value"),
-        (MirroredToy(Mirror((0,), (3,))), "different effect axes from 0 to 2"),
-        (MirroredToy(FORWARD, box=box_with(4, low=-0.01)), "parameter 4 goes from -0.01 to 0.05"),
-        (MirroredToy(FORWARD, box=box_with(0, high=0.0)), "as far below 0 as above"),
+        (Mirror((12,), (0,)), None, "different action parameters from 0 to 11"),
+        (Mirror((-1,), (0,)), None, "different action parameters from 0 to 11"),
+        (Mirror((0, 0), (0,)), None, "different action parameters"),
+        (Mirror((), (0,)), None, "at least one"),
+        (Mirror((0, 3), (0,)), None, "no gripper value"),
+        (Mirror((0,), (3,)), None, "different effect axes from 0 to 2"),
+        (FORWARD, box_with(4, low=-0.01), "parameter 4 goes from -0.01 to 0.05"),
+        (FORWARD, box_with(0, high=0.0), "as far below 0 as above"),
     ],
 )
-def test_mirror_of_what_is_not_there_is_refused(world, message):
-    with pytest.raises(InvalidWorld, match=message) as caught:
-        check_world(world)
+def test_mirror_of_what_is_not_there_is_refused(mirror, box, message):
+    with pytest.raises(InvalidValue, match=message) as caught:
+        MirroredToy(mirror, box=box)
     assert "\n" not in str(caught.value)
+    world = MirroredToy()
+    unchecked = copy.copy(box or world.action_box)
+    object.__setattr__(unchecked, "mirrors", (mirror,))  # behind the back of what makes boxes
+    world.action_box = unchecked
+    with pytest.raises(InvalidWorld, match=message):
+        check_world(world)
 
 
 def test_mirrors_that_are_no_tuple_of_mirrors_are_refused():

@@ -1,0 +1,127 @@
+"""Worlds that do wrong, each in one way, whenever the first object is tall; imported by name in tests."""
+
+import ctypes
+import os
+import signal
+import sys
+import time
+from dataclasses import replace
+
+import numpy as np
+
+from neurosym.world import Outcome, Scene
+from neurosym.worlds.toy import ToyConfig, ToyWorld
+
+MENDED = "BAD_WORLDS_MENDED"
+TALL = 0.09
+"""Height of an object that they cannot stand [m]: one in eight is as tall."""
+
+
+class Surprise(BaseException):
+    """An error that cannot even say what it is."""
+
+    def __str__(self):
+        raise RuntimeError
+
+
+def raising(_):
+    raise ZeroDivisionError("no\nfriction")
+
+
+def surprising(_):
+    raise Surprise
+
+
+def leaving(_):
+    sys.exit(3)
+
+
+def gone(_):
+    os._exit(7)
+
+
+def killed(_):
+    os.kill(os.getpid(), signal.SIGKILL)
+
+
+def crashed(_):
+    signal.signal(signal.SIGSEGV, signal.SIG_DFL)
+    ctypes.string_at(0)
+
+
+def hanging(_):
+    time.sleep(60)
+
+
+def scene(**changes):
+    return lambda made: replace(made, **{name: change(made) for name, change in changes.items()})
+
+
+def outcome(**changes):
+    return lambda made: replace(made, **changes)
+
+
+def moved(made, change):
+    return replace(made, lifted=change(made.lifted), end=change(made.end))
+
+
+DEEDS = {
+    "raising": raising,
+    "surprising": surprising,
+    "leaving": leaving,
+    "gone": gone,
+    "killed": killed,
+    "crashed": crashed,
+    "hanging": hanging,
+    "nothing": lambda _: None,
+    "a tuple": lambda made: (made,),
+    "nan": scene(positions=lambda made: made.positions * np.nan),
+    "integers": scene(features=lambda made: made.features.astype(int)),
+    "lists": scene(positions=lambda made: made.positions.tolist()),
+    "narrow": scene(features=lambda made: made.features[:, :2]),
+    "flat": scene(orientations=lambda made: made.orientations[:, :3]),
+    "two objects": lambda made: Scene(
+        *(np.repeat(a, 2, 0) for a in (made.features, made.positions, made.orientations))
+    ),
+    "off the table": scene(positions=lambda made: made.positions + 9),
+    "nan after": lambda made: moved(made, DEEDS["nan"]),
+    "two objects after": lambda made: moved(made, DEEDS["two objects"]),
+    "no scenes": outcome(end=None),
+    "other target": outcome(target=3),
+    "no bool": outcome(held="held"),
+    "no height": outcome(peak_height=np.nan),
+    "odd kind": outcome(disturbed=((0, "vanished"),)),
+    "odd touch": outcome(touched=(5,)),
+    "a list of touches": outcome(touched=[1]),
+}
+
+
+class Bad(ToyWorld):
+    """A toy world that does one deed in one of its methods."""
+
+    patience = 1.0
+
+    def __init__(self, deed, place, tall=TALL):
+        super().__init__(ToyConfig())
+        self.deed, self.place, self.tall = DEEDS[deed], place, tall
+        if place == "init":
+            self.deed(None)
+
+    @property
+    def lift_height(self):  # noqa: D102
+        return self.deed(0.2) if self.place == "lift_height" else 0.2
+
+    def done(self, place, scene, made):  # noqa: D102
+        is_time = place == self.place and scene.features[0, 2] >= self.tall and MENDED not in os.environ
+        return self.deed(made) if is_time else made
+
+    def sample_scene(self, rng, objects):  # noqa: D102
+        made = super().sample_scene(rng, objects)
+        return self.done("sample_scene", made, made)
+
+    def interact(self, scene, action, target, **options) -> Outcome:  # noqa: D102
+        return self.done("interact", scene, super().interact(scene, action, target, **options))
+
+
+def make(deed: str = "raising", place: str = "nowhere", tall: float = TALL) -> Bad:
+    return Bad(deed, place, tall)
