@@ -70,13 +70,14 @@ def admit(name: str, folder: Path, invalid: Invalid) -> None:
     for depth in range(1, len(parts) + 1):
         part = ".".join(parts[:depth])  # looking for a.b imports a, which has been looked at by then
         spec = _guarded(name, module_name, partial(importlib.util.find_spec, part), invalid)
-        if spec is None:
-            raise _no_module(name, module_name, invalid)
-        if any(place.is_relative_to(inside) for place in _places(spec)):
+        is_inside = spec is None and Path.cwd().is_relative_to(inside) and _stands_here(parts[0])
+        if is_inside or (spec and any(place.is_relative_to(inside) for place in _places(spec))):
             raise invalid(
                 name,
                 f"has its code in the domain folder {folder}; a domain folder must not bring code of its own",
             )
+        if spec is None:
+            raise _no_module(name, module_name, invalid)
 
 
 def search_here(folder: Path) -> None:
@@ -112,6 +113,11 @@ def _no_module(name: str, module_name: str, invalid: Invalid) -> NeurosymError:
     return invalid(
         name, f"cannot be found: no module {module_name!r} is installed or stands in the current folder"
     )
+
+
+def _stands_here(module: str) -> bool:
+    """Say whether the current folder has a module of that name."""
+    return Path(f"{module}.py").is_file() or Path(module).is_dir()
 
 
 def _places(spec: ModuleSpec) -> list[Path]:

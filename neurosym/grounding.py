@@ -12,7 +12,8 @@ from typing import Annotated
 
 import msgspec
 
-from neurosym.errors import InvalidFile, UnknownChoice
+from neurosym.checks import as_path, check_fields, check_length
+from neurosym.errors import InvalidFile, InvalidValue, UnknownChoice
 from neurosym.files import write_json
 from neurosym.naming import counted_axes
 from neurosym.operators import (
@@ -62,12 +63,16 @@ class Grounding(msgspec.Struct, frozen=True, forbid_unknown_fields=True, omit_de
     unit_costs: bool = False
 
     def __post_init__(self) -> None:
+        check_fields(self)
+        for name in ("cell", "lift_height"):
+            check_length(name, getattr(self, name))
         if self.operators.axes != 3:
-            raise ValueError(f"its effects have {counted_axes(self.operators.axes)}; valid: x, y and z")
+            axes = counted_axes(self.operators.axes)
+            raise InvalidValue(f"The effects of a grounding have {axes}; valid: x, y and z.")
 
     def save(self, path: Path) -> None:
         """Write the grounding to a file, `grounding.json` by custom."""
-        write_json(path, self)
+        write_json(as_path(path), self)
 
     @classmethod
     def load(cls, path: Path) -> "Grounding":
@@ -76,6 +81,7 @@ class Grounding(msgspec.Struct, frozen=True, forbid_unknown_fields=True, omit_de
         Raises:
             InvalidFile: If the file is none, or of another version.
         """
+        path = as_path(path)
         remedy = f"; `neurosym compile-domain {quoted(path.parent)}` writes it anew"
         found = read_json(path, _Versioned, remedy).format
         if found != FORMAT:

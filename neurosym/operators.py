@@ -10,6 +10,8 @@ import msgspec
 import numpy as np
 from jaxtyping import Float
 
+from neurosym.checks import check_fields
+from neurosym.errors import InvalidValue
 from neurosym.symbols import Symbol, all_symbols
 from neurosym.world import OutcomeKind
 
@@ -62,8 +64,9 @@ class Mode(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     near_mean: Count
 
     def __post_init__(self) -> None:
+        check_fields(self)
         if len({len(self.effect), len(self.spread), len(self.resting_effect), len(self.resting_spread)}) > 1:
-            raise ValueError("the effects and spreads of a mode must have the same number of axes")
+            raise InvalidValue("The effects and spreads of a mode must have the same number of axes.")
 
     @property
     def outcome(self) -> Effect:
@@ -93,6 +96,9 @@ class Primitive(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     action: tuple[Length, ...]
     code_error: float
 
+    def __post_init__(self) -> None:
+        check_fields(self)
+
     @property
     def has_converged(self) -> bool:
         """Whether the action really encodes to the symbol."""
@@ -116,6 +122,9 @@ class Category(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     feature_means: tuple[Length, ...]
     feature_spreads: tuple[Length, ...]
 
+    def __post_init__(self) -> None:
+        check_fields(self)
+
 
 class Operator(msgspec.Struct, frozen=True, forbid_unknown_fields=True, omit_defaults=True):
     """What one primitive does to one category.
@@ -135,6 +144,9 @@ class Operator(msgspec.Struct, frozen=True, forbid_unknown_fields=True, omit_def
     trials: Count
     modes: tuple[Mode, ...]
     promised: OutcomeKind | None = None
+
+    def __post_init__(self) -> None:
+        check_fields(self)
 
     @property
     def promise(self) -> Mode | None:
@@ -166,8 +178,9 @@ class OperatorTable(msgspec.Struct, frozen=True, forbid_unknown_fields=True, omi
     measured: Literal["rehearsal", "data"] = "rehearsal"
 
     def __post_init__(self) -> None:
+        check_fields(self)
         if len(self._widths) > 1:
-            raise ValueError("all effects must have the same number of axes")
+            raise InvalidValue("All effects must have the same number of axes.")
 
     @property
     def axes(self) -> int:

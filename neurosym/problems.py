@@ -8,7 +8,8 @@ import msgspec
 import numpy as np
 from jaxtyping import Float
 
-from neurosym.errors import InvalidFile, InvalidValue
+from neurosym.checks import as_path, check_fields
+from neurosym.errors import InvalidValue, UnknownChoice
 from neurosym.files import write_json
 from neurosym.operators import TOLERANCE, Length, Vector
 from neurosym.reading import read_json
@@ -42,6 +43,14 @@ class SceneObject(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     position: Vector
     orientation: tuple[float, float, float, float] = (0.0, 0.0, 0.0, 1.0)
 
+    def __post_init__(self) -> None:
+        check_fields(self)
+        if any(size < 0 for size in self.features[:2]):
+            raise InvalidValue(
+                f"{self.name} has a size of {min(self.features[:2]):g} m; the first two features are sizes "
+                "along x and y, of at least 0 m."
+            )
+
 
 class Problem(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     """A scene at rest, and goals for some of its objects.
@@ -61,6 +70,7 @@ class Problem(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     provenance: str = "by hand"
 
     def __post_init__(self) -> None:
+        check_fields(self)
         names = self.object_names
         check_names((self.name, *names))
         if len({len(item.features) for item in self.objects}) != 1:
@@ -82,8 +92,15 @@ class Problem(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
         return tuple(item.name for item in self.objects)
 
     def object_named(self, name: str) -> SceneObject:
-        """Return the object of that name, which exists."""
-        return next(item for item in self.objects if item.name == name)
+        """Return the object of that name.
+
+        Raises:
+            UnknownChoice: If there is none.
+        """
+        for item in self.objects:
+            if item.name == name:
+                return item
+        raise UnknownChoice("object", str(name), self.object_names)
 
     def within(self, tolerance: float | None) -> "Problem":
         """Return the problem with another tolerance, or as it is.
@@ -145,7 +162,7 @@ class Problem(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
 
     def save(self, path: Path) -> None:
         """Write the problem to a file, NAME.scene.json by custom."""
-        write_json(path, self)
+        write_json(as_path(path), self)
 
     @classmethod
     def load(cls, path: Path) -> "Problem":
@@ -154,10 +171,7 @@ class Problem(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
         Raises:
             InvalidFile: If the file is no problem, or one that cannot be.
         """
-        try:
-            return read_json(path, cls)
-        except InvalidValue as error:
-            raise InvalidFile(path, str(error).rstrip(".")) from error
+        return read_json(as_path(path), cls)
 
 
 def goal_heights(problem: Problem, lift_height: float) -> tuple[float, float]:

@@ -8,10 +8,31 @@ import msgspec
 import numpy as np
 from jaxtyping import Float
 
+from neurosym.checks import check_all, check_callable
+from neurosym.errors import InvalidValue
+
 Symbol = Annotated[str, msgspec.Meta(pattern=r"\A[01]{1,64}\Z")]
 """A code of bits; what stands in files is checked when it is read."""
 Categorise = Callable[[Float[np.ndarray, "N F"]], tuple[Symbol, ...]]
 """Gives the object symbols of features."""
+
+
+def symbols_of(categorise: Categorise, features: Float[np.ndarray, "N F"]) -> tuple[Symbol, ...]:
+    """Return the symbols that a function gives to objects.
+
+    Args:
+        categorise: The function.
+        features: Features of the objects.
+
+    Raises:
+        InvalidValue: If it gives what are not as many symbols.
+    """
+    check_callable("categorise", categorise, "a function from features (N, F) to N symbols")
+    symbols = categorise(features)
+    check_all("the symbols that categorise gives", symbols, str, "a tuple of symbols, like '10'")
+    if len(symbols) != len(features):
+        raise InvalidValue(f"categorise gives {len(symbols)} symbols for {len(features)} objects.")
+    return tuple(symbols)
 
 
 def all_symbols(bits: int) -> tuple[Symbol, ...]:

@@ -5,6 +5,7 @@ can go in again. So an interaction has the same result in any order and in any p
 executed by feeding each outcome's end into the next interaction.
 """
 
+import math
 from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Literal, Protocol, runtime_checkable
@@ -13,6 +14,7 @@ import numpy as np
 from jaxtyping import Float, UInt8
 
 from neurosym.actions import ActionBox
+from neurosym.checks import check_array, check_kind
 from neurosym.errors import InvalidValue
 
 Disturbance = Literal["moved", "toppled", "lost"]
@@ -102,7 +104,13 @@ class Table:
     y: tuple[float, float]
 
     def __post_init__(self) -> None:
-        for name, (least, greatest) in (("x", self.x), ("y", self.y)):
+        for name, side in (("x", self.x), ("y", self.y)):
+            is_pair = isinstance(side, tuple | list) and len(side) == 2
+            if not is_pair or not all(isinstance(edge, int | float | np.number) for edge in side):
+                raise InvalidValue(f"table.{name} = {side!r} must be two numbers [m], the smaller first.")
+            least, greatest = side
+            if not (math.isfinite(least) and math.isfinite(greatest)):
+                raise InvalidValue(f"table.{name} = [{least}, {greatest}] must be finite.")
             if not least < greatest:
                 raise InvalidValue(
                     f"table.{name} = [{least}, {greatest}] is empty; the first number must be smaller."
@@ -210,6 +218,10 @@ def check_action(world: World, scene: Scene, action: np.ndarray, target: int) ->
         action: The action parameters.
         target: Index of the target.
     """
+    check_kind("scene", scene, Scene, "a Scene")
+    check_array("Scene.features", scene.features, (None, len(world.feature_names)))
+    for name, width in (("positions", 3), ("orientations", 4)):
+        check_array(f"Scene.{name}", getattr(scene, name), (len(scene), width))
     size = len(world.action_box.low)
     if np.asarray(action).dtype.kind not in "fiu":
         raise InvalidValue(f"The action must be numbers, not {np.asarray(action).dtype}.")

@@ -19,6 +19,7 @@ import numpy as np
 from jaxtyping import Bool, Float
 
 from neurosym.array_files import read_arrays
+from neurosym.checks import as_path, check_array, check_kind
 from neurosym.data.check import FLAGS, file_problems
 from neurosym.errors import InvalidFile
 from neurosym.files import write_atomically
@@ -41,6 +42,9 @@ class Interactions:
         lost: Whether the target ended off the table.
         peak_heights: Greatest height of the target above its start on the way [m].
         origin: How the data came about (strategy, seed, world, ...), as plain JSON values.
+
+    Raises:
+        InvalidValue: If the columns do not fit together, or hold what is not finite.
     """
 
     features: Float[np.ndarray, "N F"]
@@ -54,8 +58,15 @@ class Interactions:
     origin: dict[str, Any] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
-        for name in _ARRAYS:
-            assert len(getattr(self, name)) == len(self.features), name
+        check_array("features", self.features, (None, None))
+        rows = len(self.features)
+        for name in ("actions", "effects"):
+            check_array(name, getattr(self, name), (rows, None))
+        check_array("resting_effects", self.resting_effects, self.effects.shape)
+        check_array("peak_heights", self.peak_heights, (rows,))
+        for name in FLAGS:
+            check_array(name, getattr(self, name), (rows,), kinds="b")
+        check_kind("origin", self.origin, dict, "a dict of plain JSON values")
 
     def __len__(self) -> int:
         return len(self.features)
@@ -99,7 +110,7 @@ class Interactions:
         buffer = io.BytesIO()
         origin = np.array(json.dumps({"format": FORMAT, **self.origin}, sort_keys=True))
         np.savez_compressed(buffer, allow_pickle=False, **self.columns, origin=origin)
-        write_atomically(path, buffer.getvalue())
+        write_atomically(as_path(path), buffer.getvalue())
 
     @property
     def columns(self) -> dict[str, np.ndarray]:
@@ -115,7 +126,7 @@ class Interactions:
         Raises:
             InvalidFile: If the file is not such an .npz file, or its columns do not fit together.
         """
-        examination = examine(path)
+        examination = examine(as_path(path))
         if examination.interactions is None:
             raise InvalidFile(path, examination.problems[0])
         return examination.interactions

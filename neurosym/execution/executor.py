@@ -13,6 +13,7 @@ from dataclasses import dataclass, field
 import msgspec
 import numpy as np
 
+from neurosym.checks import check_all, check_count, check_kind, check_seed
 from neurosym.errors import InvalidValue, InvalidWorld
 from neurosym.execution.experience import Experience
 from neurosym.execution.nudges import Nudger, nudged
@@ -65,7 +66,13 @@ def execute(
         nudge_seed: Nudge an object once during the run, drawn from this seed, if given.
         on_frame: Called with pictures of the motion as it happens, if given.
         on_step: Called with each step's record as soon as it is done, if given.
+
+    Raises:
+        InvalidValue: If something is not what it should be, or a step names an object that there is not.
+        InvalidWorld: If it is no world, or a world of one's own that fails.
+        UnknownChoice: If a step names an operator that there is not.
     """
+    _check(problem, grounding, plan, replans, nudge_seed)
     nudger = None
     if nudge_seed is not None:
         nudger = Nudger(nudge_seed, primitives(plan))
@@ -82,6 +89,22 @@ def execute(
         if on_step:
             on_step(run.records[-1])
     return run.record(named_steps(plan))
+
+
+def _check(
+    problem: Problem, grounding: Grounding, plan: Sequence[PlanStep], replans: int | None, seed: int | None
+) -> None:
+    """Refuse what cannot be executed before anything moves."""
+    check_kind("problem", problem, Problem, "a Problem")
+    check_kind("grounding", grounding, Grounding, "a Grounding")
+    check_all("plan", plan, PlanStep, "steps, as in PlanResult.steps")
+    for step in plan:
+        grounding.operator_named(step.base)
+        problem.object_named(step.object)
+    if replans is not None:
+        check_count("replans", replans, least=0)
+    if seed is not None:
+        check_seed(seed, "nudge_seed")
 
 
 @dataclass(slots=True)

@@ -15,6 +15,7 @@ from typing import Any
 
 import numpy as np
 
+from neurosym.checks import as_path, check_count, check_kind, check_seed
 from neurosym.data.dimensions import Dimensions
 from neurosym.data.interactions import Interactions
 from neurosym.drafts import at_once
@@ -70,8 +71,19 @@ def explore(
         InvalidFile: If the checkpoint is damaged.
         RayMissing, NoCluster: If a Ray cluster is asked for and cannot be had.
     """
-    if steps < 1:
-        raise InvalidValue(f"steps = {steps} must be at least 1.")
+    check_count("steps", steps)
+    check_count("workers", workers)
+    check_seed(seed)
+    for name, value, kind in (
+        ("strategy", strategy, str),
+        ("config", config, ExplorationConfig),
+        ("model_config", model_config, ModelConfig),
+        ("origin", origin, dict),
+    ):
+        if value is not None or name == "strategy":
+            check_kind(name, value, kind, f"of type {kind.__name__}")
+    if checkpoint is not None and not (checkpoint := as_path(checkpoint, "checkpoint")).is_dir():
+        raise InvalidValue(f"checkpoint = {checkpoint} is no folder; make it first.")
     explorer = _Explorer(
         made(world_factory),
         strategy,

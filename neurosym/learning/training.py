@@ -10,6 +10,7 @@ import msgspec
 import numpy as np
 from jaxtyping import Float
 
+from neurosym.checks import check_kind, check_seed
 from neurosym.data.check import too_few
 from neurosym.data.dimensions import Dimensions
 from neurosym.data.interactions import Interactions
@@ -25,6 +26,7 @@ from neurosym.learning.report import TrainingReport
 from neurosym.learning.samples import Samples, dimensions_of, samples_of
 from neurosym.learning.training_config import TrainingConfig
 
+_PARTS = {TrainingConfig: "training", ModelConfig: "model"}
 _DIRECT = 0x6469  # keeps the draws of the network without a bottleneck apart from those of restarts
 
 
@@ -69,6 +71,14 @@ def train(
     Raises:
         InvalidValue: If there are too few interactions to hold some out.
     """
+    check_kind("interactions", interactions, Interactions, "Interactions, as explore returns them")
+    check_seed(seed)
+    for name, value, kind in (
+        ("config", config, TrainingConfig),
+        ("model_config", model_config, ModelConfig),
+    ):
+        if value is not None:
+            check_kind(name, value, kind, f"a {kind.__name__}, like regime_named('quick').{_PARTS[kind]}")
     config, progress = config or TrainingConfig(), progress or _silent
     strategy = strategy_of(interactions.origin)
     model_config = model_config or ModelConfig()

@@ -3,6 +3,7 @@
 import math
 from collections.abc import Iterable
 
+from neurosym.checks import check_kind, check_length
 from neurosym.errors import InvalidValue
 from neurosym.grounding import FORMAT, Grounding
 from neurosym.naming import counted_axes
@@ -33,6 +34,11 @@ def compile_domain(
         InvalidValue: If effects are not along x, y and z, the cell is no sensible size, or a name is not
             legal, taken, or reserved.
     """
+    check_kind("table", table, OperatorTable, "an OperatorTable, as tabulate returns it")
+    check_kind("name", name, str, "a PDDL name")
+    check_kind("table_bounds", table_bounds, Table, "a Table")
+    check_length("lift_height", lift_height)
+    check_length("cell", cell)
     check_axes(table)
     widest = max(high - low for low, high in (table_bounds.x, table_bounds.y))
     if not (math.isfinite(cell) and widest / MAX_CELLS <= cell <= widest):

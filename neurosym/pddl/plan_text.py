@@ -9,6 +9,7 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
+from neurosym.checks import check_kind
 from neurosym.errors import InvalidPlan, InvalidValue, UnknownChoice, shortened
 from neurosym.grounding import Grounding, is_lift
 from neurosym.operators import Operator
@@ -37,6 +38,10 @@ class PlanStep:
 
     operator: str
     object: str
+
+    def __post_init__(self) -> None:
+        for name in ("operator", "object"):
+            check_kind(f"{name} of a step", getattr(self, name), str, "its name")
 
     @property
     def puts_down(self) -> bool:

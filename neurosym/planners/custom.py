@@ -3,6 +3,8 @@
 import math
 import reprlib
 from collections.abc import Container
+from contextlib import redirect_stdout
+from io import StringIO
 from pathlib import Path
 
 from neurosym.errors import InvalidPlanner, InvalidValue, shortened
@@ -30,9 +32,9 @@ def load_planner(name: str, domain_folder: Path | None, taken: Container[str]) -
     if callable(made) and not isinstance(made, Planner):
         try:
             made = made()
-        except InvalidPlanner:
+        except (InvalidPlanner, KeyboardInterrupt):
             raise
-        except (Exception, SystemExit) as error:
+        except BaseException as error:
             raise InvalidPlanner(name, f"cannot be made: {told(error)}") from error
     check_planner(made, name)
     if made.name in taken:
@@ -65,10 +67,11 @@ def solve_checked(planner: Planner, query: Query) -> PlanResult:
         InvalidPlanner: If it raises an error, or returns no `PlanResult`.
     """
     try:
-        result = planner.solve(query)
-    except InvalidValue:
+        with redirect_stdout(StringIO()):  # what it prints is no part of our answer
+            result = planner.solve(query)
+    except (InvalidValue, KeyboardInterrupt):
         raise
-    except (Exception, SystemExit) as error:
+    except BaseException as error:
         raise InvalidPlanner(planner.name, f"raises an error in solve: {told(error)}") from error
     _check_result(planner.name, result)
     if unknown := _unknown(result, query):
@@ -88,8 +91,11 @@ def check_installed(planner: Planner) -> None:
         InvalidPlanner: If it cannot say whether it is.
     """
     try:
-        remedy = planner.missing()
-    except (Exception, SystemExit) as error:
+        with redirect_stdout(StringIO()):
+            remedy = planner.missing()
+    except KeyboardInterrupt:
+        raise
+    except BaseException as error:
         raise InvalidPlanner(planner.name, f"raises an error in missing: {told(error)}") from error
     if not isinstance(remedy, str):
         raise InvalidPlanner(planner.name, f"gives {remedy!r} from missing; valid: text")

@@ -3,7 +3,7 @@
 Ours stand in one dict (`catalogue.PLANNERS`); anybody's own is one more (docs/own-planner.md).
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Collection
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Literal, Protocol, runtime_checkable
@@ -11,6 +11,7 @@ from typing import Literal, Protocol, runtime_checkable
 import numpy as np
 from jaxtyping import Float
 
+from neurosym.checks import check_kind
 from neurosym.errors import InvalidPlanner, NeurosymError, UnknownChoice
 from neurosym.grounding import Grounding
 from neurosym.pddl.moves import ENCODINGS, SAS, Encoding
@@ -51,6 +52,10 @@ class Query:
     time_limit: float = CEILING
     encoding: Encoding | None = None
     whole: bool = False
+
+    def __post_init__(self) -> None:
+        check_kind("problem", self.problem, Problem, "a Problem")
+        check_kind("grounding", self.grounding, Grounding, "a Grounding")
 
 
 @runtime_checkable
@@ -132,7 +137,7 @@ class Planner:
                 raise InvalidPlanner(self.name, f"has {field} = {getattr(self, field)!r}; valid: {valid}")
         if not isinstance(self.about, str):
             raise InvalidPlanner(self.name, f"has about = {self.about!r}; valid: text")
-        if not {*self.takes} <= {"encoding", "whole", "unit-costs"}:
+        if not isinstance(self.takes, Collection) or not {*self.takes} <= {"encoding", "whole", "unit-costs"}:
             raise InvalidPlanner(self.name, f"has takes = {self.takes!r}; valid: encoding, whole, unit-costs")
         if self.reads not in ("operators", "network"):
             raise InvalidPlanner(self.name, f"has reads = {self.reads!r}; valid: operators, network")

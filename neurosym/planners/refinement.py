@@ -88,6 +88,8 @@ def pddl_planner(
         raise InvalidPlanner(name, f"has call = {call!r}; valid: a function of two files and a time limit")
     if not (isinstance(cell, int | float) and 0 <= cell < math.inf):
         raise InvalidPlanner(name, f"has cell = {cell!r}; valid: a length of at least 0 m")
+    if isinstance(encodings, str) or not isinstance(encodings, Sequence):
+        raise InvalidPlanner(name, f"has encodings = {encodings!r}; valid: a tuple of their names")
     program = PddlProgram(partial(_answer, name, call), tuple(encodings), cell)
     takes: frozenset[Option] = frozenset({"encoding", "whole", "unit-costs"})
     solve = partial(plan_pddl, name=name, program=program)

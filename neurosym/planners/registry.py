@@ -6,6 +6,7 @@ from pathlib import Path
 
 import msgspec
 
+from neurosym.checks import check_callable, check_kind
 from neurosym.errors import InvalidPlanner, InvalidValue, UnknownChoice
 from neurosym.factories import is_factory
 from neurosym.grounding import Grounding
@@ -55,6 +56,14 @@ def plan(
         InvalidValue: If the planner does not take an option, or an object stands farther off the table than
             a push may have left it.
     """
+    check_kind("problem", problem, Problem, "a Problem")
+    check_kind("grounding", grounding, Grounding, "a Grounding")
+    if time_limit is not None:
+        check_kind("time_limit", time_limit, int | float, "a time above 0 s")
+        if not time_limit > 0:
+            raise InvalidValue(f"time_limit = {time_limit} s must be above 0 s.")
+    if predict is not None:
+        check_callable("predict", predict, "a function from features (M, F) to effects (M, P, 3)")
     chosen = planner_named(planner) if isinstance(planner, str) else planner
     check_planner(chosen, "given")
     is_ours = OURS.get(chosen.name) is chosen

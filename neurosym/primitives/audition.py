@@ -12,13 +12,14 @@ from itertools import groupby
 import numpy as np
 from jaxtyping import Float
 
+from neurosym.checks import check_all, check_array, check_callable, check_count, check_kind, check_seed
 from neurosym.errors import UnknownChoice
 from neurosym.guarded import made
 from neurosym.operators import Primitive
 from neurosym.primitives.rehearsal import perform_on_each
 from neurosym.primitives.variety import best_set, observe, worth_in_place
 from neurosym.progress import Progress
-from neurosym.symbols import Categorise
+from neurosym.symbols import Categorise, symbols_of
 from neurosym.world import Scene, WorldFactory
 
 PredictOutcomes = Callable[[np.ndarray, np.ndarray], np.ndarray]
@@ -62,7 +63,15 @@ def choose(
 
     Raises:
         UnknownChoice: If there is no such choice.
+        InvalidValue: If something is not what it should be.
+        InvalidWorld: If it is a world of one's own that fails.
     """
+    check_all("candidates", candidates, Primitive, "primitives, as distill returns them")
+    check_kind("choice", choice, str, f"one of {', '.join(CHOICES)}")
+    check_callable("predict", predict, "a function from features and actions to outcomes")
+    check_array("features", features, (None, None))
+    check_seed(seed)
+    check_count("workers", workers)
     if choice not in CHOICES:
         raise UnknownChoice("choice", choice, CHOICES)
     if choice == "lowest-error":
@@ -96,7 +105,7 @@ def shortlist(
         categorise: Gives the object symbols of features.
         count: How many candidates are kept for each symbol.
     """
-    symbols = np.array(categorise(features))
+    symbols = np.array(symbols_of(categorise, features))
     ordered, groups = _by_symbol(candidates)
     happens = [predict(features, np.tile(np.array(c.action), (len(features), 1))) for c in ordered]
     return tuple(ordered[number] for number in _best_of_each(groups, np.array(happens), symbols, count))
@@ -144,7 +153,7 @@ def audition(
         done += objects * len(few)
         for rows, outcomes in zip(happened, performed, strict=True):
             rows += [[*outcome.effect, outcome.peak_height] for outcome in outcomes]
-        symbols = np.array(categorise(np.concatenate([scene.features for scene in scenes])))
+        symbols = np.array(symbols_of(categorise, np.concatenate([scene.features for scene in scenes])))
         best = _best_of_each(groups, np.array(happened), symbols, kept)
         few, happened = [few[number] for number in best], [happened[number] for number in best]
         groups = _by_symbol(few)[1]

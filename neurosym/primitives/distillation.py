@@ -13,6 +13,7 @@ from jaxtyping import Float
 from torch import Tensor
 
 from neurosym.actions import ActionBox
+from neurosym.checks import check_kind, check_seed
 from neurosym.data.interactions import Interactions
 from neurosym.errors import InvalidValue
 from neurosym.learning.coclustering import kmeans
@@ -77,7 +78,11 @@ def distill(
     Returns:
         Candidates in the order of their symbols, the nearest to its code first. Each encodes to its symbol;
         its `code_error` says how far its embedding still is from the code.
+
+    Raises:
+        InvalidValue: If something is not what it should be, or model, data and box have not the same widths.
     """
+    _check(model, interactions, box, seed, config)
     config, actions = config or DistillationConfig(), np.asarray(interactions.actions)
     rng = np.random.default_rng([seed, _STREAM])
     symbols = all_symbols(model.config.action_bits)
@@ -100,6 +105,26 @@ def distill(
         for symbol in reached
         for row in _converged(np.flatnonzero(owners == symbol), errors)
     )
+
+
+def _check(
+    model: EffectModel,
+    interactions: Interactions,
+    box: ActionBox,
+    seed: int,
+    config: DistillationConfig | None,
+) -> None:
+    check_kind("model", model, EffectModel, "an EffectModel, as train returns it in its `model`")
+    check_kind("interactions", interactions, Interactions, "Interactions")
+    check_kind("box", box, ActionBox, "an ActionBox, like a world's action_box")
+    check_kind("config", config, DistillationConfig | None, "a DistillationConfig")
+    check_seed(seed)
+    widths = model.dimensions.actions, interactions.actions.shape[1], len(box.low)
+    if len(set(widths)) > 1:
+        raise InvalidValue(
+            f"The model reads {widths[0]} action parameters, the data have {widths[1]} and the box "
+            f"{widths[2]}; valid: the same number."
+        )
 
 
 def _converged(rows: np.ndarray, errors: Float[np.ndarray, "N"]) -> list[int]:

@@ -11,13 +11,14 @@ from dataclasses import dataclass
 import numpy as np
 from jaxtyping import Float
 
+from neurosym.checks import check_all, check_array, check_count, check_kind, check_seed
 from neurosym.errors import InvalidValue
 from neurosym.guarded import made, placed
 from neurosym.naming import name_categories, name_operator
 from neurosym.operators import Category, Mode, Operator, OperatorTable, Primitive
 from neurosym.primitives.modes import sort_into_modes
 from neurosym.progress import Progress
-from neurosym.symbols import Categorise, all_symbols
+from neurosym.symbols import Categorise, all_symbols, symbols_of
 from neurosym.world import Outcome, Scene, World, WorldFactory
 from neurosym.worlds.workers import Task, perform_all
 
@@ -39,6 +40,15 @@ class Rehearsals:
     features: Float[np.ndarray, "M F"]
     symbols: np.ndarray
     outcomes: tuple[tuple[Outcome, ...], ...]
+
+    def __post_init__(self) -> None:
+        check_all("primitives", self.primitives, Primitive, "a tuple of Primitive")
+        check_array("features", self.features, (None, None))
+        rows = len(self.features)
+        if np.shape(self.symbols) != (rows,) or len(self.outcomes) != len(self.primitives):
+            raise InvalidValue("Rehearsals need a symbol for each object, and outcomes for each primitive.")
+        if any(len(row) != rows for row in self.outcomes):
+            raise InvalidValue("Rehearsals need for each primitive an outcome for each object.")
 
 
 def rehearse(
@@ -65,16 +75,26 @@ def rehearse(
     Raises:
         InvalidValue: If there is no object or no primitive to rehearse with.
     """
+    check_all("primitives", primitives, Primitive, "primitives, as distill or choose returns them")
+    check_seed(seed)
+    check_count("objects", objects, least=-(2**63))
     if objects < 1 or not primitives:
         raise InvalidValue(
             f"Nothing can be rehearsed with {objects} objects and {len(primitives)} primitives."
         )
+    check_count("workers", workers)
     world = made(world_factory)
+    for primitive in primitives:
+        if len(primitive.action) != len(world.action_box.low):
+            raise InvalidValue(
+                f"The primitive {primitive.symbol} has {len(primitive.action)} action parameters; the "
+                f"{world.name} world takes {len(world.action_box.low)}."
+            )
     scenes = [rehearsal_scene(world, seed, number) for number in range(objects)]
     features = np.concatenate([scene.features for scene in scenes])
     ordered = tuple(sorted(primitives, key=lambda primitive: primitive.symbol))
     outcomes = perform_on_each(world_factory, ordered, scenes, workers, progress)
-    return Rehearsals(ordered, features, np.array(categorise(features)), outcomes)
+    return Rehearsals(ordered, features, np.array(symbols_of(categorise, features)), outcomes)
 
 
 def perform_on_each(
@@ -118,7 +138,17 @@ def tabulate(rehearsals: Rehearsals, feature_names: Sequence[str]) -> OperatorTa
     Args:
         rehearsals: What happened.
         feature_names: What the features are.
+
+    Raises:
+        InvalidValue: If there are not as many names as features.
     """
+    check_kind("rehearsals", rehearsals, Rehearsals, "Rehearsals, as rehearse returns them")
+    check_all("feature_names", feature_names, str, "a name for each feature")
+    if len(feature_names) != rehearsals.features.shape[1]:
+        raise InvalidValue(
+            f"There are {len(feature_names)} feature_names; objects have {rehearsals.features.shape[1]} "
+            "features."
+        )
     symbols = rehearsals.symbols
     categories = describe_categories(rehearsals.features, symbols, feature_names)
     operators = tuple(

@@ -4,11 +4,12 @@ from collections.abc import Mapping, Sequence
 
 import numpy as np
 
+from neurosym.checks import check_count, check_length, check_seed
 from neurosym.errors import InvalidValue
 from neurosym.guarded import guarded, placed
 from neurosym.operators import TOLERANCE, Vector, vector
-from neurosym.problems import Problem, SceneObject, check_goals, goal_heights
-from neurosym.symbols import Categorise
+from neurosym.problems import Problem, SceneObject, check_goals, check_names, goal_heights
+from neurosym.symbols import Categorise, symbols_of
 from neurosym.world import Outcome, Scene, World
 
 _MOST_DRAWS = 1000
@@ -44,9 +45,9 @@ def draw_problem(
         InvalidValue: If the objects do not fit, or no draw moves anything.
     """
     world = guarded(world)
-    for kind, count in (("object", objects), ("action", actions)):
-        if count < 1:
-            raise InvalidValue(f"A problem needs at least one {kind}, not {count}.")
+    for kind, count in (("objects", objects), ("actions", actions)):
+        check_count(kind, count)
+    _check(name, seed, tolerance)
     for draw in range(_MOST_DRAWS):
         rng = np.random.default_rng([_TASKS, seed, draw])
         with placed(f"draw {draw + 1}"):
@@ -109,6 +110,8 @@ def set_problem(
         InvalidValue: If the objects do not fit, or a goal names none of them or lies out of reach.
     """
     world = guarded(world)
+    check_count("objects", objects)
+    _check(name, seed, tolerance)
     scene = world.sample_scene(np.random.default_rng([_TASKS, seed]), objects)
     items = _items(scene, categorise)
     resting = {item.name: item.position[2] for item in items}
@@ -123,6 +126,13 @@ def set_problem(
     return problem
 
 
+def _check(name: str, seed: int, tolerance: float) -> None:
+    """Refuse a name, seed or tolerance before anything is drawn."""
+    check_names((name,))
+    check_seed(seed)
+    check_length("tolerance", tolerance)
+
+
 def item_names(objects: int) -> tuple[str, ...]:
     """Return what the objects of a made scene are called: `item-01`, `item-02`, ..."""
     return tuple(f"item-{number:02d}" for number in range(1, objects + 1))
@@ -131,7 +141,7 @@ def item_names(objects: int) -> tuple[str, ...]:
 def _items(scene: Scene, categorise: Categorise) -> tuple[SceneObject, ...]:
     rows = zip(
         item_names(len(scene)),
-        categorise(scene.features),
+        symbols_of(categorise, scene.features),
         scene.features.tolist(),
         map(vector, scene.positions),
         scene.orientations.tolist(),
@@ -144,7 +154,8 @@ def _items(scene: Scene, categorise: Categorise) -> tuple[SceneObject, ...]:
 
 
 def _completed(item: str, goal: tuple[float, ...], resting_height: float) -> Vector:
-    if len(goal) not in (2, 3) or not np.all(np.isfinite(goal)):
+    is_place = isinstance(goal, tuple | list) and all(isinstance(part, int | float) for part in goal)
+    if not is_place or len(goal) not in (2, 3) or not np.all(np.isfinite(goal)):
         raise InvalidValue(f"The goal of {item} is {goal}; give x,y or x,y,z in metres.")
     x, y, z = (*goal, resting_height)[:3]
     return (x, y, z)

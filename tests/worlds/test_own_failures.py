@@ -85,7 +85,7 @@ def explored(world_factory, folder, workers=1, strategy="random"):
         world_factory,
         steps=STEPS,
         strategy=strategy,
-        seed=2,
+        seed=6,
         workers=workers,
         checkpoint=folder,
         config=config,
