@@ -78,7 +78,7 @@ def check_count(name: str, value: object, least: int = 1) -> None:
     """
     if isinstance(value, bool | np.bool_) or not hasattr(value, "__index__"):
         raise InvalidValue(f"{name} = {reprlib.repr(value)} must be a whole number of at least {least}.")
-    if operator.index(value) < least:  # type: ignore[arg-type]
+    if operator.index(value) < least:
         raise InvalidValue(f"{name} = {reprlib.repr(value)} must be at least {least}.")
 
 

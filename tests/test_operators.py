@@ -36,14 +36,14 @@ def test_table_averaged_from_data_says_so_in_its_file(tmp_path):
 
 
 def test_axes_that_do_not_agree_are_refused(tmp_path):
-    with pytest.raises(ValueError, match="same number of axes"):
+    with pytest.raises(InvalidValue, match="same number of axes"):
         Mode("resting", 1, 1.0, (0.0, 0.0), (0.0,), (0.0,), (0.0,), 0.0, 1)
     write_json(tmp_path / "t.json", msgspec.to_builtins(a_table(a_mode(0.1, 0.2))))
     text = (tmp_path / "t.json").read_text().replace("0.2", "0.2, 0.3")
     (tmp_path / "t.json").write_text(text)
     with pytest.raises(InvalidFile, match="same number of axes"):
         read_json(tmp_path / "t.json", OperatorTable)
-    with pytest.raises(ValueError, match="same number of axes"):
+    with pytest.raises(InvalidValue, match="same number of axes"):
         a_table(a_mode(0.1, 0.2), a_mode(0.1, 0.2, 0.3))
 
 

@@ -212,10 +212,11 @@ def test_commands_refuse_a_bad_world_in_one_sentence(here, folder, command, deed
 
 @pytest.mark.parametrize("deed", ["raising", "gone", "nothing"])
 def test_init_refuses_a_bad_world_and_leaves_no_folder(here, deed, capsys):
-    factory = f"\n\ndef sure() -> Bad:\n    return Bad({deed!r}, 'interact', 0.0)\n"
-    (here / "bad_worlds.py").write_text((here / "bad_worlds.py").read_text() + factory)
+    (here / "sure_worlds.py").write_text(
+        f"from bad_worlds import Bad\n\ndef make() -> Bad:\n    return Bad({deed!r}, 'interact', 0.0)\n"
+    )
     said = {**SAID, **OF_OUTCOMES}[deed].format("interact")
-    assert said in refusal(capsys, "init", "mine", "--world", "bad_worlds:sure")
+    assert said in refusal(capsys, "init", "mine", "--world", "sure_worlds:make")
     assert not (here / "mine").exists()
 
 
