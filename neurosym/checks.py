@@ -65,6 +65,16 @@ def check_callable(name: str, value: object, valid: str) -> None:
         raise InvalidValue(f"{name} = {reprlib.repr(value)} cannot be called; valid: {valid}.")
 
 
+def check_whole(name: str, value: object) -> None:
+    """Raise unless a value is a whole number.
+
+    Raises:
+        InvalidValue: If it is not.
+    """
+    if isinstance(value, bool | np.bool_) or not hasattr(value, "__index__"):
+        raise InvalidValue(f"{name} = {reprlib.repr(value)} must be a whole number.")
+
+
 def check_count(name: str, value: object, least: int = 1) -> None:
     """Raise unless a value is a whole number that is large enough.
 
@@ -76,8 +86,7 @@ def check_count(name: str, value: object, least: int = 1) -> None:
     Raises:
         InvalidValue: If it is not.
     """
-    if isinstance(value, bool | np.bool_) or not hasattr(value, "__index__"):
-        raise InvalidValue(f"{name} = {reprlib.repr(value)} must be a whole number of at least {least}.")
+    check_whole(name, value)
     if operator.index(value) < least:
         raise InvalidValue(f"{name} = {reprlib.repr(value)} must be at least {least}.")
 

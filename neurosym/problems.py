@@ -45,11 +45,6 @@ class SceneObject(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
 
     def __post_init__(self) -> None:
         check_fields(self)
-        if any(size < 0 for size in self.features[:2]):
-            raise InvalidValue(
-                f"{self.name} has a size of {min(self.features[:2]):g} m; the first two features are sizes "
-                "along x and y, of at least 0 m."
-            )
 
 
 class Problem(msgspec.Struct, frozen=True, forbid_unknown_fields=True):

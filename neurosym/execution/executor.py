@@ -30,6 +30,7 @@ from neurosym.execution.record import (
 from neurosym.execution.replanning import PATIENCE, Progress, new_plan, usual_replans, why_not_go_on
 from neurosym.grounding import Grounding, is_lift
 from neurosym.guarded import guarded, placed
+from neurosym.object_limits import limits_of
 from neurosym.operators import vector
 from neurosym.pddl.plan_text import PlanStep, Steps, named_steps, primitives
 from neurosym.pddl.validation import validate
@@ -72,12 +73,16 @@ def execute(
         InvalidWorld: If it is no world, or a world of one's own that fails.
         UnknownChoice: If a step names an operator that there is not.
     """
+    world = guarded(world)
     _check(problem, grounding, plan, replans, nudge_seed)
+    if limits := limits_of(world):
+        for item in problem.objects:
+            limits.check(item.name, item.features)
     nudger = None
     if nudge_seed is not None:
         nudger = Nudger(nudge_seed, primitives(plan))
     most = (usual_replans(plan) if replans is None else replans) if replanner else 0
-    run = _Running(guarded(world), problem, grounding, list(plan), on_frame, most)
+    run = _Running(world, problem, grounding, list(plan), on_frame, most)
     while run.goes_on:
         if nudger and nudger.before_step == len(run.records) + 1 and not run.nudge:
             run.be_nudged(nudger)

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 import numpy as np
 from jaxtyping import Float
 
-from neurosym.checks import check_all, check_array, check_count, check_kind, check_seed
+from neurosym.checks import check_all, check_array, check_count, check_kind, check_seed, check_whole
 from neurosym.errors import InvalidValue
 from neurosym.guarded import made, placed
 from neurosym.naming import name_categories, name_operator
@@ -77,7 +77,7 @@ def rehearse(
     """
     check_all("primitives", primitives, Primitive, "primitives, as distill or choose returns them")
     check_seed(seed)
-    check_count("objects", objects, least=-(2**63))
+    check_whole("objects", objects)
     if objects < 1 or not primitives:
         raise InvalidValue(
             f"Nothing can be rehearsed with {objects} objects and {len(primitives)} primitives."

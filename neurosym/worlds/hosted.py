@@ -142,7 +142,7 @@ def describe_apart(name: str, folder: Path) -> dict[str, Any]:
     search_here(folder)
     process = Process(name)
     try:
-        options: dict[str, Any] = process.call("its making", describe_own_world, name, folder)
+        options: dict[str, Any] = process.call("a first trial", describe_own_world, name, folder)
     finally:
         process.close()
     return options

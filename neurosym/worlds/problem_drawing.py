@@ -4,7 +4,7 @@ from collections.abc import Mapping, Sequence
 
 import numpy as np
 
-from neurosym.checks import check_count, check_length, check_seed
+from neurosym.checks import check_count, check_length, check_seed, check_whole
 from neurosym.errors import InvalidValue
 from neurosym.guarded import guarded, placed
 from neurosym.operators import TOLERANCE, Vector, vector
@@ -45,8 +45,10 @@ def draw_problem(
         InvalidValue: If the objects do not fit, or no draw moves anything.
     """
     world = guarded(world)
-    for kind, count in (("objects", objects), ("actions", actions)):
-        check_count(kind, count)
+    for kind, count in (("object", objects), ("action", actions)):
+        check_whole(f"{kind}s", count)
+        if count < 1:
+            raise InvalidValue(f"A problem needs at least one {kind}, not {count}.")
     _check(name, seed, tolerance)
     for draw in range(_MOST_DRAWS):
         rng = np.random.default_rng([_TASKS, seed, draw])

@@ -215,7 +215,8 @@ def test_init_refuses_a_bad_world_and_leaves_no_folder(here, deed, capsys):
     (here / "sure_worlds.py").write_text(
         f"from bad_worlds import Bad\n\ndef make() -> Bad:\n    return Bad({deed!r}, 'interact', 0.0)\n"
     )
-    said = {**SAID, **OF_OUTCOMES}[deed].format("interact")
+    where = "a first trial" if deed == "gone" else "interact"
+    said = {**SAID, **OF_OUTCOMES}[deed].format(where)
     assert said in refusal(capsys, "init", "mine", "--world", "sure_worlds:make")
     assert not (here / "mine").exists()
 
@@ -223,7 +224,7 @@ def test_init_refuses_a_bad_world_and_leaves_no_folder(here, deed, capsys):
 def test_a_module_that_ends_its_process_when_imported_is_told(here, capsys):
     (here / "gone.py").write_text("import os\nos._exit(0)\n")
     said = refusal(capsys, "init", "mine", "--world", "gone:make")
-    assert "The world 'gone:make' ends its process with exit code 0 in its making." in said
+    assert "The world 'gone:make' ends its process with exit code 0 in a first trial." in said
 
 
 def test_no_process_is_left(here):
