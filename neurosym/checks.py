@@ -87,7 +87,7 @@ def check_count(name: str, value: object, least: int = 1) -> None:
         InvalidValue: If it is not.
     """
     check_whole(name, value)
-    if operator.index(value) < least:
+    if operator.index(value) < least:  # type: ignore[arg-type]  # checked just now
         raise InvalidValue(f"{name} = {reprlib.repr(value)} must be at least {least}.")
 
 

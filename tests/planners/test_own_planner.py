@@ -132,6 +132,24 @@ def test_a_domain_folder_must_not_bring_a_planner(folder: Path, monkeypatch: pyt
     assert "has its code in the domain folder" in said
 
 
+def test_a_planner_in_a_domain_folder_that_one_stands_in_is_not_called_missing(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+):
+    (tmp_path / "planner_of_the_folder.py").write_text(CODE)
+    monkeypatch.chdir(tmp_path)
+    with pytest.raises(InvalidPlanner, match="has its code in the domain folder"):
+        planner_named("planner_of_the_folder:make", tmp_path)
+
+
+def test_what_a_planner_prints_is_no_part_of_the_answer(capsys: pytest.CaptureFixture[str]):
+    def chatty(_: object) -> PlanResult:
+        print("(fly item-01)")
+        return PlanResult(PlanStatus.FAILED, (), 0.0, "tired")
+
+    assert plan(problem(), grounding(), Planner("mine", "mine", chatty)).reason == "tired"
+    assert capsys.readouterr().out == ""
+
+
 def raises(_: object) -> PlanResult:
     raise RuntimeError("out of ink")
 
