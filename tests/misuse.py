@@ -9,7 +9,7 @@ import os
 import sys
 from dataclasses import replace
 from pathlib import Path
-from tempfile import mkdtemp
+from tempfile import TemporaryDirectory
 
 import msgspec
 import numpy as np
@@ -26,7 +26,8 @@ from neurosym.worlds.toy import ToyConfig, make_world
 NAN, INF = math.nan, math.inf
 TOY = make_world()
 SCENE = TOY.sample_scene(np.random.default_rng(0), 2)
-FOLDER = Path(mkdtemp())
+_PLACE = TemporaryDirectory()  # removed at the end of the process
+FOLDER = Path(_PLACE.name)
 
 
 def categorise(features):

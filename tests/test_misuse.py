@@ -38,7 +38,9 @@ def test_there_are_mistakes_with_every_name_that_can_be_used_wrongly(outcomes):
     assert [name for name in neurosym.__all__ if f"ns.{name}" not in source and name not in values] == []
 
 
-@pytest.mark.parametrize("number", range(len(misuse.CALLS)), ids=lambda number: misuse.CALLS[number][0])
+@pytest.mark.parametrize(
+    "number", range(len(misuse.CALLS)), ids=lambda number: f"{number}-{misuse.CALLS[number][2]}"
+)
 def test_mistake_is_refused_in_one_sentence(outcomes, number):
     label, _, error, words = misuse.CALLS[number]
     kinds, said = outcomes[number]
