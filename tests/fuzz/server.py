@@ -18,7 +18,7 @@ import time
 import traceback
 from contextlib import suppress
 from dataclasses import replace
-from functools import partial
+from inspect import signature
 from pathlib import Path
 from typing import Any
 
@@ -87,9 +87,16 @@ def _train_shortly() -> None:
             decoder=replace(training.decoder, imagined=200, imagined_epochs=1, epochs=2),
         )
         training_config.REGIMES[name] = replace(regime, training=short)
-    choice.ExplorationConfig = partial(choice.ExplorationConfig, candidates=20)  # type: ignore[misc,assignment]
-    config = partial(distillation.DistillationConfig, candidates=8, steps=10)
-    distillation.DistillationConfig = config  # type: ignore[misc,assignment]
+    _set_defaults(choice.ExplorationConfig, candidates=20)
+    _set_defaults(distillation.DistillationConfig, candidates=8, steps=10)
+
+
+def _set_defaults(kind: type, **defaults: object) -> None:
+    """Give fields of a dataclass other defaults."""
+    made = kind.__init__  # type: ignore[misc]
+    parameters = signature(made).parameters.values()
+    known = {one.name: one.default for one in parameters if one.default is not one.empty}
+    made.__defaults__ = (*(known | defaults).values(),)
 
 
 def perform(request: dict[str, Any]) -> dict[str, Any]:
