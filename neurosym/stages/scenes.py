@@ -4,8 +4,10 @@ from pathlib import Path
 
 import msgspec
 
+from neurosym.errors import InvalidFile, InvalidValue
 from neurosym.files import make_folder
 from neurosym.grounding import Grounding
+from neurosym.pddl.grid import check_on_table
 from neurosym.problems import Problem
 from neurosym.reading import digest
 from neurosym.stages.compiling import print_problem
@@ -30,6 +32,11 @@ def scene_stage(folder: DomainFolder, file: Path, *, name: str, tolerance: float
         grounding = Grounding.load(folder.require(GROUNDING))
         problem = msgspec.structs.replace(Problem.load(file), name=name).within(tolerance)
         check_scene(folder, problem, file)
+        try:
+            for item in problem.objects:  # only what a run saw may be a little off
+                check_on_table(item, grounding)
+        except InvalidValue as error:
+            raise InvalidFile(file, str(error).rstrip(".")) from error
         make_folder(folder / PROBLEMS)
         print_problem(folder, problem, grounding)
         problem.save(folder / scene)

@@ -161,3 +161,13 @@ def test_tolerance_is_for_goals_by_hand_too(folder):
 def test_impossible_tolerance_makes_no_problem(folder, capsys):
     assert "tolerance" in refusal(capsys, "new-problem", folder, "--name", "none", "--tolerance=-1")
     assert not list((folder / "problems").glob("none*"))
+
+
+def test_scene_with_an_object_off_the_table_is_refused(bare, mine, capsys):
+    """What a run saw may be a little off the table; what somebody writes may not."""
+    task = toy_domain.problem(AWAY)
+    off = msgspec.structs.replace(task.objects[0], position=(toy_domain.WORLD.table.x[1] + 0.01, 0.0, 0.025))
+    msgspec.structs.replace(task, objects=(off, task.objects[1])).save(mine)
+    assert "item-01 stands at" in (said := refusal(capsys, "new-problem", bare, "--scene", mine))
+    assert "off the table; valid: x" in said
+    assert not (bare / "problems").exists()
