@@ -43,7 +43,7 @@ class Process:
         lifeline, held = os.pipe()
         with theirs:
             code = _START.format(path=sys.path, requests=theirs.fileno(), lifeline=lifeline)
-            with _ctrl_c_ignored():
+            with ctrl_c_ignored():
                 self._process = subprocess.Popen(
                     [sys.executable, "-c", code], pass_fds=(theirs.fileno(), lifeline)
                 )
@@ -128,7 +128,7 @@ class Process:
 
 
 @contextmanager
-def _ctrl_c_ignored() -> Iterator[None]:
+def ctrl_c_ignored() -> Iterator[None]:
     """Let processes that are started be deaf to Ctrl-C, which ends them through us."""
     if threading.current_thread() is not threading.main_thread():
         yield

@@ -27,6 +27,7 @@ from numpy import ndarray
 from neurosym.errors import InvalidValue, NeurosymError
 from neurosym.guarded import made
 from neurosym.world import Outcome, Scene, World, WorldFactory
+from neurosym.worlds.apart import ctrl_c_ignored
 from neurosym.worlds.hosted import OwnFactory, hosts
 
 MOST_WORKERS = 256
@@ -161,7 +162,7 @@ def worker_pool(
     )
     started: list[BaseProcess] = []
     try:
-        with _deaf():
+        with ctrl_c_ignored():
             for _ in range(workers):
                 pool.submit(int)  # a process is started for each task that finds none idle
             started = [child for child in multiprocessing.active_children() if child not in before]
@@ -171,19 +172,6 @@ def worker_pool(
         raise
     finally:
         pool.shutdown(wait=True, cancel_futures=True)
-
-
-@contextmanager
-def _deaf() -> Iterator[None]:
-    """Ignore Ctrl-C for a moment, so that processes that are started in it do so from the start."""
-    if threading.current_thread() is not threading.main_thread():
-        yield
-        return
-    before = signal.signal(signal.SIGINT, signal.SIG_IGN)
-    try:
-        yield
-    finally:
-        signal.signal(signal.SIGINT, before)
 
 
 def _end_all(started: Sequence[BaseProcess]) -> None:
