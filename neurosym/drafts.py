@@ -6,11 +6,12 @@ leaves beside it, `remove_leftovers` removes.
 
 import fcntl
 import os
-import tempfile
+import secrets
 from collections.abc import Iterator
 from contextlib import contextmanager, suppress
 from contextvars import ContextVar
 from pathlib import Path
+from typing import BinaryIO
 
 from neurosym.errors import CannotWrite
 
@@ -21,23 +22,24 @@ _MOST_OPEN = 100  # drafts; a process may not have many more files open
 class Draft:
     """A file beside its place; while it is open it is locked, so that nobody takes it for a leftover.
 
+    Its name is known before there is a file: whenever a signal is raised meanwhile, `drop` leaves nothing.
+
     Args:
         place: Where the file shall stand; its folder exists.
         data: What it holds.
     """
 
     def __init__(self, place: Path, data: bytes):
-        self.place = place
-        descriptor, name = _make_locked(place.parent)
-        self.path = Path(name)
-        self._file = os.fdopen(descriptor, "wb")
-        try:
-            self._file.write(data)
-            self._file.flush()
-            self.path.chmod(0o644)
-        except BaseException:
-            self.drop()
-            raise
+        self.place, self.path = place, place.parent / f"{_BESIDE}{secrets.token_hex(8)}"
+        self._data = data
+        self._file: BinaryIO | None = None
+
+    def write(self) -> None:
+        """Make the file; unless this comes to its end, it is to be dropped."""
+        self._file = _make_locked(self.path)
+        self._file.write(self._data)
+        self._file.flush()
+        self.path.chmod(0o644)
 
     def put_in_place(self) -> None:
         """Rename it to its place."""
@@ -51,8 +53,9 @@ class Draft:
 
     def unlock(self) -> None:
         """Close it, which lets go of the lock."""
-        with suppress(OSError):  # on a full disk it closes, and says that it could not write
-            self._file.close()
+        if self._file:
+            with suppress(OSError):  # on a full disk it closes, and says that it could not write
+                self._file.close()
 
 
 class Drafts:
@@ -147,12 +150,12 @@ def naming(path: Path) -> Iterator[None]:
         raise CannotWrite(path, error) from error
 
 
-def _make_locked(folder: Path) -> tuple[int, str]:
-    """Make an empty file of a new name, and lock it."""
+def _make_locked(path: Path) -> BinaryIO:
+    """Make an empty file, and lock it."""
     while True:
-        descriptor, name = tempfile.mkstemp(dir=folder, prefix=_BESIDE)
+        file = path.open("xb")
         with suppress(OSError):  # not every file system has locks
-            fcntl.flock(descriptor, fcntl.LOCK_EX)
-        if os.fstat(descriptor).st_nlink:  # else somebody took it for a leftover before it was locked
-            return descriptor, name
-        os.close(descriptor)
+            fcntl.flock(file, fcntl.LOCK_EX)
+        if os.fstat(file.fileno()).st_nlink:  # else somebody took it for a leftover before it was locked
+            return file
+        file.close()

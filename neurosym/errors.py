@@ -73,6 +73,15 @@ class FolderTaken(NeurosymError):
         super().__init__(f"{said} in {folder}; wait until it has ended, or name another folder.")
 
 
+class CannotStart(NeurosymError):
+    """The system lets no further process or thread be started; `what` names which, like `planner`."""
+
+    def __init__(self, what: str, why: str):
+        super().__init__(
+            f"No {what} can be started: {why}; allow more processes, files or memory (ulimit -a)."
+        )
+
+
 class InvalidData(InvalidFile):
     """A data set with all its problems, a line each."""
 

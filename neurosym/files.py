@@ -30,11 +30,12 @@ def write_atomically(path: Path, content: bytes | str) -> None:
     data = content.encode(errors="backslashreplace") if isinstance(content, str) else content
     with naming(path):
         draft = Draft(path, data)
-        if drafts := collecting():
-            drafts.add(path, draft)
-            return
         try:
-            draft.put_in_place()
+            draft.write()
+            if drafts := collecting():
+                drafts.add(path, draft)
+            else:
+                draft.put_in_place()
         except BaseException:
             draft.drop()
             raise
@@ -52,13 +53,22 @@ def write_new(path: Path, content: bytes | str) -> bool:
     with naming(path):
         draft = Draft(path, content.encode() if isinstance(content, str) else content)
         try:
-            os.link(draft.path, path)
-        except FileExistsError:
-            return False
-        except OSError:  # a file system without links
-            draft.put_in_place()
-        finally:
+            draft.write()
+            is_new = _link(draft, path)
             draft.drop()
+        except BaseException:
+            draft.drop()
+            raise
+    return is_new
+
+
+def _link(draft: Draft, path: Path) -> bool:
+    try:
+        os.link(draft.path, path)
+    except FileExistsError:
+        return False
+    except OSError:  # a file system without links
+        draft.put_in_place()
     return True
 
 
@@ -102,7 +112,13 @@ def check_writable(path: Path) -> None:
         if not folder.is_dir():
             raise InvalidFile(folder, "it is a file, and should be a folder; move it away")
         remove_leftovers(folder)
-        Draft(folder / path.name, _BLOCK).drop()
+        draft = Draft(folder / path.name, _BLOCK)
+        try:
+            draft.write()
+            draft.drop()
+        except BaseException:
+            draft.drop()
+            raise
 
 
 def write_json(path: Path, document: object) -> None:

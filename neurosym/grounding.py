@@ -13,6 +13,7 @@ from typing import Annotated
 import msgspec
 
 from neurosym.checks import as_path, check_fields, check_length
+from neurosym.duplicates import find_duplicates
 from neurosym.errors import InvalidFile, InvalidValue, UnknownChoice
 from neurosym.files import write_json
 from neurosym.naming import counted_axes
@@ -27,13 +28,18 @@ from neurosym.operators import (
     OperatorTable,
     Primitive,
     Vector,
+    unknown_format,
 )
 from neurosym.reading import read_json
 from neurosym.symbols import Symbol
 from neurosym.wording import quoted
 from neurosym.world import Table
 
-FORMAT = "neurosym-grounding-1"
+FORMATS = ("neurosym-grounding-1", "neurosym-grounding-2")
+"""Versions of groundings that can be read; the second knows operators with parameters of their own."""
+FORMAT = FORMATS[-1]
+KEEP_DUPLICATES = FORMATS[:1]
+"""Formats whose domains have every operator, also where another does the same more reliably."""
 MIN_TRIALS = 5
 """An operator with fewer rehearsals, or rows of the data, than this is not believed."""
 _REMEMBERED = 8  # groundings of which what follows from them is kept: each object of a problem asks for it
@@ -84,10 +90,8 @@ class Grounding(msgspec.Struct, frozen=True, forbid_unknown_fields=True, omit_de
         path = as_path(path)
         remedy = f"; `neurosym compile-domain {quoted(path.parent)}` writes it anew"
         found = read_json(path, _Versioned, remedy).format
-        if found != FORMAT:
-            raise InvalidFile(
-                path, f"it is of the format {found!r}, and this version reads {FORMAT!r}{remedy}"
-            )
+        if found not in FORMATS:
+            raise InvalidFile(path, unknown_format(found, FORMATS) + remedy)
         return read_json(path, cls, remedy)
 
     def operator_named(self, name: str) -> Operator:
@@ -103,22 +107,25 @@ class Grounding(msgspec.Struct, frozen=True, forbid_unknown_fields=True, omit_de
         raise UnknownChoice("operator", name, known, "`neurosym explain`")
 
     def operator_for(self, category: Symbol, primitive: Symbol) -> Operator | None:
-        """Return what a primitive mostly does to a category, or None if that was never rehearsed."""
+        """Return what a primitive mostly does to a category, or None if that was never rehearsed.
+
+        If it has several actions for that category, it is done with the surest.
+        """
         for operator in self.operators.operators:
             if (operator.category, operator.primitive) == (category, primitive):
                 return operator
         return None
 
-    def primitive(self, symbol: Symbol) -> Primitive:
-        """Return the primitive with that action symbol.
+    def primitive(self, label: str) -> Primitive:
+        """Return the primitive of that label: an action symbol, and a letter if the symbol has several.
 
         Raises:
             UnknownChoice: If there is none.
         """
         for primitive in self.operators.primitives:
-            if primitive.symbol == symbol:
+            if primitive.label == label:
                 return primitive
-        raise UnknownChoice("primitive", symbol, (p.symbol for p in self.operators.primitives))
+        raise UnknownChoice("primitive", label, (p.label for p in self.operators.primitives))
 
     def category(self, symbol: Symbol) -> Category:
         """Return the category with that object symbol.
@@ -144,6 +151,11 @@ class Grounding(msgspec.Struct, frozen=True, forbid_unknown_fields=True, omit_de
         return _live(self)
 
     @property
+    def is_refined(self) -> bool:
+        """Whether rehearsals are kept, so that objects of one category are promised different things."""
+        return any(operator.rehearsals for operator in self.live)
+
+    @property
     def left_out(self) -> dict[str, str]:
         """Why each of the other operators has none, by name."""
         reasons = {operator.name: self.why_left_out(operator) for operator in self.operators.operators}
@@ -151,6 +163,10 @@ class Grounding(msgspec.Struct, frozen=True, forbid_unknown_fields=True, omit_de
 
     def why_left_out(self, operator: Operator) -> str | None:
         """Say why an operator is not in the PDDL domain, or return None if it is."""
+        return self._why_worthless(operator) or _duplicates(self).get(operator.name)
+
+    def _why_worthless(self, operator: Operator) -> str | None:
+        """Say why an operator is not worth planning with, whatever others there are; None if it is."""
         toppled = sum(mode.count for mode in operator.modes if mode.kind == "toppled")
         if operator.trials < MIN_TRIALS:
             return f"fewer than {MIN_TRIALS} {self.operators.trials}"
@@ -163,7 +179,10 @@ class Grounding(msgspec.Struct, frozen=True, forbid_unknown_fields=True, omit_de
             return f"keeps its promise in {operator.successes} of {trials} only"
         if self.cells(operator) == (0, 0, 0):
             return "moves less than half a cell"
-        if math.hypot(*self.displacement(operator)) < math.hypot(*_promise(operator).scatter):
+        by_object = bool(operator.rehearsals)  # then it is for each object to say, see `promises`
+        if not by_object and math.hypot(*self.displacement(operator)) < math.hypot(
+            *_promise(operator).scatter
+        ):
             return "scatters more than it moves"
         return None
 
@@ -198,13 +217,26 @@ class Grounding(msgspec.Struct, frozen=True, forbid_unknown_fields=True, omit_de
         resting = _in_cells(in_space(_promise(operator).resting_effect), self.cell)
         return (resting[0] - x, resting[1] - y, -z)
 
-    def rounding(self) -> Vector:
-        """Return how far one step of a plan can err on each axis because of the grid [m].
+    def rounding(self, operator: Operator) -> Vector:
+        """Return how far a step of a plan can err on each axis because of the grid, put down or not [m].
 
-        On x and y the errors of several steps add up. On z they do not: whatever rests is at its own
-        height exactly, so only an object that ends held errs.
+        Args:
+            operator: An operator with a promise.
         """
-        return _rounding(self)
+        step = _remainder(self.displacement(operator), self.cells(operator), self.cell)
+        resting = at_rest(_promise(operator))
+        put_down = _remainder(resting, _in_cells(resting, self.cell), self.cell)
+        x, y, z = map(max, step, put_down)
+        return (x, y, z)
+
+    def highest(self, operator: Operator) -> int:
+        """Return how far up an operator can lead whichever object of its category, in whole cells.
+
+        Args:
+            operator: An operator with a promise.
+        """
+        seen = [row.effect[2] for row in operator.rehearsals if row.kind == "held" and is_lift(operator)]
+        return max([self.cells(operator)[2], *(_in_cells((0.0, 0.0, up), self.cell)[2] for up in seen)])
 
 
 @lru_cache(maxsize=_REMEMBERED)
@@ -214,14 +246,17 @@ def _live(grounding: Grounding) -> tuple[Operator, ...]:
 
 
 @lru_cache(maxsize=_REMEMBERED)
-def _rounding(grounding: Grounding) -> Vector:
-    errors = [(0.0, 0.0, 0.0)]
-    for operator in grounding.live:
-        errors.append(_remainder(grounding.displacement(operator), grounding.cells(operator), grounding.cell))
-        resting = at_rest(_promise(operator))
-        errors.append(_remainder(resting, _in_cells(resting, grounding.cell), grounding.cell))
-    x, y, z = (max(axis) for axis in zip(*errors, strict=True))
-    return (x, y, z)
+def _duplicates(grounding: Grounding) -> dict[str, str]:
+    """Say why operators are left out that do the same as another, by name."""
+    if grounding.format in KEEP_DUPLICATES:
+        return {}
+
+    def moves(operator: Operator) -> tuple[Vector, ...]:
+        down = (at_rest(_promise(operator)),) if is_lift(operator) else ()
+        return (grounding.displacement(operator), *down)
+
+    worthy = (op for op in grounding.operators.operators if grounding._why_worthless(op) is None)
+    return find_duplicates(worthy, moves, grounding.cell / 2)
 
 
 class _Versioned(msgspec.Struct, frozen=True):

@@ -69,11 +69,11 @@ def counted_axes(count: int) -> str:
     return f"{count} {'axis' if count == 1 else 'axes'}"
 
 
-def name_operator(primitive: Symbol, category_name: str, modes: Sequence[Mode]) -> str:
-    """Name an operator by what it does: `push-left-101-hollow-low-10`.
+def name_operator(primitive: str, category_name: str, modes: Sequence[Mode]) -> str:
+    """Name an operator by what it does: `push-left-101b-hollow-low-10`.
 
     Args:
-        primitive: Symbol of the primitive.
+        primitive: Label of the primitive.
         category_name: Name of the category.
         modes: The outcomes seen, most frequent first.
     """

@@ -4,6 +4,8 @@ This one table is what every PDDL output is printed from, what plans are replaye
 compares observations against. It is stored in `primitives.json`.
 """
 
+from collections.abc import Sequence
+from pathlib import Path
 from typing import Annotated, Literal
 
 import msgspec
@@ -11,7 +13,8 @@ import numpy as np
 from jaxtyping import Float
 
 from neurosym.checks import check_fields
-from neurosym.errors import InvalidValue
+from neurosym.errors import InvalidFile, InvalidValue
+from neurosym.reading import read_json
 from neurosym.symbols import Symbol, all_symbols
 from neurosym.world import OutcomeKind
 
@@ -23,6 +26,12 @@ Count = Annotated[int, msgspec.Meta(ge=0)]
 Vector = tuple[Length, Length, Length]
 Effect = tuple[Length, ...]
 """A displacement: x, y and z [m] in every world, any number of axes in data of a user's own."""
+Variant = Annotated[str, msgspec.Meta(pattern=r"\A[a-z]{0,2}\Z")]
+"""Which of the parameters of an action symbol; empty where there are no others."""
+TABLE_FORMATS = ("neurosym-primitives-1", "neurosym-primitives-2")
+"""Versions of tables that can be read; since the second there may be several operators for a pair."""
+TABLE_FORMAT = TABLE_FORMATS[-1]
+"""The version of tables that are made now."""
 _MOST_BITS = 10  # of symbols whose unused codes are listed
 
 
@@ -83,21 +92,28 @@ CONVERGED = 0.05
 """Greatest mean squared error to the code of an action that counts as found."""
 
 
-class Primitive(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
-    """An action symbol with its distilled parameters.
+class Primitive(msgspec.Struct, frozen=True, forbid_unknown_fields=True, omit_defaults=True):
+    """An action symbol with distilled parameters; a symbol may have several, each with a letter of its own.
 
     Attributes:
         symbol: The action symbol, like "101".
         action: The distilled action parameters.
         code_error: Mean squared error of the action's embedding to the symbol's +-1 code.
+        variant: Which of the symbol's parameters these are: empty, or one of "a", "b" and so on.
     """
 
     symbol: Symbol
     action: tuple[Length, ...]
     code_error: float
+    variant: Variant = ""
 
     def __post_init__(self) -> None:
         check_fields(self)
+
+    @property
+    def label(self) -> str:
+        """The symbol and the variant, like "101" or "101b"."""
+        return self.symbol + self.variant
 
     @property
     def has_converged(self) -> bool:
@@ -105,7 +121,33 @@ class Primitive(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
         return self.code_error < CONVERGED
 
 
-class Category(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
+class Rehearsal(msgspec.Struct, frozen=True, array_like=True):
+    """How a primitive turned out on one object.
+
+    Attributes:
+        kind: How the object ended.
+        effect: Its displacement at the end of the rise [m].
+        resting_effect: Its displacement once everything is put down [m].
+        peak_height: Its greatest height on the way [m].
+        turn: By what angle it was turned in the end [rad].
+    """
+
+    kind: OutcomeKind
+    effect: Effect
+    resting_effect: Effect
+    peak_height: Length
+    turn: Length
+
+    def __post_init__(self) -> None:
+        check_fields(self)
+
+    @property
+    def outcome(self) -> Effect:
+        """Displacement of the object as it ended: held in the air, or else at rest [m]."""
+        return self.effect if self.kind == "held" else self.resting_effect
+
+
+class Category(msgspec.Struct, frozen=True, forbid_unknown_fields=True, omit_defaults=True, cache_hash=True):
     """The objects that share one object symbol.
 
     Attributes:
@@ -114,6 +156,7 @@ class Category(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
         share: Share of the sampled objects, or of the rows of the data, that fall into this category.
         feature_means: Mean of each feature over those objects; empty if there were none.
         feature_spreads: Standard deviation of each feature over those objects.
+        objects: Features of the objects that all its operators were rehearsed on, if that is kept.
     """
 
     symbol: Symbol
@@ -121,12 +164,13 @@ class Category(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     share: Share
     feature_means: tuple[Length, ...]
     feature_spreads: tuple[Length, ...]
+    objects: tuple[tuple[Length, ...], ...] = ()
 
     def __post_init__(self) -> None:
         check_fields(self)
 
 
-class Operator(msgspec.Struct, frozen=True, forbid_unknown_fields=True, omit_defaults=True):
+class Operator(msgspec.Struct, frozen=True, forbid_unknown_fields=True, omit_defaults=True, cache_hash=True):
     """What one primitive does to one category.
 
     Attributes:
@@ -136,6 +180,8 @@ class Operator(msgspec.Struct, frozen=True, forbid_unknown_fields=True, omit_def
         trials: How many rehearsals there were, or rows of the data.
         modes: The outcomes seen, most frequent first.
         promised: How it promises to end; None for the most frequent of ending at rest upright and held.
+        variant: Which of the parameters of its primitive it is performed with.
+        rehearsals: How it turned out on each of the `objects` of its category, if that is kept.
     """
 
     name: LegalName
@@ -144,9 +190,16 @@ class Operator(msgspec.Struct, frozen=True, forbid_unknown_fields=True, omit_def
     trials: Count
     modes: tuple[Mode, ...]
     promised: OutcomeKind | None = None
+    variant: Variant = ""
+    rehearsals: tuple[Rehearsal, ...] = ()
 
     def __post_init__(self) -> None:
         check_fields(self)
+
+    @property
+    def label(self) -> str:
+        """The action symbol and the variant, like "101" or "101b"."""
+        return self.primitive + self.variant
 
     @property
     def promise(self) -> Mode | None:
@@ -160,27 +213,58 @@ class Operator(msgspec.Struct, frozen=True, forbid_unknown_fields=True, omit_def
         return self.promise.near_mean if self.promise else 0
 
 
+def unknown_format(found: str, known: Sequence[str]) -> str:
+    """Say that a file is of a version that cannot be read."""
+    return f"it is of the format {found!r}, and this version reads {' and '.join(map(repr, known))}"
+
+
+class _Versioned(msgspec.Struct, frozen=True):
+    format: str = TABLE_FORMATS[0]
+
+
 class OperatorTable(msgspec.Struct, frozen=True, forbid_unknown_fields=True, omit_defaults=True):
-    """Categories, primitives, and an operator for each pair of them.
+    """Categories, primitives, and one operator or two for each pair of them.
 
     Attributes:
         categories: In the order of their symbols.
-        primitives: In the order of their symbols.
-        operators: By primitive, then category; pairs that were never tried are missing. In a grounding, those
-            that promise other outcomes than the likeliest come last.
+        primitives: In the order of their symbols; of each symbol first the action that it shares among
+            categories, then those that are for single ones.
+        operators: By primitive, then category, the surest first; pairs that were never tried are missing. In
+            a grounding, those that promise other outcomes than the likeliest come last.
         measured: What the modes were measured by: rehearsals of the distilled actions, or averages over the
             rows of the data whose action has the primitive's symbol, where there is no world to rehearse in.
+        format: Version of this table.
     """
 
     categories: tuple[Category, ...]
     primitives: tuple[Primitive, ...]
     operators: tuple[Operator, ...]
     measured: Literal["rehearsal", "data"] = "rehearsal"
+    format: str = TABLE_FORMATS[0]
 
     def __post_init__(self) -> None:
         check_fields(self)
+        if self.format not in TABLE_FORMATS:
+            raise InvalidValue(unknown_format(self.format, TABLE_FORMATS))
         if len(self._widths) > 1:
             raise InvalidValue("All effects must have the same number of axes.")
+
+    @classmethod
+    def load(cls, path: Path) -> "OperatorTable":
+        """Read a table.
+
+        Raises:
+            InvalidFile: If the file is none, or of another version.
+        """
+        found = read_json(path, _Versioned).format
+        if found not in TABLE_FORMATS:
+            raise InvalidFile(path, unknown_format(found, TABLE_FORMATS))
+        return read_json(path, cls)
+
+    @property
+    def symbols(self) -> tuple[Symbol, ...]:
+        """The action symbols, each once."""
+        return tuple(dict.fromkeys(primitive.symbol for primitive in self.primitives))
 
     @property
     def axes(self) -> int:

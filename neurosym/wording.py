@@ -2,6 +2,7 @@
 
 import shlex
 import unicodedata
+from collections.abc import Sequence
 from pathlib import Path
 
 
@@ -43,3 +44,14 @@ def in_millimetres(distance: float, allowed: float) -> str:
 def counted(count: int, noun: str) -> str:
     """Return a number with its noun, which takes an s if there is not exactly one."""
     return f"{count} {noun}{'' if count == 1 else 's'}"
+
+
+def listed_briefly(names: Sequence[str], most: int = 16) -> str:
+    """Return names with commas between, of a long list the first ones and how many more there are.
+
+    Args:
+        names: What is listed.
+        most: How many are named at most.
+    """
+    more = len(names) - most
+    return ", ".join(names[:most]) + (f" and {more} more" if more > 0 else "")

@@ -91,6 +91,13 @@ class Outcome:
         return np.asarray(self.end.positions[self.target] - self.start.positions[self.target])
 
     @property
+    def turn(self) -> float:
+        """By what angle the target is turned in the end, about whatever axis [rad]."""
+        before, after = self.start.orientations[self.target], self.end.orientations[self.target]
+        lengths = float(np.linalg.norm(before) * np.linalg.norm(after))
+        return 2 * math.acos(min(1.0, abs(float(before @ after)) / lengths)) if lengths else 0.0
+
+    @property
     def displacements(self) -> Float[np.ndarray, "M 3"]:
         """Displacement of every object from the start to the end [m], bystanders included."""
         return np.asarray(self.end.positions - self.start.positions)

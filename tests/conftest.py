@@ -2,6 +2,7 @@
 
 import os
 import shutil
+import signal
 from pathlib import Path
 
 import pytest
@@ -15,6 +16,11 @@ RUN_TOY = [
     *["--world", "toy", "--steps", "1024", "--seed", "3", "--rehearsals", "40", "--problems", "2"],
 ]
 """How the toy domain folder is learned."""
+
+
+for number in (signal.SIGINT, signal.SIGHUP):
+    if signal.getsignal(number) is signal.SIG_IGN:  # in the background, or under nohup
+        signal.signal(number, lambda *_: None)  # ignored by us, and not by what tests start
 
 
 LONGEST = ("test_whole_way.py", "test_own_robot.py")

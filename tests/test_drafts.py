@@ -4,13 +4,17 @@ import os
 import signal
 import subprocess
 import sys
+from collections.abc import Callable
+from contextvars import copy_context
 from pathlib import Path
+from types import FrameType
 
 import pytest
 
+from neurosym import drafts, files
 from neurosym.drafts import Drafts, at_once, remove_leftovers
 from neurosym.errors import CannotWrite
-from neurosym.files import digests, remove, write_atomically
+from neurosym.files import check_writable, digests, remove, write_atomically, write_new
 
 
 def names(folder: Path) -> list[str]:
@@ -47,6 +51,58 @@ def test_drafts_that_are_not_put_in_place_are_dropped(tmp_path: Path):
     assert (tmp_path / "old").read_text() == "1"
     write_atomically(tmp_path / "old", "6")
     assert (tmp_path / "old").read_text() == "6"
+
+
+def write_together(path: Path) -> None:
+    with Drafts() as drafts:
+        write_atomically(path, "together")
+        drafts.put_in_place()
+
+
+@pytest.mark.filterwarnings("ignore::pytest.PytestUnraisableExceptionWarning")  # files that nobody closes
+@pytest.mark.parametrize(
+    "write",
+    [
+        lambda path: write_atomically(path, "one"),
+        lambda path: write_new(path, "new"),
+        write_together,
+        check_writable,
+    ],
+    ids=["one", "new", "together", "none"],
+)
+def test_a_signal_leaves_no_draft_whenever_it_comes(tmp_path: Path, write: Callable[[Path], object]):
+    """Signals are raised between two steps of the interpreter; each step of ours is tried."""
+    steps = 0
+    while was_interrupted(lambda: write(tmp_path / "file"), steps):
+        assert set(names(tmp_path)) <= {"file"}, f"after {steps} steps"
+        (tmp_path / "file").unlink(missing_ok=True)
+        steps += 1
+    assert steps > 50
+
+
+def was_interrupted(work: Callable[[], object], steps: int) -> bool:
+    """Do something that is interrupted after so many steps, and say whether it takes more."""
+    left = steps
+
+    def trace(frame: FrameType, event: str, _: object) -> object:
+        nonlocal left
+        if frame.f_code.co_filename not in (drafts.__file__, files.__file__):
+            return None
+        frame.f_trace_opcodes = True
+        left -= event == "opcode"
+        if left < 0:
+            raise KeyboardInterrupt
+        return trace
+
+    before = sys.gettrace()
+    sys.settrace(trace)
+    try:
+        copy_context().run(work)
+    except KeyboardInterrupt:
+        return True
+    finally:
+        sys.settrace(before)
+    return False
 
 
 def test_last_draft_for_a_place_counts(tmp_path: Path):

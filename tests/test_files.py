@@ -1,10 +1,9 @@
 """A file is written whole or not at all, and nothing else is left."""
 
 import errno
+import io
 import os
-import tempfile
 from pathlib import Path
-from unittest.mock import MagicMock
 
 import pytest
 
@@ -36,19 +35,22 @@ def test_an_interrupted_write_keeps_the_old_file(tmp_path: Path, monkeypatch: py
 FULL = OSError(errno.ENOSPC, "No space left on device")
 
 
+class Full(io.FileIO):
+    """A file into which nothing can be written."""
+
+    def write(self, _: object) -> int:  # noqa: D102
+        raise FULL
+
+
 @pytest.fixture
 def full_disk(monkeypatch: pytest.MonkeyPatch) -> None:
     """A disk on which a file can be made, and nothing can be written into it."""
-    real = os.fdopen
+    real = Path.open
 
-    def opened(*arguments: object) -> object:
-        file = real(*arguments)
-        file.close()
-        file = MagicMock()
-        file.write.side_effect = FULL
-        return file
+    def opened(path: Path, mode: str = "r", *options: object, **named: object) -> object:
+        return Full(path, mode) if mode == "xb" else real(path, mode, *options, **named)
 
-    monkeypatch.setattr(os, "fdopen", opened)
+    monkeypatch.setattr(Path, "open", opened)
 
 
 @pytest.mark.usefixtures("full_disk")
@@ -68,11 +70,11 @@ def test_full_disk_is_noticed_before_the_work(tmp_path: Path):
 def test_folder_that_takes_no_file_is_noticed_before_the_work(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ):
-    def refuse(**_: object) -> None:
+    def refuse(*_: object) -> None:
         raise OSError(errno.EROFS, "Read-only file system")
 
     check_writable(tmp_path / "a.json")
-    monkeypatch.setattr(tempfile, "mkstemp", refuse)
+    monkeypatch.setattr(Path, "open", refuse)
     with pytest.raises(CannotWrite, match=r"/a\.json cannot be written: Read-only file system"):
         check_writable(tmp_path / "a.json")
 

@@ -67,7 +67,7 @@ def test_cells_of_lift_and_put_down_are_those_of_the_resting_effect():
 
 def test_rounding_bounds_every_operator():
     learned = grounding()
-    bound = learned.rounding()
+    bound = tuple(map(max, *map(learned.rounding, learned.live)))
     for operator in learned.live:
         parts = zip(learned.displacement(operator), learned.cells(operator), bound, strict=True)
         assert all(abs(part - cells * 0.005) <= limit + 1e-12 for part, cells, limit in parts)
@@ -80,10 +80,25 @@ def test_grounding_survives_its_file(tmp_path: Path):
 
 
 def test_grounding_of_another_version_is_refused(tmp_path: Path):
-    foreign = msgspec.structs.replace(grounding(), format="neurosym-grounding-2")
+    foreign = msgspec.structs.replace(grounding(), format="neurosym-grounding-3")
     foreign.save(tmp_path / "grounding.json")
-    with pytest.raises(InvalidFile, match="neurosym-grounding-2"):
+    with pytest.raises(InvalidFile, match="neurosym-grounding-3"):
         Grounding.load(tmp_path / "grounding.json")
+
+
+def test_grounding_of_the_first_version_is_read_as_it_is(tmp_path: Path):
+    old = msgspec.structs.replace(grounding(), format="neurosym-grounding-1")
+    old.save(tmp_path / "grounding.json")
+    assert Grounding.load(tmp_path / "grounding.json") == old
+
+
+def test_a_pair_is_done_with_the_operator_that_comes_first():
+    learned = grounding()
+    first, table = learned.operators.operators[0], learned.operators
+    surer = msgspec.structs.replace(first, name=f"{first.name}-a", variant="a")
+    table = msgspec.structs.replace(table, operators=(surer, *table.operators))
+    both = msgspec.structs.replace(learned, operators=table)
+    assert both.operator_for(first.category, first.primitive) == surer
 
 
 def test_unknown_names_are_refused_with_the_known_ones():

@@ -69,7 +69,7 @@ OPENED_ELSEWHERE = {
     "execution/machine.py": {"_CPUINFO.read_text": "the system's own"},
     "commands/surroundings.py": {"os.open": "the null device"},
     "console.py": {"os.open": "the null device"},
-    "drafts.py": {"os.fdopen": "to write", "path.open": "a leftover, to lock it"},
+    "drafts.py": {"path.open": "to write, and a leftover to lock it"},
     "locks.py": {
         "os.open": "files and folders, to lock them",
         "Path('/proc/locks').read_text": "the system's own",

@@ -9,7 +9,6 @@ from neurosym.files import write_json
 from neurosym.grounding import Grounding
 from neurosym.operators import Mode, Operator, OperatorTable, Primitive
 from neurosym.pddl import compile_domain
-from neurosym.reading import read_json
 from neurosym.world import Table
 
 
@@ -31,8 +30,19 @@ def test_table_of_rehearsals_is_stored_as_before():
 def test_table_averaged_from_data_says_so_in_its_file(tmp_path):
     averaged = a_table(a_mode(0.1, 0.2), measured="data")
     write_json(tmp_path / "t.json", averaged)
-    assert read_json(tmp_path / "t.json", OperatorTable) == averaged
+    assert OperatorTable.load(tmp_path / "t.json") == averaged
     assert b'"measured": "data"' in (tmp_path / "t.json").read_bytes()
+
+
+def test_table_of_an_unknown_version_is_refused_in_one_sentence_and_of_the_first_read_as_it_is(tmp_path):
+    write_json(tmp_path / "t.json", table())
+    assert b"format" not in (tmp_path / "t.json").read_bytes()
+    assert OperatorTable.load(tmp_path / "t.json") == table()
+    content = {"from": "the future", "format": "neurosym-primitives-3", **msgspec.to_builtins(table())}
+    write_json(tmp_path / "t.json", content)
+    known = "this version reads 'neurosym-primitives-1' and 'neurosym-primitives-2'"
+    with pytest.raises(InvalidFile, match=f"the format 'neurosym-primitives-3', and {known}"):
+        OperatorTable.load(tmp_path / "t.json")
 
 
 def test_axes_that_do_not_agree_are_refused(tmp_path):
@@ -42,7 +52,7 @@ def test_axes_that_do_not_agree_are_refused(tmp_path):
     text = (tmp_path / "t.json").read_text().replace("0.2", "0.2, 0.3")
     (tmp_path / "t.json").write_text(text)
     with pytest.raises(InvalidFile, match="same number of axes"):
-        read_json(tmp_path / "t.json", OperatorTable)
+        OperatorTable.load(tmp_path / "t.json")
     with pytest.raises(InvalidValue, match="same number of axes"):
         a_table(a_mode(0.1, 0.2), a_mode(0.1, 0.2, 0.3))
 

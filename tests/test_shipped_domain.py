@@ -59,7 +59,7 @@ def test_text_is_what_the_compiler_prints_from_the_table():
 
 
 def test_grounding_holds_the_table_that_was_rehearsed():
-    table = read_json(FOLDER / "primitives.json", OperatorTable)
+    table = OperatorTable.load(FOLDER / "primitives.json")
     assert GROUNDING.operators == with_every_outcome(table)
 
 

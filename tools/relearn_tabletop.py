@@ -52,7 +52,7 @@ def try_problem(folder: DomainFolder, name: str, planner: str) -> None:
 
 def sections(folder: DomainFolder) -> list[str]:
     """Write the README, a text for each section."""
-    table = read_json(folder / PRIMITIVES, OperatorTable)
+    table = OperatorTable.load(folder / PRIMITIVES)
     grounding = Grounding.load(folder / "grounding.json")
     return [
         "# The tabletop domain",

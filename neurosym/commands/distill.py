@@ -23,21 +23,23 @@ def distill(
     seed: Seed = 0,
     workers: Workers = CPUS,
     choice: Annotated[
-        Literal["predictable", "lowest-error"],
-        arg(help="Which candidate stands for a symbol: predictable, or lowest-error (the paper)."),
-    ] = "predictable",
+        Literal["own", "predictable", "lowest-error"],
+        arg(
+            help="Which candidate stands for a symbol: own (categories of objects have their own), "
+            "predictable (the same for all), or lowest-error (the paper)."
+        ),
+    ] = "own",
 ) -> int:
     """Turn action symbols into parameters and rehearse each in the world: -> `primitives.json`."""
     from neurosym.commands.tables import show_operators
     from neurosym.naming import counted_axes
-    from neurosym.reading import read_json
     from neurosym.stages.distilling import distill_stage
 
     domain = opened(folder)
     domain.perform(
         distill_stage(domain, objects=objects, seed=seed, workers=workers, choice=choice), again=True
     )
-    table = read_json(domain / PRIMITIVES, OperatorTable)
+    table = OperatorTable.load(domain / PRIMITIVES)
     show_operators(table)
     if table.measured == "rehearsal":
         say_next(f"neurosym compile-domain {quoted(folder)}")

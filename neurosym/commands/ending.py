@@ -14,7 +14,13 @@ from neurosym.console import OutputClosed, error_console, naming_output
 from neurosym.errors import InvalidValue, NeurosymError
 
 _NO_MEMORY = "There is not enough memory; ask for less (workers, objects, rows), or end other programs."
-_TORCH_WANTS_MEMORY = ("can't allocate memory", "not enough memory", "bad allocation", "std::bad_alloc")
+_WANTS_MEMORY = (  # how torch says it, and what loads libraries
+    "allocate memory",
+    "not enough memory",
+    "bad allocation",
+    "std::bad_alloc",
+    "failed to map segment",
+)
 
 
 def perform(typed: Sequence[str]) -> int:
@@ -39,8 +45,8 @@ def perform(typed: Sequence[str]) -> int:
         code = _refuse(_told(error))
     except MemoryError:
         code = _refuse(_NO_MEMORY)
-    except RuntimeError as error:  # which is how torch says it
-        if not any(words in str(error) for words in _TORCH_WANTS_MEMORY):
+    except (RuntimeError, ImportError) as error:
+        if not any(words in str(error) for words in _WANTS_MEMORY):
             raise
         code = _refuse(_NO_MEMORY)
     except KeyboardInterrupt as error:

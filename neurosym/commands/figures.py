@@ -76,8 +76,8 @@ def _primitive_rows(domain: DomainFolder, world: "World", grounding: "Grounding"
     categorise = EffectModel.load(domain / MODEL).object_symbols
     objects, seed = rehearsal_options(domain.manifest())
     found = [
-        primitive_stills(world, grounding, primitive.symbol, categorise, objects=objects, seed=seed)
-        for primitive in grounding.operators.primitives
+        primitive_stills(world, grounding, symbol, categorise, objects=objects, seed=seed)
+        for symbol in grounding.operators.symbols
     ]
     return [Row(stills.title, stills.frames, stills.captions) for stills in found]
 

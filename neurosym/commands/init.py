@@ -32,14 +32,13 @@ def init(folder: Folder, world: WorldName = "tabletop") -> int:
 def _next_step(folder: DomainFolder) -> str:
     """Return the command that comes after what a folder holds besides its world."""
     from neurosym.operators import OperatorTable
-    from neurosym.reading import read_json
 
     if not (folder / INTERACTIONS).is_file():
         return "explore"
     if not all((folder / model).is_file() for model in (MODEL, DIRECT_MODEL)) or folder.outdated((MODEL,)):
         return "train"
     try:
-        table = read_json(folder / PRIMITIVES, OperatorTable)
+        table = OperatorTable.load(folder / PRIMITIVES)
     except InvalidFile:
         return "distill"
     if table.measured == "data" or folder.outdated((PRIMITIVES,)):  # there is a world to rehearse in now

@@ -9,6 +9,7 @@ from tyro.conf import Positional, arg
 
 from neurosym.console import say
 from neurosym.errors import InvalidValue
+from neurosym.learning.model_config import DEFAULT_BITS
 from neurosym.stages.folder import DomainFolder
 from neurosym.strategies import StrategyName
 
@@ -56,6 +57,19 @@ MinPredictedEffect = Annotated[
 RegimeName = Annotated[
     Literal["default", "quick", "paper"],
     arg(help="Network and training: default, quick (a first look), paper (as printed)."),
+]
+
+
+ObjectBits = Annotated[
+    int | None,
+    arg(
+        help="Bits of an object symbol, 1 to 6: up to 2^bits categories of objects. By default "
+        f"{DEFAULT_BITS[0]}."
+    ),
+]
+ActionBits = Annotated[
+    int | None,
+    arg(help=f"Bits of an action symbol, 1 to 8: up to 2^bits primitives. By default {DEFAULT_BITS[1]}."),
 ]
 
 

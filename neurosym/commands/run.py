@@ -7,8 +7,10 @@ from tyro.conf import arg
 from neurosym.commands.init import make_folder
 from neurosym.commands.options import (
     CPUS,
+    ActionBits,
     Folder,
     MinPredictedEffect,
+    ObjectBits,
     RegimeName,
     Seed,
     StrategyOption,
@@ -37,6 +39,8 @@ def run(
         arg(help="Problems to draw, every second one with two objects; up to 30 if none has a plan."),
     ] = 6,
     min_predicted_effect: MinPredictedEffect = 0.0,
+    object_bits: ObjectBits = None,
+    action_bits: ActionBits = None,
 ) -> int:
     """Go the whole way: explore, train, distil, compile, draw problems, plan and execute.
 
@@ -47,7 +51,7 @@ def run(
     from neurosym.worlds.workers import MOST_WORKERS
     from neurosym.worlds.world_file import read_world
 
-    check_choices(strategy, regime, min_predicted_effect)
+    check_choices(strategy, regime, min_predicted_effect).model.with_bits(object_bits, action_bits)
     least = {"steps": (steps, 1), "workers": (workers, 1), "rehearsals": (rehearsals, 1)}
     for name, (value, limit) in (least | {"seed": (seed, 0), "problems": (problems, 0)}).items():
         if value < limit:
@@ -70,5 +74,7 @@ def run(
         rehearsals=rehearsals,
         problems=problems,
         min_predicted_effect=min_predicted_effect,
+        object_bits=object_bits,
+        action_bits=action_bits,
     )
     return 0

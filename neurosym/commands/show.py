@@ -25,7 +25,11 @@ def show(
         int | None, arg(metavar="I", help="Make row I of interactions.npz (0, 1, ...) happen again.")
     ] = None,
     primitive: Annotated[
-        str | None, arg(metavar="CODE", help="Perform a primitive on an object of each category.")
+        str | None,
+        arg(
+            metavar="CODE",
+            help="Perform a primitive, like 101 or 101b, on an object of each category it is for.",
+        ),
     ] = None,
     problem: Annotated[
         str | None, arg(metavar="NAME", help="Show a problem's start, with its goals transparently.")
@@ -75,7 +79,7 @@ def _show_interaction(domain: DomainFolder, number: int, output: Path | None, gu
     say_next(f"neurosym show {quoted(domain.path)} --interaction {following}")
 
 
-def _show_primitive(domain: DomainFolder, symbol: str, output: Path | None, gui: bool) -> None:
+def _show_primitive(domain: DomainFolder, label: str, output: Path | None, gui: bool) -> None:
     from neurosym.grounding import Grounding
     from neurosym.learning.effect_model import EffectModel
     from neurosym.pictures.motions import primitive_motions
@@ -84,13 +88,13 @@ def _show_primitive(domain: DomainFolder, symbol: str, output: Path | None, gui:
 
     world = read_world(domain.require(WORLD))()
     grounding = Grounding.load(domain.require(GROUNDING))
-    grounding.primitive(symbol)
+    grounding.primitive(label)
     categorise = EffectModel.load(domain.require(MODEL)).object_symbols
     objects, seed = rehearsal_options(domain.manifest())
-    motions = primitive_motions(world, grounding, symbol, categorise, objects=objects, seed=seed)
-    _show_motions(domain, world, motions, f"primitive-{symbol}", output, gui)
-    symbols = [primitive.symbol for primitive in grounding.operators.primitives]
-    following = symbols[(symbols.index(symbol) + 1) % len(symbols)]
+    motions = primitive_motions(world, grounding, label, categorise, objects=objects, seed=seed)
+    _show_motions(domain, world, motions, f"primitive-{label}", output, gui)
+    labels = [primitive.label for primitive in grounding.operators.primitives]
+    following = labels[(labels.index(label) + 1) % len(labels)]
     say_next(f"neurosym show {quoted(domain.path)} --primitive {following}")
 
 

@@ -10,12 +10,12 @@ from neurosym.console import say, show_table
 from neurosym.data.check import FLAGS
 from neurosym.data.interactions import Interactions
 from neurosym.execution.record import Run
-from neurosym.learning.report import TrainingReport, error_table
+from neurosym.learning.report import TrainingReport, empty_codes, error_table
 from neurosym.naming import NO_EFFECT, name_axes, names_of_features
 from neurosym.operators import CONVERGED, Effect, Operator, OperatorTable
 from neurosym.pddl.plan_text import PlanStep, primitives
 from neurosym.reading import read_json
-from neurosym.wording import counted
+from neurosym.wording import counted, listed_briefly
 
 
 def show_training(path: Path) -> None:
@@ -35,6 +35,8 @@ def show_training(path: Path) -> None:
     )
     used = f"{len(report.action_symbols)} for actions, {len(report.object_symbols)} for objects"
     say(f"symbols used in the held-out interactions: {used}")
+    if empty := empty_codes(report):
+        say(empty)
 
 
 def _share(report: TrainingReport) -> str:
@@ -51,11 +53,11 @@ def show_operators(table: OperatorTable) -> None:
     title = "operators" if table.measured == "rehearsal" else "operators, averaged from the data"
     show_table(title, columns, [_operator_row(operator) for operator in table.operators])
     if table.unreached:
-        say(f"no action was found that encodes to {', '.join(table.unreached)}")
+        say(f"no action was found that encodes to {listed_briefly(table.unreached)}")
     for primitive in table.primitives:
         if not primitive.has_converged:
             say(
-                f"{primitive.symbol} is done by an action that hardly encodes to it: "
+                f"{primitive.label} is done by an action that hardly encodes to it: "
                 f"its mean squared error is {primitive.code_error:.2g}, and {CONVERGED} is the limit"
             )
 

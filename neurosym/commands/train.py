@@ -1,7 +1,9 @@
 """The command `neurosym train`: the final fit."""
 
 from neurosym.commands.options import (
+    ActionBits,
     Folder,
+    ObjectBits,
     RegimeName,
     Seed,
     opened,
@@ -10,14 +12,21 @@ from neurosym.console import say_next
 from neurosym.wording import quoted
 
 
-def train(folder: Folder, seed: Seed = 0, regime: RegimeName = "default") -> int:
+def train(
+    folder: Folder,
+    seed: Seed = 0,
+    regime: RegimeName = "default",
+    object_bits: ObjectBits = None,
+    action_bits: ActionBits = None,
+) -> int:
     """Fit the effect model whose bits are the symbols: `interactions.npz` -> `effect_model.safetensors`."""
     from neurosym.commands.tables import show_training
     from neurosym.stages.layout import TRAINING
     from neurosym.stages.training import train_stage
 
     domain = opened(folder)
-    domain.perform(train_stage(domain, seed=seed, regime=regime), again=True)
+    bits = {"object_bits": object_bits, "action_bits": action_bits}
+    domain.perform(train_stage(domain, seed=seed, regime=regime, **bits), again=True)
     show_training(domain / TRAINING)
     say_next(f"neurosym distill {quoted(folder)}")
     return 0

@@ -59,6 +59,7 @@ class Attempt(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
         promised_miss: How far from its goal the worst object ends by the operators [m]; None if impossible.
         predicted_miss: The same by the network.
         left_out: Whether the plan uses an operator that the PDDL domain leaves out.
+        depth: How many primitives were looked ahead, by a search that ended there.
         open_loop: What became of the plan followed blindly; None without one.
         replanned: What became of it with replanning; None without one.
     """
@@ -73,6 +74,7 @@ class Attempt(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     promised_miss: float | None = None
     predicted_miss: float | None = None
     left_out: bool = False
+    depth: int | None = None
     open_loop: Execution | None = None
     replanned: Execution | None = None
 
@@ -167,7 +169,7 @@ def _attempt(
     result = solve(problem, setting.grounding)
     steps = result.steps
     if result.status is not PlanStatus.SOLVED:
-        return Attempt(result.status, result.reason, seconds=round(result.seconds, 4))
+        return Attempt(result.status, result.reason, seconds=round(result.seconds, 4), depth=result.depth)
     replayed = validate(steps, problem, setting.grounding)
     blind, replanned = _follow(setting, problem, steps, solve) if executed else (None, None)
     return Attempt(
@@ -198,7 +200,7 @@ def predicted_end(setting: Setting, problem: Problem, steps: Sequence[PlanStep])
         Centres of the objects at its end [m].
     """
     grounding, positions = setting.grounding, problem.scene().positions
-    symbols = [primitive.symbol for primitive in grounding.operators.primitives]
+    symbols = grounding.operators.symbols
     effects = setting.predict(problem.scene().features)  # (M, P, 3)
     for step, then in zip(steps, [*steps[1:], None], strict=True):
         if step.puts_down:

@@ -9,6 +9,7 @@ import numpy as np
 from neurosym.evaluation.comparison import Attempt, TaskRecord
 from neurosym.planners import planner_named
 from neurosym.planners.result import PlanStatus
+from neurosym.wording import counted
 
 
 class Tally(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
@@ -142,8 +143,9 @@ def why_not_found(record: TaskRecord, name: str, planners: Sequence[str]) -> str
         return "its time was up"
     other = min(others, key=lambda found: (not found.valid, found.primitives))
     planner = planner_named(name)
-    if planner.depth is not None and other.primitives > planner.depth:
-        return f"it takes more than {planner.depth} primitives"
+    depth = planner.depth if attempt.depth is None else attempt.depth
+    if depth is not None and other.primitives > depth:
+        return f"it takes more than {counted(depth, 'primitive')}"
     if planner.reads == "network":
         if not predicts_goal(other, record):
             return "the network predicts the other plan to end elsewhere"

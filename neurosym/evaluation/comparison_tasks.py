@@ -1,7 +1,6 @@
 """The tasks of a comparison: each drawn and measured once, and kept in a file, until the domain changes."""
 
 from collections.abc import Callable, Iterator, Sequence
-from concurrent.futures.process import BrokenProcessPool
 from pathlib import Path
 
 import msgspec
@@ -18,8 +17,9 @@ from neurosym.reading import digest, read_json
 from neurosym.stages.folder import DomainFolder
 from neurosym.stages.layout import COMPARISONS, GROUNDING, MODEL, WORLD
 from neurosym.symbols import Symbol
+from neurosym.worlds.pool import worker_pool
 from neurosym.worlds.problem_drawing import draw_problem
-from neurosym.worlds.workers import WorkerDied, in_order, worker_pool
+from neurosym.worlds.workers import in_order
 from neurosym.worlds.world_file import read_world
 
 _AHEAD = 2  # tasks handed out for each worker
@@ -78,7 +78,7 @@ class Bench:
 
         grounding = Grounding.load(folder.require(GROUNDING))
         model = EffectModel.load(folder.require(MODEL))
-        symbols = [primitive.symbol for primitive in grounding.operators.primitives]
+        symbols = grounding.operators.symbols
         self.categorise: Callable[[Float[ndarray, "N F"]], tuple[Symbol, ...]] = model.object_symbols
         self.setting = Setting(
             world=read_world(folder.require(WORLD))(),
@@ -161,15 +161,12 @@ def _measure_all(
         yield from (_measure(bench, order, made_from, *task) for task in tasks)
         return
     with worker_pool(min(workers, len(tasks)), _start_worker, (order.folder,)) as submit:
-        try:
-            yield from in_order(
-                tasks,
-                submit=lambda task: submit(_measure_here, order, made_from, *task),
-                result=lambda future: future.result(),
-                ahead=_AHEAD * workers,
-            )
-        except BrokenProcessPool as error:
-            raise WorkerDied from error
+        yield from in_order(
+            tasks,
+            submit=lambda task: submit(_measure_here, order, made_from, *task),
+            result=lambda future: future.result(),
+            ahead=_AHEAD * workers,
+        )
 
 
 def _measure(

@@ -85,14 +85,15 @@ def kinds_stage(folder: DomainFolder, *, workers: int, progress: Progress | None
         from neurosym.evaluation.primitive_kinds import kinds_found
         from neurosym.learning.effect_model import EffectModel
         from neurosym.primitives.rehearsal import rehearse
+        from neurosym.primitives.repertoire import repertoire_of
         from neurosym.worlds.world_file import read_world
 
         factory = read_world(folder.require(WORLD))
-        table = read_json(folder.require(PRIMITIVES), OperatorTable)
+        table = OperatorTable.load(folder.require(PRIMITIVES))
         categorise = EffectModel.load(folder.require(MODEL)).object_symbols
         rehearsals = rehearse(
             factory,
-            table.primitives,
+            repertoire_of(table),
             categorise,
             objects=objects,
             seed=seed,

@@ -17,6 +17,7 @@ from collections.abc import Mapping
 import numpy as np
 
 from neurosym.naming import CARRIED
+from neurosym.operators import Rehearsal
 from neurosym.primitives.rehearsal import Rehearsals
 from neurosym.symbols import Symbol
 from neurosym.world import Outcome
@@ -32,7 +33,7 @@ LEAST_OBJECTS = 0.1
 """Least share of the objects that an object symbol must hold to count."""
 
 
-def kind_of(outcome: Outcome, lift_height: float) -> str | None:
+def kind_of(outcome: Outcome | Rehearsal, lift_height: float) -> str | None:
     """Say which of the six kinds an outcome is, if any.
 
     Args:
@@ -60,16 +61,17 @@ def kinds_found(
     """Say for each kind which primitives are of it, and for which object symbols.
 
     Args:
-        rehearsals: Every primitive performed on the same objects.
+        rehearsals: Actions performed on objects of the categories that they serve.
         lift_height: How high a grasped object is lifted [m].
     """
-    symbols = rehearsals.symbols
-    telling = [s for s in np.unique(symbols) if np.mean(symbols == s) >= LEAST_OBJECTS]
+    telling = [str(s) for s in np.unique(rehearsals.symbols) if rehearsals.share(s) >= LEAST_OBJECTS]
     found: dict[str, list[tuple[Symbol, Symbol]]] = {kind: [] for kind in KINDS}
-    for primitive, outcomes in zip(rehearsals.primitives, rehearsals.outcomes, strict=True):
-        kinds = np.array([kind_of(outcome, lift_height) or "" for outcome in outcomes])
+    for number, primitive in enumerate(rehearsals.primitives):
         for symbol in telling:
+            kinds = [kind_of(outcome, lift_height) for outcome in rehearsals.on(symbol, number)]
             for kind in KINDS:
-                if np.mean(kinds[symbols == symbol] == kind) >= LEAST_SHARE:
-                    found[kind].append((primitive.symbol, str(symbol)))
+                pair = (primitive.symbol, symbol)
+                often = bool(kinds) and kinds.count(kind) / len(kinds) >= LEAST_SHARE
+                if often and pair not in found[kind]:
+                    found[kind].append(pair)
     return {kind: tuple(pairs) for kind, pairs in found.items()}

@@ -268,7 +268,7 @@ def perform(
         What happened; None if the object was out of the arm's reach.
     """
     operator = grounding.operator_named(step.operator)
-    action = np.array(grounding.primitive(operator.primitive).action)
+    action = np.array(grounding.primitive(operator.label).action)
     target = problem.object_names.index(step.object)
     ghosts = problem.goal_positions()
     try:

@@ -1,26 +1,44 @@
 """Experience: what each object of a scene was seen to do during a run, so that the next plan reckons with it.
 
-A category is an average over objects. Once an object has been acted upon, more is known of it: the same
-primitive will probably do the same to it again. So during a run an object that was acted upon becomes a
-category of its own, whose operators promise what it was last seen to do. Its other outcomes are still hoped
-for, with half the chance each time that they did not come.
+Once an object has been acted upon, more is known of it: the same primitive will probably do the same to it
+again, as long as it lies the same way. So during a run an object that was acted upon becomes a category of
+its own. Its operators promise the mean of what was promised before and of what was seen, each weighed by how
+sure it is; the chance of an outcome counts what came and what did not. After two failures in a row an
+operator promises what was seen in place of what did not come.
 """
 
+import math
 from dataclasses import dataclass, field
 
 import msgspec
+import numpy as np
 
+from neurosym.execution.appearance import STRAIGHT, as_it_shows
 from neurosym.grounding import Grounding
-from neurosym.operators import Mode, Operator, vector
+from neurosym.operators import TOLERANCE, Mode, Operator, Vector, vector
 from neurosym.pddl.moves import PUT_DOWN
 from neurosym.pddl.plan_text import PlanStep
 from neurosym.problems import Problem, SceneObject
+from neurosym.promises import promised
 from neurosym.symbols import Symbol
 from neurosym.world import Outcome, OutcomeKind
 
-DOUBT = 0.5
-"""What the chance of an outcome is multiplied by, each time that another came."""
+REPEATS = 0.014
+"""By how much the same primitive on the same object differs from time to time, RMS of an axis [m]."""
+KNOWN_BEFORE = 2.0
+"""As how many trials what was known before counts beside those that were seen."""
+GIVEN_UP = 2
+"""After how many failures in a row what did not come is not hoped for again."""
+_SUREST = 0.005  # no promise is surer than this [m]
 _OF = "-of-"
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class _Seen:
+    """What a primitive did to an object, and how the object lay before."""
+
+    outcome: Outcome
+    orientation: tuple[float, ...]
 
 
 @dataclass(slots=True)
@@ -32,7 +50,7 @@ class Experience:
     """
 
     grounding: Grounding
-    _seen: dict[tuple[str, Symbol], list[Outcome]] = field(default_factory=dict)
+    _seen: dict[tuple[str, str], list[_Seen]] = field(default_factory=dict)
 
     @property
     def says_something(self) -> bool:
@@ -46,11 +64,12 @@ class Experience:
             step: The step, by its learned name.
             outcome: What happened.
         """
-        primitive = self.grounding.operator_named(step.base).primitive
-        self._seen.setdefault((step.object, primitive), []).append(outcome)
+        label = self.grounding.operator_named(step.base).label
+        lay = tuple(outcome.start.orientations[outcome.target].tolist())
+        self._seen.setdefault((step.object, label), []).append(_Seen(outcome, lay))
 
     def believed(self, problem: Problem) -> tuple[Problem, Grounding]:
-        """Give objects that were acted upon a category of their own.
+        """Take objects as they show, and give those that were acted upon a category of their own.
 
         Args:
             problem: The problem as it stands now.
@@ -60,37 +79,37 @@ class Experience:
         """
         known = {name for name, _ in self._seen}
         objects, categories, operators = [], [], []
-        for item in problem.objects:
+        for lying in problem.objects:
+            item = as_it_shows(lying, self.grounding)
             if item.name not in known:
                 objects.append(item)
                 continue
             own = f"{item.category}{_OF}{item.name}"
             learned = self.grounding.category(item.category)
             objects.append(msgspec.structs.replace(item, category=own))
-            categories.append(
-                msgspec.structs.replace(learned, symbol=own, name=learned.name + _OF + item.name)
-            )
-            operators += self._operators_of(item, own)
+            name = learned.name + _OF + item.name
+            categories.append(msgspec.structs.replace(learned, symbol=own, name=name, objects=()))
+            operators += self._operators_of(item, own, problem.tolerance)
+        believed = msgspec.structs.replace(problem, objects=tuple(objects))
+        if not categories:
+            return believed, self.grounding
         table = self.grounding.operators
         table = msgspec.structs.replace(
             table,
             categories=(*table.categories, *categories),
             operators=(*table.operators, *operators),
         )
-        return (
-            msgspec.structs.replace(problem, objects=tuple(objects)),
-            msgspec.structs.replace(self.grounding, operators=table),
-        )
+        return believed, msgspec.structs.replace(self.grounding, operators=table)
 
-    def _operators_of(self, item: SceneObject, own: Symbol) -> list[Operator]:
+    def _operators_of(self, item: SceneObject, own: Symbol, tolerance: float) -> list[Operator]:
         found = []
-        for operator in self.grounding.operators.operators:
-            if operator.category == item.category:
-                outcomes = self._seen.get((item.name, operator.primitive), [])
-                changed = _after(operator, outcomes) if outcomes else operator
-                found.append(
-                    msgspec.structs.replace(changed, name=f"{operator.name}{_OF}{item.name}", category=own)
-                )
+        for operator in promised(self.grounding, item, tolerance).values():
+            seen = self._seen.get((item.name, operator.label), [])
+            outcomes = [one.outcome for one in seen if _angle(one.orientation, item.orientation) < STRAIGHT]
+            changed = _after(operator, outcomes, tolerance) if outcomes else operator
+            found.append(
+                msgspec.structs.replace(changed, name=f"{operator.name}{_OF}{item.name}", category=own)
+            )
         return found
 
 
@@ -99,46 +118,101 @@ def learned_name(step: PlanStep) -> PlanStep:
     return PlanStep(step.operator.removesuffix(_OF + step.object), step.object)
 
 
-def believed_name(step: PlanStep, grounding: Grounding) -> PlanStep:
+def believed_name(step: PlanStep, problem: Problem, grounding: Grounding) -> PlanStep:
     """Return a step of a plan for learned categories by the name of the operator that is believed in.
+
+    That is the one with the same parameters and the same kind of outcome, for what the object is now.
 
     Args:
         step: The step.
-        grounding: A grounding that `Experience.believed` returned.
+        problem: A problem that `Experience.believed` returned.
+        grounding: The grounding that it returned.
     """
-    own = step.operator + _OF + step.object
-    names = {operator.name for operator in grounding.operators.operators}
-    return PlanStep(own, step.object) if own.removeprefix(PUT_DOWN) in names else step
+    learned, item = grounding.operator_named(step.base), problem.object_named(step.object)
+    for operator in grounding.operators.operators:
+        is_same = operator.category == item.category and operator.label == learned.label
+        if is_same and _kind(operator) == _kind(learned):
+            prefix = PUT_DOWN if step.puts_down else ""
+            return PlanStep(prefix + operator.name, step.object)
+    return step
 
 
-def _after(operator: Operator, outcomes: list[Outcome]) -> Operator:
-    """Return an operator that promises what was seen last, or still hopes for what was not."""
+def _kind(operator: Operator) -> OutcomeKind | None:
+    return operator.promise.kind if operator.promise else None
+
+
+def _angle(one: tuple[float, ...], other: tuple[float, ...]) -> float:
+    """Return by what angle two orientations differ [rad]."""
+    along = abs(float(np.dot(one, other))) / (math.hypot(*one) * math.hypot(*other))
+    return 2 * math.acos(min(1.0, along))
+
+
+def _after(operator: Operator, outcomes: list[Outcome], tolerance: float) -> Operator:
+    """Return an operator that promises what is to be believed after some outcomes."""
     promise = operator.promise
     if promise is None:
         return operator
     same = [outcome for outcome in outcomes if outcome.kind == promise.kind]
-    if outcomes[-1].kind == promise.kind:
-        return _promising(operator, _seen_mode(promise.kind, operator.trials, same[-1]))
-    chance = promise.near_mean / operator.trials * DOUBT ** (len(outcomes) - len(same))
-    hoped = _seen_mode(promise.kind, operator.trials, same[-1]) if same else promise
-    return _promising(operator, msgspec.structs.replace(hoped, near_mean=int(chance * operator.trials)))
+    mode = _combined(promise, same) if same else promise
+    near = max(tolerance, TOLERANCE)
+    kept = [outcome.kind == mode.kind and _miss(mode, outcome) <= near for outcome in outcomes]
+    if len(kept) >= GIVEN_UP and not any(kept[-GIVEN_UP:]):
+        return _given_up(operator, outcomes)
+    share = (KNOWN_BEFORE * operator.successes / operator.trials + sum(kept)) / (KNOWN_BEFORE + len(kept))
+    return _promising(operator, mode, share)
 
 
-def _promising(operator: Operator, mode: Mode) -> Operator:
+def _given_up(operator: Operator, outcomes: list[Outcome]) -> Operator:
+    """Promise what was seen in the place of what did not come, if it can be planned with."""
+    promise, last = operator.promise, outcomes[-1]
+    assert promise is not None, "it was hoped for"
+    like = [one for one in outcomes if one.kind == last.kind]
+    if last.kind not in ("resting", "held"):
+        return _promising(operator, promise, 0.0)
+    seen = msgspec.structs.replace(
+        promise,
+        kind=last.kind,
+        effect=_mean([one.effect for one in like]),
+        spread=(REPEATS,) * 3,
+        resting_effect=_mean([one.resting_effect for one in like]),
+        resting_spread=(REPEATS,) * 3,
+    )
+    return _promising(operator, seen, len(like) / (len(outcomes) + 1))
+
+
+def _promising(operator: Operator, mode: Mode, share: float) -> Operator:
+    """Return an operator that promises a mode, which it keeps in a share of its trials."""
+    kept = round(share * operator.trials)
+    mode = msgspec.structs.replace(
+        mode, near_mean=kept, count=max(kept, 1), share=max(kept, 1) / operator.trials
+    )
     others = tuple(other for other in operator.modes if other.kind != mode.kind)
     return msgspec.structs.replace(operator, modes=(mode, *others), promised=mode.kind)
 
 
-def _seen_mode(kind: OutcomeKind, trials: int, outcome: Outcome) -> Mode:
-    nothing = (0.0, 0.0, 0.0)
-    return Mode(
-        kind=kind,
-        count=trials,
-        share=1.0,
-        effect=vector(outcome.effect),
-        spread=nothing,
-        resting_effect=vector(outcome.resting_effect),
-        resting_spread=nothing,
-        peak_height=float(outcome.peak_height),
-        near_mean=trials,
+def _mean(rows: list[np.ndarray]) -> Vector:
+    return vector(np.mean(rows, axis=0))
+
+
+def _miss(mode: Mode, outcome: Outcome) -> float:
+    seen = outcome.effect if mode.kind == "held" else outcome.resting_effect
+    return math.dist(mode.outcome, seen)
+
+
+def _combined(mode: Mode, outcomes: list[Outcome]) -> Mode:
+    """Weigh what a mode promised against what was seen, each by how sure it is."""
+    effect, spread = _weighed(mode.effect, mode.spread, np.array([one.effect for one in outcomes]))
+    seen = np.array([one.resting_effect for one in outcomes])
+    resting, resting_spread = _weighed(mode.resting_effect, mode.resting_spread, seen)
+    return msgspec.structs.replace(
+        mode, effect=effect, spread=spread, resting_effect=resting, resting_spread=resting_spread
     )
+
+
+def _weighed(mean: tuple[float, ...], spread: tuple[float, ...], seen: np.ndarray) -> tuple[Vector, Vector]:
+    """Weigh a mean against what was seen; it was less sure than it said if what was seen is far from it."""
+    away = np.abs(seen.mean(0) - mean)
+    before = 1 / np.maximum(np.maximum(np.array(spread), away), _SUREST) ** 2
+    now = len(seen) / REPEATS**2
+    value = (before * np.array(mean) + now * seen.mean(0)) / (before + now)
+    return vector(value), vector(np.sqrt(1 / (before + now)))

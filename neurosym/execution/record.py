@@ -6,11 +6,13 @@ from typing import Literal
 
 import msgspec
 
+from neurosym.execution.appearance import as_it_shows
 from neurosym.execution.machine import Machine
 from neurosym.grounding import Grounding
-from neurosym.operators import TOLERANCE, Vector, vector
+from neurosym.operators import TOLERANCE, Operator, Vector, vector
 from neurosym.pddl.plan_text import PlanStep, Steps
 from neurosym.problems import Problem
+from neurosym.promises import promised
 from neurosym.wording import counted, in_millimetres
 from neurosym.world import Disturbance, Outcome, Scene
 
@@ -129,7 +131,7 @@ def record_step(
         outcome: What happened.
         put_down: Whether the object was to be put down if it was held.
     """
-    operator = grounding.operator_named(step.operator)
+    operator = _promising(step, problem, grounding, outcome)
     effect = vector(outcome.effect if outcome.held else outcome.resting_effect)
     promised_effect = grounding.displacement(operator) if operator.promise else None
     deviation = math.dist(effect, promised_effect) if promised_effect else None
@@ -148,6 +150,14 @@ def record_step(
         disturbed={problem.object_names[index]: how for index, how in outcome.disturbed},
         put_down=put_down,
     )
+
+
+def _promising(step: PlanStep, problem: Problem, grounding: Grounding, outcome: Outcome) -> Operator:
+    """Return the operator of a step as it promised for the object as it lay."""
+    lay = tuple(outcome.start.orientations[outcome.target].tolist())
+    item = msgspec.structs.replace(problem.object_named(step.object), orientation=lay)
+    found = promised(grounding, as_it_shows(item, grounding), problem.tolerance).get(step.operator)
+    return found or grounding.operator_named(step.operator)
 
 
 def record_refusal(step: PlanStep, problem: Problem, scene: Scene) -> StepRecord:

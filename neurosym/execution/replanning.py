@@ -59,7 +59,7 @@ def why_not_go_on(left: Sequence[PlanStep], seen: Problem, experience: Experienc
     if not left and seen.is_met(seen.scene().positions):
         return ""
     believed, grounding = experience.believed(seen)
-    checked = validate([believed_name(step, grounding) for step in left], believed, grounding)
+    checked = validate([believed_name(step, believed, grounding) for step in left], believed, grounding)
     if checked.failed is None:
         return checked.reason
     step, why = learned_name(checked.failed[0]), checked.failed[1]

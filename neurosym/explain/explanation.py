@@ -27,6 +27,7 @@ from neurosym.explain.object_words import objects_in_words
 from neurosym.naming import CARRIED
 from neurosym.operators import CONVERGED, TOLERANCE, Category, Mode, Operator, OperatorTable, Primitive
 from neurosym.symbols import Symbol
+from neurosym.wording import listed_briefly
 
 WhyLeftOut = Callable[[Operator], str | None]
 """Says why an operator is not in the PDDL domain; None if it is."""
@@ -112,10 +113,10 @@ def explain(
     check_table(table)
     likenesses = Likenesses(table)
     sorting = likenesses.sort_out()
-    sorted_out = sorting_in_words(sorting, len(table.primitives), _axes(table))
+    sorted_out = sorting_in_words(sorting, len(table.symbols), _axes(table))
     summary = (*sorted_out, _measured(table), *_unused(table))
     actions = [
-        _explain_action(table, p, likenesses, sorting, gripper, why_left_out) for p in table.primitives
+        _explain_action(table, symbol, likenesses, sorting, gripper, why_left_out) for symbol in table.symbols
     ]
     objects = [_explain_category(table, c, likenesses, feature_names) for c in table.categories]
     return Explanation(summary, tuple(actions), tuple(objects))
@@ -123,7 +124,7 @@ def explain(
 
 def check_table(table: OperatorTable) -> None:
     """Raise `InvalidValue` unless the parts of a table fit together."""
-    primitives, categories = _symbols(table), tuple(_names(table))
+    primitives, categories = table.symbols, tuple(_names(table))
     if not primitives or not categories:
         raise InvalidValue("it holds no primitives or no categories")
     for kind, symbols in (("primitive", primitives), ("category", categories)):
@@ -133,8 +134,9 @@ def check_table(table: OperatorTable) -> None:
     for category in table.categories:
         if len(category.feature_means) != len(category.feature_spreads):
             raise InvalidValue(f"its category {category.name} has not a spread for each mean")
+    labels = {primitive.label for primitive in table.primitives}
     for operator in table.operators:
-        if operator.primitive not in primitives or operator.category not in categories:
+        if operator.label not in labels or operator.category not in categories:
             raise InvalidValue(f"its operator {operator.name} is of an unknown primitive or category")
     modes = [mode for operator in table.operators for mode in operator.modes]
     vectors = [v for m in modes for v in (m.effect, m.spread, m.resting_effect, m.resting_spread)]
@@ -153,7 +155,7 @@ def _unused(table: OperatorTable) -> tuple[str, ...]:
     """Name the action codes that were never reached and the object codes that no object has."""
     lines = []
     if table.unreached:
-        listed = ", ".join(table.unreached)
+        listed = listed_briefly(table.unreached)
         lines.append(f"Action codes never reached, so that nothing was distilled: {listed}.")
     if unseen := [category.name for category in table.categories if not category.share]:
         lines.append(f"Object codes that no sampled object has: {', '.join(unseen)}.")
@@ -162,17 +164,15 @@ def _unused(table: OperatorTable) -> tuple[str, ...]:
 
 def _explain_action(
     table: OperatorTable,
-    primitive: Primitive,
+    symbol: Symbol,
     likenesses: Likenesses,
     sorting: Sorting,
     gripper: Sequence[bool],
     why_left_out: WhyLeftOut | None,
 ) -> SymbolExplanation:
-    symbol = primitive.symbol
     operators = [operator for operator in table.operators if operator.primitive == symbol]
     about = [
-        *action_in_words(primitive.action, gripper),
-        *_error_in_words(primitive),
+        *_actions_in_words(table, symbol, operators, gripper),
         *_held_in_words(operators, table.trials),
         *_never_tried(table, operators),
     ]
@@ -222,10 +222,26 @@ def _verbs(table: OperatorTable, operators: Sequence[Operator]) -> str:
     weights = {category.symbol: category.share for category in table.categories}
     shares: dict[str, float] = {}
     for operator in operators:
-        verb = operator.name.removesuffix(f"-{operator.primitive}-{names[operator.category]}")
+        verb = operator.name.removesuffix(f"-{operator.label}-{names[operator.category]}")
         shares[verb] = shares.get(verb, 0.0) + weights[operator.category]
     ordered = sorted(shares.items(), key=lambda entry: (-entry[1], entry[0]))
     return ", ".join(f"{verb} ({share:.0%} of objects)" for verb, share in ordered) or "never tried"
+
+
+def _actions_in_words(
+    table: OperatorTable, symbol: Symbol, operators: Sequence[Operator], gripper: Sequence[bool]
+) -> tuple[str, ...]:
+    """Say what the hand does, and for which categories if the symbol has several actions."""
+    lines: list[str] = []
+    of_symbol = [primitive for primitive in table.primitives if primitive.symbol == symbol]
+    performed = [one for one in of_symbol if any(one.label == operator.label for operator in operators)]
+    names = _names(table)
+    for primitive in performed or of_symbol[:1]:
+        if len(of_symbol) > 1:
+            on = (names[operator.category] for operator in operators if operator.label == primitive.label)
+            lines.append(f"{primitive.label} is for {', '.join(on) or 'no category'}.")
+        lines += [*action_in_words(primitive.action, gripper), *_error_in_words(primitive)]
+    return tuple(lines)
 
 
 def _error_in_words(primitive: Primitive) -> tuple[str, ...]:
@@ -246,10 +262,6 @@ def _never_tried(table: OperatorTable, operators: Sequence[Operator]) -> tuple[s
     met = {operator.category for operator in operators}
     missing = [c.name for c in table.categories if c.share and c.symbol not in met]
     return (f"It was never tried on {', '.join(missing)}.",) if missing else ()
-
-
-def _symbols(table: OperatorTable) -> tuple[Symbol, ...]:
-    return tuple(primitive.symbol for primitive in table.primitives)
 
 
 def _names(table: OperatorTable) -> dict[Symbol, str]:

@@ -5,7 +5,6 @@ from typing import TYPE_CHECKING
 
 from neurosym.errors import InvalidFile, InvalidValue
 from neurosym.operators import OperatorTable
-from neurosym.reading import read_json
 from neurosym.stages.folder import DomainFolder
 from neurosym.stages.layout import GROUNDING, INTERACTIONS, PRIMITIVES, WORLD
 
@@ -37,7 +36,7 @@ def explain_folder(domain: DomainFolder) -> "Explanation":
     from neurosym.explain.explanation import explain as explain_table
 
     path = domain.require(PRIMITIVES)
-    table = read_json(path, OperatorTable)
+    table = OperatorTable.load(path)
     world = _world(domain)
     grounding, remark = _grounding(domain, table, world)
     try:

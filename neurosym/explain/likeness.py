@@ -74,21 +74,21 @@ class Sorting:
 
 
 class Likenesses:
-    """Compares the symbols of a table.
+    """Compares the symbols of a table, by the surest operator of each pair.
 
     Args:
         table: What each primitive does to each category.
     """
 
     def __init__(self, table: OperatorTable):
-        self._primitives = tuple(primitive.symbol for primitive in table.primitives)
+        self._primitives = table.symbols
         self._shares = {category.symbol: category.share for category in table.categories}
         self._by_primitive: dict[Symbol, dict[Symbol, Mode]] = {}
         self._by_category: dict[Symbol, dict[Symbol, Mode]] = {}
         for operator in table.operators:
             if (mode := typical(operator)) is not None:
-                self._by_primitive.setdefault(operator.primitive, {})[operator.category] = mode
-                self._by_category.setdefault(operator.category, {})[operator.primitive] = mode
+                self._by_primitive.setdefault(operator.primitive, {}).setdefault(operator.category, mode)
+                self._by_category.setdefault(operator.category, {}).setdefault(operator.primitive, mode)
 
     def nearest_action(self, symbol: Symbol) -> Likeness | None:
         """Return the action symbol that does the most similar thing, or None if there is none to compare."""

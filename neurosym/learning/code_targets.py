@@ -114,7 +114,8 @@ def _costs(
 def _some_of_each(labels: Int[np.ndarray, "C"], count: int, rng: np.random.Generator) -> Int[np.ndarray, "S"]:
     """Take equally many members of each kind, some of them twice if a kind has too few."""
     kinds = np.unique(labels)
-    return np.concatenate([rng.choice(np.flatnonzero(labels == kind), count // len(kinds)) for kind in kinds])
+    each = max(1, count // len(kinds))
+    return np.concatenate([rng.choice(np.flatnonzero(labels == kind), each) for kind in kinds])
 
 
 def _table(

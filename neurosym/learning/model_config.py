@@ -1,11 +1,15 @@
 """How the effect model is built, apart from the network itself, so that reading it does not load torch."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Literal
 
 from neurosym.errors import InvalidValue
 
-_MOST_BITS = 8
+PAPER_BITS = (2, 3)
+"""Bits of object and action symbols in the paper (section IV-B)."""
+DEFAULT_BITS = PAPER_BITS
+"""Bits of object and action symbols unless the user says otherwise."""
+_MOST_BITS = {"object_bits": 6, "action_bits": 8}
 _MOST_HIDDEN = 4096
 
 
@@ -26,8 +30,8 @@ class ModelConfig:
         head: "gaussian" predicts mean and log variance, "mean" the mean alone (the baselines).
     """
 
-    object_bits: int = 2
-    action_bits: int = 3
+    object_bits: int = DEFAULT_BITS[0]
+    action_bits: int = DEFAULT_BITS[1]
     hidden: int = 128
     dropout: float = 0.0
     layer_norm: bool = False
@@ -35,9 +39,9 @@ class ModelConfig:
     head: Literal["gaussian", "mean"] = "gaussian"
 
     def __post_init__(self) -> None:
-        for name in ("object_bits", "action_bits"):
-            if not 1 <= getattr(self, name) <= _MOST_BITS:
-                raise InvalidValue(f"{name} = {getattr(self, name)} must be between 1 and {_MOST_BITS}.")
+        for name, most in _MOST_BITS.items():
+            if not 1 <= getattr(self, name) <= most:
+                raise InvalidValue(f"{name} = {getattr(self, name)} must be between 1 and {most}.")
         if not 1 <= self.hidden <= _MOST_HIDDEN:
             raise InvalidValue(f"hidden = {self.hidden} must be between 1 and {_MOST_HIDDEN}.")
         if not 0 <= self.dropout < 1:
@@ -45,8 +49,29 @@ class ModelConfig:
         if self.head not in ("gaussian", "mean"):
             raise InvalidValue(f"head = {self.head!r} must be 'gaussian' or 'mean'.")
 
+    def with_bits(self, object_bits: int | None = None, action_bits: int | None = None) -> "ModelConfig":
+        """Return the same network with symbols of other widths.
 
-EXPLORING = ModelConfig(dropout=0.1, layer_norm=True)
+        Args:
+            object_bits: Bits of an object symbol; as they are if not given.
+            action_bits: The same of an action symbol.
+
+        Raises:
+            InvalidValue: If there can be no such symbols.
+        """
+        return replace(
+            self,
+            object_bits=self.object_bits if object_bits is None else object_bits,
+            action_bits=self.action_bits if action_bits is None else action_bits,
+        )
+
+    def unusual_bits(self) -> dict[str, int]:
+        """Return by name the bits that are not the paper's: records without them mean those."""
+        usual = dict(zip(_MOST_BITS, PAPER_BITS, strict=True))
+        return {name: getattr(self, name) for name, bits in usual.items() if getattr(self, name) != bits}
+
+
+EXPLORING = ModelConfig(*PAPER_BITS, dropout=0.1, layer_norm=True)
 """The network whose entropy is explored by, with dropout and LayerNorm as the paper has it."""
 
 

@@ -104,7 +104,7 @@ def fit_as_taught(
 ) -> None:
     """Learn what the bits should say from a network without a bottleneck; see the head of this file."""
     progress("meanings", 0.0)
-    config = config.for_bits(model.config.action_bits)
+    config = config.for_bits(model.config.action_bits, model.config.object_bits)
     targets = find_code_targets(teacher, model.config, samples, config, generator)
     fit_names(model, targets, config, generator, progress)
     fit_encoders(model, teacher, nn.Parameter(targets.effects), samples, config, generator, progress)

@@ -3,6 +3,7 @@
 import msgspec
 
 from neurosym.naming import name_axes
+from neurosym.wording import listed_briefly
 
 
 class TrainingReport(msgspec.Struct, frozen=True, omit_defaults=True):
@@ -21,6 +22,8 @@ class TrainingReport(msgspec.Struct, frozen=True, omit_defaults=True):
         r2_by_axis: The same on each axis.
         r2_direct_by_axis: R2 of the network without a bottleneck on each axis.
         restarts: R2 through the codes of each fit that was made.
+        empty_object_codes: Codes that no object of the data has, neither of those learned from nor held out.
+        empty_action_codes: The same of actions.
     """
 
     held_out: int
@@ -35,6 +38,19 @@ class TrainingReport(msgspec.Struct, frozen=True, omit_defaults=True):
     object_symbols: dict[str, float]
     action_symbols: dict[str, float]
     restarts: tuple[float, ...] = ()
+    empty_object_codes: tuple[str, ...] = ()
+    empty_action_codes: tuple[str, ...] = ()
+
+
+def empty_codes(report: TrainingReport) -> str:
+    """Say in a sentence which codes no row of the data has; empty if there are none.
+
+    Args:
+        report: What was measured after training.
+    """
+    kinds = {"objects": report.empty_object_codes, "actions": report.empty_action_codes}
+    listed = [f"{len(codes)} for {kind} ({listed_briefly(codes)})" for kind, codes in kinds.items() if codes]
+    return f"codes that stay empty, since no row of the data has them: {', '.join(listed)}" if listed else ""
 
 
 def error_table(report: TrainingReport) -> tuple[list[str], list[list[str]]]:

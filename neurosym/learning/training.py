@@ -4,6 +4,7 @@ Each restart starts from other weights; the one that predicts held-out effects b
 is kept. The report sets the model's error beside what predictors that look at nothing achieve.
 """
 
+from collections.abc import Callable
 from dataclasses import dataclass, replace
 
 import msgspec
@@ -25,6 +26,7 @@ from neurosym.learning.recipes import RECIPES, fit_direct
 from neurosym.learning.report import TrainingReport
 from neurosym.learning.samples import Samples, dimensions_of, samples_of
 from neurosym.learning.training_config import TrainingConfig
+from neurosym.symbols import all_symbols
 
 _PARTS = {TrainingConfig: "training", ModelConfig: "model"}
 _DIRECT = 0x6469  # keeps the draws of the network without a bottleneck apart from those of restarts
@@ -162,7 +164,7 @@ def assess(
         kept: What it was trained on, from which the trivial predictors come.
         held_out: What it is measured on.
     """
-    effects = np.asarray(held_out.effects, dtype=np.float64)
+    effects, bits = np.asarray(held_out.effects, dtype=np.float64), model.config
     coded, _ = model.predict_from_codes(held_out.features, held_out.actions)
     uncut, _ = model.predict(held_out.features, held_out.actions)
     predictors = {
@@ -184,6 +186,8 @@ def assess(
         mae={name: np.abs(guess - effects).mean(0).tolist() for name, guess in predictors.items()},
         object_symbols=_shares(model.object_symbols(held_out.features)),
         action_symbols=_shares(model.action_symbols(held_out.actions)),
+        empty_object_codes=_empty(bits.object_bits, model.object_symbols, kept.features, held_out.features),
+        empty_action_codes=_empty(bits.action_bits, model.action_symbols, kept.actions, held_out.actions),
     )
 
 
@@ -224,6 +228,14 @@ def _seed(seed: int, restart: int) -> int:
 def _shares(symbols: tuple[str, ...]) -> dict[str, float]:
     names, counts = np.unique(symbols, return_counts=True)
     return {str(name): float(count) / len(symbols) for name, count in zip(names, counts, strict=True)}
+
+
+def _empty(
+    bits: int, encode: Callable[[np.ndarray], tuple[str, ...]], *parts: Float[np.ndarray, "_ D"]
+) -> tuple[str, ...]:
+    """List the codes of so many bits that no row of the data has."""
+    used = {symbol for rows in parts for symbol in encode(rows)}
+    return tuple(symbol for symbol in all_symbols(bits) if symbol not in used)
 
 
 def _silent(stage: str, share: float) -> None:

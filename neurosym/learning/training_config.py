@@ -5,7 +5,7 @@ from dataclasses import asdict, dataclass, field, replace
 from typing import Any, Literal
 
 from neurosym.errors import InvalidValue, UnknownChoice
-from neurosym.learning.model_config import EXPLORING, DirectConfig, ModelConfig
+from neurosym.learning.model_config import EXPLORING, PAPER_BITS, DirectConfig, ModelConfig
 
 
 @dataclass(frozen=True, slots=True)
@@ -150,18 +150,23 @@ class TrainingConfig:
         if self.recipe not in ("joint", "refit", "taught"):
             raise InvalidValue(f"recipe = {self.recipe!r} must be 'joint', 'refit' or 'taught'.")
 
-    def for_bits(self, action_bits: int) -> "TrainingConfig":
+    def for_bits(self, action_bits: int, object_bits: int = 0) -> "TrainingConfig":
         """Return the same with as many steps of the encoders again for each bit of actions beyond three.
 
+        The table that is co-clustered gets rows and columns enough for as many kinds as there are codes.
+
         Args:
-            action_bits: How many there are.
+            action_bits: Bits of an action symbol.
+            object_bits: Bits of an object symbol.
         """
         times = 1 + max(0, action_bits - _STEPS_ARE_FOR)
-        return replace(
-            self,
-            naming=replace(self.naming, steps=times * self.naming.steps),
-            coding=replace(self.coding, steps=times * self.coding.steps),
+        naming = replace(
+            self.naming,
+            steps=times * self.naming.steps,
+            table_actions=max(self.naming.table_actions, _OF_EACH_KIND * 2**action_bits),
+            table_objects=max(self.naming.table_objects, _OF_EACH_KIND * 2**object_bits),
         )
+        return replace(self, naming=naming, coding=replace(self.coding, steps=times * self.coding.steps))
 
     def as_stored(self) -> dict[str, Any]:
         """Return plain JSON values by the names that model files have had from the beginning."""
@@ -186,6 +191,7 @@ class TrainingConfig:
 
 
 _STEPS_ARE_FOR = 3  # bits of action symbols
+_OF_EACH_KIND = 3  # rows or columns of the table that is co-clustered
 _NAMING = {
     "actions": "named_actions",
     "objects": "named_objects",
@@ -223,6 +229,7 @@ class Regime:
     exploration: ModelConfig = EXPLORING
 
 
+_PRINTED = ModelConfig(*PAPER_BITS, dropout=0.1, gripper_sharpness=None, layer_norm=True)
 REGIMES = {
     "default": Regime(ModelConfig(), TrainingConfig(), exploration_rate=1e-3),
     "quick": Regime(
@@ -245,7 +252,7 @@ REGIMES = {
         exploration_rate=1e-3,
     ),
     "paper": Regime(
-        ModelConfig(dropout=0.1, gripper_sharpness=None, layer_norm=True),
+        _PRINTED,
         TrainingConfig(
             recipe="joint",
             learning_rate=1e-5,
@@ -255,7 +262,7 @@ REGIMES = {
             mirrors=False,
         ),
         exploration_rate=1e-5,
-        exploration=ModelConfig(dropout=0.1, gripper_sharpness=None, layer_norm=True),
+        exploration=_PRINTED,
     ),
 }
 

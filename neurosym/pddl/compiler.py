@@ -15,6 +15,7 @@ from neurosym.world import Table
 CELL = 0.005
 """Edge of a grid cell unless the user says otherwise [m]."""
 MAX_CELLS = 5000
+RESERVED = tuple(f"{axis}-{kind}" for kind in ("cell", "step") for axis in "xyz")
 RESERVED_PREFIXES = ("finish-", "put-down-", "reach-")
 
 
@@ -46,7 +47,7 @@ def compile_domain(
     expanded = with_every_outcome(table)
     categories = [category.name for category in table.categories]
     operators = [operator.name for operator in expanded.operators]
-    _check_names([name, "movable", "object", "x-cell", "y-cell", "z-cell", *categories, *operators])
+    _check_names([name, "movable", "object", *RESERVED, *categories, *operators])
     if taken := [operator for operator in operators if operator.startswith(RESERVED_PREFIXES)]:
         raise InvalidValue(
             f"No operator can be called {taken[0]}; {', '.join(RESERVED_PREFIXES)} are reserved."

@@ -22,7 +22,7 @@ def with_every_outcome(table: OperatorTable) -> OperatorTable:
     operators = [
         msgspec.structs.replace(
             operator,
-            name=name_operator(operator.primitive, names[operator.category], [mode]),
+            name=name_operator(operator.label, names[operator.category], [mode]),
             promised=mode.kind,
         )
         for operator in table.operators

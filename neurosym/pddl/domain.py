@@ -5,16 +5,20 @@ the axes, so fine grids take planners long to ground. `stepwise` moves one axis 
 moves the first axis and takes the `(ready)` lock, `finish-...` actions move the others, and the last gives
 the lock back. Its ground actions add up over the axes, so it stays small on fine grids. One problem file
 serves both, and both are positive STRIPS with types and action costs. Equal groundings give equal bytes.
+Where operators promise something of its own to each object, `stepwise` reads that from the problem (see
+`own_steps`), and `operators` says what they do on average.
 """
 
 from neurosym.errors import UnknownChoice
 from neurosym.grounding import Grounding
+from neurosym.pddl import own_steps
 from neurosym.pddl.grid import AXES, grid_of
 from neurosym.pddl.moves import (
     ENCODINGS,
     REACH_GOAL,
     Encoding,
     Move,
+    cost_name,
     moves_of,
     parts_of,
     shift_predicate,
@@ -39,6 +43,11 @@ _ABOUT = {
     "stepwise": "One action moves one axis: the named action the first, finish-... the others.",
     "operators": "One action moves all axes.",
 }
+_ABOUT_OWN = {
+    "stepwise": "By which steps an operator moves an object, and what that costs, stands in the problem.",
+    "operators": "Steps and costs are those of the average object; what each does stands in the problem, and "
+    "a replay must tell if plans come true.",
+}
 
 
 def domain_text(grounding: Grounding, encoding: Encoding = "stepwise") -> str:
@@ -60,9 +69,9 @@ def domain_text(grounding: Grounding, encoding: Encoding = "stepwise") -> str:
     blocks = [
         _header(grounding, encoding),
         f"(define (domain {grounding.name})\n  (:requirements :strips :typing :action-costs)",
-        _types(grounding),
+        *_types(grounding),
         _predicates(grounding, moves, encoding),
-        "  (:functions (total-cost) - number)",
+        _functions(grounding, moves),
         *(_action_block(move, grounding, encoding) for move in moves),
         _reach_goal(),
         left_out(grounding),
@@ -76,14 +85,25 @@ def _header(grounding: Grounding, encoding: Encoding) -> str:
         _ABOUT[encoding],
         f"Cells of {millimetres(grounding.cell)} mm: {grid.last[0] + 1} along x, {grid.last[1] + 1} along y, "
         f"{grid.last[2] + 1} along z (counted from where an object rests).",
-        "(x-plus-3 ?from ?to): ?to is 3 cells further along x than ?from, and on the table.",
     ]
+    if grounding.is_refined:
+        about += [
+            "(x-leads x-plus-3 ?from ?to): ?to is 3 cells further along x than ?from, and on the table."
+        ]
+        about += [_ABOUT_OWN[encoding]]
+    else:
+        about += ["(x-plus-3 ?from ?to): ?to is 3 cells further along x than ?from, and on the table."]
     return header(grounding, encoding, about)
 
 
-def _types(grounding: Grounding) -> str:
-    names = sorted(category.name for category in grounding.operators.categories)
-    return f"  (:types\n    movable x-cell y-cell z-cell - object\n    {' '.join(names)} - movable)"
+def _types(grounding: Grounding) -> list[str]:
+    """Print the types, and the constants of one of them where there are such."""
+    names = " ".join(sorted(category.name for category in grounding.operators.categories))
+    if not grounding.is_refined:
+        return [f"  (:types\n    movable x-cell y-cell z-cell - object\n    {names} - movable)"]
+    steps = "x-step y-step z-step"
+    types = f"  (:types\n    movable x-cell y-cell z-cell {steps} - object\n    {names} - movable)"
+    return [types, own_steps.constants(grounding)]
 
 
 def _predicates(grounding: Grounding, moves: tuple[Move, ...], encoding: Encoding) -> str:
@@ -92,19 +112,35 @@ def _predicates(grounding: Grounding, moves: tuple[Move, ...], encoding: Encodin
     lines += ["(goal-xy ?o - movable ?x - x-cell ?y - y-cell)", "(goal-z ?o - movable ?z - z-cell)"]
     lines += ["(done ?o - movable)"]
     lines += held_predicates(moves)
+    has_own = grounding.is_refined
     if encoding == "stepwise":
-        lines += [f"(moving-{m.name}-{AXES[axis]} ?o - {m.category})" for m in moves for axis in m.axes[1:]]
-    for axis, cells in shifts_of(grounding):
-        lines.append(f"({shift_predicate(axis, cells)} ?from ?to - {AXES[axis]}-cell)")
+        axes = {move.name: (move.all_axes if has_own else move.axes)[1:] for move in moves}
+        lines += [f"(moving-{m.name}-{AXES[axis]} ?o - {m.category})" for m in moves for axis in axes[m.name]]
+    if has_own:
+        lines += own_steps.predicates(moves)
+    else:
+        lines += [
+            f"({shift_predicate(axis, cells)} ?from ?to - {AXES[axis]}-cell)"
+            for axis, cells in shifts_of(grounding)
+        ]
     return "  (:predicates\n" + "\n".join(f"    {line}" for line in lines) + ")"
 
 
+def _functions(grounding: Grounding, moves: tuple[Move, ...]) -> str:
+    if not grounding.is_refined:
+        return "  (:functions (total-cost) - number)"
+    lines = ["(total-cost) - number", *own_steps.functions(moves)]
+    return "  (:functions\n" + "\n".join(f"    {line}" for line in lines) + ")"
+
+
 def _action_block(move: Move, grounding: Grounding, encoding: Encoding) -> str:
-    parts = parts_of(move, encoding)
-    return "\n".join([about_move(move, grounding), *(_part(move, n, parts) for n in range(len(parts)))])
+    has_own = grounding.is_refined
+    parts = parts_of(move, encoding, has_own=has_own)
+    actions = (_part(move, number, parts, encoding, has_own) for number in range(len(parts)))
+    return "\n".join([about_move(move, grounding), *actions])
 
 
-def _part(move: Move, number: int, parts: Parts) -> str:
+def _part(move: Move, number: int, parts: Parts, encoding: Encoding, has_own: bool) -> str:
     """Print the action for one of the parts of a move."""
     name, axes = parts[number]
     before, after = _locks(move, number, parts)
@@ -113,13 +149,24 @@ def _part(move: Move, number: int, parts: Parts) -> str:
         before, after = before + needed, [*after, *gone, "(not (done ?o))"]
     if number == len(parts) - 1:
         after += hand_after(move)
+    parameters = f"?o - {move.category}"
     for axis in axes:
-        letter, shift = AXES[axis], shift_predicate(axis, move.cells[axis])
-        before += [f"(at-{letter} ?o ?{letter})", f"({shift} ?{letter} ?to-{letter})"]
+        letter = AXES[axis]
+        found, asked = (own_steps.steps_along if has_own else _shift_along)(move, axis, encoding)
+        parameters += found
+        before += [f"(at-{letter} ?o ?{letter})", *asked]
         after += [f"(not (at-{letter} ?o ?{letter}))", f"(at-{letter} ?o ?to-{letter})"]
-    after += [f"(increase (total-cost) {move.cost if number == 0 else 0})"]
-    parameters = "".join(f" ?{AXES[axis]} ?to-{AXES[axis]} - {AXES[axis]}-cell" for axis in axes)
-    return action_text(name, f"?o - {move.category}{parameters}", before, after)
+    cost = str(move.cost if number == 0 else 0)
+    if has_own and encoding == "stepwise" and number == 0 and own_steps.has_cost(move):
+        cost = f"({cost_name(move)} ?o)"
+    after += [f"(increase (total-cost) {cost})"]
+    return action_text(name, parameters, before, after)
+
+
+def _shift_along(move: Move, axis: int, _encoding: Encoding) -> tuple[str, list[str]]:
+    """Return the parameters by which an action moves any object along an axis, and what must hold of them."""
+    letter, shift = AXES[axis], shift_predicate(axis, move.cells[axis])
+    return f" ?{letter} ?to-{letter} - {letter}-cell", [f"({shift} ?{letter} ?to-{letter})"]
 
 
 def _locks(move: Move, number: int, parts: Parts) -> tuple[list[str], list[str]]:

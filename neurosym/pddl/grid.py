@@ -16,7 +16,7 @@ from neurosym.errors import InvalidValue
 from neurosym.grounding import Cells, Grounding, is_lift
 from neurosym.operators import Vector
 from neurosym.problems import SceneObject
-from neurosym.symbols import Symbol
+from neurosym.promises import usable
 
 AXES = ("x", "y", "z")
 
@@ -81,7 +81,7 @@ def grid_of(grounding: Grounding) -> Grid:
     """Lay the grid over the table, up to where the highest lift leads."""
     table = grounding.table
     x, y = (math.floor((high - low) / grounding.cell + 1e-9) for low, high in (table.x, table.y))
-    highest = max((grounding.cells(operator)[2] for operator in grounding.live), default=0)
+    highest = max((grounding.highest(operator) for operator in grounding.live), default=0)
     return Grid(cell=grounding.cell, origin=(table.x[0], table.y[0]), last=(x, y, max(highest, 0)))
 
 
@@ -107,7 +107,7 @@ def goal_region(
     check_on_table(item, grounding)
     grid = grid_of(grounding)
     anchor = grid.anchor(item.position)
-    error_x, error_y, error_z = grounding.rounding()
+    error_x, error_y, error_z = rounding(item, grounding)
     dx, dy, height = (end - start for end, start in zip(goal, item.position, strict=True))
     misses = {z: abs(z * grid.cell - height) + (error_z if z else 0.0) for z in levels(item, grounding)}
     chosen = best_levels(misses, tolerance)
@@ -133,17 +133,24 @@ def check_on_table(item: SceneObject, grounding: Grounding, *, off: float = 0.0)
 
 def levels(item: SceneObject, grounding: Grounding) -> tuple[int, ...]:
     """List the heights that an object of this category can have, in cells above where it rests."""
-    return _levels(item.category, grounding)
-
-
-@lru_cache(maxsize=1024)
-def _levels(category: Symbol, grounding: Grounding) -> tuple[int, ...]:
-    lifts = (
-        grounding.cells(operator)[2]
-        for operator in grounding.live
-        if operator.category == category and is_lift(operator)
-    )
+    lifts = (grounding.cells(operator)[2] for operator in usable(grounding, item) if is_lift(operator))
     return (0, *sorted(set(lifts)))
+
+
+def rounding(item: SceneObject, grounding: Grounding) -> Vector:
+    """Return how far one step of a plan with an object can err on each axis because of the grid [m].
+
+    On x and y the errors of several steps add up. On z they do not: whatever rests is at its own height
+    exactly, so only an object that ends held errs.
+
+    Args:
+        item: The object.
+        grounding: What steps promise.
+    """
+    steps = usable(grounding, item) if grounding.is_refined else grounding.live
+    errors = [(0.0, 0.0, 0.0), *map(grounding.rounding, steps)]
+    x, y, z = (max(axis) for axis in zip(*errors, strict=True))
+    return (x, y, z)
 
 
 def best_levels(misses: Mapping[int, float], tolerance: float) -> tuple[int, ...]:

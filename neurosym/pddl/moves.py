@@ -1,12 +1,15 @@
 """What PDDL actions do: every live operator as a displacement in cells, and the names of its parts."""
 
 import math
+from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import Literal
 
 from neurosym.grounding import Cells, Grounding, is_lift
-from neurosym.operators import Operator
+from neurosym.operators import TOLERANCE, Operator
 from neurosym.pddl.grid import AXES
+from neurosym.problems import SceneObject
+from neurosym.promises import usable
 
 Encoding = Literal["sas", "stepwise", "operators", "numeric"]
 ENCODINGS: tuple[Encoding, ...] = ("stepwise", "operators", "numeric")
@@ -48,11 +51,38 @@ class Move:
         """The axes that the object moves along."""
         return tuple(axis for axis in range(3) if self.cells[axis])
 
+    @property
+    def all_axes(self) -> tuple[int, ...]:
+        """The axes that some object may move along: what is not lifted stays at its height."""
+        return (0, 1) if self.kind == "rest" else (0, 1, 2)
+
 
 def moves_of(grounding: Grounding) -> tuple[Move, ...]:
-    """List what the live operators do, by name, each lift followed by its put-down."""
+    """List what the live operators do on average, by name, each lift followed by its put-down."""
+    return as_moves(grounding.live, grounding)
+
+
+def moves_for(item: SceneObject, grounding: Grounding, tolerance: float = TOLERANCE) -> tuple[Move, ...]:
+    """List what the operators of a domain promise for an object, by name, each lift followed by its put-down.
+
+    Args:
+        item: The object.
+        grounding: The learned domain.
+        tolerance: How near an outcome must come to the promise to have kept it [m].
+    """
+    ordered = sorted(usable(grounding, item, tolerance), key=lambda operator: operator.name)
+    return as_moves(ordered, grounding)
+
+
+def as_moves(operators: Iterable[Operator], grounding: Grounding) -> tuple[Move, ...]:
+    """Return what operators promise as moves, each lift followed by its put-down.
+
+    Args:
+        operators: The operators.
+        grounding: What they are counted in, in its cells.
+    """
     moves: list[Move] = []
-    for operator in grounding.live:
+    for operator in operators:
         category = grounding.category(operator.category).name
         kind: Literal["rest", "lift"] = "lift" if is_lift(operator) else "rest"
         cells = grounding.cells(operator)
@@ -63,14 +93,23 @@ def moves_of(grounding: Grounding) -> tuple[Move, ...]:
     return tuple(moves)
 
 
-def parts_of(move: Move, encoding: Encoding) -> tuple[tuple[str, tuple[int, ...]], ...]:
-    """List the PDDL actions that a move consists of, with its name and the axes of which it names cells."""
+def parts_of(
+    move: Move, encoding: Encoding, *, has_own: bool = False
+) -> tuple[tuple[str, tuple[int, ...]], ...]:
+    """List the PDDL actions that a move consists of, with its name and the axes of which it names cells.
+
+    Args:
+        move: The move.
+        encoding: The encoding.
+        has_own: Whether objects have steps of their own, so that `stepwise` has an action for every axis.
+    """
     if encoding == "numeric":
         return ((move.name, ()),)
-    if encoding == "operators" or len(move.axes) < 2:
-        return ((move.name, move.axes),)
-    others = ((f"{FINISH}{move.name}-{AXES[axis]}", (axis,)) for axis in move.axes[1:])
-    return ((move.name, move.axes[:1]), *others)
+    axes = move.all_axes if has_own and encoding == "stepwise" else move.axes
+    if encoding == "operators" or len(axes) < 2:
+        return ((move.name, axes),)
+    others = ((f"{FINISH}{move.name}-{AXES[axis]}", (axis,)) for axis in axes[1:])
+    return ((move.name, axes[:1]), *others)
 
 
 def chance(operator: Operator) -> float:
@@ -91,6 +130,16 @@ def step_cost(operator: Operator, grounding: Grounding) -> int:
 def shift_predicate(axis: int, cells: int) -> str:
     """Name the static predicate of a displacement along an axis, like `x-minus-7`."""
     return f"{AXES[axis]}-{'plus' if cells > 0 else 'minus'}-{abs(cells)}"
+
+
+def own_name(move: Move, axis: int) -> str:
+    """Name what says by how much a move leads an object along an axis, like `x-of-push-left-001-cube`."""
+    return f"{AXES[axis]}-of-{move.name}"
+
+
+def cost_name(move: Move) -> str:
+    """Name the function that says what a move of an object costs."""
+    return f"cost-of-{move.name}"
 
 
 def shifts_of(grounding: Grounding) -> tuple[tuple[int, int], ...]:

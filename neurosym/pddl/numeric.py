@@ -8,6 +8,7 @@ An object's goal is a prism inside the ball around it: an interval of z, as on a
 octagon in the disc that is left of the ball. All conditions are linear with
 whole coefficients. Each step errs by at most half a unit on each axis, so the disc is shrunk by sqrt(1/2)
 units a step, and the table by half a unit a step: plans of no more than `STEPS` steps an object are true.
+Where operators promise something of its own to each object, the problem says what (see `own_numbers`).
 """
 
 import math
@@ -17,6 +18,7 @@ from functools import lru_cache
 import msgspec
 
 from neurosym.grounding import Grounding
+from neurosym.pddl import own_numbers
 from neurosym.pddl.grid import AXES, best_levels, levels
 from neurosym.pddl.moves import Move, moves_of
 from neurosym.pddl.printing import (
@@ -50,6 +52,9 @@ def numeric_domain_text(grounding: Grounding) -> str:
     names = sorted(category.name for category in grounding.operators.categories)
     predicates = ["(hand-empty)", *held_predicates(moves)]
     functions = [*(f"({axis} ?o - movable) - number" for axis in AXES), "(total-cost) - number"]
+    if grounding.is_refined:
+        predicates += own_numbers.predicates(moves)
+        functions += own_numbers.functions(moves)
     blocks = [
         _domain_header(grounding),
         f"(define (domain {grounding.name})\n"
@@ -80,7 +85,7 @@ def numeric_problem_text(problem: Problem, grounding: Grounding, *, steps: int =
         f"(define (problem {problem.name})\n  (:domain {grounding.name})",
         "  (:objects\n" + "\n".join(f"    {line}" for line in things) + ")",
         "  (:init\n    (hand-empty) (= (total-cost) 0)",
-        "\n".join(_start(item, grounding) for item in problem.objects) + ")",
+        "\n".join(_start(item, grounding, problem.tolerance) for item in problem.objects) + ")",
         "  (:goal (and",
         *(_goal(problem, name, grounding, steps) for name in sorted(problem.goals)),
     ]
@@ -106,6 +111,12 @@ def _domain_header(grounding: Grounding) -> str:
         f"The table reaches to x = {x}, y = {y}; steps end {_MARGIN} inside its edges, for what "
         f"{STEPS} steps with an object can err by rounding.",
     ]
+    if grounding.is_refined:
+        shift = own_numbers.shift_of(_in_units(grounding))
+        about += [
+            f"By how much an operator moves an object stands in the problem, with {shift} added, for no "
+            "number may be negative."
+        ]
     return header(grounding, "numeric", about)
 
 
@@ -116,28 +127,43 @@ def _size(grounding: Grounding) -> tuple[float, float]:
 
 def _action(move: Move, grounding: Grounding) -> str:
     before, gone = hand_before(move)
+    parameters = f"?o - {move.category}"
+    if grounding.is_refined:
+        shift = own_numbers.shift_of(_in_units(grounding))
+        before += own_numbers.asked(move, _MARGIN, _last(grounding), shift)
+        after = [*gone, *hand_after(move), *own_numbers.changes(move, shift)]
+        return action_text(move.name, parameters, before, after)
     before = [*before, *_bounds(move, grounding)]
     verbs = ((AXES[axis], move.cells[axis]) for axis in move.axes)
     moved = [f"({'increase' if by > 0 else 'decrease'} ({axis} ?o) {abs(by)})" for axis, by in verbs]
     after = [*gone, *hand_after(move), *moved, f"(increase (total-cost) {move.cost})"]
-    return action_text(move.name, f"?o - {move.category}", before, after)
+    return action_text(move.name, parameters, before, after)
 
 
 def _bounds(move: Move, grounding: Grounding) -> Iterator[str]:
     """List what keeps a move on the table: only the edge that it leads towards matters."""
-    for axis, size in enumerate(_size(grounding)):
-        last, by = math.floor(size / UNIT + _EPSILON) - _MARGIN, move.cells[axis]
+    for axis, last in enumerate(_last(grounding)):
+        by = move.cells[axis]
         if by > 0:
             yield _at_most((f"({AXES[axis]} ?o)",), last - by)
         elif by < 0:
             yield f"(>= ({AXES[axis]} ?o) {_MARGIN - by})"
 
 
-def _start(item: SceneObject, grounding: Grounding) -> str:
+def _last(grounding: Grounding) -> tuple[int, int]:
+    """Return the greatest x and y that a step may end at."""
+    x, y = (math.floor(size / UNIT + _EPSILON) - _MARGIN for size in _size(grounding))
+    return x, y
+
+
+def _start(item: SceneObject, grounding: Grounding, tolerance: float) -> str:
     position = ", ".join(f"{value:.4f}" for value in item.position)
     values = zip(AXES, (*_anchor(item, grounding), 0), strict=True)
     facts = " ".join(f"(= ({axis} {item.name}) {value})" for axis, value in values)
-    return f"    ; {item.name} starts at ({position}) m\n    {facts}"
+    lines = [f"; {item.name} starts at ({position}) m", facts]
+    if grounding.is_refined:
+        lines += own_numbers.values_of(item, grounding, _in_units(grounding), tolerance)
+    return "\n".join(f"    {line}" for line in lines)
 
 
 def _anchor(item: SceneObject, grounding: Grounding) -> tuple[int, int]:

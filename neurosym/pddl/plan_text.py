@@ -14,8 +14,18 @@ from neurosym.errors import InvalidPlan, InvalidValue, UnknownChoice, shortened
 from neurosym.grounding import Grounding, is_lift
 from neurosym.operators import Operator
 from neurosym.pddl.grid import AXES, grid_of
-from neurosym.pddl.moves import FINISH, PUT_DOWN, REACH_GOAL, Encoding, moves_of, parts_of
-from neurosym.problems import Problem
+from neurosym.pddl.moves import (
+    FINISH,
+    PUT_DOWN,
+    REACH_GOAL,
+    Encoding,
+    Move,
+    moves_for,
+    moves_of,
+    parts_of,
+)
+from neurosym.pddl.own_steps import step_name
+from neurosym.problems import Problem, SceneObject
 from neurosym.reading import MEGABYTE, read_text
 from neurosym.wording import counted
 
@@ -92,20 +102,23 @@ def print_ground_plan(
         encoding: The encoding of the domain.
 
     Raises:
-        InvalidValue: If an operator is not in the domain.
+        InvalidValue: If an operator is not in the domain, or not for its object.
     """
-    grid, moves = grid_of(grounding), {move.name: move for move in moves_of(grounding)}
+    grid, has_own = grid_of(grounding), grounding.is_refined
+    moves = {item.name: _moves_of(item, problem, grounding, encoding) for item in problem.objects}
     cells = {item.name: list(grid.anchor(item.position)) for item in problem.objects}
     lines = []
     for step in steps:
-        if step.operator not in moves:
+        if step.operator not in moves[step.object]:
+            of_whom = f" for {step.object}" if has_own else ""
             raise InvalidValue(
-                f"{step.operator} is not in the domain, so the plan cannot be printed with cells."
+                f"{step.operator} is not in the domain{of_whom}, so the plan cannot be printed with cells."
             )
-        move, here = moves[step.operator], cells[step.object]
-        for name, axes in parts_of(move, encoding):
+        move, here = moves[step.object][step.operator], cells[step.object]
+        for name, axes in parts_of(move, encoding, has_own=has_own):
             words = [name, step.object]
             for axis in axes:
+                words += [step_name(axis, move.cells[axis])] if has_own and encoding == "stepwise" else []
                 words += [
                     grid.cell_name(axis, here[axis]),
                     grid.cell_name(axis, here[axis] + move.cells[axis]),
@@ -116,6 +129,15 @@ def print_ground_plan(
         spot = " ".join(grid.cell_name(axis, index) for axis, index in enumerate(cells[name]))
         lines.append(f"({REACH_GOAL} {name} {spot})")
     return "\n".join(lines) + "\n"
+
+
+def _moves_of(
+    item: SceneObject, problem: Problem, grounding: Grounding, encoding: Encoding
+) -> dict[str, Move]:
+    """Return the moves of an object by name, as the domain of an encoding has them."""
+    is_mean = encoding == "operators" or not grounding.is_refined
+    moves = moves_of(grounding) if is_mean else moves_for(item, grounding, problem.tolerance)
+    return {move.name: move for move in moves}
 
 
 def read_plan(path: Path, grounding: Grounding, problem: Problem) -> tuple[PlanStep, ...]:

@@ -1,10 +1,14 @@
 """What the encodings print alike: headers, comments, actions, and what they ask of the hand."""
 
+import math
 import textwrap
 
 from neurosym.grounding import Grounding
-from neurosym.operators import Effect
+from neurosym.operators import Effect, Operator
 from neurosym.pddl.moves import Encoding, Move
+
+TURNED = math.radians(15)
+"""An object that is turned by more than this moves otherwise when the same is done again [rad]."""
 
 
 def header(grounding: Grounding, encoding: Encoding, about: list[str]) -> str:
@@ -67,7 +71,7 @@ def about_move(move: Move, grounding: Grounding) -> str:
         return comment([f"Put down what {operator.name} lifted."], "  ")
     assert promise is not None
     trials = f"{operator.trials} {grounding.operators.trials}"
-    action = " ".join(f"{value:.4f}" for value in grounding.primitive(operator.primitive).action)
+    action = " ".join(f"{value:.4f}" for value in grounding.primitive(operator.label).action)
     lines = [
         f"Primitive {operator.primitive} on category {operator.category} ({move.category}); ends "
         f"{'held' if move.kind == 'lift' else 'at rest'} in {promise.count} of {trials} "
@@ -76,7 +80,16 @@ def about_move(move: Move, grounding: Grounding) -> str:
         f"{operator.successes} of {trials} as promised: cost {move.cost}.",
         f"Action parameters: {action}",
     ]
-    return comment(lines, "  ")
+    return comment([*lines, *_about_rehearsals(operator, trials)], "  ")
+
+
+def _about_rehearsals(operator: Operator, trials: str) -> list[str]:
+    """Say what is known beside the mean, where rehearsals are kept."""
+    if not operator.rehearsals:
+        return []
+    turned = sum(abs(row.turn) > TURNED for row in operator.rehearsals)
+    said = [f"It turned the object by over {math.degrees(TURNED):.0f} degrees in {turned} of {trials}."]
+    return [*(said if turned else []), "What it promises for an object stands in the problem."]
 
 
 def left_out(grounding: Grounding) -> str:

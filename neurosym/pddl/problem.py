@@ -6,6 +6,7 @@ from functools import lru_cache
 
 from neurosym.errors import InvalidValue
 from neurosym.grounding import Grounding
+from neurosym.pddl import own_steps
 from neurosym.pddl.grid import AXES, Grid, check_on_table, goal_region, grid_of
 from neurosym.pddl.moves import Encoding, shift_predicate, shifts_of
 from neurosym.pddl.numeric import STEPS as NUMERIC_STEPS
@@ -53,17 +54,20 @@ def problem_text(
         "  (:init\n    (hand-empty) (ready) (= (total-cost) 0)",
         *(_start(item, grid) for item in problem.objects),
         *(_goal_facts(problem, name, grounding, grid, steps) for name in sorted(problem.goals)),
-        *(_shift_facts(axis, cells, margin, grid) for axis, cells in shifts_of(grounding)),
+        *_step_facts(problem, grounding, grid, margin),
     ]
     goals = " ".join(f"(done {name})" for name in sorted(problem.goals))
-    return "\n".join(sections) + f")\n  (:goal (and {goals}))\n  (:metric minimize (total-cost)))\n"
+    text = "\n".join(sections)
+    text += "\n  " if text.splitlines()[-1].lstrip().startswith(";") else ""  # not into a comment
+    return f"{text})\n  (:goal (and {goals}))\n  (:metric minimize (total-cost)))\n"
 
 
 def check_object(item: SceneObject, grounding: Grounding) -> None:
     """Raise `InvalidValue` unless an object stands on the table and its name is free in the domain."""
     grounding.category(item.category)
     check_on_table(item, grounding)
-    if item.name in _words(grounding) or re.fullmatch(r"[xyz]\d*", item.name):
+    reserved = r"[xyz](\d*|-(step|(plus|minus)-\d+))" if grounding.is_refined else r"[xyz]\d*"
+    if item.name in _words(grounding) or re.fullmatch(reserved, item.name):
         raise InvalidValue(f"No object can be called {item.name}, the domain uses that; try item-01.")
 
 
@@ -90,7 +94,9 @@ def _header(problem: Problem, grounding: Grounding, steps: int) -> str:
 def _objects(problem: Problem, grounding: Grounding, grid: Grid) -> str:
     lines = [f"{item.name} - {grounding.category(item.category).name}" for item in problem.objects]
     lines += [f"{' '.join(grid.cell_names(axis))} - {letter}-cell" for axis, letter in enumerate(AXES)]
-    return "  (:objects\n" + "\n".join(f"    {line}" for line in lines) + ")"
+    lines = [f"    {line}" for line in lines]
+    lines += own_steps.declared_steps(problem, grounding) if grounding.is_refined else []
+    return "\n".join(["  (:objects", *lines]) + ")"
 
 
 def _start(item: SceneObject, grid: Grid) -> str:
@@ -111,8 +117,19 @@ def _goal_facts(problem: Problem, name: str, grounding: Grounding, grid: Grid, s
         lines.append(
             " ".join(f"(goal-xy {name} {grid.cell_name(0, x)} {grid.cell_name(1, y)})" for y in column)
         )
-    lines.append(" ".join(f"(goal-z {name} {grid.cell_name(2, z)})" for z in region.z))
+    means = own_steps.mean_levels(item, region.z, grounding) if grounding.is_refined else set()
+    lines.append(" ".join(f"(goal-z {name} {grid.cell_name(2, z)})" for z in sorted({*region.z, *means})))
     return "\n".join(f"    {line}" for line in lines if line)
+
+
+def _step_facts(problem: Problem, grounding: Grounding, grid: Grid, margin: int) -> list[str]:
+    """Print where steps lead, and where objects have steps of their own, which."""
+    if not grounding.is_refined:
+        return [_shift_facts(axis, cells, margin, grid) for axis, cells in shifts_of(grounding)]
+    lines = [
+        line for item in problem.objects for line in own_steps.facts_of(item, grounding, problem.tolerance)
+    ]
+    return [f"    {line}" for line in [*lines, *own_steps.leading(problem, grounding, grid, margin)]]
 
 
 def _shift_facts(axis: int, cells: int, margin: int, grid: Grid) -> str:

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 
 from neurosym.grounding import Grounding
 from neurosym.pddl.grid import AXES, Grid, goal_region, grid_of
-from neurosym.pddl.moves import REACH_GOAL, Move, moves_of, parts_of
+from neurosym.pddl.moves import REACH_GOAL, Move, moves_for, parts_of
 from neurosym.pddl.problem import STEPS, check_object
 from neurosym.problems import Problem, SceneObject
 
@@ -90,10 +90,7 @@ class _Task:
         self._steps, self._margin = steps, margin
         self._grid: Grid = grid_of(grounding)
         of_item = [
-            (item, move)
-            for item in self._items
-            for move in moves_of(grounding)
-            if move.category == grounding.category(item.category).name
+            (item, move) for item in self._items for move in moves_for(item, grounding, problem.tolerance)
         ]
         held = [_holding(item, move) for item, move in of_item if move.kind == "lift"]
         moving = [_lock(item, move, axis) for item, move in of_item for axis in move.axes[1:]]

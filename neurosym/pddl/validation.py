@@ -1,6 +1,5 @@
 """Replaying a plan with the exact displacements that its operators promise, before it is believed."""
 
-import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 
@@ -9,9 +8,9 @@ from jaxtyping import Bool, Float
 
 from neurosym.grounding import Grounding, is_lift
 from neurosym.operators import Operator
-from neurosym.pddl.moves import chance
 from neurosym.pddl.plan_text import PlanStep
 from neurosym.problems import ROUNDED, Problem
+from neurosym.promises import promised
 from neurosym.wording import in_millimetres
 
 
@@ -52,7 +51,7 @@ def validate(steps: Sequence[PlanStep], problem: Problem, grounding: Grounding) 
     number = 0
     for step in steps:
         number = max(1, number + (not step.puts_down))
-        operator = grounding.operator_named(step.base)
+        operator = operator_for(step, problem, grounding)
         moved = problem.object_names.index(step.object)
         if reason := _hand_problem(step, operator, held_by):
             held = (held_by.object,) if held_by and not step.puts_down else ()
@@ -103,15 +102,20 @@ def _moved(
     return after
 
 
-def expected_success(steps: Sequence[PlanStep], grounding: Grounding) -> float:
-    """Return the chance that all steps of a plan keep their promise, if they fail independently.
+def operator_for(step: PlanStep, problem: Problem, grounding: Grounding) -> Operator:
+    """Return the operator of a step as it promises for the step's object.
 
     Args:
-        steps: The plan; a put-down belongs to its lift.
+        step: The step.
+        problem: The problem, which has the object.
         grounding: The learned domain.
+
+    Raises:
+        UnknownChoice: If there is no such operator or object.
     """
-    chances = (chance(grounding.operator_named(step.base)) for step in steps if not step.puts_down)
-    return math.prod(chances, start=1.0)
+    item = problem.object_named(step.object)
+    found = promised(grounding, item, problem.tolerance).get(step.base)
+    return found or grounding.operator_named(step.base)
 
 
 def footprints_apart(problem: Problem) -> Float[np.ndarray, "M M 2"]:

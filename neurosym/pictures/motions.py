@@ -11,7 +11,7 @@ from neurosym.data.interactions import Interactions
 from neurosym.errors import InvalidValue
 from neurosym.grounding import Grounding
 from neurosym.operators import TOLERANCE, Operator
-from neurosym.primitives.rehearsal import rehearsal_scene
+from neurosym.primitives.rehearsal import rehearsal_sample
 from neurosym.symbols import Categorise
 from neurosym.world import Outcome, Scene, World
 
@@ -102,9 +102,11 @@ def judge(interactions: Interactions, number: int, outcome: Outcome, is_same_sce
 
 
 def primitive_motions(
-    world: World, grounding: Grounding, symbol: str, categorise: Categorise, *, objects: int, seed: int
+    world: World, grounding: Grounding, label: str, categorise: Categorise, *, objects: int, seed: int
 ) -> tuple[Motion, ...]:
     """Choose a sampled object of each category, for a primitive to do there what the domain promises.
+
+    An action symbol stands for all of its actions, each on the categories that it is for.
 
     The first object of the category is taken that does as promised, or else the first of the few tried.
     If the domain promises nothing of the primitive, every category is shown.
@@ -112,7 +114,7 @@ def primitive_motions(
     Args:
         world: The world to act in.
         grounding: The learned domain.
-        symbol: The primitive's action symbol.
+        label: The primitive's action symbol, or one of its labels.
         categorise: Gives the object symbols of features.
         objects: How many objects rehearsal sampled.
         seed: Where rehearsal's draws started.
@@ -120,15 +122,18 @@ def primitive_motions(
     Raises:
         UnknownChoice: If there is no such primitive.
     """
-    action = np.array(grounding.primitive(symbol).action)
-    operators = [operator for operator in grounding.operators.operators if operator.primitive == symbol]
+    symbol = grounding.primitive(label).symbol
+    operators = [
+        operator
+        for operator in grounding.operators.operators
+        if operator.primitive == symbol and label in (symbol, operator.label)
+    ]
     promised = [operator for operator in operators if grounding.why_left_out(operator) is None]
-    scenes = [rehearsal_scene(world, seed, number) for number in range(objects)]
-    symbols = categorise(np.concatenate([scene.features for scene in scenes]))
+    scenes = rehearsal_sample(world, categorise, objects=objects, seed=seed).scenes
     motions = []
     for operator in promised or operators:
-        members = [scene for scene, found in zip(scenes, symbols, strict=True) if found == operator.category]
-        if members:
+        if members := scenes.get(operator.category, ()):
+            action = np.array(grounding.primitive(operator.label).action)
             reason = grounding.why_left_out(operator)
             title = operator.name if reason is None else f"{operator.name} (not in the domain: {reason})"
             motions.append(Motion(title, _as_promised(world, operator, members, action), action))

@@ -39,14 +39,14 @@ class Stills:
 
 
 def primitive_stills(
-    world: World, grounding: Grounding, symbol: str, categorise: Categorise, *, objects: int, seed: int
+    world: World, grounding: Grounding, label: str, categorise: Categorise, *, objects: int, seed: int
 ) -> Stills:
     """Perform a primitive as it mostly turns out, and keep the start and the end of each phase.
 
     Args:
         world: The world to act in.
         grounding: The learned domain.
-        symbol: The primitive's action symbol.
+        label: The primitive's action symbol, or one of its labels.
         categorise: Gives the object symbols of features.
         objects: How many objects rehearsal sampled.
         seed: Where rehearsal's draws started.
@@ -55,27 +55,26 @@ def primitive_stills(
         UnknownChoice: If there is no such primitive.
         InvalidValue: If there is no object to perform it on, or the world draws no pictures.
     """
-    motions = primitive_motions(world, grounding, symbol, categorise, objects=objects, seed=seed)
+    motions = primitive_motions(world, grounding, label, categorise, objects=objects, seed=seed)
     if not motions:
-        raise InvalidValue(f"Rehearsal sampled no object that the primitive {symbol} was tried on.")
-    weights = _weights(grounding, symbol)
+        raise InvalidValue(f"Rehearsal sampled no object that the primitive {label} was tried on.")
+    weights = _weights(grounding)
     motion = max(motions, key=lambda motion: weights.get(motion.title, (0.0, 0.0)))
     take = film_phases(world, motion.scene, motion.action)
     return Stills(f"{motion.title}: {tell(take.outcome)}", take.frames, take.phases)
 
 
-def _weights(grounding: Grounding, symbol: str) -> dict[str, tuple[float, float]]:
-    """Say for which share of all objects operators with the same verb keep their promises, and each alone."""
+def _weights(grounding: Grounding) -> dict[str, tuple[float, float]]:
+    """Say for which share of objects a symbol's operators of the same verb keep promises, and each alone."""
     categories = {category.symbol: category for category in grounding.operators.categories}
     kept: dict[str, tuple[str, float]] = {}
     by_verb: dict[str, float] = {}
     for operator in grounding.operators.operators:
-        if operator.primitive == symbol:
-            category = categories[operator.category]
-            verb = operator.name.removesuffix(f"-{symbol}-{category.name}")
-            share = category.share * operator.successes / max(1, operator.trials)
-            kept[operator.name] = (verb, share)
-            by_verb[verb] = by_verb.get(verb, 0.0) + share
+        category = categories[operator.category]
+        verb = operator.name.removesuffix(f"-{operator.label}-{category.name}")
+        share = category.share * operator.successes / max(1, operator.trials)
+        kept[operator.name] = (f"{verb}-{operator.primitive}", share)
+        by_verb[kept[operator.name][0]] = by_verb.get(kept[operator.name][0], 0.0) + share
     return {name: (by_verb[verb], share) for name, (verb, share) in kept.items()}
 
 

@@ -3,7 +3,8 @@
 Effects do not depend on where an object stands, so a branching table says it all: what each primitive does to
 each object. A sequence of d choices out of P primitives x M objects is a number with d digits, and counting
 through the numbers is breadth-first search. The last digit is handled for all its values at once, and the
-others in chunks, so memory stays bounded.
+others in chunks, so memory stays bounded. What is not bounded is how many sequences there are: with 64
+primitives and four objects, 16.8 million of three. So it goes only as deep as `MOST_SEQUENCES` allow.
 
 The world's rules hold here as in PDDL: what is lifted must be put down before the next primitive (free of
 charge: a step of the plan, but not of the depth), a plan may end with the object held, nobody leaves the
@@ -25,10 +26,13 @@ from neurosym.planners.branching import Branching
 from neurosym.planners.effort import check_time, within
 from neurosym.planners.result import PlanResult, PlanStatus
 from neurosym.problems import Problem
+from neurosym.wording import counted
 from neurosym.world import Table
 
 DEPTH = 3
 """How many primitives a plan may have (section IV-D)."""
+MOST_SEQUENCES = 2_500_000
+"""How many sequences of one length are looked at: three of 64 primitives on two objects, or of 8 on 16."""
 CHUNK = 4096
 
 
@@ -65,9 +69,10 @@ def plan_bfs(
         branching: What each primitive does to each object.
         names: Name of the operator for each object and primitive, M rows of P.
         table: Where objects may stand.
-        depth: How many primitives a plan may have.
+        depth: How many primitives a plan may have; fewer are looked at if `depth_within` says so.
         time_limit: The user's ceiling [s].
     """
+    wanted, depth = depth, depth_within(branching, depth)
     start, goals, room = problem.scene().positions, problem.goal_positions(), problem.room(table)
     if problem.is_met(start):
         return PlanResult(PlanStatus.SOLVED, (), 0.0, "the goal is met at the start")
@@ -81,9 +86,38 @@ def plan_bfs(
                     if _keeps_clear(choices, ends_down, branching, start, apart):
                         steps = _steps(choices, ends_down, branching, names, problem.object_names)
                         return PlanResult(PlanStatus.SOLVED, steps, 0.0)
-        return PlanResult(PlanStatus.NOT_FOUND, (), 0.0, f"{depth} primitives do not suffice")
+        reason = _insufficient(depth) + why_not_deeper(branching, wanted)
+        return PlanResult(PlanStatus.NOT_FOUND, (), 0.0, reason, depth)
 
     return within(time_limit, search)
+
+
+def depth_within(branching: Branching, depth: int = DEPTH) -> int:
+    """Return how many primitives are looked ahead, such that `MOST_SEQUENCES` suffice; at least one.
+
+    Args:
+        branching: What each primitive does to each object.
+        depth: How many are wanted.
+    """
+    fits = (length for length in range(depth, 1, -1) if branching.held.size**length <= MOST_SEQUENCES)
+    return next(fits, min(depth, 1))
+
+
+def why_not_deeper(branching: Branching, depth: int = DEPTH) -> str:
+    """Say why no more primitives are looked ahead, to follow a remark; empty if all that are wanted are.
+
+    Args:
+        branching: What each primitive does to each object.
+        depth: How many are wanted.
+    """
+    if (deepest := depth_within(branching, depth)) == depth:
+        return ""
+    count = branching.held.size ** (deepest + 1)
+    return f"; {deepest + 1} would be {count:,} sequences, more than {MOST_SEQUENCES:,}"
+
+
+def _insufficient(depth: int) -> str:
+    return f"{counted(depth, 'primitive')} {'does' if depth == 1 else 'do'} not suffice"
 
 
 def _levels(

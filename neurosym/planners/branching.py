@@ -12,7 +12,9 @@ from jaxtyping import Bool, Float
 
 from neurosym.grounding import Grounding, at_rest, is_lift
 from neurosym.operators import Operator, Vector
-from neurosym.problems import Problem
+from neurosym.problems import Problem, SceneObject
+from neurosym.promises import promised, usable
+from neurosym.symbols import Symbol
 
 Names = tuple[tuple[str, ...], ...]
 """Name of the operator for each object and choice, M rows of P; empty where there is none."""
@@ -58,9 +60,7 @@ def branching_of(problem: Problem, grounding: Grounding) -> tuple[Branching, Nam
         grounding: The learned domain; its operators are in the order of the table of operators, and P is the
             greatest number of live ones of a category.
     """
-    live = {operator.name for operator in grounding.live}
-    usable = [operator for operator in grounding.operators.operators if operator.name in live]
-    rows = [[op for op in usable if op.category == item.category] for item in problem.objects]
+    rows = [usable(grounding, item, problem.tolerance) for item in problem.objects]
     width = max(1, *map(len, rows))
     operators = tuple((*row, *[None] * (width - len(row))) for row in rows)
     return _branching(operators, _table(operators, grounding.displacement))
@@ -86,10 +86,13 @@ def predicted_branching(
 
 def _operators(problem: Problem, grounding: Grounding) -> tuple[tuple[Operator | None, ...], ...]:
     """Find what each primitive mostly does to each object, M rows of P."""
-    symbols = [primitive.symbol for primitive in grounding.operators.primitives]
-    return tuple(
-        tuple(grounding.operator_for(item.category, symbol) for symbol in symbols) for item in problem.objects
-    )
+    symbols = grounding.operators.symbols
+
+    def promise(item: SceneObject, symbol: Symbol) -> Operator | None:
+        learned = grounding.operator_for(item.category, symbol)
+        return learned and promised(grounding, item, problem.tolerance)[learned.name]
+
+    return tuple(tuple(promise(item, symbol) for symbol in symbols) for item in problem.objects)
 
 
 def _branching(

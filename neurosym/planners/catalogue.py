@@ -34,7 +34,8 @@ def _missing(*packages: str) -> str:
 def _fast_downward(name: str, about: str, search: str | None = None) -> Planner:
     call = partial(plan_fast_downward, searches=(Search(search),)) if search else plan_fast_downward
     missing = partial(_missing, "up_fast_downward")
-    return pddl_planner(name, about, call, (SAS, *GRID), missing=missing, ceiling=math.inf)
+    aims = search is None
+    return pddl_planner(name, about, call, (SAS, *GRID), missing=missing, ceiling=math.inf, aims=aims)
 
 
 def _unified(name: str, about: str, engine: str, package: str, cell: float = 0.0) -> Planner:

@@ -20,6 +20,7 @@ from neurosym.planners.branching import Branching, Names, branching_of
 from neurosym.planners.count_vectors import Candidate, Choices, candidates, looked_at, nearest
 from neurosym.planners.effort import Effort
 from neurosym.problems import Problem
+from neurosym.promises import promised
 
 Listing = Callable[[Choices, str, bool], Iterable[Candidate]]
 """Lists candidates: what can be done to an object, its name, and whether it may not end held."""
@@ -38,16 +39,16 @@ def choices_of(
         grounding: The learned domain, for what steps cost and where the table ends.
         names: Name of the operator for each object and column.
     """
-    costs = {operator.name: step_cost(operator, grounding) for operator in grounding.operators.operators}
     room, found = problem.room(grounding.table), []
     for index, item in enumerate(problem.objects):
-        used = branching.usable(index)
+        used, promises = branching.usable(index), promised(grounding, item, problem.tolerance)
+        costs = [step_cost(promises[names[index][column]], grounding) for column in used]
         found.append(
             Choices(
                 settled=branching.settled[index, used],
                 lifted=branching.effects[index, used],
                 held=branching.held[index, used],
-                costs=np.array([costs[names[index][column]] for column in used], dtype=int),
+                costs=np.array(costs, dtype=int),
                 start=np.array(item.position),
                 room=room[:, index],
             )

@@ -27,6 +27,7 @@ FOLDER_PREFIX = "neurosym-scratch-"
 _FOLDER = re.compile(re.escape(FOLDER_PREFIX) + r"\d+-\w{8}")
 _OWNER = re.compile(rb"(?:^|\0)" + MARK.encode() + rb"=(\d+)\.(\d+)\.")
 _LOOK = 1.0  # how often to see whether the owner is still there, if its pipe does not say so [s]
+_PATIENCE = 5.0  # for what was killed to end; what the system does for it may take a while [s]
 _SETTLE = 0.2  # for what an owner was just starting when it was killed [s]
 
 
@@ -71,18 +72,27 @@ def sweep(place: Path) -> None:
 
 
 def end_processes(find: Callable[[], set[int]]) -> None:
-    """Kill processes. They are stopped first, so that none can start another while they are being listed.
+    """Kill processes, and wait until they have ended, which on a busy machine is not at once.
+
+    They are stopped first, so that none can start another while they are being listed. Then it is looked
+    again: a process that was just becoming another program has no environment to be known by.
 
     Args:
         find: Lists those that there are now.
     """
-    stopped: set[int] = set()
-    while new := find() - stopped:
-        for process in new:
-            _signal(process, signal.SIGSTOP)
-        stopped |= new
-    for process in stopped:
-        _signal(process, signal.SIGKILL)
+    ended: set[int] = set()
+    while find() - ended:
+        stopped: set[int] = set()
+        while new := find() - stopped - ended:
+            for process in new:
+                _signal(process, signal.SIGSTOP)
+            stopped |= new
+        for process in stopped:
+            _signal(process, signal.SIGKILL)
+        end = time.monotonic() + _PATIENCE
+        while any(_born(process) for process in stopped) and time.monotonic() < end:
+            time.sleep(0.002)
+        ended |= stopped
 
 
 def processes() -> list[int]:

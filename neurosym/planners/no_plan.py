@@ -70,13 +70,12 @@ def explain_no_plan(
     needed = {name: count for name, count in fewest.items() if count}
     if depth is None or sum(needed.values()) <= depth:
         return Explanation(_in_the_way(problem, found))
+    only = f"only {depth} {'is' if depth == 1 else 'are'} looked at"
     if deep := [f"{name} {count}" for name, count in needed.items() if count > depth]:
-        return Explanation(
-            f"too deep: {_listed(deep)} primitives away from the goal, and only {depth} are looked at"
-        )
+        return Explanation(f"too deep: {_listed(deep)} primitives away from the goal, and {only}")
     return Explanation(
         f"too deep: each goal can be reached alone, but together they take {sum(needed.values())} primitives "
-        f"({_listed([f'{name} {count}' for name, count in needed.items()])}), and only {depth} are looked at"
+        f"({_listed([f'{name} {count}' for name, count in needed.items()])}), and {only}"
     )
 
 

@@ -2,11 +2,13 @@
 
 Objects do not interact but by standing in each other's way. So each gets a plan of its own, which is cheap
 and makes every plan the cheapest; one that ends with its object held comes last. Where objects would end in
-each other, or no order of the steps leads past one, those in conflict are planned for again, with goals
+each other, or no order of the steps leads past one, ways around each other are looked for (see `around`).
+If there are none, those in conflict are planned for again, with goals
 narrowed to where counting, which looks at all objects together, would have them end. Those that are
 still in conflict then are to end where there is room around them.
 """
 
+import dataclasses
 import math
 from collections import Counter
 from collections.abc import Callable, Collection, Mapping
@@ -19,7 +21,8 @@ from jaxtyping import Float
 from neurosym.grounding import Grounding
 from neurosym.operators import Vector, vector
 from neurosym.pddl.plan_text import PlanStep
-from neurosym.pddl.validation import footprints_apart, overlapping, validate
+from neurosym.pddl.validation import footprints_apart, operator_for, overlapping, validate
+from neurosym.planners.around import plan_around
 from neurosym.planners.counting import plan_counting
 from neurosym.planners.effort import Effort, check_time
 from neurosym.planners.joins import Join
@@ -72,6 +75,11 @@ def plan_one_by_one(
         steps, checked = mend(_joined(plans, problem, grounding), problem, grounding)
         if checked.valid:
             return PlanResult(PlanStatus.SOLVED, steps, 0.0, _remark(plans, narrowed))
+        if not narrowed and not partings:
+            around = plan_around(problem, grounding, deadline=deadline)
+            if around.status is PlanStatus.SOLVED:
+                said = "objects would have stood in each other's way, so ways around each other were taken"
+                return dataclasses.replace(around, reason=said)
         # Who is lifted last is on the table till then, and in the others' way.
         ends = _ends(steps[:-1] if ends_held(steps, grounding) else steps, problem, grounding)
         in_conflict = _in_conflict(ends, checked.concerned, problem)
@@ -146,7 +154,7 @@ def _ends(steps: tuple[PlanStep, ...], problem: Problem, grounding: Grounding) -
     """Return where steps lead each object [m], possible or not."""
     ends = problem.scene().positions
     for step in steps:
-        operator = grounding.operator_named(step.base)
+        operator = operator_for(step, problem, grounding)
         by = grounding.put_down_displacement if step.puts_down else grounding.displacement
         ends[problem.object_names.index(step.object)] += by(operator)
     return ends

@@ -13,7 +13,7 @@ from jaxtyping import Bool, Float, Int
 
 from neurosym.grounding import Grounding, is_lift
 from neurosym.pddl.plan_text import PlanStep
-from neurosym.pddl.validation import Validation, footprints_apart, validate
+from neurosym.pddl.validation import Validation, footprints_apart, operator_for, validate
 from neurosym.planners.effort import Effort
 from neurosym.problems import Problem
 
@@ -95,7 +95,7 @@ class _Search:
         self._kinds = list(dict.fromkeys(blocks))
         self._counts = tuple(blocks.count(kind) for kind in self._kinds)
         self._moved = np.array([problem.object_names.index(kind[0].object) for kind in self._kinds])
-        shifts = [_shifts(kind, grounding) for kind in self._kinds]
+        shifts = [_shifts(kind, problem, grounding) for kind in self._kinds]
         self._first, self._last = (np.array(each) for each in zip(*shifts, strict=True))  # (K, 3)
         self._start = problem.scene().positions
         self._room = problem.room(grounding.table)[:, self._moved]  # (2, K, 2)
@@ -223,8 +223,10 @@ class _Search:
         return np.asarray(np.all(np.abs(here[:, :2] - spots[:, None, :2]) < self._apart, axis=-1))
 
 
-def _shifts(block: _Block, grounding: Grounding) -> tuple[Float[np.ndarray, "3"], Float[np.ndarray, "3"]]:
+def _shifts(
+    block: _Block, problem: Problem, grounding: Grounding
+) -> tuple[Float[np.ndarray, "3"], Float[np.ndarray, "3"]]:
     """Return by how much a block moves its object, after its first step and in all [m]."""
-    operator = grounding.operator_named(block[0].base)
+    operator = operator_for(block[0], problem, grounding)
     first = np.array(grounding.displacement(operator))
     return first, first + np.array(grounding.put_down_displacement(operator)) if len(block) > 1 else first

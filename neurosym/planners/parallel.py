@@ -6,7 +6,8 @@ from collections.abc import Callable, Sequence
 from concurrent.futures import Future, ThreadPoolExecutor
 from functools import partial
 
-from neurosym.planners.process import CannotStart, end_calls
+from neurosym.errors import CannotStart
+from neurosym.planners.process import end_calls
 from neurosym.planners.result import PlanResult, PlanStatus
 
 WORKERS = 2
@@ -50,7 +51,7 @@ def _submitted(pool: ThreadPoolExecutor, task: Callable[[], PlanResult]) -> Futu
     try:
         return pool.submit(task)
     except RuntimeError as error:
-        raise CannotStart(str(error)) from error
+        raise CannotStart("planner", str(error)) from error
 
 
 def _end(futures: Sequence[Future[PlanResult]], threads: set[int]) -> None:

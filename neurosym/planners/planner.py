@@ -76,11 +76,14 @@ class PddlProgram:
         encodings: Those that it takes, the one it does best with first.
         cell: Edge of the smallest cells that it is given at first, 0 for any [m]; a plan that is not true
             when replayed is sought again on a finer grid.
+        aims: Whether its plans keep from the edges of the table, and give way to those that cost little more
+            and are likelier to come true.
     """
 
     call: PddlCall
     encodings: tuple[Encoding, ...] = GRID
     cell: float = 0.0
+    aims: bool = False
 
     def encoding_for(self, planner: str, asked: Encoding | None) -> Encoding:
         """Return the encoding asked for, or the one that the planner does best with.

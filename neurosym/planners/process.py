@@ -20,7 +20,7 @@ from contextlib import suppress
 from dataclasses import dataclass
 from pathlib import Path
 
-from neurosym.errors import InvalidFile, NeurosymError
+from neurosym.errors import CannotStart, InvalidFile
 from neurosym.planners.keeper import MARK, end_processes, marked, processes, state_of, this_process
 from neurosym.planners.scratch import kept
 from neurosym.reading import read_bytes
@@ -51,15 +51,6 @@ class Finished:
         plain = "".join(sign if sign.isprintable() or sign == "\n" else " " for sign in self.output)
         lines = [line.strip() for line in plain.splitlines() if line.strip()]
         return textwrap.shorten(lines[-1], 200) if lines else "it said nothing"
-
-
-class CannotStart(NeurosymError):
-    """The system lets no further process or thread be started."""
-
-    def __init__(self, why: str):
-        super().__init__(
-            f"No planner can be started: {why}; allow more processes, files or memory (ulimit -a)."
-        )
 
 
 def run_limited(
@@ -99,7 +90,7 @@ def run_limited(
                 start_new_session=True,
             )
         except OSError as error:
-            raise CannotStart(str(error.strerror)) from error
+            raise CannotStart("planner", str(error.strerror)) from error
         code: int | None = None
         try:
             _running[threading.get_ident()] = process

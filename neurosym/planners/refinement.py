@@ -26,6 +26,7 @@ from neurosym.pddl.moves import SAS, Encoding
 from neurosym.pddl.plan_text import parse_plan
 from neurosym.pddl.problem import STEPS, problem_text
 from neurosym.pddl.sas import sas_text
+from neurosym.planners.aiming import aim
 from neurosym.planners.effort import TimeIsUp, check_time, within
 from neurosym.planners.fast_downward import SAS_SUFFIX
 from neurosym.planners.no_plan import Explanation, explain_clash, explain_no_plan
@@ -41,6 +42,8 @@ ATTEMPTS = 4
 """How often a problem is solved before its replay must be right; the later half on a finer grid."""
 FINER = 3
 """How many times finer that grid is."""
+STRIP = 0.04
+"""Width of the strip at the edges of the table that is left free if it can be [m]."""
 
 
 @dataclasses.dataclass(frozen=True, slots=True)
@@ -69,6 +72,7 @@ def pddl_planner(
     cell: float = 0.0,
     missing: Callable[[], str] = str,
     ceiling: float = CEILING,
+    aims: bool = False,
 ) -> Planner:
     """Return a planner that gives files of PDDL to a program, and believes only plans that come true.
 
@@ -80,6 +84,8 @@ def pddl_planner(
         cell: Edge of the smallest cells that it is given at first, 0 for any [m].
         missing: Says what to do about what is not installed, or nothing if everything is.
         ceiling: When it gives up if the user sets no limit [s]; infinite if its budget counts work instead.
+        aims: Whether its plans keep from the edges of the table, and give way to those that cost little more
+            and are likelier to come true.
 
     Raises:
         InvalidPlanner: If the name is not legal, or there is no such encoding.
@@ -90,7 +96,7 @@ def pddl_planner(
         raise InvalidPlanner(name, f"has cell = {cell!r}; valid: a length of at least 0 m")
     if isinstance(encodings, str) or not isinstance(encodings, Sequence):
         raise InvalidPlanner(name, f"has encodings = {encodings!r}; valid: a tuple of their names")
-    program = PddlProgram(partial(_answer, name, call), tuple(encodings), cell)
+    program = PddlProgram(partial(_answer, name, call), tuple(encodings), cell, aims)
     takes: frozenset[Option] = frozenset({"encoding", "whole", "unit-costs"})
     solve = partial(plan_pddl, name=name, program=program)
     return Planner(name, about, solve, takes=takes, program=program, missing=missing, ceiling=ceiling)
@@ -142,6 +148,11 @@ def plan_pddl(query: Query, *, name: str, program: PddlProgram) -> PlanResult:
         return believed(problem) if at_once else plan_one_by_one(problem, learned, believed, deadline)
 
     def search(deadline: float) -> PlanResult:
+        if program.aims and not grounding.unit_costs:
+            careful = _away_from_edges(grounding, problem)
+            result = attempt(careful, deadline)
+            if result.status is PlanStatus.SOLVED:
+                return dataclasses.replace(result, steps=aim(result.steps, problem, careful, deadline))
         result = attempt(grounding, deadline)
         if result.status is PlanStatus.FAILED and not at_once and not grounding.unit_costs:
             # The most reliable plans are long, and long ones stand in each other's way; shorter ones may not.
@@ -151,6 +162,20 @@ def plan_pddl(query: Query, *, name: str, program: PddlProgram) -> PlanResult:
         return result
 
     return within(query.time_limit, search)
+
+
+def _away_from_edges(grounding: Grounding, problem: Problem) -> Grounding:
+    """Leave a strip at the edges of the table free, but for goals there: what goes too far is lost."""
+    spots = [goal[:2] for goal in problem.goals.values()]
+
+    def kept(axis: int, bounds: tuple[float, float]) -> tuple[float, float]:
+        low, high = bounds
+        strip = min(STRIP, (high - low) / 4)
+        wanted = [spot[axis] for spot in spots]
+        return max(low, min(low + strip, *wanted)), min(high, max(high - strip, *wanted))
+
+    table = Table(x=kept(0, grounding.table.x), y=kept(1, grounding.table.y))
+    return msgspec.structs.replace(grounding, table=table)
 
 
 def _believed(problem: Problem, grounding: Grounding, solve: _Solve) -> PlanResult:

@@ -31,12 +31,14 @@ class PlanResult:
         steps: The plan; empty unless solved or nearest.
         seconds: How long it took [s].
         reason: Why there is no plan, or what is to be said about the one found.
+        depth: How many primitives were looked ahead, by a search that ended there.
     """
 
     status: PlanStatus
     steps: tuple[PlanStep, ...]
     seconds: float
     reason: str = ""
+    depth: int | None = None
 
     @property
     def has_plan(self) -> bool:

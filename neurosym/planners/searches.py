@@ -3,7 +3,7 @@
 import dataclasses
 import math
 
-from neurosym.planners.bfs import DEPTH, plan_bfs
+from neurosym.planners.bfs import DEPTH, plan_bfs, why_not_deeper
 from neurosym.planners.branching import branching_of, predicted_branching
 from neurosym.planners.counting import plan_counting
 from neurosym.planners.no_plan import Explanation, explain_clash, explain_no_plan
@@ -21,9 +21,12 @@ def search_breadth_first(query: Query) -> PlanResult:
     result = plan_bfs(problem, *table, grounding.table, time_limit=query.time_limit)
     if result.status is not PlanStatus.NOT_FOUND:
         return result
-    why = explain_no_plan(problem, grounding, branching=table, depth=DEPTH)
-    over = "by what the network predicts, " if query.predict and why.reason else ""
-    return _explained(result, Explanation(over + why.reason, why.is_proved))
+    why = explain_no_plan(problem, grounding, branching=table, depth=result.depth)
+    if not why.reason:
+        return result
+    over = "by what the network predicts, " if query.predict else ""
+    deeper = "" if why.is_proved else why_not_deeper(table[0])
+    return _explained(result, Explanation(over + why.reason + deeper, why.is_proved))
 
 
 def count_primitives(query: Query) -> PlanResult:

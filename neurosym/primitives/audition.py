@@ -2,12 +2,14 @@
 
 A good action does nearly the same to all objects of a category, and something that no other symbol's action
 does to them (`variety.py`). That is first reckoned from what a network without a bottleneck predicts, and
-then measured: the few best of each symbol are auditioned in the world, and the best of those once more. The
-paper takes the candidate whose embedding is nearest to the code.
+then measured: the few best of each symbol are auditioned in the world, and the best of those once more. By
+default, categories of objects are then given actions of their own where those do better (`own.py`). The paper
+takes the candidate whose embedding is nearest to the code.
 """
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from itertools import groupby
+from typing import Any
 
 import numpy as np
 from jaxtyping import Float
@@ -16,16 +18,15 @@ from neurosym.checks import check_all, check_array, check_callable, check_count,
 from neurosym.errors import UnknownChoice
 from neurosym.guarded import made
 from neurosym.operators import Primitive
+from neurosym.primitives.own import choose_own
 from neurosym.primitives.rehearsal import perform_on_each
-from neurosym.primitives.variety import best_set, observe, worth_in_place
+from neurosym.primitives.repertoire import Repertoire, shared_by_all
+from neurosym.primitives.variety import PredictOutcomes, best_set, observe, worth_in_place
 from neurosym.progress import Progress
 from neurosym.symbols import Categorise, symbols_of
 from neurosym.world import Scene, WorldFactory
 
-PredictOutcomes = Callable[[np.ndarray, np.ndarray], np.ndarray]
-"""Predicts effects, and peak heights behind them, (N, O) [m], from features (N, F) and actions (N, A)."""
-
-CHOICES = ("predictable", "lowest-error")
+CHOICES = ("own", "predictable", "lowest-error")
 AUDITIONED = (4, 2)
 """Candidates of each symbol that are auditioned, the first time and again."""
 AUDITION_OBJECTS = 24
@@ -47,12 +48,12 @@ def choose(
     seed: int,
     workers: int = 1,
     progress: Progress | None = None,
-) -> tuple[Primitive, ...]:
-    """Choose one of the candidates for each symbol.
+) -> Repertoire:
+    """Choose one of the candidates for each symbol, and others for single categories if `choice` is "own".
 
     Args:
         candidates: Distilled actions.
-        choice: One of `CHOICES`.
+        choice: One of `CHOICES`. Without a world, "own" is the same as "predictable".
         predict: A network that sees the objects themselves and not their symbols.
         features: Objects to predict the effects on.
         categorise: Gives the object symbols of features.
@@ -75,12 +76,16 @@ def choose(
     if choice not in CHOICES:
         raise UnknownChoice("choice", choice, CHOICES)
     if choice == "lowest-error":
-        return lowest_error(candidates)
+        return shared_by_all(lowest_error(candidates))
     count = 1 if world_factory is None else AUDITIONED[0]
     few = shortlist(candidates, predict, features[:OBJECTS_TO_PREDICT], categorise, count)
     if world_factory is None:
-        return few
-    return audition(world_factory, few, categorise, seed=seed, workers=workers, progress=progress)
+        return shared_by_all(few)
+    options: Any = {"seed": seed, "workers": workers, "progress": progress}
+    shared = audition(world_factory, few, categorise, **options)
+    if choice == "predictable":
+        return shared_by_all(shared)
+    return choose_own(world_factory, candidates, shared, predict, features, categorise, **options)
 
 
 def lowest_error(candidates: Sequence[Primitive]) -> tuple[Primitive, ...]:

@@ -12,9 +12,9 @@ import numpy as np
 from neurosym.data.interactions import Interactions
 from neurosym.errors import InvalidValue
 from neurosym.naming import name_operator, names_of_features
-from neurosym.operators import Operator, OperatorTable, Primitive
+from neurosym.operators import TABLE_FORMAT, Operator, OperatorTable, Primitive
+from neurosym.primitives.categories import describe_categories
 from neurosym.primitives.modes import sort_into_modes
-from neurosym.primitives.rehearsal import describe_categories
 from neurosym.symbols import Symbol
 from neurosym.world import OutcomeKind
 
@@ -52,7 +52,7 @@ def average(
             rows = interactions[(actions == primitive.symbol) & (objects == category.symbol)]
             if len(rows):
                 operators.append(_operator(primitive.symbol, category.symbol, category.name, rows))
-    return OperatorTable(categories, tuple(ordered), tuple(operators), measured="data")
+    return OperatorTable(categories, tuple(ordered), tuple(operators), measured="data", format=TABLE_FORMAT)
 
 
 def kinds_of(interactions: Interactions) -> list[OutcomeKind]:

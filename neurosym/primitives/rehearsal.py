@@ -1,11 +1,11 @@
-"""Rehearsal: each primitive is performed on the same sampled objects, to measure what it really does.
+"""Rehearsal: actions are performed on sampled objects of each category, to measure what they really do.
 
 What a code does on average in the data is not what its distilled action does: plans are made with the
 rehearsed effects. Outcomes that differ in kind (at rest, held, toppled, lost) are kept apart as modes and
 never averaged together, since the mean of "on the table" and "in the air" is a place where no object ever is.
 """
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -13,33 +13,51 @@ from jaxtyping import Float
 
 from neurosym.checks import check_all, check_array, check_count, check_kind, check_seed, check_whole
 from neurosym.errors import InvalidValue
-from neurosym.guarded import made, placed
-from neurosym.naming import name_categories, name_operator
-from neurosym.operators import Category, Mode, Operator, OperatorTable, Primitive
+from neurosym.guarded import made
+from neurosym.naming import name_operator
+from neurosym.operators import (
+    TABLE_FORMAT,
+    Category,
+    Mode,
+    Operator,
+    OperatorTable,
+    Primitive,
+    Rehearsal,
+)
+from neurosym.primitives.categories import describe_categories, rounded
+from neurosym.primitives.judging import judge, performance
 from neurosym.primitives.modes import sort_into_modes
+from neurosym.primitives.performing import perform
+from neurosym.primitives.repertoire import Repertoire, shared_by_all
+from neurosym.primitives.sampling import Sample, sample_by_category
 from neurosym.progress import Progress
-from neurosym.symbols import Categorise, all_symbols, symbols_of
+from neurosym.symbols import Categorise, Symbol
 from neurosym.world import Outcome, Scene, World, WorldFactory
-from neurosym.worlds.workers import Task, perform_all
+from neurosym.worlds.workers import Task
 
+LEAST = 30
+"""Objects of a category that are rehearsed on, however rare it is, if at least so many are asked for."""
 _STREAM = 0x7265  # keeps rehearsal's draws apart from those of exploration
+_TURN_DIGITS = 3  # of what is kept of rehearsals [rad]
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Rehearsals:
-    """Every primitive performed on the same objects.
+    """Actions performed on sampled objects of the categories that they serve.
 
     Attributes:
         primitives: In the order of their symbols.
         features: Features of the objects.
         symbols: Symbol of each object.
-        outcomes: For each primitive, an outcome for each object.
+        outcomes: For each primitive, an outcome for each object; None where it was not performed.
+        shares: Share of each category among objects as the world draws them; None if these are drawn so.
     """
 
     primitives: tuple[Primitive, ...]
     features: Float[np.ndarray, "M F"]
     symbols: np.ndarray
-    outcomes: tuple[tuple[Outcome, ...], ...]
+    outcomes: tuple[tuple[Outcome | None, ...], ...]
+    shares: Mapping[Symbol, float] | None = None
 
     def __post_init__(self) -> None:
         check_all("primitives", self.primitives, Primitive, "a tuple of Primitive")
@@ -50,10 +68,25 @@ class Rehearsals:
         if any(len(row) != rows for row in self.outcomes):
             raise InvalidValue("Rehearsals need for each primitive an outcome for each object.")
 
+    def share(self, symbol: Symbol) -> float:
+        """Return the share of a category among objects as the world draws them."""
+        return float(np.mean(self.symbols == symbol)) if self.shares is None else self.shares[symbol]
+
+    def on(self, symbol: Symbol, number: int) -> tuple[Outcome, ...]:
+        """Return what a primitive did to the objects of a category.
+
+        Args:
+            symbol: Of the category.
+            number: Of the primitive, counted from 0.
+        """
+        row = self.outcomes[number]
+        found = (row[i] for i in np.flatnonzero(self.symbols == symbol))
+        return tuple(outcome for outcome in found if outcome is not None)
+
 
 def rehearse(
     world_factory: WorldFactory,
-    primitives: Sequence[Primitive],
+    primitives: Repertoire | Sequence[Primitive],
     categorise: Categorise,
     *,
     objects: int = 100,
@@ -61,13 +94,16 @@ def rehearse(
     workers: int = 1,
     progress: Progress | None = None,
 ) -> Rehearsals:
-    """Perform each primitive on the same sampled objects, one at a time.
+    """Perform actions on sampled objects of the categories that they serve, one at a time.
+
+    The objects of a category are the same for all actions: as many as there are among the first so many that
+    the world draws, or `LEAST` if that is more.
 
     Args:
         world_factory: Builds the world; must survive pickling if there is more than one worker.
-        primitives: What to perform.
+        primitives: What to perform, and on what; primitives alone are performed on every category.
         categorise: Gives the object symbols of features.
-        objects: How many objects are sampled.
+        objects: How many objects are sampled, not counting those that rare categories get in addition.
         seed: Where all draws start.
         workers: How many processes; their number does not change the result.
         progress: Called after each rehearsal.
@@ -75,26 +111,40 @@ def rehearse(
     Raises:
         InvalidValue: If there is no object or no primitive to rehearse with.
     """
-    check_all("primitives", primitives, Primitive, "primitives, as distill or choose returns them")
+    repertoire = primitives if isinstance(primitives, Repertoire) else None
+    if repertoire is None:
+        check_all("primitives", primitives, Primitive, "primitives, as distill or choose returns them")
+        repertoire = shared_by_all(primitives)  # type: ignore[arg-type]  # checked above
     check_seed(seed)
     check_whole("objects", objects)
-    if objects < 1 or not primitives:
+    if objects < 1 or not repertoire.primitives:
         raise InvalidValue(
-            f"Nothing can be rehearsed with {objects} objects and {len(primitives)} primitives."
+            f"Nothing can be rehearsed with {objects} objects and {len(repertoire.primitives)} primitives."
         )
     check_count("workers", workers)
     world = made(world_factory)
-    for primitive in primitives:
+    for primitive in repertoire.primitives:
         if len(primitive.action) != len(world.action_box.low):
             raise InvalidValue(
-                f"The primitive {primitive.symbol} has {len(primitive.action)} action parameters; the "
+                f"The primitive {primitive.label} has {len(primitive.action)} action parameters; the "
                 f"{world.name} world takes {len(world.action_box.low)}."
             )
-    scenes = [rehearsal_scene(world, seed, number) for number in range(objects)]
+    sample = rehearsal_sample(world, categorise, objects=objects, seed=seed)
+    scenes = [scene for members in sample.scenes.values() for scene in members]
+    symbols = [symbol for symbol, members in sample.scenes.items() for _ in members]
+    served = [
+        [repertoire.serves(primitive, symbol) for symbol in symbols] for primitive in repertoire.primitives
+    ]
+    tasks = [
+        Task(scene, np.array(primitive.action, dtype=np.float64))
+        for primitive, row in zip(repertoire.primitives, served, strict=True)
+        for scene, performs in zip(scenes, row, strict=True)
+        if performs
+    ]
+    performed = perform(world_factory, tasks, workers, progress)
+    outcomes = tuple(tuple(next(performed) if performs else None for performs in row) for row in served)
     features = np.concatenate([scene.features for scene in scenes])
-    ordered = tuple(sorted(primitives, key=lambda primitive: primitive.symbol))
-    outcomes = perform_on_each(world_factory, ordered, scenes, workers, progress)
-    return Rehearsals(ordered, features, np.array(symbols_of(categorise, features)), outcomes)
+    return Rehearsals(repertoire.primitives, features, np.array(symbols), outcomes, sample.shares)
 
 
 def perform_on_each(
@@ -116,24 +166,16 @@ def perform_on_each(
     Returns:
         For each primitive, an outcome for each scene.
     """
-    tasks = [
-        Task(scene, np.array(primitive.action, dtype=np.float64))
-        for primitive in primitives
-        for scene in scenes
-    ]
-    outcomes: list[Outcome] = []
-    performed = perform_all(world_factory, tasks, workers)
-    while len(outcomes) < len(tasks):
-        with placed(f"rehearsal {len(outcomes) + 1} of {len(tasks)}"):
-            outcomes.append(next(performed))
-        if progress is not None:
-            progress(len(outcomes), len(tasks))
-    rows = range(0, len(outcomes), len(scenes))
-    return tuple(tuple(outcomes[row : row + len(scenes)]) for row in rows)
+    actions = [np.array(primitive.action, dtype=np.float64) for primitive in primitives]
+    tasks = [Task(scene, action) for action in actions for scene in scenes]
+    outcomes = tuple(perform(world_factory, tasks, workers, progress))
+    return tuple(outcomes[row : row + len(scenes)] for row in range(0, len(outcomes), len(scenes)))
 
 
 def tabulate(rehearsals: Rehearsals, feature_names: Sequence[str]) -> OperatorTable:
     """Tell what each primitive did to each category.
+
+    If a symbol has two actions for a category, the operator of the surer one comes first.
 
     Args:
         rehearsals: What happened.
@@ -150,63 +192,30 @@ def tabulate(rehearsals: Rehearsals, feature_names: Sequence[str]) -> OperatorTa
             "features."
         )
     symbols = rehearsals.symbols
-    categories = describe_categories(rehearsals.features, symbols, feature_names)
-    operators = tuple(
-        _operator(primitive, category, [outcomes[i] for i in np.flatnonzero(symbols == category.symbol)])
-        for primitive, outcomes in zip(rehearsals.primitives, rehearsals.outcomes, strict=True)
-        for category in categories
-        if category.share
-    )
-    return OperatorTable(categories=categories, primitives=rehearsals.primitives, operators=operators)
+    shares = {str(symbol): rehearsals.share(symbol) for symbol in np.unique(symbols)}
+    categories = describe_categories(rehearsals.features, symbols, feature_names, shares)
+    found = []
+    for number, primitive in enumerate(rehearsals.primitives):
+        for category in categories:
+            if outcomes := rehearsals.on(category.symbol, number):
+                sureness = judge([performance(outcome) for outcome in outcomes]).sureness
+                found.append((sureness, _operator(primitive, category, outcomes)))
+    found.sort(key=lambda one: (one[1].primitive, one[1].category, -one[0], one[1].variant))
+    operators = tuple(operator for _, operator in found)
+    return OperatorTable(categories, rehearsals.primitives, operators, format=TABLE_FORMAT)
 
 
-def rehearsal_scene(world: World, seed: int, number: int) -> Scene:
-    """Draw one of the objects that primitives are rehearsed on.
+def rehearsal_sample(world: World, categorise: Categorise, *, objects: int, seed: int) -> Sample:
+    """Draw the objects of each category that actions are rehearsed on.
 
     Args:
-        world: Where it comes from.
+        world: Where they come from.
+        categorise: Gives the object symbols of features.
+        objects: How many are sampled, not counting those that rare categories get in addition.
         seed: Where all draws start.
-        number: Of the object, counted from 0.
     """
-    return world.sample_scene(np.random.default_rng([seed, _STREAM, number]), 1)
-
-
-def describe_categories(
-    features: Float[np.ndarray, "N F"], symbols: np.ndarray, feature_names: Sequence[str]
-) -> tuple[Category, ...]:
-    """Describe and name the categories, in the order of their symbols.
-
-    A symbol that no object has is called `unseen`: problems may meet one later, and nothing is known of it.
-
-    Args:
-        features: Features of the objects.
-        symbols: Symbol of each object.
-        feature_names: What the features are.
-    """
-    present = sorted(set(symbols.tolist()))
-    members = [features[symbols == symbol] for symbol in present]
-    means = np.array([_means_for_naming(rows, feature_names) for rows in members])
-    names = name_categories(present, means, feature_names)
-    seen = {
-        symbol: Category(
-            symbol=symbol,
-            name=name,
-            share=len(rows) / len(features),
-            feature_means=tuple(rows.mean(0).tolist()),
-            feature_spreads=tuple(rows.std(0).tolist()),
-        )
-        for symbol, name, rows in zip(present, names, members, strict=True)
-    }
-    return tuple(
-        seen.get(symbol) or Category(symbol, f"unseen-{symbol}", 0.0, (), ())
-        for symbol in all_symbols(len(present[0]))
-    )
-
-
-def _means_for_naming(rows: Float[np.ndarray, "N F"], feature_names: Sequence[str]) -> np.ndarray:
-    """Average features, where a type counts as hollow or not, however it is open."""
-    is_type = np.array(feature_names) == "t"
-    return np.asarray(np.where(is_type, rows >= 0.5, rows).mean(0))
+    least = min(LEAST, objects)
+    return sample_by_category(world, categorise, least=least, typical=objects, seed=seed, stream=_STREAM)
 
 
 def modes_of(outcomes: Sequence[Outcome]) -> tuple[Mode, ...]:
@@ -226,9 +235,22 @@ def modes_of(outcomes: Sequence[Outcome]) -> tuple[Mode, ...]:
 def _operator(primitive: Primitive, category: Category, outcomes: Sequence[Outcome]) -> Operator:
     modes = modes_of(outcomes)
     return Operator(
-        name=name_operator(primitive.symbol, category.name, modes),
+        name=name_operator(primitive.label, category.name, modes),
         category=category.symbol,
         primitive=primitive.symbol,
         trials=len(outcomes),
         modes=modes,
+        variant=primitive.variant,
+        rehearsals=tuple(_rehearsal(outcome) for outcome in outcomes),
+    )
+
+
+def _rehearsal(outcome: Outcome) -> Rehearsal:
+    (peak_height,) = rounded(np.array([outcome.peak_height]))
+    return Rehearsal(
+        outcome.kind,
+        rounded(outcome.effect),
+        rounded(outcome.resting_effect),
+        peak_height,
+        round(outcome.turn, _TURN_DIGITS),
     )

@@ -32,12 +32,12 @@ def find_operators(
     *,
     world_factory: WorldFactory | None,
     objects: int = 100,
-    choice: str = "predictable",
+    choice: str = "own",
     seed: int,
     workers: int = 1,
     open_bar: OpenBar | None = None,
 ) -> OperatorTable:
-    """Distil each action symbol, choose among the candidates, and measure what each primitive does.
+    """Distil each action symbol, choose among the candidates, and measure what each operator does.
 
     Args:
         model: Whose symbols are distilled.
@@ -45,7 +45,7 @@ def find_operators(
         interactions: The data.
         box: What parameters must stay inside.
         world_factory: Builds the world to audition and rehearse in; without one, the data are averaged.
-        objects: How many objects each primitive is rehearsed on.
+        objects: How many objects each symbol is rehearsed on, not counting those added for rare categories.
         choice: Which candidate stands for a symbol; one of `CHOICES`.
         seed: Where all draws start.
         workers: How many processes; their number does not change the result.
@@ -61,7 +61,7 @@ def find_operators(
     if not candidates:
         raise NothingDistilled
     with open_bar("auditioning") as advance:
-        primitives = choose(
+        chosen = choose(
             candidates,
             choice,
             predict=direct.predict_outcomes,
@@ -74,10 +74,10 @@ def find_operators(
         )
     categorise = model.object_symbols
     if world_factory is None:
-        return average(interactions, primitives, categorise, model.action_symbols)
+        return average(interactions, chosen.primitives, categorise, model.action_symbols)
     with open_bar("rehearsing") as bar:
         found = rehearse(
-            world_factory, primitives, categorise, objects=objects, seed=seed, workers=workers, progress=bar
+            world_factory, chosen, categorise, objects=objects, seed=seed, workers=workers, progress=bar
         )
     return tabulate(found, made(world_factory).feature_names)
 

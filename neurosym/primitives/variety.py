@@ -6,13 +6,16 @@ objects. It matters that something else happens, and hardly how much else: diffe
 alike, or else what reaches far would be preferred to what is sure.
 """
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
 from jaxtyping import Float
 
 from neurosym.symbols import Symbol
+
+PredictOutcomes = Callable[[np.ndarray, np.ndarray], np.ndarray]
+"""Predicts effects, and peak heights behind them, (N, O) [m], from features (N, F) and actions (N, A)."""
 
 LITTLE = 0.01
 """An effect that counts as much as none [m]."""
@@ -88,7 +91,7 @@ def best_set(groups: Sequence[Sequence[int]], effects: CandidateEffects) -> list
 def worth_in_place(
     chosen: Sequence[int], place: int, group: Sequence[int], effects: CandidateEffects
 ) -> list[float]:
-    """Compute what a set is worth with each of some candidates in one place of it.
+    """Compute what a set is worth with each of some candidates in one place of it, all at once.
 
     Args:
         chosen: The set.
@@ -96,8 +99,18 @@ def worth_in_place(
         group: The candidates for that place.
         effects: What all candidates do.
     """
-    sets = [[*chosen[:place], candidate, *chosen[place + 1 :]] for candidate in group]
-    return [float(worths(effects, members).sum()) for members in sets]
+    others, group = [*chosen[:place], *chosen[place + 1 :]], list(group)
+    rows, mine = effects.means[others], effects.means[group]
+    apart = np.linalg.norm(rows[:, None] - rows, axis=3)  # (S - 1, S - 1, L)
+    apart[np.arange(len(others)), np.arange(len(others))] = np.inf
+    nearest = np.minimum(apart.min(1, initial=np.inf), np.linalg.norm(rows, axis=2))  # (S - 1, L)
+    across = np.linalg.norm(mine[:, None] - rows, axis=3)  # (G, S - 1, L)
+    different = np.tanh(np.minimum(across, nearest) / PLENTY)
+    of_others = (effects.sureness[others] ** 2 * different).sum(1)  # (G, L)
+    alone = np.minimum(across.min(1, initial=np.inf), np.linalg.norm(mine, axis=2))
+    own = effects.sureness[group] ** 2 * np.tanh(alone / PLENTY)
+    values: list[float] = ((of_others + own) @ effects.shares).tolist()
+    return values
 
 
 def _improve(chosen: list[int], groups: Sequence[Sequence[int]], effects: CandidateEffects) -> list[int]:

@@ -1,5 +1,6 @@
 """The page: gathered from what a domain folder holds, and written as one HTML file."""
 
+from collections import Counter
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
@@ -10,7 +11,7 @@ from neurosym.evaluation.paper_tables import comparisons_of
 from neurosym.grounding import Grounding
 from neurosym.operators import OperatorTable
 from neurosym.progress import Progress
-from neurosym.reading import read_bytes, read_json
+from neurosym.reading import read_bytes
 from neurosym.report.charts import Chart
 from neurosym.report.examples import Example, problem_reader, runs_of, telling_examples
 from neurosym.report.exploration import Explored, explored
@@ -27,6 +28,8 @@ if TYPE_CHECKING:
 
 EXAMPLES = 6
 """How many runs are shown in pictures."""
+PICTURED = 16
+"""How many primitives are shown in pictures: each takes seconds, and symbols of six bits are 64."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -88,7 +91,7 @@ def gather(folder: DomainFolder, progress: Progress) -> Page:
     from neurosym.explain.from_folder import explain_folder
 
     has = {name: (folder / name).is_file() for name in (INTERACTIONS, PRIMITIVES, GROUNDING)}
-    table = read_json(folder / PRIMITIVES, OperatorTable) if has[PRIMITIVES] else None
+    table = OperatorTable.load(folder / PRIMITIVES) if has[PRIMITIVES] else None
     grounding = Grounding.load(folder / GROUNDING) if has[GROUNDING] else None
     interactions = Interactions.load(folder / INTERACTIONS) if has[INTERACTIONS] else None
     read_problem = problem_reader(folder)
@@ -126,7 +129,7 @@ def _pictures(
     """Make the strips of primitives and of example runs, as far as there is what they need."""
     if grounding is None or not (folder / WORLD).is_file():
         return {}, {}, (), ()
-    symbols = [p.symbol for p in grounding.operators.primitives] if (folder / MODEL).is_file() else []
+    symbols, others = _pictured(grounding) if (folder / MODEL).is_file() else ([], [])
     chosen = telling_examples(runs)[:EXAMPLES]
     stages = [
         *(primitive_stage(folder, symbol) for symbol in symbols),
@@ -137,10 +140,19 @@ def _pictures(
     strips = dict(zip([example.name for example in chosen], made[len(symbols) :], strict=True))
     return (
         {symbol: strip for symbol, strip in primitives.items() if isinstance(strip, Shown)},
-        {symbol: reason for symbol, reason in primitives.items() if isinstance(reason, str)},
+        {symbol: reason for symbol, reason in primitives.items() if isinstance(reason, str)}
+        | {symbol: f"`neurosym show DIR --primitive {symbol}` pictures it" for symbol in others},
         tuple(strip for strip in strips.values() if isinstance(strip, Shown)),
         tuple(f"{name}: {reason}" for name, reason in strips.items() if isinstance(reason, str)),
     )
+
+
+def _pictured(grounding: Grounding) -> tuple[list[str], list[str]]:
+    """Divide the symbols into those to be pictured, which the domain uses most, and the others."""
+    symbols = grounding.operators.symbols
+    uses = Counter(operator.primitive for operator in grounding.live)
+    chosen = set(sorted(symbols, key=lambda symbol: -uses[symbol])[:PICTURED])
+    return [one for one in symbols if one in chosen], [one for one in symbols if one not in chosen]
 
 
 def _made(folder: DomainFolder, stages: Sequence[Stage], progress: Progress) -> list[Shown | str]:

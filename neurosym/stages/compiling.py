@@ -13,7 +13,6 @@ from neurosym.pddl import compile_domain, domain_text, problem_text
 from neurosym.pddl.compiler import check_axes
 from neurosym.pddl.moves import Encoding
 from neurosym.problems import Problem
-from neurosym.reading import read_json
 from neurosym.stages.folder import DomainFolder, load_scene
 from neurosym.stages.layout import (
     DOMAIN,
@@ -40,7 +39,7 @@ def compile_stage(folder: DomainFolder, *, cell: float) -> Stage:
     """
 
     def work() -> None:
-        table = read_json(folder.require(PRIMITIVES), OperatorTable)
+        table = OperatorTable.load(folder.require(PRIMITIVES))
         check_axes(table)
         if not (folder / WORLD).exists():
             raise InvalidValue(

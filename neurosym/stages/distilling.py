@@ -19,7 +19,7 @@ from neurosym.worlds.world_file import read_world
 
 
 def distill_stage(
-    folder: DomainFolder, *, objects: int, seed: int, workers: int, choice: str = "predictable"
+    folder: DomainFolder, *, objects: int, seed: int, workers: int, choice: str = "own"
 ) -> Stage:
     """Distil primitives and rehearse them: model, data and world -> `primitives.json`.
 

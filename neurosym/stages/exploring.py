@@ -25,10 +25,17 @@ def explore_stage(
     workers: int,
     ray: str | None = None,
     min_predicted_effect: float = 0.0,
+    object_bits: int | None = None,
+    action_bits: int | None = None,
 ) -> Stage:
-    """Explore the world: `world.toml` -> `interactions.npz`, with a checkpoint after every block."""
+    """Explore the world: `world.toml` -> `interactions.npz`, with a checkpoint after every block.
+
+    Bits matter where a network with symbols is explored by: for the strategy `entropy`.
+    """
     chosen = check_choices(strategy, regime, min_predicted_effect)
-    name = own_name(strategy)
+    name, network = own_name(strategy), chosen.exploration
+    if strategy_named(strategy).curious_about == "entropy":
+        network = network.with_bits(object_bits, action_bits)
 
     def work() -> None:
         from neurosym.exploration.choice import ExplorationConfig
@@ -53,7 +60,7 @@ def explore_stage(
                 ray=ray,
                 checkpoint=folder.path,
                 config=config,
-                model_config=chosen.exploration,
+                model_config=network,
                 origin=origin_of(factory),
                 progress=advance,
             )
@@ -62,6 +69,7 @@ def explore_stage(
     options: dict[str, Any] = {"strategy": name, "steps": steps, "seed": seed, "regime": regime}
     if min_predicted_effect:
         options["min_predicted_effect"] = min_predicted_effect
+    options |= network.unusual_bits()
     return Stage("explore", (WORLD,), (INTERACTIONS,), work, options, Claim.ALONE)
 
 

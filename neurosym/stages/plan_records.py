@@ -6,9 +6,10 @@ from pathlib import Path
 
 import msgspec
 
-from neurosym.errors import InvalidFile
+from neurosym.errors import InvalidFile, InvalidValue
 from neurosym.files import make_folder, remove, write_atomically, write_json
 from neurosym.grounding import Grounding
+from neurosym.pddl.chances import expected_success
 from neurosym.pddl.moves import Encoding
 from neurosym.pddl.plan_text import (
     PlanStep,
@@ -18,7 +19,6 @@ from neurosym.pddl.plan_text import (
     print_ground_plan,
     print_plan,
 )
-from neurosym.pddl.validation import expected_success
 from neurosym.planners import PlanStatus
 from neurosym.planners.second_look import Planned
 from neurosym.problems import Problem
@@ -113,7 +113,7 @@ def write_plans(
         steps=named_steps(result.steps),
         seconds=round(result.seconds, 3),
         reason=result.reason,
-        chance=_chance(result.steps, grounding) if result.has_plan else None,
+        chance=_chance(result.steps, problem, grounding) if result.has_plan else None,
         alternatives=written,
         tolerance=tolerance,
     )
@@ -154,16 +154,17 @@ def _write_alternatives(
     for number, steps in enumerate(plans, start=1):
         file = f"{stem}-alt-{number}.plan"
         write_atomically(folder / file, _plan_text(steps, problem, grounding, encoding))
-        written.append(PlannedSteps(file, named_steps(steps), _chance(steps, grounding)))
+        written.append(PlannedSteps(file, named_steps(steps), _chance(steps, problem, grounding)))
     return tuple(written)
 
 
-def _chance(steps: Sequence[PlanStep], grounding: Grounding) -> float:
-    return round(expected_success(steps, grounding), 4)
+def _chance(steps: Sequence[PlanStep], problem: Problem, grounding: Grounding) -> float:
+    return round(expected_success(steps, problem, grounding), 4)
 
 
 def _plan_text(steps: Sequence[PlanStep], problem: Problem, grounding: Grounding, encoding: Encoding) -> str:
     """Print a plan such that validators take it, or in short if a step is not in the PDDL domain."""
-    if any(step.base in grounding.left_out for step in steps):
+    try:
+        return print_ground_plan(steps, problem, grounding, encoding)
+    except InvalidValue:
         return print_plan(steps)
-    return print_ground_plan(steps, problem, grounding, encoding)

@@ -4,7 +4,8 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
-from neurosym.errors import InvalidFile, InvalidValue, StageMissing, UnknownChoice
+from neurosym.errors import InvalidFile, InvalidPlanner, InvalidValue, StageMissing, UnknownChoice
+from neurosym.factories import is_factory
 from neurosym.grounding import Grounding
 from neurosym.object_limits import limits_of
 from neurosym.pddl.grid import check_on_table
@@ -98,6 +99,7 @@ def plan_stage(
 
     Raises:
         UnknownChoice: If there is no such planner, or it does not take the encoding.
+        InvalidPlanner: If it cannot be used, or has the name of another one, by which there is a plan.
         InvalidValue: If the planner does not take an option, or fewer than no plans are asked for.
     """
     chosen = planner_named(planner, folder.path)
@@ -105,6 +107,9 @@ def plan_stage(
     if more < 0:
         raise InvalidValue(f"alternatives = {more} must be at least 0.")
     plan_file, record_file = plan_files(name, chosen.name)
+    stage, made_by = f"plan {name} {chosen.name}", planner if is_factory(planner) else ""
+    if made_by and (folder / plan_file).exists():
+        _refuse_namesake(folder, stage, made_by, plan_file)
     inputs = (scene_file(name), GROUNDING, *((MODEL,) if chosen.reads == "network" else ()))
 
     def work() -> None:
@@ -131,9 +136,21 @@ def plan_stage(
         write_plans(folder, name, chosen.name, problem, grounding, planned, printed, other)
 
     asked: dict[str, Any] = {"whole": whole, "unit_costs": unit_costs, "nearest": nearest}
-    asked |= {"alternatives": more, "tolerance": tolerance}
+    asked |= {"alternatives": more, "tolerance": tolerance, "factory": made_by}
     options = {"time_limit": time_limit, "encoding": encoding, **_asked_for(asked)}
-    return Stage(f"plan {name} {chosen.name}", inputs, (plan_file, record_file), work, options)
+    return Stage(stage, inputs, (plan_file, record_file), work, options)
+
+
+def _refuse_namesake(folder: DomainFolder, stage: str, made_by: str, plan_file: str) -> None:
+    """Raise `InvalidPlanner` if a plan is there by another planner of one's own that has the same name."""
+    record = folder.manifest().stages.get(stage)
+    other = record.options.get("factory", made_by) if record else made_by
+    if other != made_by:
+        raise InvalidPlanner(
+            made_by,
+            f"has the same name as {other}, by which {plan_file} is; "
+            "give one of them another name, or remove that file",
+        )
 
 
 def _asked_for(options: Mapping[str, Any]) -> dict[str, Any]:
@@ -145,6 +162,6 @@ def _prediction(folder: DomainFolder, grounding: Grounding) -> PredictEffects:
     """Return what the network of a folder predicts each primitive to do."""
     from neurosym.learning.effect_model import EffectModel
 
-    symbols = [primitive.symbol for primitive in grounding.operators.primitives]
+    symbols = grounding.operators.symbols
     model = EffectModel.load(folder.require(MODEL))
     return lambda features: model.branching_table(features, symbols)

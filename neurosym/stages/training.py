@@ -13,9 +13,29 @@ from neurosym.stages.layout import DIRECT_MODEL, INTERACTIONS, MODEL, TRAINING
 from neurosym.stages.manifest import Claim, Stage
 
 
-def train_stage(folder: DomainFolder, *, seed: int, regime: str) -> Stage:
-    """Make the final fit: `interactions.npz` -> `effect_model.safetensors` and `training.json`."""
+def train_stage(
+    folder: DomainFolder,
+    *,
+    seed: int,
+    regime: str,
+    object_bits: int | None = None,
+    action_bits: int | None = None,
+) -> Stage:
+    """Make the final fit: `interactions.npz` -> `effect_model.safetensors` and `training.json`.
+
+    Args:
+        folder: The domain folder.
+        seed: Where all random draws start.
+        regime: Network and training.
+        object_bits: Bits of an object symbol; the regime's if not given.
+        action_bits: Bits of an action symbol; the regime's if not given.
+
+    Raises:
+        UnknownChoice: If there is no such regime.
+        InvalidValue: If there can be no such symbols.
+    """
     chosen = regime_named(regime)
+    network = chosen.model.with_bits(object_bits, action_bits)
 
     def work() -> None:
         from neurosym.learning.training import train
@@ -25,7 +45,7 @@ def train_stage(folder: DomainFolder, *, seed: int, regime: str) -> Stage:
             trained = train(
                 interactions,
                 config=chosen.training,
-                model_config=chosen.model,
+                model_config=network,
                 seed=seed,
                 progress=lambda stage, share: advance(round(100 * share), 100, stage),
             )
@@ -33,7 +53,7 @@ def train_stage(folder: DomainFolder, *, seed: int, regime: str) -> Stage:
         trained.direct.save(folder / DIRECT_MODEL)
         trained.model.save(folder / MODEL)
 
-    options = {"seed": seed, "regime": regime}
+    options = {"seed": seed, "regime": regime, **network.unusual_bits()}
     return Stage("train", (INTERACTIONS,), (MODEL, DIRECT_MODEL, TRAINING), work, options, Claim.ALONE)
 
 

@@ -35,6 +35,8 @@ def go_the_whole_way(
     rehearsals: int,
     problems: int,
     min_predicted_effect: float = 0.0,
+    object_bits: int | None = None,
+    action_bits: int | None = None,
 ) -> None:
     """Explore, train, distil, compile, draw problems, plan with Fast Downward, and execute what was found.
 
@@ -49,6 +51,8 @@ def go_the_whole_way(
         problems: How many problems to draw; more, if none of them has a plan.
         min_predicted_effect: Only actions with at least this predicted sum of absolute displacements are
             explored, if there are any [m].
+        object_bits: Bits of an object symbol; the regime's if not given.
+        action_bits: Bits of an action symbol; the regime's if not given.
 
     Raises:
         InvalidValue: If a number is impossible.
@@ -64,8 +68,10 @@ def go_the_whole_way(
             regime=regime,
             workers=workers,
             min_predicted_effect=min_predicted_effect,
+            object_bits=object_bits,
+            action_bits=action_bits,
         ),
-        train_stage(folder, seed=seed, regime=regime),
+        train_stage(folder, seed=seed, regime=regime, object_bits=object_bits, action_bits=action_bits),
         distill_stage(folder, objects=rehearsals, seed=seed, workers=workers),
         compile_stage(folder, cell=CELL),
     )

@@ -4,8 +4,6 @@ The functions here are called in that process, which has one world. It ends when
 """
 
 import os
-import signal
-import threading
 import time
 from collections.abc import Callable
 from multiprocessing.connection import Connection
@@ -19,30 +17,23 @@ from neurosym.errors import InvalidWorld, NeurosymError
 from neurosym.factories import admit, told
 from neurosym.guarded import OPTIONAL, Guarded
 from neurosym.world import Frame, Outcome, Scene
+from neurosym.worlds.children import GRACE, end_with_parent, leave_signals_to_parent, say_up
 from neurosym.worlds.custom import make_own_world
 
 FRAME, ANSWER, REFUSAL = "frame", "answer", "refusal"
 PATIENCE = 600.0
 """How long a call may take unless the world has a `patience` of its own [s]."""
-GRACE = 5.0
-"""How long a world has to end by itself [s]."""
 
 _connection: Connection
 _world: Guarded
 
 
-def serve(requests: int, lifeline: int) -> None:
-    """Answer calls, a function and its arguments each, until the other end is closed.
-
-    Args:
-        requests: Descriptor of the socket that they come through.
-        lifeline: Descriptor of a pipe whose other end is closed when the parent process ends.
-    """
+def serve(requests: int, lifeline: int, errors: int) -> None:
+    """Answer calls, a function and its arguments each, until the other end is closed; see `Serve`."""
     global _connection
-    signal.signal(signal.SIGINT, signal.SIG_IGN)  # the parent is told, too, and ends this process
-    signal.signal(signal.SIGHUP, signal.SIG_IGN)  # a closed terminal ends the parent
-    threading.Thread(target=_end_with_parent, args=(lifeline,), daemon=True).start()
-    _connection = Connection(requests)
+    leave_signals_to_parent()
+    end_with_parent(lifeline, _end_slowly)
+    _connection = say_up(requests, errors)
     while True:
         try:
             name, function, arguments = _connection.recv()
@@ -60,8 +51,7 @@ def _answer(name: str, function: Callable[..., Any], arguments: tuple[Any, ...])
         return REFUSAL, InvalidWorld(name, f"raises an error: {told(error)}")
 
 
-def _end_with_parent(lifeline: int) -> None:
-    os.read(lifeline, 1)
+def _end_slowly() -> None:
     time.sleep(GRACE)
     os._exit(1)
 

@@ -4,11 +4,10 @@ A world may raise, call `sys.exit` or `os._exit`, be killed, or never answer: in
 one sentence what it did, keeps what was finished, and goes on when it is called again.
 """
 
-from collections.abc import Callable, Iterator
-from concurrent.futures import Future, ThreadPoolExecutor
+from collections.abc import Callable, Iterator, Sequence
+from concurrent.futures import Future
 from contextlib import contextmanager
 from pathlib import Path
-from queue import SimpleQueue
 from typing import Any
 
 import numpy as np
@@ -18,6 +17,7 @@ from neurosym.factories import search_here
 from neurosym.world import Frame, FrameSink, Outcome, Scene, World
 from neurosym.worlds import host
 from neurosym.worlds.apart import Process
+from neurosym.worlds.children import at_hand
 from neurosym.worlds.custom import describe_own_world, make_own_world
 
 
@@ -156,23 +156,19 @@ def hosts(factory: OwnFactory, count: int) -> Iterator[Callable[[Callable[[World
         factory: Makes them.
         count: How many.
     """
-    free: SimpleQueue[Hosted] = SimpleQueue()
     made: list[Hosted] = []
-    pool = ThreadPoolExecutor(count)
-
-    def perform(work: Callable[[World], Any]) -> Any:
-        world = free.get()
-        try:
-            return work(world)
-        finally:
-            free.put(world)
-
     try:
         for _ in range(count):
             made.append(factory.another())
-            free.put(made[-1])
-        yield lambda work: pool.submit(perform, work)
+        with at_hand(made) as submit:
+            try:
+                yield submit
+            finally:
+                _kill(made)  # before the threads are waited for that wait for them
     finally:
-        for world in made:
-            world.process.close(grace=0.0)
-        pool.shutdown(wait=True, cancel_futures=True)
+        _kill(made)
+
+
+def _kill(worlds: Sequence[Hosted]) -> None:
+    for world in worlds:
+        world.process.close(grace=0.0)

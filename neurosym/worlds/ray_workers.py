@@ -21,7 +21,8 @@ from neurosym.errors import InvalidValue, NeurosymError
 from neurosym.guarded import made
 from neurosym.world import Outcome, World, WorldFactory
 from neurosym.worlds.hosted import OwnFactory
-from neurosym.worlds.workers import AHEAD, Perform, WorkerDied, in_order, perform_task
+from neurosym.worlds.pool import WorkerDied
+from neurosym.worlds.workers import AHEAD, Perform, in_order, perform_task
 
 AUTO = "auto"
 _PATIENCE = 20.0  # for a cluster to answer [s]; left alone, Ray tries for minutes

@@ -4,39 +4,26 @@ A world is a function without memory, so who performs an interaction does not ma
 world once from a factory that can be pickled (`functools.partial(make_world, config)`, for instance).
 """
 
-import multiprocessing
-import multiprocessing.connection
-import os
-import signal
-import threading
-import time
 from collections import deque
-from collections.abc import Callable, Iterable, Iterator, Sequence
-from concurrent.futures import Future, ProcessPoolExecutor
-from concurrent.futures.process import BrokenProcessPool
+from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
 from functools import cache, partial
-from multiprocessing.process import BaseProcess
-from types import FrameType
-from typing import Any, TypeVar
+from typing import TypeVar
 
 from jaxtyping import Float
 from numpy import ndarray
 
-from neurosym.errors import InvalidValue, NeurosymError
+from neurosym.errors import InvalidValue
 from neurosym.guarded import made
 from neurosym.world import Outcome, Scene, World, WorldFactory
-from neurosym.worlds.apart import ctrl_c_ignored
 from neurosym.worlds.hosted import OwnFactory, hosts
+from neurosym.worlds.pool import Submit, worker_pool
 
 MOST_WORKERS = 256
 """Processes on one machine; a cluster may have more."""
 AHEAD = 4
 """Tasks handed out for each worker, so that none waits for the next."""
-_PATIENCE = 3.0  # for a worker to end in order [s]
-_ENDED = 128 + signal.SIGTERM  # the exit code of a worker that was told to end
-
 Item = TypeVar("Item")
 Pending = TypeVar("Pending")
 Result = TypeVar("Result")
@@ -53,18 +40,6 @@ class Task:
 
 
 Perform = Callable[[Iterable[Task]], Iterator[Outcome]]
-Submit = Callable[..., Future[Any]]
-"""Has a worker process call a function with arguments; all must survive pickling."""
-
-
-class WorkerDied(NeurosymError):
-    """A worker process that ended before its work was done."""
-
-    def __init__(self) -> None:
-        super().__init__(
-            "A worker process died (out of memory, or killed); start the command again to go on, "
-            "with fewer workers if memory is short."
-        )
 
 
 def check_workers(workers: int) -> None:
@@ -139,92 +114,13 @@ def in_order(
         yield result(waiting.popleft())
 
 
-@contextmanager
-def worker_pool(
-    workers: int, initializer: Callable[..., None], arguments: tuple[Any, ...]
-) -> Iterator[Submit]:
-    """Start processes, and yield the function that has them do something.
-
-    They ignore Ctrl-C, which is for their parent, and end with it. If an error ends the work, they are ended
-    whatever they are doing, in order if they can be.
-
-    Args:
-        workers: How many.
-        initializer: What each does first; must survive pickling.
-        arguments: What it is given.
-    """
-    before = multiprocessing.active_children()
-    pool = ProcessPoolExecutor(
-        workers,
-        multiprocessing.get_context("spawn"),
-        initializer=_start_process,
-        initargs=(initializer, arguments),
-    )
-    started: list[BaseProcess] = []
-    try:
-        with ctrl_c_ignored():
-            for _ in range(workers):
-                pool.submit(int)  # a process is started for each task that finds none idle
-            started = [child for child in multiprocessing.active_children() if child not in before]
-        yield lambda work, *given: pool.submit(_do, work, *given)
-    except BaseException:
-        _end_all(started)
-        raise
-    finally:
-        pool.shutdown(wait=True, cancel_futures=True)
-
-
-def _end_all(started: Sequence[BaseProcess]) -> None:
-    """Ask processes to end, and kill those that do not soon; keepers of planners see to the rest."""
-    for process in started:
-        process.terminate()
-    end = time.monotonic() + _PATIENCE
-    for process in started:
-        process.join(max(0.0, end - time.monotonic()))
-        process.kill()
-
-
 def _outcomes(submit: Submit, tasks: Iterable[Task], ahead: int) -> Iterator[Outcome]:
-    try:
-        yield from in_order(
-            tasks,
-            submit=lambda task: submit(_perform_here, task),
-            result=lambda future: future.result(),
-            ahead=ahead,
-        )
-    except BrokenProcessPool as error:
-        raise WorkerDied from error
-
-
-_is_busy = False
-"""Whether this worker process does something that must be left in order."""
-
-
-def _do(work: Callable[..., Result], *given: Any) -> Result:
-    """Do something in a worker process, and end it if it is told to meanwhile."""
-    global _is_busy
-    _is_busy = True
-    try:
-        return work(*given)
-    except KeyboardInterrupt:
-        os._exit(_ENDED)
-    finally:
-        _is_busy = False
-
-
-def _start_process(initializer: Callable[..., None], arguments: tuple[Any, ...]) -> None:
-    signal.signal(signal.SIGINT, signal.SIG_IGN)
-    signal.signal(signal.SIGTERM, _hear)
-    signal.signal(signal.SIGHUP, signal.SIG_IGN)  # a closed terminal ends the parent
-    threading.Thread(target=_end_with_parent, daemon=True).start()
-    _do(initializer, *arguments)
-
-
-def _hear(_: int, __: FrameType | None) -> None:
-    signal.signal(signal.SIGTERM, signal.SIG_IGN)
-    if _is_busy:
-        raise KeyboardInterrupt
-    os._exit(_ENDED)
+    return in_order(
+        tasks,
+        submit=lambda task: submit(_perform_here, task),
+        result=lambda future: future.result(),
+        ahead=ahead,
+    )
 
 
 _factory_here: WorldFactory | None = None
@@ -240,15 +136,6 @@ def _world_here() -> World:
     """Make the world when it is first needed, so that an error in making it is one of a task."""
     assert _factory_here is not None, "the initializer ran"
     return made(_factory_here)
-
-
-def _end_with_parent() -> None:
-    parent = multiprocessing.parent_process()
-    if parent is not None:
-        multiprocessing.connection.wait([parent.sentinel])
-        os.kill(os.getpid(), signal.SIGTERM)
-        time.sleep(_PATIENCE)
-        os._exit(_ENDED)
 
 
 def _perform_here(task: Task) -> Outcome:

@@ -54,6 +54,9 @@ from neurosym.strategies import STRATEGIES
         (["explore", "--regime", "big"], "no regime 'big'; valid: default, paper, quick"),
         (["explore", "--seed", "-1"], "seed = -1 must be at least 0"),
         (["train", "--seed", "-1"], "seed = -1 must be at least 0"),
+        (["train", "--object-bits", "7"], "object_bits = 7 must be between 1 and 6"),
+        (["train", "--action-bits", "0"], "action_bits = 0 must be between 1 and 8"),
+        (["run", "--action-bits", "9"], "action_bits = 9 must be between 1 and 8"),
         (["run", "--world", "toy", "--problems", "-1"], "problems = -1 must be at least 0"),
         (["explore", "--steps", "0"], "steps = 0 must be at least 1"),
         (
@@ -62,7 +65,7 @@ from neurosym.strategies import STRATEGIES
         ),
         (["explore", *LEARN_TOY, "--steps", "2048", "--seed", "4"], "seed = 3, not 4"),
         (["distill", "--objects", "0"], "objects = 0 must be at least 1"),
-        (["distill", "--choice", "luck"], "no choice 'luck'; valid: lowest-error, predictable"),
+        (["distill", "--choice", "luck"], "no choice 'luck'; valid: lowest-error, own, predictable"),
         (["compile-domain", "--cell", "0"], "cell"),
     ],
 )

@@ -11,7 +11,6 @@ from neurosym.explain.from_folder import explain_folder
 from neurosym.files import write_json
 from neurosym.grounding import Grounding
 from neurosym.operators import OperatorTable
-from neurosym.reading import read_json
 from neurosym.stages.folder import DomainFolder
 
 
@@ -27,7 +26,7 @@ def test_shipped_domain_is_explained_under_its_own_names():
 def test_command_prints_every_symbol_and_what_to_type_next(folder, capsys):
     assert neurosym("explain", folder) == 0
     said = capsys.readouterr().out
-    operators = read_json(folder / "primitives.json", OperatorTable)
+    operators = OperatorTable.load(folder / "primitives.json")
     for primitive in operators.primitives:
         assert f"Action symbol {primitive.symbol}: " in said
     for category in operators.categories:
@@ -42,9 +41,13 @@ def test_operator_left_out_is_printed_with_its_reason(folder, capsys):
     assert learned.left_out
     for name, reason in learned.left_out.items():
         left_out = learned.operator_named(name)
+        if left_out.promised:  # a rarer outcome, which is told of below its operator
+            continue
         promised = f"{left_out.trials} trials, {left_out.successes} as promised"
         assert f"- {name} ({promised}, not in the domain: {reason})" in said
     for operator in learned.live:
+        if operator.promised:
+            continue
         promised = f"{operator.trials} trials, {operator.successes} as promised"
         assert f"- {operator.name} ({promised}, in the domain)" in said
 

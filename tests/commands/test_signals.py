@@ -83,6 +83,8 @@ def start_hanging(here: Path, command: str) -> "subprocess.Popen[str]":
     assert eventually((here / "hanging.py.started").exists, 60.0), process.communicate()
     assert list((here / "scratch").iterdir()) != []
     assert any("left" in str(path) for path in (here / "scratch").rglob("*"))
+    orphan = "-c import time"
+    assert eventually(lambda: any(orphan in line for line in alive(str(here))))
     return process
 
 

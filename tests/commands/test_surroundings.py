@@ -114,6 +114,10 @@ def failing(monkeypatch: pytest.MonkeyPatch, error: BaseException) -> None:
         (OSError(), "Something could not be read or written: OSError"),
         (MemoryError(), "There is not enough memory"),
         (RuntimeError("DefaultCPUAllocator: can't allocate memory: you tried"), "There is not enough memory"),
+        (
+            ImportError("libtorch_cpu.so: failed to map segment from shared object"),
+            "There is not enough memory",
+        ),
     ],
 )
 def test_errors_of_the_system_are_told_in_a_sentence(monkeypatch, capsys, error, said):
@@ -123,9 +127,10 @@ def test_errors_of_the_system_are_told_in_a_sentence(monkeypatch, capsys, error,
     assert "None" not in told
 
 
-def test_other_errors_are_not_taken_for_want_of_memory(monkeypatch):
-    failing(monkeypatch, RuntimeError("a bug"))
-    with pytest.raises(RuntimeError, match="a bug"):
+@pytest.mark.parametrize("error", [RuntimeError("a bug"), ImportError("No module named 'bug'")])
+def test_other_errors_are_not_taken_for_want_of_memory(monkeypatch, error):
+    failing(monkeypatch, error)
+    with pytest.raises(type(error), match="bug"):
         ending.perform(["planners"])
 
 
@@ -158,16 +163,14 @@ def test_output_that_cannot_be_written_is_noticed_before_the_work(
     place = tmp_path / "full"
     place.mkdir()
     before = {path: path.read_bytes() for path in folder.rglob("*") if path.is_file()}
-    from neurosym import drafts
+    real = Path.open
 
-    real = drafts.tempfile.mkstemp
-
-    def full(**options: object) -> tuple[int, str]:
-        if options["dir"] == place:
+    def full(path: Path, mode: str = "r", *options: object, **named: object) -> object:
+        if path.parent == place and mode == "xb":
             raise OSError(errno.EROFS, "Read-only file system")
-        return real(**options)
+        return real(path, mode, *options, **named)
 
-    monkeypatch.setattr(drafts.tempfile, "mkstemp", full)
+    monkeypatch.setattr(Path, "open", full)
     assert "Read-only file system" in refusal(capsys, *WRITERS[command](folder, place))
     assert {path: path.read_bytes() for path in folder.rglob("*") if path.is_file()} == before
 

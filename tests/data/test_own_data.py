@@ -21,7 +21,6 @@ from neurosym.learning.direct_model import DirectModel
 from neurosym.learning.effect_model import EffectModel
 from neurosym.learning.model_config import DirectConfig, ModelConfig
 from neurosym.operators import OperatorTable
-from neurosym.reading import read_json
 from neurosym.stages.distilling import distill_stage
 from neurosym.stages.folder import DomainFolder
 from neurosym.tensor_files import read_tensors, write_tensors
@@ -67,7 +66,7 @@ def test_the_documents_example_is_learned_through_the_bits(learned):
 
 
 def test_table_of_own_data_says_that_nothing_was_rehearsed(learned):
-    table = read_json(learned / "primitives.json", OperatorTable)
+    table = OperatorTable.load(learned / "primitives.json")
     assert table.measured == "data"
     assert table.axes == 2
     low, high = [-1, -1, 0.1, 0, 0], [1, 1, 0.5, 1, 1]
@@ -108,7 +107,7 @@ def test_own_data_along_three_axes_lack_nothing_but_a_world(folder, capsys):
     (folder / "world.toml").unlink()
     assert neurosym("distill", folder) == 0
     assert f"neurosym init {folder} --world module:factory" in capsys.readouterr().out
-    table = read_json(folder / "primitives.json", OperatorTable)
+    table = OperatorTable.load(folder / "primitives.json")
     assert (table.measured, table.axes) == ("data", 3)
     said = refusal(capsys, "compile-domain", folder)
     assert "world.toml is missing: a domain also needs where objects may stand" in said

@@ -163,4 +163,4 @@ def test_why_a_plan_is_replaced_names_the_step_as_the_user_does(capsys):
     plan = (("lift-000-cube", "item-01"), ("put-down-lift-000-cube", "item-01"))
     new = msgspec.structs.replace(run.replannings[0], plan=plan)
     show_run(msgspec.structs.replace(run, replannings=(new,)))
-    assert "0.160 m: 1 primitive\n" in capsys.readouterr().out
+    assert "0.155 m: 1 primitive\n" in capsys.readouterr().out

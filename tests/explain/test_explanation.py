@@ -132,7 +132,8 @@ def test_effects_averaged_from_data_are_not_said_to_be_what_the_parameters_do():
 
 def naive_nearest(operators: OperatorTable, symbol: str) -> tuple[float, str]:
     shares = {category.symbol: category.share for category in operators.categories}
-    promised = {(op.primitive, op.category): typical(op).outcome for op in operators.operators}
+    surest_last = reversed(operators.operators)
+    promised = {(op.primitive, op.category): typical(op).outcome for op in surest_last}
     found = []
     for other in {op.primitive for op in operators.operators} - {symbol}:
         both = [c for c in shares if (symbol, c) in promised and (other, c) in promised]

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from decimal import Decimal
 
-from independent.replay import Json, Step, Tabletop, displacement, in_domain, lifts, settled
+from independent.replay import Json, Step, Tabletop, displacement, domain_operators, lifts, settled
 
 UNIT = 10**6
 """Lengths are counted in micrometres."""
@@ -52,8 +52,7 @@ class Search:
         top = Tabletop(grounding, scene)
         self.names = [item["name"] for item in scene["objects"]]
         self.most_states = most_states
-        cell = grounding["cell"]
-        live = [one for one in grounding["operators"]["operators"] if in_domain(one, cell)]
+        live = domain_operators(grounding)
         self.moves = [
             [_move(one) for one in live if one["category"] == item["category"]] for item in scene["objects"]
         ]

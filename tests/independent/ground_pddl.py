@@ -59,7 +59,7 @@ class Task:
             assert name not in self.actions, f"two actions are called {name}"
             self.actions[name] = dict(zip(rest[::2], rest[1::2], strict=True))
         parts = {part[0]: part[1:] for part in problem[2:]}
-        self.types = dict(_typed(parts[":objects"]))
+        self.types = dict(_typed([*sections.get(":constants", []), *parts[":objects"]]))
         self.facts: set[Fact] = set()
         self.numbers: dict[Fact, int] = {}
         for part in parts[":init"]:
@@ -97,7 +97,9 @@ class Task:
     def _change(self, effects: list[Tree], bound: dict[str, str]) -> None:
         added, deleted, numbers = set(), set(), dict(self.numbers)
         for part in effects:
-            if part[0] in ("increase", "decrease"):
+            if part[0] == "assign":
+                numbers[self._checked(part[1], bound, self.functions)] = self._value(part[2], bound)
+            elif part[0] in ("increase", "decrease"):
                 fact = self._checked(part[1], bound, self.functions)
                 by = self._value(part[2], bound)
                 numbers[fact] += by if part[0] == "increase" else -by

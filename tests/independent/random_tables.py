@@ -5,12 +5,13 @@ All lengths are whole numbers of micrometres, so that `brute_force` can count th
 
 import copy
 import itertools
+from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Literal
 
 import msgspec
 import numpy as np
-from independent.replay import Json, Step, Tabletop, in_domain, lifts, read_text, replay
+from independent.replay import Json, Point, Step, Tabletop, domain_operators, lifts, read_text, replay
 
 from neurosym.grounding import Grounding
 from neurosym.operators import Category, Mode, Operator, OperatorTable, Primitive, Vector
@@ -40,6 +41,7 @@ class Drawn:
         domain_json: What `grounding.json` says.
         scene_json: What the scene's file says.
         known: A plan that is known to be valid, if one is.
+        own: By how much operators move objects, if they have steps of their own; as the problem is printed.
     """
 
     number: int
@@ -50,6 +52,7 @@ class Drawn:
     domain_json: Json
     scene_json: Json
     known: tuple[Step, ...] | None
+    own: Mapping[Step, Point] | None = None
 
 
 def draw(number: int, kind: Kind | None = None, objects: int | None = None) -> Drawn:
@@ -63,9 +66,9 @@ def draw(number: int, kind: Kind | None = None, objects: int | None = None) -> D
     items = _items(kind, count, is_whole, grounding, rng)
     tolerance = float(rng.choice([0.05, 0.05, 0.03])) if kind != "tiny" else 0.03
     problem = Problem(f"drawn-{number}", items, {}, tolerance)
-    walked, goals = _walk(kind, problem, domain_json, rng)
+    walked, goals = walk(kind, problem, domain_json, rng)
     if kind == "random" or (kind == "tiny" and rng.random() < 0.5) or not goals:
-        walked, goals = (), _anywhere(problem, grounding, rng)
+        walked, goals = (), anywhere(problem, grounding, rng)
     if kind == "bystander":
         problem = _with_stone(problem, goals, grounding.operators.categories[-1].symbol, rng)
     problem = msgspec.structs.replace(problem, goals=goals)
@@ -181,12 +184,16 @@ def _overlap(one: SceneObject, other: SceneObject) -> bool:
     )
 
 
-def _walk(
-    kind: Kind, problem: Problem, domain_json: Json, rng: np.random.Generator
+def walk(
+    kind: Kind,
+    problem: Problem,
+    domain_json: Json,
+    rng: np.random.Generator,
+    own: Mapping[Step, Point] | None = None,
 ) -> tuple[tuple[Step, ...], dict[str, Vector]]:
     """Do possible steps at random, and take where objects end, roughly, for goals."""
-    top = Tabletop(domain_json, read_text(msgspec.json.encode(problem).decode()))
-    live = [one for one in domain_json["operators"]["operators"] if in_domain(one, domain_json["cell"])]
+    top = Tabletop(domain_json, read_text(msgspec.json.encode(problem).decode()), own)
+    live = domain_operators(domain_json)
     steps: list[Step] = []
     wanted = int(rng.integers(1, 5 if kind == "tiny" else 2 + 3 * min(len(problem.objects), 8)))
     may_end_held = rng.random() < 0.3
@@ -222,7 +229,7 @@ def _near(place: tuple, tolerance: float, rng: np.random.Generator) -> Vector:
     return x, y, max(z, 0.0)
 
 
-def _anywhere(problem: Problem, grounding: Grounding, rng: np.random.Generator) -> dict[str, Vector]:
+def anywhere(problem: Problem, grounding: Grounding, rng: np.random.Generator) -> dict[str, Vector]:
     """Draw goals for one object or more anywhere on the table, now and then in the air."""
     goals: dict[str, Vector] = {}
     for item in problem.objects:

@@ -5,9 +5,10 @@ Nothing of neurosym is imported here, and no numpy, so that both replays do not 
 
 import itertools
 import json
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from decimal import Decimal
+from fractions import Fraction
 from pathlib import Path
 from typing import Any
 
@@ -18,6 +19,8 @@ Step = tuple[str, str]
 PUT_DOWN = "put-down-"
 SLACK = Decimal("1e-9")
 """What binary numbers may make of a decimal one [m]."""
+ROUNDED = Decimal("1e-4")
+"""What whole numbers of 0.1 mm make of a step, and more [m]."""
 NEAR_TABLE = Decimal("0.1")
 """How far off the table an object may stand that is still planned for [m]."""
 LEAST_TRIALS = 5
@@ -62,8 +65,35 @@ def settled(operator: Json) -> Point:
     return x, y, Decimal(0)
 
 
-def in_domain(operator: Json, cell: Decimal) -> bool:
-    """Say whether the PDDL domain has the operator, or leaves it out."""
+def domain_operators(grounding: Json) -> list[Json]:
+    """List the operators that the PDDL domain has, and does not leave out."""
+    cell, listed = grounding["cell"], grounding["operators"]["operators"]
+    worthy = [one for one in listed if _is_worth_having(one, cell)]
+    if grounding["format"] == "neurosym-grounding-1":
+        return worthy
+    by_chance = sorted(worthy, key=lambda one: (-_chance(one), one["name"]))
+    kept: list[Json] = []
+    for one in by_chance:
+        if not any(_do_the_same(one, other, cell / 2) for other in kept):
+            kept.append(one)
+    return [one for one in worthy if one in kept]
+
+
+def _chance(operator: Json) -> Fraction:
+    promise = promise_of(operator)
+    kept = promise["near_mean"] if promise else 0
+    return Fraction(kept + 1) / Fraction(operator["trials"] + 2)
+
+
+def _do_the_same(one: Json, other: Json, apart: Decimal) -> bool:
+    if one["category"] != other["category"] or lifts(one) != lifts(other):
+        return False
+    pairs = [*zip(displacement(one), displacement(other), strict=True)]
+    pairs += zip(settled(one), settled(other), strict=True) if lifts(one) else ()
+    return all(abs(a - b) < apart for a, b in pairs)
+
+
+def _is_worth_having(operator: Json, cell: Decimal) -> bool:
     promise = promise_of(operator)
     if operator["trials"] < LEAST_TRIALS or promise is None:
         return False
@@ -72,6 +102,8 @@ def in_domain(operator: Json, cell: Decimal) -> bool:
     moved = displacement(operator)
     if all(2 * abs(part) < cell for part in moved):
         return False
+    if operator.get("rehearsals"):
+        return True  # whether it scatters more than it moves is for each object to say
     scatter = promise["spread" if promise["kind"] == "held" else "resting_spread"]
     return sum(part * part for part in scatter) <= sum(part * part for part in moved)
 
@@ -87,6 +119,7 @@ class Tabletop:
     Attributes:
         grounding: The raw `grounding.json`.
         scene: The raw scene file of a problem.
+        own: By how much operators move objects [m], if they have steps of their own; see `own_facts`.
         places: Where the centre of each object is [m].
         held: The object in the hand and the operator that lifted it, or None.
         primitives: How many primitives were done.
@@ -94,6 +127,7 @@ class Tabletop:
 
     grounding: Json
     scene: Json
+    own: Mapping[Step, Point] | None = None
     places: dict[str, Point] = field(default_factory=dict)
     held: Step | None = None
     primitives: int = 0
@@ -116,6 +150,8 @@ class Tabletop:
             return f"{words} is not for objects like {name}"
         if promise_of(operator) is None:
             return f"{words} promises nothing"
+        if self.own is not None and step not in self.own:
+            return f"{words} has no step for {name}"
         if puts_down and self.held != (operator["name"], name):
             return f"{words} with {self.held} in the hand"
         if not puts_down and self.held is not None:
@@ -127,22 +163,29 @@ class Tabletop:
 
     def missed(self) -> str:
         """Say which goals are farther away than allowed; nothing if none is."""
-        allowed = self.scene["tolerance"] + SLACK
+        allowed = self.scene["tolerance"] + self.slack
         misses = {name: distance(self.places[name], goal) for name, goal in self.scene["goals"].items()}
         far = [f"{name} {1000 * miss:.3f} mm" for name, miss in misses.items() if miss > allowed]
         return f"missed: {', '.join(far)}" if far else ""
 
     def _after(self, operator: Json, name: str, puts_down: bool) -> Point:
         here, by = self.places[name], displacement(operator)
-        if puts_down:  # back to where the lift began, and from there to where it came to rest
+        if self.own is not None:
+            by = self.own[(PUT_DOWN if puts_down else "") + operator["name"], name]
+        elif puts_down:  # back to where the lift began, and from there to where it came to rest
             by = tuple(end - up for end, up in zip(settled(operator), by, strict=True))
         x, y, z = (old + new for old, new in zip(here, by, strict=True))
         return x, y, z
 
+    @property
+    def slack(self) -> Decimal:
+        """What numbers may make of places [m]: printed ones are whole, of 0.1 mm."""
+        return SLACK + (ROUNDED * self.primitives if self.own is not None else 0)
+
     def _wrong_place(self, name: str) -> str:
         spot = self.places[name]
         for axis, (low, high) in zip((0, 1), self.room(name), strict=True):
-            if not low - SLACK <= spot[axis] <= high + SLACK:
+            if not low - self.slack <= spot[axis] <= high + self.slack:
                 return f"{name} leaves the table"
         if self.held is not None:
             return ""
@@ -165,17 +208,20 @@ class Tabletop:
         sizes = [self.items[name]["features"] for name in (one, other)]
         here, there = self.places[one], self.places[other]
         return all(
-            2 * (abs(here[axis] - there[axis]) + SLACK) < sizes[0][axis] + sizes[1][axis] for axis in (0, 1)
+            2 * (abs(here[axis] - there[axis]) + self.slack) < sizes[0][axis] + sizes[1][axis]
+            for axis in (0, 1)
         )
 
 
-def replay(grounding: Json, scene: Json, steps: Iterable[Step]) -> tuple[str, Tabletop]:
+def replay(
+    grounding: Json, scene: Json, steps: Iterable[Step], own: Mapping[Step, Point] | None = None
+) -> tuple[str, Tabletop]:
     """Replay a plan.
 
     Returns:
         What is wrong with it, nothing if it is valid; and how everything is where the replay stopped.
     """
-    top = Tabletop(grounding, scene)
+    top = Tabletop(grounding, scene, own)
     for number, step in enumerate(steps, start=1):
         if wrong := top.do(step):
             return f"step {number}: {wrong}", top

@@ -1,9 +1,10 @@
 """Co-clustering finds planted blocks, and codes that are one bit apart are alike."""
 
-from itertools import permutations
+from itertools import combinations, permutations
 
 import numpy as np
 
+from neurosym.learning import coclustering
 from neurosym.learning.coclustering import cocluster, gray_order, nearest, profiles
 
 
@@ -74,3 +75,33 @@ def test_more_kinds_than_points_are_survived():
     rng = np.random.default_rng(5)
     found = cocluster(np.zeros((3, 2, 1)), 8, 4, rng)
     assert found.error == 0
+
+
+def test_gray_order_swaps_as_if_the_whole_cost_were_summed_anew_each_time():
+    for seed in range(3):
+        rng = np.random.default_rng(seed)
+        centres = rng.normal(size=(16, 3))
+        centres[3] = centres[7]  # two kinds alike, as empty ones are
+        distances = ((centres[:, None] - centres) ** 2).sum(2)
+        near = np.array([[(a ^ b).bit_count() == 1 for b in range(16)] for a in range(16)])
+        order = rng.permutation(16)
+        found = order.copy()
+        cost = coclustering._swap_until_best(found, distances, near)
+        assert found.tolist() == _swapped_naively(order, distances, near).tolist()
+        np.testing.assert_allclose(cost, (distances * near[np.ix_(found, found)]).sum())
+
+
+def _swapped_naively(order, distances, near):
+    def cost():
+        return (distances * near[np.ix_(order, order)]).sum()
+
+    now, improved = cost(), True
+    while improved:
+        improved = False
+        for b, a in sorted(combinations(range(len(order)), 2), key=lambda pair: pair[::-1]):
+            order[[a, b]] = order[[b, a]]
+            if cost() < now - 1e-12:
+                now, improved = cost(), True
+            else:
+                order[[a, b]] = order[[b, a]]
+    return order

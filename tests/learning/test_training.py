@@ -2,6 +2,7 @@
 
 from dataclasses import replace
 
+import msgspec
 import numpy as np
 import pytest
 import torch
@@ -17,6 +18,7 @@ from neurosym.learning.effect_model import EffectModel
 from neurosym.learning.losses import negative_log_likelihood, nt_xent, reproducible, run_epochs, total_loss
 from neurosym.learning.model_config import ModelConfig
 from neurosym.learning.recipes import RECIPES
+from neurosym.learning.report import empty_codes
 from neurosym.learning.samples import samples_of
 from neurosym.learning.training import assess, r_squared, share_of, split, train
 from neurosym.learning.training_config import (
@@ -243,6 +245,46 @@ def test_encoders_take_more_steps_for_each_bit_of_action_symbols_beyond_three():
     longer = config.for_bits(6)
     assert (longer.naming.steps, longer.coding.steps) == (40, 80)
     assert replace(longer, naming=config.naming, coding=config.coding) == config
+
+
+def test_table_that_is_coclustered_has_rows_and_columns_for_every_code():
+    naming = TrainingConfig().for_bits(8, 6).naming
+    assert (naming.table_actions, naming.table_objects) == (3000, 192)
+    small = NamingConfig(table_actions=60, table_objects=12)
+    naming = TrainingConfig(naming=small).for_bits(5, 2).naming
+    assert (naming.table_actions, naming.table_objects) == (96, 12)
+
+
+def test_widest_symbols_can_be_trained_and_codes_without_rows_are_listed():
+    trained = train(toy_data(100), config=BRIEF, model_config=SMALL.with_bits(6, 8), seed=0)
+    model, report, data = trained.model, trained.report, toy_data(100)
+    used = set(model.object_symbols(data.features)), set(model.action_symbols(data.actions))
+    assert used[0].isdisjoint(report.empty_object_codes)
+    assert len(used[0]) + len(report.empty_object_codes) == 64
+    assert len(used[1]) + len(report.empty_action_codes) == 256
+    said = empty_codes(report)
+    assert f"{len(report.empty_action_codes)} for actions ({report.empty_action_codes[0]}, " in said
+    assert f" and {len(report.empty_action_codes) - 16} more" in said
+
+
+def test_nothing_is_said_of_codes_if_none_is_empty():
+    report = train(toy_data(300), config=BRIEF, model_config=SMALL.with_bits(1, 1), seed=0).report
+    full = msgspec.structs.replace(report, empty_object_codes=(), empty_action_codes=())
+    assert empty_codes(full) == ""
+    assert "empty" not in msgspec.json.encode(full).decode()
+    one = msgspec.structs.replace(full, empty_action_codes=("0",))
+    assert empty_codes(one) == "codes that stay empty, since no row of the data has them: 1 for actions (0)"
+
+
+def test_bits_are_the_papers_unless_asked_for_and_recorded_only_then():
+    assert [REGIMES[name].model.unusual_bits() for name in REGIMES] == [
+        ModelConfig().unusual_bits(),
+        ModelConfig().unusual_bits(),
+        {},
+    ]
+    assert ModelConfig(2, 3).unusual_bits() == {}
+    assert ModelConfig(2, 3).with_bits(action_bits=5).unusual_bits() == {"action_bits": 5}
+    assert REGIMES["paper"].model.with_bits(3).unusual_bits() == {"object_bits": 3}
 
 
 def test_options_are_stored_by_the_names_that_model_files_have_had_from_the_beginning():

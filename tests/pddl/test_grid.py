@@ -11,7 +11,7 @@ from neurosym.errors import InvalidValue
 from neurosym.grounding import Grounding, at_rest, is_lift
 from neurosym.operators import Operator, OperatorTable, Primitive
 from neurosym.pddl import compile_domain
-from neurosym.pddl.grid import goal_region, grid_of
+from neurosym.pddl.grid import goal_region, grid_of, rounding
 from neurosym.pddl.moves import PUT_DOWN, moves_of
 from neurosym.pddl.plan_text import PlanStep
 from neurosym.pddl.validation import validate
@@ -117,7 +117,7 @@ def test_every_cell_of_a_region_is_near_enough_even_if_every_step_rounds_the_wro
         goal = (*map(float, rng.uniform(0.4, 0.6, 2)), float(rng.choice([0.0, 0.2])) + 0.025)
         goal = (goal[0], goal[1], goal[2] + float(rng.uniform(0.0, 0.02)))
         region, grid = goal_region(BLOCK, goal, 0.05, learned, steps=steps), grid_of(learned)
-        anchor, error = np.array(grid.anchor(BLOCK.position)), np.array(learned.rounding())
+        anchor, error = np.array(grid.anchor(BLOCK.position)), np.array(rounding(BLOCK, learned))
         for z in region.z if len(region.xy) > 1 else ():
             errs = error * [steps, steps, z > 0]
             spots = np.array([(x, y, z) for x, y in region.xy])

@@ -70,6 +70,16 @@ def test_primitive_is_shown_on_each_category_that_the_domain_promises_something_
     assert len(promised) < rows < 1.2 * len(promised)
 
 
+def test_an_action_of_a_symbol_is_shown_on_the_categories_that_it_is_for(folder, capsys):
+    grounding = Grounding.load(folder / "grounding.json")
+    label = next(operator.label for operator in grounding.live if operator.variant)
+    assert neurosym("show", folder, "--primitive", label) == 0
+    said = capsys.readouterr().out
+    for operator in grounding.live:
+        assert (f"{operator.name}: " in said) == (operator.label == label)
+    assert (folder / f"pictures/primitive-{label}.png").is_file()
+
+
 def test_problem_is_shown_with_its_goals(folder):
     assert neurosym("show", folder, "--problem", "task-02") == 0
     assert size(folder / "pictures/problem-task-02.png")[0] == 640

@@ -58,9 +58,9 @@ def test_examples_that_reach_their_goals_with_more_objects_come_first(tmp_path):
 def test_figures_have_a_row_for_each_primitive_and_plan(folder, capsys):
     assert neurosym("figures", folder) == 0
     said = capsys.readouterr().out
-    primitives = Grounding.load(folder / "grounding.json").operators.primitives
+    symbols = Grounding.load(folder / "grounding.json").operators.symbols
     with Image.open(folder / "pictures/figure-3-primitives.png") as image:
-        assert image.height // len(primitives) in range(480, 600)
+        assert image.height // len(symbols) in range(480, 600)
     with Image.open(folder / "pictures/figure-4-plans.png") as image:
         assert image.width >= 2 * 640
     assert f"wrote {folder}/pictures/figure-4-plans.png" in said

@@ -9,10 +9,11 @@ import pytest
 import tables
 import toy_domain
 
+from neurosym.pddl.chances import expected_success
 from neurosym.pddl.domain import domain_text
 from neurosym.pddl.moves import cost
 from neurosym.pddl.plan_text import PlanStep
-from neurosym.pddl.validation import expected_success, validate
+from neurosym.pddl.validation import validate
 from neurosym.planners import PlanStatus, alternatives, plan
 from neurosym.problems import Problem
 
@@ -69,8 +70,10 @@ def test_chance_of_a_plan_is_the_product_over_its_primitives():
         PlanStep("put-down-lift-000-cube", "item-01"),
         PlanStep("push-left-001-cube", "item-01"),
     )
-    assert expected_success(steps, toy_domain.grounding()) == pytest.approx((21 / 22) ** 2)
-    assert expected_success((), toy_domain.grounding()) == 1.0
+    assert expected_success(steps, toy_domain.problem({}), toy_domain.grounding()) == pytest.approx(
+        (21 / 22) ** 2
+    )
+    assert expected_success((), toy_domain.problem({}), toy_domain.grounding()) == 1.0
     lift = tables.grounding().operator_named("lift-010-block")
     assert math.exp(-(cost(lift) - 1) / 100) == pytest.approx(16 / 22, abs=0.005)
 
@@ -96,7 +99,7 @@ def test_without_costs_steps_are_few_rather_than_safe(planner: str):
     if planner == "fast-downward":
         safe = plan(away, risky, planner)
         assert [step.operator for step in safe.steps] == ["push-away-001-block"] * 2
-        assert expected_success(safe.steps, risky) > expected_success(few.steps, risky)
+        assert expected_success(safe.steps, away, risky) > expected_success(few.steps, away, risky)
     assert "(increase (total-cost) 1)" in domain_text(msgspec.structs.replace(risky, unit_costs=True))
 
 

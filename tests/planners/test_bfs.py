@@ -8,7 +8,7 @@ import pytest
 from tables import BOUNDS, grounding, problem
 
 from neurosym.pddl.plan_text import PlanStep
-from neurosym.planners import PlanStatus
+from neurosym.planners import PlanStatus, plan
 from neurosym.planners import bfs as bfs_module
 from neurosym.planners.bfs import plan_bfs
 from neurosym.planners.branching import Branching, branching_of, predicted_branching
@@ -165,3 +165,61 @@ def test_object_off_the_table_may_come_back_but_go_no_further():
         effects = np.array([[(step, 0.0, 0.0), (0.01, -0.01, 0.0)]])
         table = Branching(effects, effects, np.zeros((1, 2), dtype=bool))
         assert plan_bfs(off, table, (("op", "out"),), BOUNDS).status is status
+
+
+def far_away(primitives: int, objects: int = 1) -> tuple[Problem, Branching, tuple[tuple[str, ...], ...]]:
+    """A goal that no three of so many short pushes reach."""
+    items = tuple(
+        SceneObject(f"item-{n}", "00", (0.02,) * 4, (0.4, 0.05 * n - 0.2, 0.02)) for n in range(objects)
+    )
+    effects = np.tile([0.01, 0.0, 0.0], (objects, primitives, 1))
+    names = tuple(tuple(f"op-{p}-{n}" for p in range(primitives)) for n in range(objects))
+    held = np.zeros((objects, primitives), dtype=bool)
+    return Problem("far", items, {"item-0": (0.8, -0.2, 0.02)}), Branching(effects, effects, held), names
+
+
+@pytest.mark.parametrize(
+    ("primitives", "objects", "depth"),
+    [(8, 4, 3), (8, 16, 3), (64, 1, 3), (64, 2, 3), (32, 4, 3), (64, 4, 2), (256, 4, 2), (256, 8, 1)],
+)
+def test_search_goes_as_deep_as_the_number_of_sequences_allows(primitives, objects, depth):
+    _, table, _ = far_away(primitives, objects)
+    assert bfs_module.depth_within(table) == depth
+    assert (bfs_module.why_not_deeper(table) == "") == (depth == 3)
+
+
+def test_search_that_is_cut_short_says_at_which_depth_and_why():
+    found = plan_bfs(*far_away(64, 4), BOUNDS)
+    said = "2 primitives do not suffice; 3 would be 16,777,216 sequences, more than 2,500,000"
+    assert (found.status, found.reason, found.depth) == (PlanStatus.NOT_FOUND, said, 2)
+
+
+def test_search_looks_one_primitive_ahead_however_many_there_are(monkeypatch: pytest.MonkeyPatch):
+    monkeypatch.setattr(bfs_module, "MOST_SEQUENCES", 3)
+    found = plan_bfs(*far_away(5), BOUNDS)
+    assert found.reason == "1 primitive does not suffice; 2 would be 25 sequences, more than 3"
+    task, table, names = far_away(5)
+    near = msgspec.structs.replace(task, goals={"item-0": (0.45, -0.2, 0.02)}, tolerance=0.041)
+    assert [step.operator for step in plan_bfs(near, table, names, BOUNDS).steps] == ["op-0-0"]
+
+
+@pytest.mark.parametrize("name", ["bfs", "bfs-operators"])
+def test_both_planners_say_that_they_were_cut_short(monkeypatch: pytest.MonkeyPatch, name: str):
+    monkeypatch.setattr(bfs_module, "MOST_SEQUENCES", 10)
+    predict = (lambda _: predicted_effects()) if name == "bfs" else None
+    found = plan(problem(), grounding(), name, predict=predict)
+    assert found.status is PlanStatus.NOT_FOUND
+    assert "only 1 is looked at; 2 would be " in found.reason
+    assert " sequences, more than 10" in found.reason
+
+
+def predicted_effects() -> np.ndarray:
+    """What the network would predict if it knew what the operators promise."""
+    learned = grounding()
+    table = learned.operators
+    effects = np.full((2, len(table.primitives), 3), np.nan)
+    for row, item in enumerate(problem().objects):
+        for column, primitive in enumerate(table.primitives):
+            operator = learned.operator_for(item.category, primitive.symbol)
+            effects[row, column] = learned.displacement(operator) if operator in learned.live else 0.0
+    return effects

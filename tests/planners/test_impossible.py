@@ -6,7 +6,7 @@ import pytest
 import tables
 import toy_domain
 
-from neurosym.grounding import Grounding
+from neurosym.grounding import FORMATS, Grounding
 from neurosym.operators import Mode, Operator
 from neurosym.pddl.validation import validate
 from neurosym.planners import PlanStatus, plan
@@ -39,7 +39,7 @@ def many_moves(count: int, length: float = 0.01) -> Grounding:
         symbol = f"{number:010b}"
         operators.append(Operator(f"push-{symbol}-cube", "00", symbol, 20, (mode,)))
     table = msgspec.structs.replace(learned.operators, operators=tuple(operators))
-    return msgspec.structs.replace(learned, operators=table)
+    return msgspec.structs.replace(learned, operators=table, format=FORMATS[0])  # keep alike ones
 
 
 def cube(goal: tuple[float, float, float], tolerance: float = 0.02) -> Problem:

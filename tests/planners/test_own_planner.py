@@ -67,6 +67,20 @@ def test_the_documented_planner_plans_is_compared_and_replans(here: Path, folder
     assert found["mimir_planner:make"]["found"] == found["fast-downward"]["found"] > 0
 
 
+def test_another_planner_of_the_same_name_writes_over_no_plan(here: Path, folder: Path, capsys):
+    (here / "mine.py").write_text("from mimir_planner import make\n")
+    asked = ("plan", folder, "task-01", "--planner")
+    for _ in range(2):
+        assert neurosym(*asked, "mimir_planner:make") == 0
+    plan_file = folder / "plans/task-01.mimir.plan"
+    before = plan_file.read_bytes()
+    said = refusal(capsys, *asked, "mine:make")
+    assert "mine:make has the same name as mimir_planner:make, by which plans/task-01.mimir.plan is" in said
+    assert plan_file.read_bytes() == before
+    plan_file.unlink()
+    assert neurosym(*asked, "mine:make") == 0
+
+
 def test_a_planner_is_registered_in_one_call(here: Path, monkeypatch: pytest.MonkeyPatch):
     monkeypatch.syspath_prepend(here)
     names = {"problem": problem(), "grounding": grounding()}

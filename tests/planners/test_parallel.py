@@ -8,8 +8,9 @@ from pathlib import Path
 
 import pytest
 
+from neurosym.errors import CannotStart
 from neurosym.planners.parallel import plan_together
-from neurosym.planners.process import CannotStart, run_limited
+from neurosym.planners.process import run_limited
 from neurosym.planners.result import PlanResult, PlanStatus
 
 

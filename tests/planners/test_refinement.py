@@ -93,7 +93,7 @@ def test_object_is_brought_beside_a_bystander():
     task = Problem("p", objects, {"item-01": (0.57, 0.06, 0.025)})
     found = plan(task, grounding())
     assert found.status is PlanStatus.SOLVED, found.reason
-    assert "goals were narrowed (item-01)" in found.reason
+    assert "ways around each other were taken" in found.reason
     assert {step.object for step in found.steps} == {"item-01"}
     assert validate(found.steps, task, grounding()).valid
 
@@ -174,10 +174,25 @@ def test_objects_in_each_others_way_are_planned_for_without_costs_in_the_end(mon
 
     monkeypatch.setattr(refinement, "plan_one_by_one", one_by_one)
     result = plan(problem(), grounding())
-    assert asked == [False, True]
+    assert asked == [False, False, True]  # away from the edges of the table, then up to them
     assert result.status is PlanStatus.SOLVED
     assert result.reason == "not the most reliable: they collide"
     assert validate(result.steps, problem(), grounding()).valid
+
+
+def no_way(problem: Problem, learned: Grounding, *, deadline: float) -> PlanResult:
+    """Find no ways around each other."""
+    del problem, learned, deadline
+    return PlanResult(PlanStatus.NOT_FOUND, (), 0.0, "no ways")
+
+
+def test_goals_are_narrowed_where_there_are_no_ways_around(monkeypatch: pytest.MonkeyPatch):
+    monkeypatch.setattr(one_by_one, "plan_around", no_way)
+    objects = (item("item-01", 0.4, 0.0), item("item-02", 0.585, 0.06))
+    task = Problem("p", objects, {"item-01": (0.57, 0.06, 0.025)})
+    found = plan(task, grounding())
+    assert "goals were narrowed (item-01)" in found.reason
+    assert validate(found.steps, task, grounding()).valid
 
 
 @pytest.mark.parametrize(("partings", "status"), [(0, PlanStatus.FAILED), (2, PlanStatus.SOLVED)])
@@ -187,6 +202,7 @@ def test_who_is_in_conflict_with_narrow_goals_is_sent_to_where_there_is_room(
     """A planner that brings each object as near to the other as its goal allows."""
     monkeypatch.setattr(one_by_one, "NARROWER", (3,))
     monkeypatch.setattr(one_by_one, "PARTINGS", partings)
+    monkeypatch.setattr(one_by_one, "plan_around", no_way)
     goals = {"item-01": (0.57, 0.06, 0.025), "item-02": (0.57, 0.1, 0.025)}
     task = Problem("p", (item("item-01", 0.4, 0.0), item("item-02", 0.4, 0.12)), goals)
 

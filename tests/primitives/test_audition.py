@@ -6,7 +6,7 @@ import pytest
 from neurosym.errors import UnknownChoice
 from neurosym.operators import Primitive
 from neurosym.primitives.audition import CHOICES, audition, choose, lowest_error, shortlist
-from neurosym.primitives.rehearsal import rehearsal_scene
+from neurosym.primitives.rehearsal import rehearsal_sample
 from neurosym.world import Scene
 from neurosym.worlds.toy import LONGEST_PUSH, WIDEST_GRASP, ToyWorld, make_world
 from neurosym.worlds.workers import Task
@@ -100,7 +100,8 @@ def test_auditions_are_on_other_objects_than_rehearsals_and_the_same_for_every_c
     assert auditioned[:5] == auditioned[5:10]
     assert auditioned[10:15] == auditioned[15:]
     assert len(set(auditioned)) == 10  # the second audition is on others
-    rehearsed = {tuple(rehearsal_scene(world, 3, n).features[0]) for n in range(10)}
+    drawn = rehearsal_sample(world, alike, objects=10, seed=3).scenes["00"]
+    rehearsed = {tuple(scene.features[0]) for scene in drawn}
     assert not rehearsed & set(auditioned)
     assert told == [(n, 20) for n in range(1, 21)]
 
@@ -127,8 +128,10 @@ def test_who_shone_by_luck_is_found_out_by_the_second_audition():
 
 def test_without_a_world_the_choice_rests_on_what_is_foretold():
     options = {"predict": foretell, "features": some_features(), "categorise": by_affordance, "seed": 0}
-    assert choose(RIVALS, "predictable", world_factory=None, **options) == (RIVALS[1], RIVALS[2])
-    assert choose(RIVALS, "lowest-error", world_factory=None, **options) == (RIVALS[0], RIVALS[3])
+    for choice in ("predictable", "own"):
+        assert choose(RIVALS, choice, world_factory=None, **options).primitives == (RIVALS[1], RIVALS[2])
+    chosen = choose(RIVALS, "lowest-error", world_factory=None, **options)
+    assert chosen.primitives == (RIVALS[0], RIVALS[3])
 
 
 def test_the_world_has_the_last_word():
@@ -136,12 +139,13 @@ def test_the_world_has_the_last_word():
         return 0.1 * np.abs(actions[:, 5:8] - 0.1)  # SHORT as good as LEFT, which comes later
 
     options = {"features": some_features(), "categorise": by_affordance, "seed": 0, "workers": 1}
-    assert choose(RIVALS, "predictable", predict=wrong, world_factory=make_world, **options)[0] == RIVALS[1]
-    assert choose(RIVALS, "predictable", predict=wrong, world_factory=None, **options)[0] == RIVALS[0]
+    for factory, best in ((make_world, RIVALS[1]), (None, RIVALS[0])):
+        chosen = choose(RIVALS, "predictable", predict=wrong, world_factory=factory, **options)
+        assert chosen.primitives[0] == best
 
 
 def test_unknown_choice_is_refused_with_the_valid_ones():
-    with pytest.raises(UnknownChoice, match="no choice 'luck'; valid: lowest-error, predictable"):
+    with pytest.raises(UnknownChoice, match="no choice 'luck'; valid: lowest-error, own, predictable"):
         choose(
             RIVALS,
             "luck",
@@ -151,4 +155,4 @@ def test_unknown_choice_is_refused_with_the_valid_ones():
             world_factory=None,
             seed=0,
         )
-    assert set(CHOICES) == {"predictable", "lowest-error"}
+    assert set(CHOICES) == {"own", "predictable", "lowest-error"}

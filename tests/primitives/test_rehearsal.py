@@ -50,7 +50,33 @@ def test_counts_and_shares_add_up():
     for operator in table.operators:
         assert sum(mode.count for mode in operator.modes) == operator.trials
         assert sum(mode.share for mode in operator.modes) == pytest.approx(1)
-    assert sum(operator.trials for operator in table.operators) == 120
+    objects = {category.symbol: category.objects for category in table.categories}
+    for operator in table.operators:
+        assert len(operator.rehearsals) == operator.trials == len(objects[operator.category])
+
+
+def test_categories_have_as_many_objects_as_the_first_draws_and_rare_ones_at_least_thirty():
+    table = table_of([GRASP], objects=200, seed=0)
+    world = make_world()
+    first = [world.sample_scene(np.random.default_rng([0, 0x7265, n]), 1).features for n in range(200)]
+    symbols = categorise(np.concatenate(first))
+    counts = {category.symbol: len(category.objects) for category in table.categories}
+    assert counts == {symbol: max(30, symbols.count(symbol)) for symbol in counts}
+    assert min(map(symbols.count, counts)) < 30 < max(map(symbols.count, counts))
+
+
+def test_what_is_kept_of_rehearsals_is_what_happened_to_the_objects_in_their_order():
+    table = table_of([GRASP, LEFT], objects=20, seed=0)
+    objects = {category.symbol: category.objects for category in table.categories}
+    for operator in table.operators:
+        action = np.array({"111": GRASP, "010": LEFT}[operator.primitive].action, dtype=float)
+        for features, kept in zip(objects[operator.category], operator.rehearsals, strict=True):
+            assert categorise(np.array([features])) == (operator.category,)
+            scene = Scene(np.array([features]), np.array([[0.7, 0, 0]]), np.array([[0.0, 0, 0, 1]]))
+            outcome = make_world().interact(scene, action, 0)
+            assert kept.effect == pytest.approx(outcome.effect.tolist(), abs=1e-5)
+            assert kept.kind in (outcome.kind, "lost")  # it may have stood at the edge of the table
+            assert (kept.peak_height, kept.turn) == (pytest.approx(outcome.peak_height, abs=1e-5), 0.0)
 
 
 def test_names_are_unique():

@@ -8,6 +8,7 @@ from html.parser import HTMLParser
 import numpy as np
 import pytest
 from command_line import neurosym, refusal
+from tables import grounding
 from toy_learning import BRIEF, SMALL
 
 from neurosym.data.interactions import Interactions
@@ -17,6 +18,7 @@ from neurosym.grounding import Grounding
 from neurosym.learning.learning_curve import LearningCurve, learning_curve, sizes_up_to
 from neurosym.learning.training_config import REGIMES, Regime
 from neurosym.reading import read_json
+from neurosym.report import page
 from neurosym.report.charts import Axis, lines, round_values
 from neurosym.report.exploration import explored, what_became
 from neurosym.report.page import gather, render
@@ -91,7 +93,7 @@ def test_page_shows_every_symbol_operator_and_plan(reported):
     for path in plans:
         assert f'<th scope="row">{read_json(path, PlanRecord).problem}</th>' in text
     images = checked(text).images
-    assert len(images) >= len(grounding.operators.primitives)
+    assert len(images) >= len(grounding.operators.symbols)
     assert sum("goal transparent" in image["alt"] for image in images) >= 1
 
 
@@ -208,3 +210,10 @@ def test_learning_curve_is_made_once_and_drawn(folder, monkeypatch):
 def test_learning_curve_ends_with_all_interactions():
     assert sizes_up_to(9000) == (512, 1024, 2048, 4096, 9000)
     assert sizes_up_to(4300) == (512, 1024, 2048, 4300)
+
+
+def test_only_the_primitives_that_the_domain_uses_most_are_pictured_where_there_are_many(monkeypatch):
+    learned = grounding()
+    assert page._pictured(learned) == (["000", "001", "010", "111"], [])
+    monkeypatch.setattr(page, "PICTURED", 2)
+    assert page._pictured(learned) == (["000", "010"], ["001", "111"])  # each with two live operators

@@ -14,9 +14,10 @@ from neurosym.commands.cli import main
 from neurosym.errors import InvalidValue, UnknownChoice
 from neurosym.exploration.loop import explore
 from neurosym.worlds import ray_workers
+from neurosym.worlds.pool import WorkerDied
 from neurosym.worlds.ray_workers import NoCluster, OtherVersion, RayMissing, ray_crew
 from neurosym.worlds.toy import make_world
-from neurosym.worlds.workers import Task, WorkerDied, in_order
+from neurosym.worlds.workers import Task, in_order
 from neurosym.worlds.world_file import make_world as make_any_world
 
 TABLETOP = partial(make_any_world, "tabletop", {})

@@ -77,16 +77,17 @@ def load_jobs(folder: Path) -> dict[str, Any]:
     return {path.stem: json.loads(path.read_text()) for path in sorted(folder.glob("*.json"))}
 
 
-def pack(folder: Path, archive: Path) -> None:
+def pack(folder: Path, archive: Path, kind: str = "*.json") -> None:
     """Put the files of all jobs that are done into an archive; the same files give the same bytes.
 
     Args:
         folder: Where the files are.
         archive: A zip file.
+        kind: Which files, as a pattern of names.
     """
     content = io.BytesIO()
     with zipfile.ZipFile(content, "w", zipfile.ZIP_DEFLATED, compresslevel=9) as packed:
-        for path in sorted(folder.glob("*.json")):
+        for path in sorted(folder.glob(kind)):
             packed.writestr(zipfile.ZipInfo(path.name), path.read_bytes(), zipfile.ZIP_DEFLATED)
     write_atomically(archive, content.getvalue())
 

@@ -16,6 +16,7 @@ import tyro
 from neurosym.commands.signals import raised_signals, say_interrupted
 from neurosym.console import progress_bar, say
 from neurosym.files import write_atomically
+from tools.benchmarks.jobs import pack, unpack
 from tools.faults.clocks import clocks
 from tools.faults.disks import cannot_mount, disks
 from tools.faults.kills import kills
@@ -26,6 +27,8 @@ from tools.faults.tables import page, summarise
 from tools.faults.trials import Jobs, Journal
 
 RESULTS = Path("docs/results")
+TRIALS = "faults-trials.zip"
+"""The journal of the trials, with the results, so that another machine can go on."""
 PARTS = ("clock", "pairs", "limits", "disk", "kills")
 SLOW = ("run-tabletop",)
 """Killed last, since each takes the longest."""
@@ -45,6 +48,7 @@ def main(
     """Try what can go wrong around a command, and write a table of what came of it."""
     results.mkdir(parents=True, exist_ok=True)
     folder.mkdir(parents=True, exist_ok=True)
+    unpack(results / TRIALS, folder)
     bench, journal = Bench(folder), Journal(folder / "trials.jsonl")
     left_out = _left_out(bench)
     for what in left_out:
@@ -57,6 +61,7 @@ def main(
             _perform(title, jobs, journal, total)
             _write(results, journal, seed, left_out)
     shutil.rmtree(folder / "trial", ignore_errors=True)
+    pack(folder, results / TRIALS, "trials.jsonl")
     say(f"wrote {results / 'faults.json'} and {results / 'faults.md'}")
 
 

@@ -9,17 +9,20 @@ import subprocess
 import sys
 import time
 import zipfile
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from contextlib import contextmanager
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
 from tools.benchmarks.places import ROOT
 
+SIGNALS = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP, signal.SIGKILL)
+"""What commands are killed by."""
 MARK = "NEUROSYM_FAULTS"
 """A variable in the environment of all that a trial starts."""
-PATIENCE = 300.0
-"""How long a command may take before it counts as hanging [s]."""
+PATIENCE = 1200.0
+"""How long a command may take before it counts as hanging, on a machine that is busy with much else [s]."""
 SETTLE = 5.0
 """How long what a command leaves may take to end after it, on a busy machine [s]."""
 
@@ -37,6 +40,11 @@ class Ending:
     code: int | None
     errors: str
     seconds: float
+
+    @property
+    def is_before_ours(self) -> bool:
+        """Whether Ctrl-C came while Python itself was starting, and nothing of ours was there to hear it."""
+        return self.errors.endswith("KeyboardInterrupt") and str(ROOT) not in self.errors
 
     def complaints(self, codes: Sequence[int]) -> list[str]:
         """Say what is wrong with it.
@@ -116,7 +124,7 @@ def start(
     log = (logs or scratch.parent) / f"{mark}.log"
     command = [*before, sys.executable, "-m", "neurosym", *arguments]
     added = {MARK: mark, "TMPDIR": str(scratch), "OMP_NUM_THREADS": "1", "PYTHONPATH": str(ROOT)}
-    with log.open("wb") as sink:
+    with log.open("wb") as sink, _heard():
         process = subprocess.Popen(
             command,
             cwd=scratch.parent,
@@ -126,6 +134,19 @@ def start(
             stderr=sink,
         )
     return Running(process, mark, log)
+
+
+@contextmanager
+def _heard() -> Iterator[None]:
+    """Let what is started hear signals that we ignore, as under nohup; what is handled is not passed on."""
+    ignored = [number for number in SIGNALS if signal.getsignal(number) is signal.SIG_IGN]
+    for number in ignored:
+        signal.signal(number, lambda *_: None)
+    try:
+        yield
+    finally:
+        for number in ignored:
+            signal.signal(number, signal.SIG_IGN)
 
 
 def run(arguments: Sequence[str], scratch: Path, **options: Any) -> tuple[Ending, list[str]]:
@@ -180,6 +201,19 @@ def content(folder: Path) -> dict[str, str]:
     """
     files = sorted(path for path in folder.rglob("*") if path.is_file())
     return {str(path.relative_to(folder)): _digest(path) for path in files}
+
+
+def stages_done(folder: Path) -> dict[str, str]:
+    """Return what the manifest of a domain folder says of each stage.
+
+    Args:
+        folder: The folder.
+    """
+    try:
+        stages = json.loads((folder / "manifest.json").read_bytes())["stages"]
+    except (OSError, ValueError, KeyError):
+        return {}
+    return {name: json.dumps(_timeless(record)) for name, record in stages.items()}
 
 
 def _digest(path: Path) -> str:

@@ -7,7 +7,8 @@ from contextlib import contextmanager, suppress
 from functools import partial
 from pathlib import Path
 
-from tools.faults.commands import content, differences, run
+from neurosym.stages.layout import MANIFEST
+from tools.faults.commands import content, differences, run, stages_done
 from tools.faults.subjects import Bench, Subject, stages
 from tools.faults.trials import Jobs, Trial
 
@@ -22,7 +23,7 @@ _FILLER = "filler"
 def cannot_mount(bench: Bench) -> str:
     """Say why there can be no small disk here, or nothing if there can."""
     try:
-        with _small_disk(bench.place / "disk"):
+        with _small_disk(bench.place / "trial"):
             return ""
     except (OSError, subprocess.CalledProcessError):
         return "a small disk is a mounted tmpfs, which takes root"
@@ -64,22 +65,24 @@ def _fill(disk: Path, room: int) -> None:
 def _trial(bench: Bench, subject: Subject, share: float, scratch_too: bool, name: str) -> Trial:
     goal, begin = bench.undisturbed(subject), time.monotonic()
     found: list[str] = []
-    with _small_disk(bench.place / "disk") as disk:
+    with _small_disk(bench.place / "trial") as disk:  # as when undisturbed: some write where
         folder = bench.fresh(subject, disk / "domain")
-        scratch = (disk if scratch_too else bench.place / "trial") / "scratch"
+        scratch = (disk if scratch_too else bench.place) / "scratch"
         scratch.mkdir(parents=True, exist_ok=True)
-        before = content(folder)
+        before, stages_before = content(folder), stages_done(folder)
         _fill(disk, round(share * goal.written))
-        ending, left = run(subject.arguments(folder), scratch, logs=bench.place / "trial")
+        ending, left = run(subject.arguments(folder), scratch, logs=bench.place)
         found += left
         if ending.code != goal.ending.code:
             found += ending.complaints((_REFUSED,))
             now = content(folder)
+            if stages_before.items() <= stages_done(folder).items():  # those that were done stay, as promised
+                before.pop(MANIFEST, None)
             found += [f"lost or changed: {name}" for name in before if now.get(name) != before[name]]
             found += [f"half a file left: {name}" for name in now if Path(name).name.startswith(".")]
         outcome = "refused" if ending.code == _REFUSED else f"exit code {ending.code}"
         (disk / _FILLER).unlink()
-        again, left = run(subject.arguments(folder), scratch)
+        again, left = run(subject.arguments(folder), scratch, logs=bench.place)
         found += again.complaints((goal.ending.code or 0,)) + left
         found += differences(content(folder), goal.content)
     told = f"room for {share:.0%} of what it writes" + (

@@ -6,11 +6,10 @@ import time
 from functools import partial
 from pathlib import Path
 
-from tools.faults.commands import content, differences, left_by, run, start
+from tools.faults.commands import SIGNALS, content, differences, left_by, run, start
 from tools.faults.subjects import Bench, Subject
 from tools.faults.trials import Job, Jobs, Journal, Trial
 
-SIGNALS = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP, signal.SIGKILL)
 PART = "kills"
 _TRIES = 5  # to hit a command before it ends
 
@@ -77,7 +76,8 @@ def _kill(
     running.process.send_signal(number)
     ending = running.ending()
     ended = (0, 3)  # if the signal came after the work
-    found = ending.complaints((-number, 128 + number, *ended)) + left_by(running, scratch)
+    found = [] if ending.is_before_ours else ending.complaints((-number, 128 + number, *ended))
+    found += left_by(running, scratch)
     now = content(folder) if folder.exists() else {}
     found += [f"damaged: {name}" for name, digest in now.items() if digest == "damaged"]
     found += [f"lost: {name}" for name in before if name not in now]

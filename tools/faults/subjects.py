@@ -88,7 +88,7 @@ STAGES: dict[str, tuple[Callable[[Path], tuple[str, ...]], tuple[str, ...]]] = {
     ),
     "train": (lambda folder: ("train", str(folder), "--regime", "quick"), ("*_model.safetensors",)),
     "distill": (
-        lambda folder: ("distill", str(folder), "--rehearsals", "12"),
+        lambda folder: ("distill", str(folder), "--objects", "12"),
         ("primitives.json", "grounding.json"),
     ),
     "compile-domain": (lambda folder: ("compile-domain", str(folder)), ("grounding.json", "*.pddl")),

@@ -28,7 +28,6 @@ from neurosym.learning.training_config import (
     TeacherConfig,
     TrainingConfig,
 )
-from neurosym.primitives.audition import CHOICES
 from neurosym.stages.exploring import explore_stage
 from neurosym.stages.folder import DomainFolder
 from neurosym.stages.layout import INTERACTIONS, WORLD
@@ -156,7 +155,7 @@ def jobs_in_turn(work: Path, seeds: int, steps: int) -> Iterator[dict[str, Job]]
             for strategy in (of_seed(seed, seeds) if rows == steps else CURVED)
         }
         yield {f"learn-{name}": partial(measures.learn_and_keep, data) for name, data in cells.items()}
-        yield {f"act-{name}": partial(measures.act_upon, data, CHOICES[0]) for name, data in cells.items()}
+        yield {f"act-{name}": partial(measures.act_upon, data, "predictable") for name, data in cells.items()}
         if rows == steps:
             yield {f"went-{name}": partial(measures.where_it_went, data) for name, data in cells.items()}
             yield {name: job for seed in numbers for name, job in other_jobs(work, seed, steps).items()}

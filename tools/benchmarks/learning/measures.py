@@ -153,7 +153,7 @@ def act(data: Data, trained: Trained, choice: str, objects: int = REHEARSED) -> 
     begin = time.process_time()
     candidates = distill(model, interactions, world.action_box, seed=data.seed)
     seconds = time.process_time() - begin
-    primitives = choose(
+    repertoire = choose(
         candidates,
         choice,
         predict=trained.direct.predict_outcomes,
@@ -162,12 +162,12 @@ def act(data: Data, trained: Trained, choice: str, objects: int = REHEARSED) -> 
         world_factory=factory,
         seed=data.seed,
     )
-    rehearsals = rehearse(factory, primitives, model.object_symbols, objects=objects, seed=data.seed)
+    rehearsals = rehearse(factory, repertoire, model.object_symbols, objects=objects, seed=data.seed)
     found = kinds_found(rehearsals, world.lift_height)
     return {
         "distillation_seconds": seconds,
-        "code_errors": {primitive.symbol: primitive.code_error for primitive in primitives},
-        "in_the_box": all(world.action_box.contains(np.array(p.action)) for p in primitives),
+        "code_errors": {primitive.label: primitive.code_error for primitive in repertoire.primitives},
+        "in_the_box": all(world.action_box.contains(np.array(p.action)) for p in repertoire.primitives),
         "objects": objects,
         "kinds": {kind: [list(pair) for pair in pairs] for kind, pairs in found.items()},
         "operators": _operators(rehearsals, world.lift_height),
@@ -222,16 +222,18 @@ def clustered(data: Data, bits: Sequence[tuple[int, int]]) -> dict[str, Any]:
 def _operators(rehearsals: Rehearsals, lift_height: float) -> list[dict[str, Any]]:
     """Say of each primitive and object symbol what mostly happened, how often, and how widely spread."""
     rows = []
-    for primitive, outcomes in zip(rehearsals.primitives, rehearsals.outcomes, strict=True):
+    for number, primitive in enumerate(rehearsals.primitives):
         for symbol in np.unique(rehearsals.symbols):
-            members = [outcomes[i] for i in np.flatnonzero(rehearsals.symbols == symbol)]
+            members = rehearsals.on(str(symbol), number)
+            if not members:
+                continue
             kinds = [kind_of(outcome, lift_height) or "none" for outcome in members]
             kind = max(sorted(set(kinds)), key=kinds.count)
             of_kind = [o for o, k in zip(members, kinds, strict=True) if k == kind]
             ended = np.array([o.effect if o.held else o.resting_effect for o in of_kind])
             rows.append(
                 {
-                    "primitive": primitive.symbol,
+                    "primitive": primitive.label,
                     "category": str(symbol),
                     "objects": len(members),
                     "kind": kind,

@@ -9,7 +9,7 @@ import json
 import os
 import sys
 import time
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from functools import partial
 from pathlib import Path
 from typing import Annotated, Any
@@ -20,12 +20,13 @@ from neurosym.console import say
 from neurosym.evaluation.comparison import TaskRecord
 from neurosym.files import write_atomically
 from tools.benchmarks.jobs import as_text, load_jobs, machine, pack, perform, unpack
-from tools.benchmarks.planning import jobs, measures, tally
+from tools.benchmarks.planning import jobs, measures, tally, trial_jobs
 from tools.benchmarks.planning.jobs import COMPARED, SIZES, Size
 from tools.benchmarks.planning.pictures import draw_scaling, draw_table3
 from tools.benchmarks.planning.scaling_tables import scaling_page
 from tools.benchmarks.planning.tables import page
 from tools.benchmarks.planning.tasks import DIFFICULTIES
+from tools.benchmarks.planning.trial_tables import trial_sections
 
 RESULTS, WORK = Path("docs/results"), Path("evaluation/planning")
 RECORDS = "planning-records.zip"
@@ -43,6 +44,13 @@ def main(
     tasks: Annotated[
         int | None, tyro.conf.arg(help="Drawn tasks of each size; 100, or 30 in the short form.")
     ] = None,
+    precise: Annotated[
+        int | None, tyro.conf.arg(help="Tasks of each size tried in the shipped domain; 400, or 30 in short.")
+    ] = None,
+    far: Annotated[
+        tuple[int, int, int] | None,
+        tyro.conf.arg(help="Tasks with goals anywhere, with 1, 2 and 4 objects; 200 100 100, or 10 5 5."),
+    ] = None,
     entropy: Annotated[bool, tyro.conf.arg(help="Try the paper's own curiosity, too.")] = False,
     learn: Annotated[bool, tyro.conf.arg(help="Learn domains; else take those that are there.")] = True,
     work: Annotated[Path, tyro.conf.arg(help="Folder for what was learned and measured.")] = WORK,
@@ -51,8 +59,15 @@ def main(
     only_report: Annotated[bool, tyro.conf.arg(help="Write the tables from what is there.")] = False,
 ) -> None:
     """Learn, do every job that was not done, and write the results."""
-    size = jobs.size_of(seeds, steps, tasks, entropy=entropy)
-    for name, value in (("seeds", seeds), ("steps", steps), ("tasks", size.tasks), ("workers", workers)):
+    size = jobs.size_of(seeds, steps, tasks, precise=precise, far=far, entropy=entropy)
+    for name, value in (
+        ("seeds", seeds),
+        ("steps", steps),
+        ("tasks", size.tasks),
+        ("precise", size.precise),
+        ("far", 1 + min(size.far)),
+        ("workers", workers),
+    ):
         if value < 1:
             sys.exit(f"--{name} {value} must be at least 1.")
     begin = time.perf_counter()
@@ -64,13 +79,28 @@ def main(
     now_and_then = sparing(report, REPORT_EVERY)
     if not only_report:
         prepare_domains(work, size)
-        for label, turn in jobs.jobs_in_turn(work, size, learn=learn):
+        for label, turn in turns(work, size, learn=learn):
             if label.startswith("seed"):
                 prepare_domains(work, size)
             wanted = {name: job for name, job in turn.items() if "-none-" not in name}
             perform(work / "jobs", wanted, workers, now_and_then, fresh=label == "scaling", label=label)
     report()
     say(f"took {(time.perf_counter() - begin) / 60:.0f} min; the tables are in {results / 'planning.md'}")
+
+
+def turns(work: Path, size: Size, *, learn: bool) -> Iterator[jobs.Turn]:
+    """List all jobs; trials come when the tasks are drawn and Table III of the shipped domain is done.
+
+    Args:
+        work: The working folder.
+        size: How much is measured.
+        learn: Whether to learn the domains of Table III; else those that are there are taken.
+    """
+    for label, turn in jobs.jobs_in_turn(work, size, learn=learn):
+        yield label, turn
+        if label == "shipped domain":
+            yield from trial_jobs.trial_turns(work, size)
+    yield "kinds of primitive", trial_jobs.kinds_jobs(work, size)
 
 
 def sparing(report: Callable[[], None], seconds: float) -> Callable[[], None]:
@@ -100,7 +130,7 @@ def write_results(work: Path, results: Path, size: Size) -> None:
     summary = summarise(load_jobs(work / "jobs"), work, size, planners)
     pack(work / "jobs", results / RECORDS)
     for name, values, text in (
-        ("planning", summary, page(summary)),
+        ("planning", summary, page(summary, trial_sections(summary))),
         ("scaling", summary["scaling"], scaling_page(summary)),
     ):
         write_atomically(results / f"{name}.json", as_text(values))
@@ -111,7 +141,7 @@ def write_results(work: Path, results: Path, size: Size) -> None:
 
 def summarise(found: Mapping[str, Any], work: Path, size: Size, planners: Any) -> dict[str, Any]:
     """Gather jobs into tables; what is not done yet is missing."""
-    every = [name for _, turn in jobs.jobs_in_turn(work, size, learn=False) for name in turn]
+    every = [name for _, turn in turns(work, size, learn=False) for name in turn]
     symbolic = {
         f"{objects} {difficulty}": tally.symbolic_cell(entries)
         for objects in jobs.SYMBOLIC_OBJECTS
@@ -138,6 +168,7 @@ def summarise(found: Mapping[str, Any], work: Path, size: Size, planners: Any) -
         "timings": next((found[name] for name in jobs.timing_jobs(work) if name in found), None),
         "planners": planners,
         "scaling": scaling(found, size),
+        **trial_jobs.summarise_trials(found, work, size),
     }
 
 

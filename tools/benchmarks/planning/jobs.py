@@ -20,7 +20,7 @@ BLOCK = 10
 SIZES = {"single": 1, "double": 2}
 COMPARED = ("bfs", measures.PLANNER)
 TOLERANCES = (0.05, 0.02)
-SYMBOLIC_OBJECTS, SCALING_OBJECTS = (1, 2, 4), (1, 2, 4, 8, 16)
+SYMBOLIC_OBJECTS, SCALING_OBJECTS, FAR_OBJECTS = (1, 2, 4), (1, 2, 4, 8, 16), (1, 2, 4)
 _SCALING_SEEDS = 10_000
 CONTENDERS: dict[str, tuple[str, dict[str, Any]]] = {
     "BFS over operators, 3 deep": ("bfs", {}),
@@ -56,6 +56,8 @@ class Size(NamedTuple):
         scaling: Tasks in each cell of the scaling table.
         disturbed: Disturbed runs of each size.
         strategies: Whom Table III compares.
+        precise: Tasks of each size that are tried in the shipped domain, blindly and with replanning.
+        far: Tasks with goals anywhere, with one, two and four objects.
     """
 
     seeds: int
@@ -65,14 +67,24 @@ class Size(NamedTuple):
     scaling: int
     disturbed: int
     strategies: tuple[str, ...]
+    precise: int
+    far: tuple[int, ...]
 
 
-def size_of(seeds: int, steps: int, tasks: int | None = None, *, entropy: bool = False) -> Size:
+def size_of(
+    seeds: int,
+    steps: int,
+    tasks: int | None = None,
+    *,
+    precise: int | None = None,
+    far: tuple[int, ...] | None = None,
+    entropy: bool = False,
+) -> Size:
     """Say how much is measured: all of it, or the short form of a single seed."""
     strategies = tuple(name for name in STRATEGIES if entropy or name != "entropy")
     if seeds == 1:
-        return Size(seeds, steps, tasks or 30, 30, 2, 20, strategies)
-    return Size(seeds, steps, tasks or 100, 150, 5, 50, strategies)
+        return Size(seeds, steps, tasks or 30, 30, 2, 20, strategies, precise or 30, far or (10, 5, 5))
+    return Size(seeds, steps, tasks or 100, 150, 5, 100, strategies, precise or 400, far or (200, 100, 100))
 
 
 def jobs_in_turn(work: Path, size: Size, *, learn: bool) -> Iterator[Turn]:
@@ -135,17 +147,27 @@ def stamp(folder: Path) -> str:
     return hashlib.sha256(b"".join(path.read_bytes() for path in files)).hexdigest()[:8]
 
 
-def blocks(tasks: int) -> list[range]:
+def known_stamp(work: Path, name: str) -> str:
+    """Tell a domain from others, by its records if it is not there any more."""
+    known = stamp(folder_of(work, name))
+    if known == "none":
+        found = (work / "jobs").glob(f"table3-{name}-*-*mm-*.json")
+        known = next(iter(sorted({path.stem.split("-")[-5] for path in found})), known)
+    return known
+
+
+def blocks(tasks: int, block: int = BLOCK) -> list[range]:
     """Cut the seeds 0, 1, ... of so many tasks into blocks."""
-    return [range(first, min(first + BLOCK, tasks)) for first in range(0, tasks, BLOCK)]
+    return [range(first, min(first + block, tasks)) for first in range(0, tasks, block)]
 
 
 def drawing_jobs(size: Size) -> dict[str, Job]:
-    """List the jobs that draw the tasks of Table III, the same for every domain."""
+    """List the jobs that draw the tasks as the paper does, the same for every domain."""
     return {
         _drawn(objects, block): partial(measures.draw, SHIPPED, objects, block)
+        for tasks in (size.tasks, size.precise, min(size.disturbed, size.tasks))
         for objects in SIZES.values()
-        for block in blocks(size.tasks)
+        for block in blocks(tasks)
     }
 
 
@@ -154,35 +176,31 @@ def table3_jobs(work: Path, size: Size, name: str, tolerance: float) -> dict[str
     folder = folder_of(work, name)
     measure = partial(measures.judge, folder, tolerance=tolerance, planners=COMPARED)
     prefix = table3_prefix(work, name, tolerance)
-    return _on_drawn(work, prefix, size.tasks, measure)
+    return on_drawn(work, prefix, size.tasks, measure)
 
 
 def table3_prefix(work: Path, name: str, tolerance: float) -> str:
     """Begin the names of the jobs that compare planners in one domain."""
     millimetres = f"{1000 * tolerance:g}mm"
-    known = stamp(folder_of(work, name))
-    if known == "none":  # its records may be there, though the domain itself is not
-        found = (work / "jobs").glob(f"table3-{name}-*-{millimetres}-*.json")
-        known = next(iter(sorted({path.stem.split("-")[-5] for path in found})), known)
-    return f"table3-{name}-{known}-{millimetres}"
+    return f"table3-{name}-{known_stamp(work, name)}-{millimetres}"
 
 
 def disturbed_jobs(work: Path, size: Size) -> dict[str, Job]:
     """List the jobs that disturb runs in the shipped domain."""
     measure = partial(measures.disturbed, SHIPPED)
-    return _on_drawn(work, f"disturbed-{stamp(SHIPPED)}", min(size.disturbed, size.tasks), measure)
+    return on_drawn(work, f"disturbed-{stamp(SHIPPED)}", min(size.disturbed, size.tasks), measure)
 
 
 def costless_jobs(work: Path, size: Size) -> dict[str, Job]:
     """List the jobs that plan without costs in the shipped domain."""
-    return _on_drawn(work, f"costless-{stamp(SHIPPED)}", size.tasks, partial(measures.without_costs, SHIPPED))
+    return on_drawn(work, f"costless-{stamp(SHIPPED)}", size.tasks, partial(measures.without_costs, SHIPPED))
 
 
 def symbolic_jobs(size: Size) -> dict[str, Job]:
     """List the jobs of symbolic tasks, all sizes in turn."""
     prefix = f"symbolic-{stamp(SHIPPED)}"
     return {
-        f"{prefix}-{objects}-{difficulty}-{_block(block)}": partial(
+        f"{prefix}-{objects}-{difficulty}-{block_name(block)}": partial(
             measures.symbolic, SHIPPED, objects, difficulty, block
         )
         for block in blocks(size.symbolic)
@@ -231,10 +249,17 @@ def timing_jobs(work: Path) -> dict[str, Job]:
     return {f"timings-{stamp(SHIPPED)}": partial(measures.timings, SHIPPED, drawn)}
 
 
-def _on_drawn(work: Path, prefix: str, tasks: int, measure: Any) -> dict[str, Job]:
-    """List a job for each block of drawn tasks, single and double in turn."""
+def on_drawn(work: Path, prefix: str, tasks: int, measure: Any) -> dict[str, Job]:
+    """List a job for each block of drawn tasks, single and double in turn.
+
+    Args:
+        work: The working folder.
+        prefix: Beginning of the names of the jobs.
+        tasks: How many tasks of each size.
+        measure: Is handed the file with the tasks.
+    """
     return {
-        f"{prefix}-{objects}-{_block(block)}": partial(
+        f"{prefix}-{objects}-{block_name(block)}": partial(
             measure, work / "jobs" / f"{_drawn(objects, block)}.json"
         )
         for block in blocks(tasks)
@@ -243,8 +268,9 @@ def _on_drawn(work: Path, prefix: str, tasks: int, measure: Any) -> dict[str, Jo
 
 
 def _drawn(objects: int, block: Sequence[int]) -> str:
-    return f"drawn-{objects}-{_block(block)}"
+    return f"drawn-{objects}-{block_name(block)}"
 
 
-def _block(block: Sequence[int]) -> str:
+def block_name(block: Sequence[int]) -> str:
+    """Name a block of seeds by its first one and its length."""
     return f"{block[0]:03d}-{len(block)}"

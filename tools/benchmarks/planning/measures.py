@@ -41,8 +41,8 @@ from neurosym.stages.layout import MODEL, PRIMITIVES, WORLD
 from neurosym.stages.training import train_stage
 from neurosym.stages.whole_way import CELL
 from tools.benchmarks.planning.tasks import draw_symbolic
+from tools.benchmarks.planning.trials import PLANNER
 
-PLANNER = "fast-downward"
 TIME_LIMIT = 30.0  # of one plan for a drawn task [s]
 CAP = 30.0  # of one plan for a scaling task [s]
 REHEARSALS = 100
@@ -93,7 +93,7 @@ def judge(folder: Path, drawn: Path, *, tolerance: float, planners: Sequence[str
     bench = bench_of(folder)
     return [
         msgspec.to_builtins(compare(bench.setting, task, planners, time_limit=TIME_LIMIT))
-        for task in _tasks(bench, drawn, tolerance)
+        for task in read_tasks(bench, drawn, tolerance)
     ]
 
 
@@ -114,7 +114,7 @@ def disturbed(folder: Path, drawn: Path) -> list[Any]:
     bench, found = bench_of(folder), []
     setting = bench.setting
     solve = planner_of(setting, PLANNER, time_limit=TIME_LIMIT)
-    for task in _tasks(bench, drawn, TOLERANCE):
+    for task in read_tasks(bench, drawn, TOLERANCE):
         result = solve(task, setting.grounding)
         entry: dict[str, Any] = {
             "task": task.name,
@@ -141,7 +141,7 @@ def without_costs(folder: Path, drawn: Path) -> list[Any]:
     bench, found = bench_of(folder), []
     setting = bench.setting
     flat = flattened(setting.grounding)
-    for task in _tasks(bench, drawn, TOLERANCE):
+    for task in read_tasks(bench, drawn, TOLERANCE):
         result = plan(task, flat, PLANNER, time_limit=TIME_LIMIT)
         entry: dict[str, Any] = {"task": task.name, "status": result.status.value}
         if result.status is PlanStatus.SOLVED:
@@ -209,7 +209,7 @@ def scaling(grounding_file: Path, drawn: Path, planner: str, options: Mapping[st
 def timings(folder: Path, double: Path) -> dict[str, Any]:
     """Time the whole process of `neurosym plan` for one object, and BFS three deep for two."""
     bench = bench_of(folder)
-    problems = _tasks(bench, double, TOLERANCE)
+    problems = read_tasks(bench, double, TOLERANCE)
     tables = [branching_of(problem, bench.setting.grounding) for problem in problems]
     table = bench.setting.world.table
     searches = [
@@ -238,7 +238,7 @@ def _scene_file(folder: Path, name: str) -> Path:
     return folder / f"problems/{name}.scene.json"
 
 
-def _tasks(bench: Bench, drawn: Path, tolerance: float) -> list[Problem]:
+def read_tasks(bench: Bench, drawn: Path, tolerance: float) -> list[Problem]:
     """Read tasks that were drawn, and give their objects the symbols of this domain."""
     tasks = msgspec.json.decode(drawn.read_bytes(), type=list[Problem])
     return [_symbolised(bench, task, tolerance) for task in tasks]

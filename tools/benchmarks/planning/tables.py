@@ -8,11 +8,12 @@ _SHARES = ("found", "valid", "reached", "reached_with_replanning")
 _SHARE_NAMES = ("plan found", "valid in the model", "reached, followed blindly", "reached with replanning")
 
 
-def page(results: Mapping[str, Any]) -> str:
+def page(results: Mapping[str, Any], trials: Sequence[str] = ()) -> str:
     """Write the page.
 
     Args:
         results: What `planning.json` holds.
+        trials: Sections about trials, as `trial_sections` writes them.
     """
     versions = ", ".join(f"{name} {value}" for name, value in results["versions"].items())
     missing, size = results["missing"], results["size"]
@@ -36,6 +37,7 @@ def page(results: Mapping[str, Any]) -> str:
         _paper(results["paper"]),
         "## The same within 20 mm",
         _table3(results["table3_at_20_mm"]),
+        *trials,
         "## Where the two models disagree, and what went wrong",
         "In the shipped domain, at 50 mm; numbers of tasks.",
         *(f"**{kind}**\n\n{_reasons(reasons)}" for kind, reasons in results["reasons"].items()),

@@ -1,0 +1,97 @@
+"""The chance that a plan, followed blindly, comes true: every step as promised, every object within its goal.
+
+Steps fail independently. Those that keep their promise miss it by normal errors along x, y and z, which add
+up over the steps with an object. So an object ends in the ball around its goal with the probability that a
+normal distribution gives to it. That is summed over fixed points which stand for equal shares of it.
+"""
+
+import math
+from collections.abc import Sequence
+from functools import cache
+from statistics import NormalDist
+
+import numpy as np
+from jaxtyping import Float
+
+from neurosym.grounding import Grounding
+from neurosym.operators import Operator
+from neurosym.pddl.moves import chance
+from neurosym.pddl.plan_text import PlanStep
+from neurosym.pddl.validation import validate
+from neurosym.problems import Problem
+from neurosym.promises import promised
+
+POINTS = 1024
+"""How many points stand for a normal distribution."""
+_PLASTIC = 1.2207440846057596  # the root of x^4 = x + 1
+
+
+def expected_success(steps: Sequence[PlanStep], problem: Problem, grounding: Grounding) -> float:
+    """Return the chance that a plan reaches the goal of a problem without replanning.
+
+    Args:
+        steps: The plan; a put-down belongs to its lift.
+        problem: The problem it is for.
+        grounding: The learned domain.
+    """
+    ends = validate(steps, problem, grounding).positions[-1]
+    kept = math.prod(chance(promise_of(step, problem, grounding)) for step in steps if not step.puts_down)
+    inside = 1.0
+    for name, goal in problem.goals.items():
+        spread = spread_of([step for step in steps if step.object == name], problem, grounding)
+        end = ends[problem.object_names.index(name)]
+        inside *= chance_inside(end - goal, spread, problem.tolerance)
+    return kept * inside
+
+
+def promise_of(step: PlanStep, problem: Problem, grounding: Grounding) -> Operator:
+    """Return the operator of a step as it promises for its object; its spread is that of promises kept.
+
+    Args:
+        step: The step.
+        problem: The problem, which has the object.
+        grounding: The learned domain.
+    """
+    found = promised(grounding, problem.object_named(step.object)).get(step.base)
+    return found or grounding.operator_named(step.base)
+
+
+def spread_of(steps: Sequence[PlanStep], problem: Problem, grounding: Grounding) -> Float[np.ndarray, "3"]:
+    """Return the standard deviation of where the steps with an object lead [m].
+
+    Args:
+        steps: The steps, all with one object.
+        problem: The problem.
+        grounding: The learned domain.
+    """
+    variance = np.zeros(3)
+    for number, step in enumerate(steps, start=1):
+        promise = promise_of(step, problem, grounding).promise
+        if not step.puts_down and promise is not None:
+            ends_held = promise.kind == "held" and number == len(steps)
+            spread = promise.spread if ends_held else (*promise.resting_spread[:2], 0.0)
+            variance += np.square(spread)
+    return np.asarray(np.sqrt(variance))
+
+
+def chance_inside(miss: Float[np.ndarray, "3"], spread: Float[np.ndarray, "3"], tolerance: float) -> float:
+    """Return the chance that a normal error ends in a ball.
+
+    Args:
+        miss: From the ball's centre to the mean [m].
+        spread: Standard deviation along each axis [m].
+        tolerance: Radius of the ball [m].
+    """
+    points = miss + _points() * spread
+    return float(np.mean((points**2).sum(1) <= tolerance**2))
+
+
+@cache
+def _points() -> Float[np.ndarray, "P 3"]:
+    """Return points that stand for equal shares of a standard normal distribution.
+
+    In the unit cube they are those of the additive recurrence R3 (Roberts, 2018), which lie evenly.
+    """
+    steps = _PLASTIC ** -np.arange(1.0, 4.0)
+    even = (0.5 + np.arange(1, POINTS + 1)[:, None] * steps) % 1
+    return np.vectorize(NormalDist().inv_cdf)(even)  # type: ignore[no-any-return]

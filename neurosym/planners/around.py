@@ -1,0 +1,287 @@
+"""Ways around each other: one object after another is brought to its goal, each around where the others are.
+
+A plan for one object alone may lead it through others. So each way is searched for among footprints: A* over
+where the object can come to rest, exactly, of places in one small cell only the cheapest. The order of the
+objects is searched for depth first; an object that keeps others from their goals in every order is first
+put aside. Each way is the cheapest there is to within a cell; all together they need not be.
+"""
+
+import heapq
+import math
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass, field
+from itertools import count
+
+import numpy as np
+from jaxtyping import Bool, Float
+
+from neurosym.grounding import Grounding
+from neurosym.pddl.moves import PUT_DOWN
+from neurosym.pddl.plan_text import PlanStep
+from neurosym.pddl.validation import footprints_apart, validate
+from neurosym.planners.branching import branching_of
+from neurosym.planners.count_vectors import Choices
+from neurosym.planners.effort import Effort
+from neurosym.planners.joins import choices_of
+from neurosym.planners.result import PlanResult, PlanStatus
+from neurosym.problems import Problem
+
+WORK = 150_000
+"""How many places are looked at in all."""
+WORK_A_WAY = 15_000
+"""How many places are looked at for one way."""
+SAME = 0.005
+"""Edge of a cell of which only one place is looked at [m]."""
+ASIDE = 2
+"""How many objects are put aside at most."""
+
+
+@dataclass(frozen=True, slots=True)
+class _Way:
+    """A way of one object: its moves, whether it ends held, and where it rests after each move [m]."""
+
+    moves: tuple[int, ...]
+    held: bool
+    places: tuple[tuple[float, ...], ...]
+
+
+_IsEnd = Callable[[Float[np.ndarray, "3"]], bool]
+_State = tuple[Float[np.ndarray, "M 3"], frozenset[int], tuple[PlanStep, ...]]
+"""Where the objects are [m], who has still to be moved, and the steps so far."""
+
+
+def plan_around(
+    problem: Problem, grounding: Grounding, *, deadline: float = math.inf, work: int = WORK
+) -> PlanResult:
+    """Find a plan in which no object is put where another stands, one object after another.
+
+    Args:
+        problem: The problem.
+        grounding: The learned domain.
+        deadline: When the user's time is up, by `time.perf_counter()` [s].
+        work: How many places are looked at.
+
+    Raises:
+        TimeIsUp: If the deadline passes.
+    """
+    search = _Search(problem, grounding, Effort(work, deadline))
+    for steps in search.plans():
+        if validate(steps, problem, grounding).valid:
+            return PlanResult(PlanStatus.SOLVED, steps, 0.0)
+    reason = f"no ways around each other were found; {search.effort.spent:,} places looked at"
+    return PlanResult(PlanStatus.NOT_FOUND, (), 0.0, reason)
+
+
+@dataclass(slots=True)
+class _Search:
+    """The search for an order of the objects, and for their ways."""
+
+    problem: Problem
+    grounding: Grounding
+    effort: Effort
+    choices: tuple[Choices, ...] = field(init=False)
+    names: list[list[str]] = field(init=False)
+    goals: Float[np.ndarray, "M 3"] = field(init=False)
+    apart: Float[np.ndarray, "M M 2"] = field(init=False)
+
+    def __post_init__(self) -> None:
+        branching, names = branching_of(self.problem, self.grounding)
+        self.choices = choices_of(self.problem, branching, self.grounding, names)
+        rows = range(len(self.problem.objects))
+        self.names = [[names[row][column] for column in branching.usable(row)] for row in rows]
+        self.goals = self.problem.goal_positions()
+        self.apart = footprints_apart(self.problem)
+
+    def plans(self) -> Iterator[tuple[PlanStep, ...]]:
+        """List plans: with nobody put aside first, and then with ever more objects put aside."""
+        start = self.problem.scene().positions
+        todo = frozenset(np.flatnonzero(np.isfinite(self.goals[:, 0])).tolist())
+        for aside in range(ASIDE + 1):
+            yield from self._from((start, todo, ()), aside)
+
+    def _from(self, state: _State, aside: int) -> Iterator[tuple[PlanStep, ...]]:
+        """List the plans from a state on, in which exactly so many objects are put aside."""
+        here, todo, steps = state
+        if not todo:
+            if aside == 0:
+                yield steps
+            return
+        blocked = []
+        for row in self._nearest_first(here, todo):
+            if self.effort.is_used_up:
+                return
+            way = self._to_goal(row, here, todo, may_hold=len(todo) == 1)
+            if way:
+                yield from self._from(self._after(state, row, way, is_done=True), aside)
+            else:
+                blocked.append(row)
+        for row in blocked if aside else ():
+            yield from self._from_aside(state, row, aside)
+
+    def _from_aside(self, state: _State, row: int, aside: int) -> Iterator[tuple[PlanStep, ...]]:
+        """List the plans in which somebody makes way for an object that is blocked."""
+        here, todo, _ = state
+        wanted = self._to_goal(row, here, todo, may_hold=len(todo) == 1, alone=True)
+        if wanted is None:
+            return
+        path = np.array([*wanted.places, self.goals[row]])[:, :2]
+        for other in sorted(todo - {row}):
+            if self.effort.is_used_up or not self._stands_on(path, row, here[other], other):
+                continue
+            if way := self._out_of(path, row, other, here):
+                yield from self._from(self._after(state, other, way, is_done=False), aside - 1)
+
+    def _nearest_first(self, here: Float[np.ndarray, "M 3"], todo: frozenset[int]) -> list[int]:
+        return sorted(todo, key=lambda row: (float(np.linalg.norm(here[row] - self.goals[row])), row))
+
+    def _to_goal(
+        self,
+        row: int,
+        here: Float[np.ndarray, "M 3"],
+        todo: frozenset[int],
+        *,
+        may_hold: bool,
+        alone: bool = False,
+    ) -> _Way | None:
+        """Search for a way of an object to its goal; one that keeps off the goals of others, if there is."""
+        goal, tolerance = self.goals[row], self.problem.tolerance
+        others = [other for other in todo if other != row]
+
+        def is_near(place: Float[np.ndarray, "3"]) -> bool:
+            return bool(np.linalg.norm(place - goal) <= tolerance)
+
+        def is_clear(place: Float[np.ndarray, "3"]) -> bool:
+            off = np.abs(self.goals[others, :2] - place[:2])
+            return is_near(place) and not bool(np.any(np.all(off < self.apart[row, others], axis=-1)))
+
+        lifts = goal if may_hold else None
+        for is_end in (is_clear, is_near) if others else (is_near,):
+            if way := self._way(row, here, is_end, goal, lifts, alone=alone):
+                return way
+        return None
+
+    def _out_of(
+        self, path: Float[np.ndarray, "n 2"], row: int, other: int, here: Float[np.ndarray, "M 3"]
+    ) -> _Way | None:
+        """Search for the cheapest way of an object out of another's path, and off everybody's goal."""
+        wanted = [one for one in np.flatnonzero(np.isfinite(self.goals[:, 0])).tolist() if one != other]
+
+        def is_end(place: Float[np.ndarray, "3"]) -> bool:
+            off = np.abs(self.goals[wanted, :2] - place[:2])
+            on_goals = bool(np.any(np.all(off < self.apart[other, wanted], axis=-1)))
+            return not on_goals and not self._stands_on(path, row, place, other)
+
+        return self._way(other, here, is_end, None, None)
+
+    def _stands_on(
+        self, path: Float[np.ndarray, "n 2"], row: int, place: Float[np.ndarray, "3"], other: int
+    ) -> bool:
+        return bool(np.any(np.all(np.abs(path - place[:2]) < self.apart[row, other], axis=-1)))
+
+    def _way(
+        self,
+        row: int,
+        here: Float[np.ndarray, "M 3"],
+        is_end: _IsEnd,
+        goal: Float[np.ndarray, "3"] | None,
+        held_goal: Float[np.ndarray, "3"] | None,
+        *,
+        alone: bool = False,
+    ) -> _Way | None:
+        """Search for the cheapest way of an object to an end, by A*.
+
+        Args:
+            row: The object.
+            here: Where all objects are [m].
+            is_end: Whether an object may end at rest in a place.
+            goal: What the object is to come near to [m], if anything.
+            held_goal: The same if it may end held there.
+            alone: Whether others are not in its way.
+        """
+        others = np.zeros(0, dtype=int) if alone else np.delete(np.arange(len(here)), row)
+        choices, ticket, budget = self.choices[row], count(), WORK_A_WAY
+        lifts, far = np.flatnonzero(choices.held), _bound(choices, goal, self.problem.tolerance)
+        places, came = [here[row]], [(-1, -1)]  # where each node is; the node before it, and the move
+        cheapest = {_cell(here[row]): 0}
+        waiting = [(far(here[row]), next(ticket), 0, 0)]
+        while waiting and budget and self.effort.spend():
+            budget -= 1
+            _, _, spent, node = heapq.heappop(waiting)
+            at = places[node]
+            if spent > cheapest[_cell(at)]:
+                continue
+            if is_end(at):
+                return _traced(node, came, places)
+            lifted, settled = at + choices.lifted, at + choices.settled
+            possible = choices.is_inside(lifted)
+            if held_goal is not None and len(lifts):
+                misses = np.linalg.norm(lifted[lifts] - held_goal, axis=1)
+                good = lifts[(misses <= self.problem.tolerance) & possible[lifts]]
+                if len(good):
+                    return _traced(node, came, places, int(good[np.argmin(choices.costs[good])]))
+            possible &= choices.is_inside(settled)
+            possible &= ~_overlaps(settled[:, :2], here[others, :2], self.apart[row, others])
+            for move in np.flatnonzero(possible).tolist():
+                place, sum_of_costs = settled[move], spent + int(choices.costs[move])
+                cell = _cell(place)
+                if sum_of_costs < cheapest.get(cell, sum_of_costs + 1):
+                    cheapest[cell] = sum_of_costs
+                    heapq.heappush(
+                        waiting, (sum_of_costs + far(place), next(ticket), sum_of_costs, len(places))
+                    )
+                    places.append(place)
+                    came.append((node, move))
+        return None
+
+    def _after(self, state: _State, row: int, way: _Way, *, is_done: bool) -> _State:
+        here, todo, steps = state
+        after = here.copy()
+        after[row] = way.places[-1]
+        name, made = self.problem.object_names[row], list[PlanStep]()
+        for move in way.moves:
+            made.append(PlanStep(self.names[row][move], name))
+            if self.choices[row].held[move]:
+                made.append(PlanStep(PUT_DOWN + self.names[row][move], name))
+        if way.held:
+            made.pop()
+        return after, todo - {row} if is_done else todo, (*steps, *made)
+
+
+def _cell(place: Float[np.ndarray, "3"]) -> tuple[int, int]:
+    return math.floor(place[0] / SAME + 0.5), math.floor(place[1] / SAME + 0.5)
+
+
+def _traced(
+    node: int,
+    came: list[tuple[int, int]],
+    places: list[Float[np.ndarray, "3"]],
+    lift: int | None = None,
+) -> _Way:
+    """Follow a node back to the start, and end with a lift if there is one."""
+    moves = [] if lift is None else [lift]
+    rests: list[tuple[float, ...]] = []
+    while node >= 0:
+        rests.append(tuple(places[node].tolist()))
+        node, move = came[node]
+        moves += [move] if node >= 0 else []
+    return _Way(tuple(moves[::-1]), lift is not None, tuple(rests[::-1]))
+
+
+def _bound(
+    choices: Choices, goal: Float[np.ndarray, "3"] | None, tolerance: float
+) -> Callable[[Float[np.ndarray, "3"]], float]:
+    """Return a lower bound of what it costs to come near to a goal, as the crow flies."""
+    if goal is None or not len(choices.costs):
+        return lambda _: 0.0
+    reach = np.maximum(
+        np.linalg.norm(choices.settled[:, :2], axis=1), np.linalg.norm(choices.lifted[:, :2], axis=1)
+    )
+    a_metre = float(np.min(choices.costs / np.maximum(reach, 1e-9)))
+    return lambda at: max(0.0, math.dist(at[:2], goal[:2]) - tolerance) * a_metre
+
+
+def _overlaps(
+    spots: Float[np.ndarray, "k 2"], others: Float[np.ndarray, "m 2"], apart: Float[np.ndarray, "m 2"]
+) -> Bool[np.ndarray, " k"]:
+    """Say which spots an object would stand in others at."""
+    return np.asarray(np.any(np.all(np.abs(spots[:, None] - others) < apart, axis=-1), axis=-1))

@@ -1,0 +1,92 @@
+"""Judging: how surely an action does to the objects of a category what it mostly does.
+
+Exactness counts on a scale of its own, not relative to how far the object moves: plans add up what misses by
+millimetres, however long the way. An object that is turned is not the one that was categorised, and what is
+done to it next misses by more; so turning counts against an action, too.
+"""
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from jaxtyping import Float
+
+from neurosym.operators import Effect
+from neurosym.primitives.variety import LITTLE
+from neurosym.world import Outcome, OutcomeKind
+
+EXACT = 0.015
+"""A spread at which an action is still 1 / sqrt(2) as sure as one without any [m]."""
+TURNED = math.radians(15)
+"""By how much an object may be turned without that it counts [rad]."""
+PROMISING: tuple[OutcomeKind, ...] = ("resting", "held")
+
+
+@dataclass(frozen=True, slots=True)
+class Performance:
+    """How an action turned out on one object.
+
+    Attributes:
+        kind: How the object ended.
+        outcome: Its displacement as it ended: held in the air, or else at rest [m].
+        peak_height: Its greatest height on the way [m].
+        turn: By what angle it was turned in the end [rad].
+    """
+
+    kind: OutcomeKind
+    outcome: Effect
+    peak_height: float
+    turn: float
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Judgement:
+    """What an action mostly does to the objects of a category.
+
+    Attributes:
+        kind: How most of them end, of `PROMISING`; None if none of them ends so.
+        mean: Mean displacement of those as they ended, and mean of their greatest heights [m].
+        sureness: How surely it does that: from 0 to 1.
+    """
+
+    kind: OutcomeKind | None
+    mean: Float[np.ndarray, "D"]
+    sureness: float
+
+
+def performance(outcome: Outcome) -> Performance:
+    """Say of an outcome what is judged."""
+    ended = outcome.effect if outcome.kind == "held" else outcome.resting_effect
+    return Performance(outcome.kind, tuple(ended.tolist()), outcome.peak_height, outcome.turn)
+
+
+def judge(performances: Sequence[Performance]) -> Judgement:
+    """Judge what an action did to objects of one category.
+
+    Sureness is the share that ends in the main way, times the share that is not turned, times how exactly
+    they end alike. Moving by no more than `LITTLE` halves it.
+
+    Args:
+        performances: One for each object.
+    """
+    kinds = [one.kind for one in performances]
+    kind = max(PROMISING, key=kinds.count)
+    if kind not in kinds:
+        return Judgement(None, np.zeros(4), 0.0)
+    rows = np.array([[*one.outcome, one.peak_height] for one in performances if one.kind == kind])
+    unturned = np.mean([one.turn <= TURNED for one in performances])
+    share = len(rows) / len(performances)
+    return Judgement(kind, rows.mean(0), float(share * unturned * exactness(rows[:, :-1])))
+
+
+def exactness(outcomes: Float[np.ndarray, "N E"]) -> float:
+    """Say how nearly outcomes are the same, and more than nothing: from 0 to 1.
+
+    Args:
+        outcomes: Displacements that should be the same [m].
+    """
+    mean = outcomes.mean(0)
+    variance = float(((outcomes - mean) ** 2).sum(1).mean())
+    square = float((mean**2).sum())
+    return square / (square + LITTLE**2) / math.sqrt(1 + variance / EXACT**2)

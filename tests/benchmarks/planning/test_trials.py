@@ -1,0 +1,219 @@
+"""What is counted of trials: shares with intervals, calibration, errors of promises, kinds, and tables."""
+
+import json
+
+import msgspec
+import numpy as np
+import pytest
+from toy_domain import WORLD, grounding, problem
+
+from neurosym.evaluation.comparison import Setting
+from neurosym.execution.record import Run, StepRecord
+from neurosym.operators import Rehearsal
+from tools.benchmarks.planning import evaluate, figures, jobs, probe, reach, trial_jobs, trials
+from tools.benchmarks.planning.trial_tables import trial_sections
+from tools.benchmarks.planning.trials import Followed, Step, Trial
+
+
+def step(error: float | None = 3.0, category: str = "00", kinds: tuple[str | None, str] = ("held", "held")):
+    return Step("push-0", 0, category, 100, 97, error, *kinds)
+
+
+def followed(reached: bool, steps: int = 1, **changes: object) -> Followed:
+    run = Followed(
+        reached, "goal" if reached else "budget", "" if reached else "a grasp failed", "", (0.01,), ()
+    )
+    return msgspec.structs.replace(run, **{"steps": (step(),) * steps, **changes})
+
+
+def trial(blind: bool = True, replanned: bool = True, chance: float = 0.5, steps: int = 1) -> Trial:
+    runs = {"blind": followed(blind), "replanned": followed(replanned, steps)}
+    return Trial("task", "solved", primitives=2, chance=chance, cpu=1.0, **runs)
+
+
+NO_PLAN = Trial("task", "unsolvable", "too far")
+
+
+def test_wilson_interval_is_that_of_the_book():
+    assert figures.wilson(8, 10) == pytest.approx((0.4902, 0.9433), abs=1e-4)
+    low, high = figures.wilson(0, 20)
+    assert (low, high) == (pytest.approx(0.0, abs=1e-12), pytest.approx(0.1611, abs=1e-4))
+    assert figures.wilson(20, 20)[1] == pytest.approx(1.0)
+
+
+def test_task_without_a_plan_is_a_miss():
+    assert figures.share([NO_PLAN, trial()]) == 0.5
+    assert figures.share([]) is None
+    assert figures.ended_by([NO_PLAN, trial(replanned=False), trial()]) == {
+        "budget: a grasp failed": 1,
+        "no plan at the start (unsolvable)": 1,
+    }
+
+
+def test_motions_are_those_of_tasks_with_a_plan():
+    assert figures.motions([trial(steps=2), trial(steps=4), NO_PLAN]) == 3.0
+    assert figures.motions([NO_PLAN]) is None
+
+
+def test_brier_score_is_compared_with_that_of_the_base_rate():
+    told = figures.calibration([trial(chance=1.0), trial(blind=False, chance=0.5), NO_PLAN])
+    assert (told["plans"], told["base_rate"]) == (2, 0.5)
+    assert (told["brier"], told["brier_of_base_rate"]) == (0.125, 0.25)
+    assert figures.calibration([])["brier"] is None
+
+
+def test_bins_hold_as_many_plans_as_they_must_and_all_of_them():
+    chances = np.random.default_rng(0).random(160)
+    found = figures.bins(chances, (chances > 0.5).astype(float), least=50)
+    assert [part["plans"] for part in found] == [54, 53, 53]
+    assert found[0]["reached"] == 0.0
+    assert found[2]["reached"] == 1.0
+    assert found[0]["chance"] < found[1]["chance"] < found[2]["chance"]
+    assert [part["plans"] for part in figures.bins(chances[:49], chances[:49], least=50)] == [49]
+    assert figures.bins(chances[:0], chances[:0]) == []
+
+
+def test_worst_category_is_one_with_enough_steps():
+    steps = [step(3.0)] * 20 + [step(4.0, "01")] * 20 + [step(90.0, "10")] * 19 + [step(None, "01")]
+    told = figures.promise_errors(steps)
+    assert (told["steps"], told["worst"], told["worst_category"]) == (59, 4.0, "01")
+    assert told["all"] == pytest.approx(np.sqrt((20 * 9 + 20 * 16 + 19 * 8100) / 59))
+    assert told["median"] == 4.0
+
+
+def test_kinds_are_kept_where_something_was_promised():
+    steps = [step(), step(kinds=("held", "resting")), step(kinds=(None, "resting"))]
+    assert figures.kinds_kept(steps) == 0.5
+    assert figures.kinds_kept([]) is None
+
+
+def test_trials_come_back_from_json():
+    kept = [trial(), NO_PLAN]
+    assert trials.from_json(json.loads(json.dumps(trials.to_json(kept)))) == kept
+
+
+def test_step_that_puts_down_is_measured_where_the_object_lies():
+    domain, task = grounding(), problem({"item-01": (0.68, 0.08, 0.025)})
+    lift = next(op for op in domain.live if op.promise and op.promise.kind == "held")
+    name, item = task.object_names[0], task.objects[0]
+    aim = trials.resting_promise(lift.name, item, 0.05, domain)
+    after = (item.position[0] + aim[0] + 0.003, item.position[1] + aim[1] + 0.004, item.position[2])
+    record = StepRecord(
+        operator=lift.name,
+        object=name,
+        promised="held",
+        promised_effect=domain.displacement(lift),
+        happened="held",
+        effect=(0.0, 0.0, 0.3),
+        deviation=0.2,
+        as_promised=True,
+        positions={name: after},
+    )
+    run = Run(task.name, (), (record,), True, {name: 0.01}, "", ended="goal")
+    (kept,) = trials.shortened(run, task, domain).steps
+    assert kept.error == pytest.approx(5.0, abs=0.1)
+    push = next(op for op in domain.live if op.promise and op.promise.kind == "resting")
+    far = domain.displacement(push)
+    after = (item.position[0] + far[0] + 0.006, item.position[1] + far[1] + 0.008, item.position[2])
+    caught = msgspec.structs.replace(
+        record, operator=push.name, promised="resting", promised_effect=far, positions={name: after}
+    )
+    caught_run = msgspec.structs.replace(run, steps=(caught,))
+    assert trials.shortened(caught_run, task, domain).steps[0].error == pytest.approx(10.0, abs=0.1)
+    held = msgspec.structs.replace(run, steps=(msgspec.structs.replace(record, put_down=False),))
+    assert trials.shortened(held, task, domain).steps[0].error == pytest.approx(200.0)
+
+
+def test_task_is_planned_once_and_followed_both_ways():
+    setting = Setting(WORLD, grounding(), lambda features: np.zeros((len(features), 0, 3)))
+    found = trials.try_task(setting, problem({"item-01": (0.68, 0.08, 0.025)}), blind=True)
+    assert (found.status, found.primitives) == ("solved", 2)
+    assert found.chance == pytest.approx((21 / 22) ** 2, abs=1e-4)
+    assert found.blind == found.replanned
+    assert found.replanned is not None
+    assert (found.replanned.reached, found.replanned.ended, found.replanned.replans) == (True, "goal", ())
+    assert [(one.promised, one.kind_seen) for one in found.replanned.steps] == [(80, "resting")] * 2
+    assert trials.try_task(setting, problem({"item-01": (0.68, 0.08, 0.025)}), blind=False).blind is None
+
+
+def test_task_without_a_plan_keeps_the_reason():
+    setting = Setting(WORLD, grounding(), lambda features: np.zeros((len(features), 0, 3)))
+    found = trials.try_task(setting, problem({"item-01": (0.5, 0.0, 0.025)}), blind=True)
+    assert found.status == "unsolvable"
+    assert found.reason
+    assert (found.replanned, found.blind) == (None, None)
+
+
+def test_kinds_of_primitive_are_read_from_rehearsals():
+    domain = grounding()
+    assert trial_jobs.kinds_of(domain) is None, "no rehearsals are kept"
+    pushed = Rehearsal("resting", (0.1, 0.0, 0.0), (0.1, 0.0, 0.0), 0.0, 0.0)
+    missed = Rehearsal("resting", (0.0, 0.0, 0.0), (0.0, 0.0, 0.0), 0.0, 0.0)
+    table = domain.operators
+    telling = next(one.symbol for one in table.categories if one.share >= 0.1)
+
+    def rehearsed(rows: tuple[Rehearsal, ...]):
+        operators = tuple(
+            msgspec.structs.replace(op, rehearsals=rows) if op.category == telling else op
+            for op in table.operators
+        )
+        return msgspec.structs.replace(domain, operators=msgspec.structs.replace(table, operators=operators))
+
+    assert trial_jobs.kinds_of(rehearsed((pushed,) * 3 + (missed,) * 2)) == ["forward push"]
+    assert trial_jobs.kinds_of(rehearsed((pushed,) * 1 + (missed,) * 1)) == []
+
+
+def test_figures_come_into_json_and_the_page(tmp_path):
+    size = jobs.size_of(1, 2560, precise=10, far=(5, 0, 5))
+    (tmp_path / "jobs").mkdir()
+    measured = {name: [trial(blind=False)] * 10 for name in trial_jobs.precision_jobs(tmp_path, size, 0.05)}
+    measured |= {name: [trial(), NO_PLAN] for name in trial_jobs.far_jobs(size)}
+    for name, found in measured.items():
+        (tmp_path / "jobs" / f"{name}.json").write_text(json.dumps(trials.to_json(found)))
+    evaluate.write_results(tmp_path, tmp_path, size)
+    summary = json.loads((tmp_path / "planning.json").read_text())
+    cell = {"blind": 0.0, "replanned": 1.0, "tasks": 10}
+    assert summary["precision"]["50"] == {"single": cell, "double": cell}
+    assert summary["precision"]["20"]["single"]["replanned"] is None
+    assert summary["far_goals"] == {"1": 0.5, "2": None, "4": 0.5}
+    assert summary["promise_rms_mm"] == {"all": 3.0, "worst": 3.0}
+    assert summary["motions"] == {"single": 1.0, "double": 1.0}
+    assert summary["kinds_by_seed"] == {}
+    page = (tmp_path / "planning.md").read_text()
+    assert "| 50 mm | single | 10 | 0 % (0 to 28) | 100 % (72 to 100) |" in page
+    assert "no plan at the start (unsolvable) (1)" in page
+    assert "Brier score 0.250; of the base rate 0.000." in page
+
+
+def test_results_of_earlier_versions_have_no_such_sections():
+    assert trial_sections({"table3": {}}) == []
+
+
+def test_trials_come_after_the_tasks_are_drawn_and_short_form_is_short(tmp_path):
+    for seeds, precise, far in ((1, 60, 4), (5, 800, 80)):
+        size = jobs.size_of(seeds, 2560)
+        named = dict(evaluate.turns(tmp_path, size, learn=False))
+        labels = list(named)
+        assert labels.index("drawing tasks") < labels.index("precision, 50 mm") < labels.index("far goals")
+        assert 10 * len(named["precision, 20 mm"]) == precise
+        assert len(named["far goals"]) == far
+        assert len(named["kinds of primitive"]) == seeds
+
+
+def test_probe_tells_of_every_group():
+    drawn = {("single", 50): [trial(), trial(blind=False)], ("double", 20): []}
+    rows = dict(probe.table(drawn, {1: [NO_PLAN, trial()], 2: []}))
+    assert rows["single, 50 mm, blind"] == "1 of 2: 50% (9% to 91%)"
+    assert rows["single, 50 mm, replanned"].startswith("2 of 2")
+    assert rows["double, 20 mm, blind"] == "-"
+    assert rows["missed, anywhere, 1 objects"] == "no plan at the start (unsolvable) (1)"
+    assert rows["motions, anywhere, 1 objects"] == "1.0 (plans: 2.0)"
+    assert rows["CPU seconds a task"] == "0.8"
+    assert len(probe.source_stamp()) == 8
+
+
+def test_primitives_are_counted_by_direction():
+    (needed,) = reach.primitives_needed(grounding()).values()
+    assert needed["left"] == pytest.approx(0.15 / 0.08)
+    assert needed["forward left"] == pytest.approx(np.sqrt(2) * 0.15 / 0.08)
+    assert needed["back"] == np.inf

@@ -1,0 +1,68 @@
+"""Plans for objects with steps of their own, judged by what the printed problem says of them."""
+
+import math
+from collections.abc import Iterator
+
+import pytest
+from independent.campaign import Figures, run
+from independent.own_facts import moves_in_cells, moves_in_numbers
+from independent.random_sizes import draw_sizes
+from independent.random_tables import Drawn
+
+from neurosym.pddl.domain import domain_text
+from neurosym.pddl.problem import problem_text
+
+SHORT, LONG = range(12), range(200)
+LIMIT = 2.0
+"""What a planner has for a table [s]."""
+PUT_DOWN = "put-down-"
+
+
+def drawn_of(numbers: range) -> Iterator[Drawn]:
+    return (drawn for drawn in map(draw_sizes, numbers) if drawn is not None)
+
+
+def _quick(planner: str, encoding: str | None, drawn: Drawn) -> bool:
+    if planner in ("bfs-operators", "counting") or (planner == "fast-downward" and encoding == "sas"):
+        return len(drawn.problem.objects) <= 4
+    is_small = len(drawn.problem.objects) <= 2 and drawn.grounding.cell >= 0.01
+    return planner == "fast-downward" and encoding == "stepwise" and is_small
+
+
+def test_cells_and_numbers_say_the_same_of_every_object():
+    differ = 0
+    for drawn in drawn_of(range(60)):
+        cells = moves_in_cells(problem_text(drawn.problem, drawn.grounding))
+        texts = (
+            domain_text(drawn.grounding, "numeric"),
+            problem_text(drawn.problem, drawn.grounding, "numeric"),
+        )
+        numbers = moves_in_numbers(*texts)
+        assert cells.keys() == numbers.keys()
+        for (name, of), moved in cells.items():
+            exact = numbers[name, of]
+            if name.startswith(PUT_DOWN):  # with its lift: what an object does at rest is rounded as one
+                lift = (name.removeprefix(PUT_DOWN), of)
+                moved = tuple(map(sum, zip(moved, cells[lift], strict=True)))
+                exact = tuple(map(sum, zip(exact, numbers[lift], strict=True)))
+            for part, value in zip(moved, exact, strict=True):
+                assert abs(part * drawn.grounding.cell - float(value)) <= drawn.grounding.cell / 2 + 1e-4
+            others = [m for (n, o), m in numbers.items() if n == name and o != of]
+            differ += any(math.dist(other, numbers[name, of]) > 0.005 for other in others)
+    assert differ > 20
+
+
+def test_plans_and_denials_hold_for_objects_with_steps_of_their_own():
+    figures = run(drawn_of(SHORT), time_limit=LIMIT, chosen=_quick)
+    assert not figures.findings, "\n".join(figures.findings)
+    assert figures.counts["counting"]["plans"] > 3
+    assert figures.counts["fast-downward sas"]["answers in PDDL"] > 3
+    assert figures.counts["theorem"]["valid in PDDL"] > 3
+
+
+@pytest.mark.evaluation
+def test_plans_and_denials_of_every_planner_hold_for_objects_with_steps_of_their_own():
+    figures = Figures()
+    run(drawn_of(LONG), time_limit=LIMIT, figures=figures)
+    print(*figures.lines(), sep="\n")
+    assert not figures.findings

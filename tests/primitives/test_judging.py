@@ -1,0 +1,53 @@
+"""Judging counts what ends alike, on a scale of its own, without turning, and goes somewhere."""
+
+from math import pi, sqrt
+
+import numpy as np
+import pytest
+
+from neurosym.primitives.judging import EXACT, Performance, exactness, judge
+from neurosym.world import Outcome, Scene
+
+
+def ended(x, kind="resting", turn=0.0):
+    return Performance(kind, (x, 0.0, 0.0), 0.0, turn)
+
+
+def test_sureness_does_not_grow_with_how_far_an_object_goes():
+    near, far = ([ended(x + d) for d in (-EXACT, EXACT)] for x in (0.2, 0.4))
+    assert judge(near).sureness == pytest.approx(1 / sqrt(2), abs=0.01)
+    assert judge(far).sureness == pytest.approx(1 / sqrt(2), abs=0.01)
+
+
+def test_moving_little_is_worth_little():
+    assert exactness(np.array([[0.01, 0.0, 0.0]])) == pytest.approx(0.5)
+    assert exactness(np.zeros((3, 3))) == 0.0
+
+
+def test_only_the_main_way_of_ending_is_averaged_and_its_share_counts():
+    judged = judge([ended(0.2), ended(0.2), ended(0.2), ended(0.0, "held")])
+    assert (judged.kind, judged.mean.tolist()) == ("resting", pytest.approx([0.2, 0, 0, 0]))
+    assert judged.sureness == pytest.approx(0.75, abs=0.01)
+
+
+def test_what_topples_or_falls_promises_nothing():
+    assert judge([ended(0.2, "toppled"), ended(0.2, "lost")]).sureness == 0.0
+
+
+def test_turning_counts_against_an_action():
+    whole, half = judge([ended(0.2)] * 4), judge([ended(0.2), ended(0.2, turn=0.3)] * 2)
+    assert half.sureness == pytest.approx(whole.sureness / 2)
+
+
+def test_turn_is_the_angle_between_start_and_end_whatever_the_sign_of_a_quaternion():
+    def scene(*orientation):
+        return Scene(np.ones((1, 4)), np.zeros((1, 3)), np.array([orientation]))
+
+    start = scene(0.0, 0.0, 0.0, 1.0)
+    for angle in (0.0, 0.4, pi):
+        for sign in (1, -1):
+            end = scene(0.0, 0.0, sign * np.sin(angle / 2), sign * np.cos(angle / 2))
+            assert Outcome(start, end, end, 0, False, False, False, 0.0).turn == pytest.approx(
+                angle, abs=1e-6
+            )
+    assert Outcome(start, start, scene(0.0, 0.0, 0.0, 0.0), 0, False, False, False, 0.0).turn == 0.0

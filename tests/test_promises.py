@@ -1,0 +1,108 @@
+"""Promises for the object at hand: refined by rehearsals of objects like it."""
+
+import math
+
+import msgspec
+import numpy as np
+import pytest
+import tables
+
+from neurosym.grounding import Grounding
+from neurosym.operators import Rehearsal
+from neurosym.pddl.plan_text import PlanStep
+from neurosym.pddl.validation import validate
+from neurosym.planners import PlanStatus, plan
+from neurosym.problems import Problem, SceneObject
+from neurosym.promises import LEAST_REHEARSALS, is_rehearsed, promised, usable
+
+AWAY = "push-away-001-block"
+
+
+def rehearsed(count: int = 40, slips: float = 0.0, cliff: float = math.inf) -> Grounding:
+    """Have blocks of 4 to 10 cm go away by as much as they are wide, and fail from a width on."""
+    learned = tables.grounding()
+    rng = np.random.default_rng(0)
+    widths = rng.uniform(0.04, 0.1, count)
+    rows = []
+    for width in widths.tolist():
+        away = (width + float(rng.normal(0, slips)), 0.0, 0.0)
+        kind = "toppled" if width > cliff else "resting"
+        rows.append(Rehearsal(kind, away, away, 0.0, 0.0))
+    table = learned.operators
+    categories = tuple(
+        msgspec.structs.replace(one, objects=tuple((w, 0.05, 0.05, 0.0) for w in widths.tolist()))
+        if one.symbol == "00"
+        else one
+        for one in table.categories
+    )
+    operators = tuple(
+        msgspec.structs.replace(one, rehearsals=tuple(rows), trials=count) if one.name == AWAY else one
+        for one in table.operators
+    )
+    return msgspec.structs.replace(
+        learned, operators=msgspec.structs.replace(table, categories=categories, operators=operators)
+    )
+
+
+def block(width: float) -> SceneObject:
+    return SceneObject("item-01", "00", (width, 0.05, 0.05, 0.0), (0.45, 0.0, 0.025))
+
+
+@pytest.mark.parametrize("width", [0.045, 0.07, 0.095])
+def test_what_an_operator_does_is_read_from_objects_of_that_size(width: float):
+    learned = rehearsed()
+    promise = promised(learned, block(width))[AWAY].promise
+    assert promise is not None
+    assert promise.resting_effect[0] == pytest.approx(width, abs=0.002)
+    assert promise.resting_spread[0] < 0.005
+    assert promised(learned, block(width))[AWAY].rehearsals == ()
+
+
+def test_operators_without_rehearsals_promise_what_they_did():
+    learned = tables.grounding()
+    assert dict(promised(learned, block(0.07))) == {
+        one.name: one for one in learned.operators.operators if one.category == "00"
+    }
+    few = rehearsed(LEAST_REHEARSALS - 1)
+    assert promised(few, block(0.07))[AWAY].promise == few.operator_named(AWAY).promise
+
+
+def test_objects_unlike_all_that_were_rehearsed_are_promised_the_mean():
+    learned = rehearsed()
+    huge = block(0.2)
+    assert not is_rehearsed(learned.category("00"), huge.features)
+    assert is_rehearsed(learned.category("00"), block(0.09).features)
+    assert promised(learned, huge)[AWAY].promise == learned.operator_named(AWAY).promise
+
+
+def test_promise_is_never_beyond_what_was_seen():
+    for width in np.linspace(0.03, 0.11, 30).tolist():
+        promise = promised(rehearsed(), block(width))[AWAY].promise
+        assert promise is not None
+        assert 0.04 <= promise.resting_effect[0] <= 0.1
+
+
+def test_objects_that_it_fails_with_are_left_alone():
+    learned = rehearsed(80, cliff=0.07)
+    good, bad = promised(learned, block(0.05))[AWAY], promised(learned, block(0.095))[AWAY]
+    assert good.successes > 0.75 * good.trials
+    assert bad.successes < 0.2 * bad.trials
+    assert AWAY in {one.name for one in usable(learned, block(0.05))}
+
+
+def test_nearer_tolerances_are_kept_more_rarely():
+    learned = rehearsed(60, slips=0.02)
+    wide, narrow = (promised(learned, block(0.07), tolerance)[AWAY] for tolerance in (0.05, 0.01))
+    assert narrow.successes < wide.successes
+
+
+@pytest.mark.parametrize("planner", ["counting", "bfs-operators", "fast-downward"])
+def test_plans_are_made_and_checked_with_what_is_promised_to_the_object(planner: str):
+    """Two pushes of a small block lead as far as one of a large one: 90 mm."""
+    learned = rehearsed()
+    for width, times in ((0.045, 2), (0.09, 1)):
+        task = Problem("p", (block(width),), {"item-01": (0.54, 0.0, 0.025)}, tolerance=0.008)
+        found = plan(task, learned, planner)
+        assert found.status is PlanStatus.SOLVED, found.reason
+        assert found.steps == (PlanStep(AWAY, "item-01"),) * times
+        assert validate(found.steps, task, learned).valid

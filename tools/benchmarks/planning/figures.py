@@ -1,0 +1,146 @@
+"""Figures of trials: shares with Wilson intervals, Brier scores, and errors of promises."""
+
+import math
+from collections import Counter, defaultdict
+from collections.abc import Iterable, Sequence
+from typing import Any
+
+import numpy as np
+
+from tools.benchmarks.planning.trials import Followed, Step, Trial
+
+BIN = 50
+"""Least number of plans in a bin of the calibration."""
+TELLING = 20
+"""Least number of steps of a category that can be the worst."""
+_Z = 1.959964  # of 95 % of a normal distribution
+
+
+def wilson(reached: int, of: int) -> tuple[float, float]:
+    """Return the Wilson interval of a share, at 95 %.
+
+    Args:
+        reached: How many.
+        of: Out of how many, 1 or more.
+    """
+    share, squared = reached / of, _Z**2
+    middle = (share + squared / (2 * of)) / (1 + squared / of)
+    half = _Z / (1 + squared / of) * math.sqrt(share * (1 - share) / of + squared / (4 * of**2))
+    return max(0.0, middle - half), min(1.0, middle + half)
+
+
+def reached(trials: Sequence[Trial], way: str = "replanned") -> int:
+    """Count the trials that ended at their goal; one without a plan did not.
+
+    Args:
+        trials: What became of the tasks.
+        way: `blind` or `replanned`.
+    """
+    runs: Iterable[Followed | None] = (getattr(trial, way) for trial in trials)
+    return sum(run is not None and run.reached for run in runs)
+
+
+def share(trials: Sequence[Trial], way: str = "replanned") -> float | None:
+    """Return the share of trials that ended at their goal; None if there are none."""
+    return reached(trials, way) / len(trials) if trials else None
+
+
+def steps_of(trials: Iterable[Trial], way: str = "replanned") -> list[Step]:
+    """List the steps that were executed, of all trials."""
+    runs: Iterable[Followed | None] = (getattr(trial, way) for trial in trials)
+    return [step for run in runs if run for step in run.steps]
+
+
+def motions(trials: Sequence[Trial], way: str = "replanned") -> float | None:
+    """Return the mean number of primitives performed for a task with a plan; None if there is none."""
+    counts = [len(run.steps) for trial in trials if (run := getattr(trial, way))]
+    return float(np.mean(counts)) if counts else None
+
+
+def promise_errors(steps: Sequence[Step]) -> dict[str, Any]:
+    """Say how far steps ended from their promise [mm]: RMS and median, of all and of the worst category.
+
+    Args:
+        steps: Steps that were executed; those that promised nothing do not count.
+    """
+    by_category: dict[str, list[float]] = defaultdict(list)
+    for step in steps:
+        if step.error is not None:
+            by_category[step.category].append(step.error)
+    every = [error for errors in by_category.values() for error in errors]
+    telling = {name: _rms(errors) for name, errors in by_category.items() if len(errors) >= TELLING}
+    worst = max(telling, key=lambda name: telling[name], default=None)
+    return {
+        "steps": len(every),
+        "all": _rms(every),
+        "median": float(np.median(every)) if every else None,
+        "worst": telling[worst] if worst else None,
+        "worst_median": float(np.median(by_category[worst])) if worst else None,
+        "worst_category": worst,
+    }
+
+
+def kinds_kept(steps: Sequence[Step]) -> float | None:
+    """Return the share of steps that ended in the way they promised; None if none did promise."""
+    told = [step for step in steps if step.kind_promised is not None]
+    return sum(step.kind_seen == step.kind_promised for step in told) / len(told) if told else None
+
+
+def ended_by(trials: Iterable[Trial]) -> dict[str, int]:
+    """Count what ended the trials that missed: how the run ended, and the worst that happened in it."""
+    counted: Counter[str] = Counter()
+    for trial in trials:
+        run = trial.replanned
+        if run is None:
+            counted[f"no plan at the start ({trial.status})"] += 1
+        elif not run.reached:
+            counted[f"{run.ended}: {run.kind}"] += 1
+    return dict(sorted(counted.items(), key=lambda item: (-item[1], item[0])))
+
+
+def calibration(trials: Iterable[Trial]) -> dict[str, Any]:
+    """Compare the printed chances of plans with how often they came true, followed blindly.
+
+    Args:
+        trials: Trials whose plans were followed blindly.
+    """
+    known = [trial for trial in trials if trial.blind and trial.chance is not None]
+    chances = np.array([trial.chance for trial in known], dtype=float)
+    came = np.array([trial.blind.reached for trial in known if trial.blind], dtype=float)
+    return {
+        "plans": len(known),
+        "brier": brier(chances, came) if known else None,
+        "base_rate": float(came.mean()) if known else None,
+        "brier_of_base_rate": brier(np.full(len(came), came.mean()), came) if known else None,
+        "bins": bins(chances, came),
+    }
+
+
+def brier(chances: np.ndarray, came: np.ndarray) -> float:
+    """Return the mean squared distance between chances and what came, 1 for true and 0 for false.
+
+    Args:
+        chances: Chances, (N,).
+        came: What came, (N,).
+    """
+    return float(np.mean((chances - came) ** 2))
+
+
+def bins(chances: np.ndarray, came: np.ndarray, least: int = BIN) -> list[dict[str, float]]:
+    """Cut plans by their chance into bins of nearly the same number, each of a least number of plans.
+
+    Args:
+        chances: Chances, (N,).
+        came: What came, (N,).
+        least: So many plans are in a bin at least, if there are so many.
+    """
+    order = np.argsort(chances, kind="stable")
+    parts = np.array_split(order, max(1, len(order) // least)) if len(order) else []
+    return [
+        {"plans": len(part), "chance": float(chances[part].mean()), "reached": float(came[part].mean())}
+        for part in parts
+    ]
+
+
+def _rms(errors: Sequence[float]) -> float | None:
+    return float(np.sqrt(np.mean(np.square(errors)))) if errors else None

@@ -1,0 +1,215 @@
+"""Trials: a task is planned once, and the plan is followed blindly and with replanning; kept in short."""
+
+import math
+import os
+from collections.abc import Sequence
+from typing import Any
+
+import msgspec
+
+from neurosym.evaluation.comparison import Setting, planner_of
+from neurosym.execution.executor import execute
+from neurosym.execution.record import Run, StepRecord
+from neurosym.execution.summary import failure
+from neurosym.grounding import Grounding, at_rest
+from neurosym.operators import Vector
+from neurosym.pddl.chances import expected_success
+from neurosym.pddl.plan_text import PlanStep, primitives
+from neurosym.planners import PlanStatus
+from neurosym.problems import Problem, SceneObject
+from neurosym.promises import promised
+
+PLANNER = "fast-downward"
+
+
+class Step(msgspec.Struct, frozen=True, array_like=True):
+    """One step of a run, lengths in whole millimetres.
+
+    Attributes:
+        operator: Name of the operator.
+        object: Number of the object, counted from 0.
+        category: Symbol of the category that it was taken for.
+        promised: How far it was to move; None if the operator never promised anything.
+        moved: How far it moved.
+        error: Distance between the two displacements, in tenths of a millimetre.
+        kind_promised: How it was to end.
+        kind_seen: How it ended.
+        others: How other objects ended that ended elsewhere.
+    """
+
+    operator: str
+    object: int
+    category: str
+    promised: int | None
+    moved: int
+    error: float | None
+    kind_promised: str | None
+    kind_seen: str
+    others: tuple[str, ...] = ()
+
+
+class Followed(msgspec.Struct, frozen=True, omit_defaults=True):
+    """What became of a plan in the world.
+
+    Attributes:
+        reached: Whether every goal was met at the end.
+        ended: What ended the run.
+        kind: Why it missed, in a few words, to be counted.
+        reason: The same in a sentence.
+        distances: How far each object ended from its goal [m].
+        steps: The primitives that were performed.
+        replans: Before which steps a new plan was asked for, counted from 0.
+    """
+
+    reached: bool
+    ended: str
+    kind: str
+    reason: str
+    distances: tuple[float, ...]
+    steps: tuple[Step, ...]
+    replans: tuple[int, ...] = ()
+
+
+class Trial(msgspec.Struct, frozen=True, omit_defaults=True):
+    """What became of one task.
+
+    Attributes:
+        task: Name of the task.
+        status: How the search for a plan ended.
+        reason: Why there is no plan.
+        primitives: How many primitives the first plan has.
+        chance: The chance printed with the plan that it comes true.
+        blind: What became of the plan followed blindly; None if that was not asked for.
+        replanned: What became of it with replanning; None without a plan.
+        cpu: CPU seconds that all of it took.
+    """
+
+    task: str
+    status: str
+    reason: str = ""
+    primitives: int = 0
+    chance: float | None = None
+    blind: Followed | None = None
+    replanned: Followed | None = None
+    cpu: float = 0.0
+
+
+def try_task(setting: Setting, task: Problem, *, blind: bool, time_limit: float | None = None) -> Trial:
+    """Plan for a task, and execute the plan with replanning, and blindly if asked for.
+
+    Args:
+        setting: The world and the learned domain.
+        task: The task.
+        blind: Whether the plan is also followed blindly.
+        time_limit: Ceiling for each plan [s]; the planner's own if not given.
+    """
+    begin = _cpu()
+    solve = planner_of(setting, PLANNER, time_limit=time_limit)
+    found = solve(task, setting.grounding)
+    if found.status is not PlanStatus.SOLVED:
+        return Trial(task.name, found.status.value, found.reason, cpu=_cpu() - begin)
+    replanned = execute(setting.world, task, setting.grounding, found.steps, replanner=solve)
+    followed = None
+    if blind:  # a run in which nothing was planned anew is the one that follows the plan blindly
+        anew = bool(replanned.replannings)
+        run = execute(setting.world, task, setting.grounding, found.steps) if anew else replanned
+        followed = shortened(run, task, setting.grounding)
+    return Trial(
+        task=task.name,
+        status=found.status.value,
+        primitives=primitives(found.steps),
+        chance=round(chance_of(found.steps, task, setting.grounding), 4),
+        blind=followed,
+        replanned=shortened(replanned, task, setting.grounding),
+        cpu=round(_cpu() - begin, 2),
+    )
+
+
+def chance_of(steps: Sequence[PlanStep], task: Problem, grounding: Grounding) -> float:
+    """Return the chance that `neurosym plan` prints: that a plan followed blindly comes true.
+
+    Args:
+        steps: The plan.
+        task: What it is for.
+        grounding: The learned domain.
+    """
+    return expected_success(steps, task, grounding)
+
+
+def shortened(run: Run, task: Problem, grounding: Grounding) -> Followed:
+    """Keep of a run what is counted.
+
+    Args:
+        run: The run.
+        task: What was to be done.
+        grounding: The learned domain.
+    """
+    before = {item.name: item.position for item in task.objects}
+    steps = []
+    for record in run.steps:
+        steps.append(_step(record, task, grounding, before[record.object]))
+        before = record.positions
+    return Followed(
+        reached=run.reached,
+        ended=run.ended,
+        kind="" if run.reached else failure(run),
+        reason=run.reason,
+        distances=tuple(round(distance, 4) for distance in run.distances.values()),
+        steps=tuple(steps),
+        replans=tuple(replanning.before_step - 1 for replanning in run.replannings),
+    )
+
+
+def _step(record: StepRecord, task: Problem, grounding: Grounding, before: Vector) -> Step:
+    item = task.object_named(record.object)
+    aim, moved, error = record.promised_effect, record.effect, record.deviation
+    kinds = {record.promised, record.happened}
+    if record.put_down and "held" in kinds <= {"held", "resting"}:  # what counts is where it was put down
+        aim = resting_promise(record.operator, item, task.tolerance, grounding)
+        after = record.positions[record.object]
+        moved = (after[0] - before[0], after[1] - before[1], 0.0)
+        error = math.dist(moved, aim)
+    return Step(
+        operator=record.operator,
+        object=task.object_names.index(record.object),
+        category=grounding.operator_named(record.operator).category,
+        promised=None if aim is None else round(1000 * math.hypot(*aim)),
+        moved=round(1000 * math.hypot(*moved)),
+        error=None if error is None else round(1000 * error, 1),
+        kind_promised=record.promised,
+        kind_seen=record.happened,
+        others=tuple(record.disturbed.values()),
+    )
+
+
+def resting_promise(name: str, item: SceneObject, tolerance: float, grounding: Grounding) -> Vector:
+    """Return where an operator promises to bring an object once nothing is held any more [m].
+
+    Args:
+        name: Name of the operator.
+        item: The object.
+        tolerance: How near a step must come to its promise to have kept it [m].
+        grounding: The learned domain.
+    """
+    learned = grounding.operator_named(name)
+    one_of_these = msgspec.structs.replace(item, category=learned.category)  # as it was when last seen
+    operator = promised(grounding, one_of_these, tolerance).get(name, learned)
+    assert operator.promise is not None, "it promised to end held, or at rest"
+    return at_rest(operator.promise)
+
+
+def to_json(trials: Sequence[Trial]) -> list[Any]:
+    """Turn trials into what JSON can hold."""
+    found: list[Any] = msgspec.to_builtins(list(trials))
+    return found
+
+
+def from_json(entries: Sequence[Any]) -> list[Trial]:
+    """Read trials that `to_json` wrote."""
+    return msgspec.convert(list(entries), list[Trial])
+
+
+def _cpu() -> float:
+    """Return the CPU time of this process and of those it started and waited for [s]."""
+    spent = os.times()
+    return spent.user + spent.system + spent.children_user + spent.children_system
