@@ -182,6 +182,7 @@ class Operator(msgspec.Struct, frozen=True, forbid_unknown_fields=True, omit_def
         promised: How it promises to end; None for the most frequent of ending at rest upright and held.
         variant: Which of the parameters of its primitive it is performed with.
         rehearsals: How it turned out on each of the `objects` of its category, if that is kept.
+        objects: Features of the objects that it was rehearsed on, if they are others than those.
     """
 
     name: LegalName
@@ -192,6 +193,7 @@ class Operator(msgspec.Struct, frozen=True, forbid_unknown_fields=True, omit_def
     promised: OutcomeKind | None = None
     variant: Variant = ""
     rehearsals: tuple[Rehearsal, ...] = ()
+    objects: tuple[tuple[Length, ...], ...] = ()
 
     def __post_init__(self) -> None:
         check_fields(self)

@@ -7,32 +7,22 @@ features, says how sure the promise is (section 5.4.2). Where rehearsals are not
 promise what they promise to the category.
 """
 
+import math
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 from functools import lru_cache
 from types import MappingProxyType
 
 import msgspec
 import numpy as np
-from jaxtyping import Bool, Float
+from jaxtyping import Float
 
 from neurosym.grounding import Grounding
 from neurosym.operators import TOLERANCE, Category, Mode, Operator
 from neurosym.problems import SceneObject
+from neurosym.regression import Regression, fit
 
 LEAST_REHEARSALS = 8
 """With fewer rehearsals that ended as promised, nothing is refined."""
-_LENGTHS = (0.7, 1.5, 3.0, 6.0)  # over which outcomes change, in spreads of the features
-_NOISES = (
-    0.001,
-    0.01,
-    0.1,
-    0.3,
-    1.0,
-    10.0,
-)  # variance that features do not explain, of that they do
-_LIKE = 1.0  # how far objects are whose rehearsals count most, in spreads of the features
-_PRIOR = 2.0  # as how many rehearsals of such an object those of the whole category count
 _BEYOND = 0.5  # how far outside of what was rehearsed an object may be, in spreads of the features
 _LEAST_SPREAD = 1e-3
 
@@ -60,6 +50,37 @@ def usable(grounding: Grounding, item: SceneObject, tolerance: float = TOLERANCE
         tolerance: How near an outcome must come to the promise to have kept it [m].
     """
     return _usable(grounding, item.category, item.features, tolerance)
+
+
+def rehearsed_objects(operator: Operator, category: Category) -> tuple[tuple[float, ...], ...]:
+    """Return the features of the objects that an operator was rehearsed on, in the order of its rehearsals.
+
+    Args:
+        operator: The operator.
+        category: Its category.
+    """
+    return operator.objects or category.objects
+
+
+def keeps_promises(operator: Operator, category: Category, tolerance: float) -> tuple[bool, ...]:
+    """Say of each rehearsal whether it ended as the others promise for its object.
+
+    Args:
+        operator: An operator whose rehearsals are kept.
+        category: Its category.
+        tolerance: How near it must have come [m].
+    """
+    regression, promise = _regression(operator, category), operator.promise
+    kinds = [promise is not None and one.kind == promise.kind for one in operator.rehearsals]
+    if promise is None or not any(kinds):
+        return (False,) * len(kinds)
+    if regression is None:
+        return tuple(
+            is_kind and math.dist(one.outcome, promise.outcome) <= tolerance
+            for is_kind, one in zip(kinds, operator.rehearsals, strict=True)
+        )
+    kept = iter(regression.keeps(tolerance).tolist())
+    return tuple(is_kind and next(kept) for is_kind in kinds)
 
 
 def is_rehearsed(category: Category, features: Sequence[float]) -> bool:
@@ -103,7 +124,7 @@ def _usable(
 
 
 def _plain(operator: Operator) -> Operator:
-    return msgspec.structs.replace(operator, rehearsals=()) if operator.rehearsals else operator
+    return msgspec.structs.replace(operator, rehearsals=(), objects=()) if operator.rehearsals else operator
 
 
 @lru_cache(maxsize=16384)
@@ -121,7 +142,7 @@ def _refined(
     counted = msgspec.structs.replace(promise, count=so, share=so / operator.trials, near_mean=kept)
     mode = _refined_mode(counted, values, spreads)
     modes = tuple(mode if other is promise else other for other in operator.modes)
-    return msgspec.structs.replace(operator, modes=modes, rehearsals=())
+    return msgspec.structs.replace(operator, modes=modes, rehearsals=(), objects=())
 
 
 def _refined_mode(mode: Mode, values: Float[np.ndarray, "D"], spreads: Float[np.ndarray, "D"]) -> Mode:
@@ -142,117 +163,18 @@ def _refined_mode(mode: Mode, values: Float[np.ndarray, "D"], spreads: Float[np.
     )
 
 
-@dataclass(frozen=True, slots=True, eq=False)
-class _Regression:
-    """A Gaussian process from features to outcomes, fitted to the rehearsals that ended as promised.
-
-    Attributes:
-        centre: What features are counted from.
-        scale: What they are divided by.
-        objects: Scaled features of all objects.
-        is_kind: Which of them ended as promised: those that it is fitted to.
-        misses: By how much the others' prediction missed each of these, each column [m].
-        ends: The columns that say where the object ends.
-        mean: Mean outcome [m].
-        deviation: Standard deviation of each column of the outcomes [m].
-        low: The least outcomes.
-        high: The greatest.
-        length: Over what distance outcomes change.
-        weights: What each object counts in a prediction.
-    """
-
-    centre: Float[np.ndarray, "F"]
-    scale: Float[np.ndarray, "F"]
-    objects: Float[np.ndarray, "N F"]
-    is_kind: Bool[np.ndarray, "N"]
-    misses: Float[np.ndarray, "n D"]
-    ends: slice
-    mean: Float[np.ndarray, "D"]
-    deviation: Float[np.ndarray, "D"]
-    low: Float[np.ndarray, "D"]
-    high: Float[np.ndarray, "D"]
-    length: float
-    weights: Float[np.ndarray, "n D"]
-
-    def predict(self, at: Float[np.ndarray, "F"]) -> Float[np.ndarray, "D"]:
-        """Predict the outcome for scaled features, within what was seen [m]."""
-        near = _likeness(self.objects[self.is_kind], at[None], self.length)[:, 0]
-        value = self.mean + self.deviation * (near @ self.weights)
-        return np.asarray(np.clip(value, self.low, self.high))
-
-    def chance(self, at: Float[np.ndarray, "F"], tolerance: float) -> float:
-        """Estimate how often an object of such features ends as promised, within a tolerance of it [m]."""
-        kept = np.zeros(len(self.objects))
-        kept[self.is_kind] = self._keeps(tolerance)
-        near = _likeness(self.objects, at[None], _LIKE)[:, 0]
-        return float((near @ kept + _PRIOR * kept.mean()) / (near.sum() + _PRIOR))
-
-    def spreads(self, at: Float[np.ndarray, "F"]) -> Float[np.ndarray, "D"]:
-        """Estimate by how much predictions for such objects miss where the promise is kept, RMS [m]."""
-        kept = self._keeps(TOLERANCE).astype(float)
-        near = _likeness(self.objects[self.is_kind], at[None], _LIKE)[:, 0]
-        weights = near * kept + _PRIOR * kept / max(kept.sum(), 1.0) + 1e-12
-        return np.asarray(np.sqrt(weights @ self.misses**2 / weights.sum()))
-
-    def _keeps(self, tolerance: float) -> Bool[np.ndarray, "n"]:
-        return np.asarray(np.linalg.norm(self.misses[:, self.ends], axis=1) <= tolerance)
-
-
 @lru_cache(maxsize=2048)
-def _regression(operator: Operator, category: Category) -> _Regression | None:
+def _regression(operator: Operator, category: Category) -> Regression | None:
     """Fit an operator's rehearsals; None if there are too few to learn from."""
     promise = operator.promise
-    if promise is None or len(operator.rehearsals) != len(category.objects):
+    rows = rehearsed_objects(operator, category)
+    if promise is None or not category.objects or len(operator.rehearsals) != len(rows):
         return None
     is_kind = np.array([one.kind == promise.kind for one in operator.rehearsals], dtype=bool)
     if is_kind.sum() < LEAST_REHEARSALS:
         return None
-    outcomes = _outcomes(operator, promise.kind == "held")[is_kind]
-    features = np.array(category.objects)
-    centre, scale = features.mean(0), _scale(category)
-    objects = (features - centre) / scale
-    mean, deviation = outcomes.mean(0), np.maximum(outcomes.std(0), _LEAST_SPREAD)
-    scaled = (outcomes - mean) / deviation
-    length, vectors, values = _most_likely(objects[is_kind], scaled)
-    weights = vectors @ (vectors.T @ scaled / values[:, None])
-    left_out = weights / (vectors**2 / values).sum(1)[:, None] * deviation  # eq. 5.12
-    return _Regression(
-        centre=centre,
-        scale=scale,
-        objects=objects,
-        is_kind=is_kind,
-        misses=left_out,
-        ends=slice(2, 5) if outcomes.shape[1] > 2 else slice(0, 2),
-        mean=mean,
-        deviation=deviation,
-        low=outcomes.min(0),
-        high=outcomes.max(0),
-        length=length,
-        weights=weights,
-    )
-
-
-def _most_likely(
-    objects: Float[np.ndarray, "n F"], outcomes: Float[np.ndarray, "n D"]
-) -> tuple[float, Float[np.ndarray, "n n"], Float[np.ndarray, "n"]]:
-    """Choose length and noise by the marginal likelihood (eq. 5.8), the variances in closed form.
-
-    Returns:
-        The length, and eigenvectors and eigenvalues of the kernel's matrix with the noise.
-    """
-    best, found = -np.inf, None
-    for length in _LENGTHS:
-        bare, vectors = np.linalg.eigh(_likeness(objects, objects, length))
-        squares = (vectors.T @ outcomes) ** 2
-        for noise in _NOISES:
-            values = np.maximum(bare, 0) + noise
-            variance = (squares / values[:, None]).mean(0) + 1e-9
-            columns = outcomes.shape[1]
-            likelihood = -0.5 * (len(objects) * np.log(variance).sum() + columns * np.log(values).sum())
-            if likelihood > best:
-                best, found = float(likelihood), (length, vectors, values)
-    assert found is not None, "outcomes are finite"
-    return found
+    outcomes = _outcomes(operator, promise.kind == "held")
+    return fit(np.array(rows), is_kind, outcomes[is_kind], scale=_scale(category))
 
 
 def _outcomes(operator: Operator, is_held: bool) -> Float[np.ndarray, "N D"]:
@@ -260,14 +182,6 @@ def _outcomes(operator: Operator, is_held: bool) -> Float[np.ndarray, "N D"]:
     rows = operator.rehearsals
     resting = np.array([row.resting_effect[:2] for row in rows])
     return np.column_stack([resting, [row.effect for row in rows]]) if is_held else resting
-
-
-def _likeness(
-    ones: Float[np.ndarray, "n F"], others: Float[np.ndarray, "m F"], length: float
-) -> Float[np.ndarray, "n m"]:
-    """Compute the squared-exponential kernel."""
-    apart = ((ones[:, None] - others[None]) ** 2).sum(-1)
-    return np.asarray(np.exp(-apart / (2 * length**2)))
 
 
 def _scale(category: Category) -> Float[np.ndarray, "F"]:

@@ -23,8 +23,11 @@ LAYERS = {
     "pddl": "",
     "planners": "pddl",
     "execution": "pddl planners",
+    "practice": "worlds data learning primitives pddl planners execution",
     "pictures": "data primitives pddl execution",
-    "stages": "worlds data learning exploration relations primitives pddl planners execution pictures",
+    "stages": (
+        "worlds data learning exploration relations primitives pddl planners execution practice pictures"
+    ),
     "evaluation": "worlds data learning primitives pddl planners execution stages",
     "explain": "worlds data pddl stages",
     "report": "worlds data learning pddl execution pictures stages evaluation explain",

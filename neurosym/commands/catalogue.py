@@ -15,6 +15,7 @@ from neurosym.commands.init import init
 from neurosym.commands.new_problem import new_problem
 from neurosym.commands.plan import plan
 from neurosym.commands.planners import planners
+from neurosym.commands.practise import practise
 from neurosym.commands.replay import replay
 from neurosym.commands.report import report
 from neurosym.commands.run import run
@@ -29,6 +30,7 @@ COMMANDS: dict[str, Callable[..., int]] = {
     "train": train,
     "distill": distill,
     "compile-domain": compile_domain,
+    "practise": practise,
     "new-problem": new_problem,
     "plan": plan,
     "planners": planners,

@@ -1,11 +1,12 @@
 """The command `neurosym distill`: symbols to parameters, and what these do."""
 
-from typing import Annotated, Literal
+from typing import Annotated
 
 from tyro.conf import arg
 
 from neurosym.commands.options import (
     CPUS,
+    Choice,
     Folder,
     Seed,
     Workers,
@@ -22,13 +23,7 @@ def distill(
     objects: Annotated[int, arg(help="Objects that each primitive is rehearsed on.")] = 100,
     seed: Seed = 0,
     workers: Workers = CPUS,
-    choice: Annotated[
-        Literal["own", "predictable", "lowest-error"],
-        arg(
-            help="Which candidate stands for a symbol: own (categories of objects have their own), "
-            "predictable (the same for all), or lowest-error (the paper)."
-        ),
-    ] = "own",
+    choice: Choice = "own",
 ) -> int:
     """Turn action symbols into parameters and rehearse each in the world: -> `primitives.json`."""
     from neurosym.commands.tables import show_operators

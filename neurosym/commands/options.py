@@ -54,6 +54,13 @@ MinPredictedEffect = Annotated[
         "axes, if there are any; disagreement and entropy only. 0: among all, as the paper prints it.",
     ),
 ]
+Choice = Annotated[
+    Literal["own", "predictable", "lowest-error"],
+    arg(
+        help="Which candidate stands for a symbol: own (categories of objects have their own), "
+        "predictable (the same for all), or lowest-error (the paper)."
+    ),
+]
 RegimeName = Annotated[
     Literal["default", "quick", "paper"],
     arg(help="Network and training: default, quick (a first look), paper (as printed)."),

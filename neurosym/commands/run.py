@@ -8,6 +8,7 @@ from neurosym.commands.init import make_folder
 from neurosym.commands.options import (
     CPUS,
     ActionBits,
+    Choice,
     Folder,
     MinPredictedEffect,
     ObjectBits,
@@ -34,6 +35,7 @@ def run(
     regime: RegimeName = "default",
     workers: Workers = CPUS,
     rehearsals: Annotated[int, arg(help="Objects that each primitive is rehearsed on.")] = 100,
+    choice: Choice = "own",
     problems: Annotated[
         int,
         arg(help="Problems to draw, every second one with two objects; up to 30 if none has a plan."),
@@ -72,6 +74,7 @@ def run(
         regime=regime,
         workers=workers,
         rehearsals=rehearsals,
+        choice=choice,
         problems=problems,
         min_predicted_effect=min_predicted_effect,
         object_bits=object_bits,

@@ -17,12 +17,21 @@ from neurosym.learning.baselines import TEST_ROWS, trivial_predictions
 from neurosym.learning.report import TrainingReport
 from neurosym.markdown import mean_and_spread
 from neurosym.naming import name_axes
-from neurosym.operators import OperatorTable
 from neurosym.progress import Progress
 from neurosym.reading import read_json
 from neurosym.stages.folder import DomainFolder
-from neurosym.stages.layout import COMPARISONS, INTERACTIONS, KINDS_FOUND, MODEL, PRIMITIVES, TRAINING, WORLD
+from neurosym.stages.layout import (
+    COMPARISONS,
+    INTERACTIONS,
+    KINDS_FOUND,
+    MODEL,
+    PRIMITIVES,
+    TABLE_FILES,
+    TRAINING,
+    WORLD,
+)
 from neurosym.stages.manifest import Stage, rehearsal_options
+from neurosym.stages.practising import operator_table
 from neurosym.strategies import MIN_EFFECT, has_high_effect
 from neurosym.wording import quoted
 
@@ -89,11 +98,10 @@ def kinds_stage(folder: DomainFolder, *, workers: int, progress: Progress | None
         from neurosym.worlds.world_file import read_world
 
         factory = read_world(folder.require(WORLD))
-        table = OperatorTable.load(folder.require(PRIMITIVES))
         categorise = EffectModel.load(folder.require(MODEL)).object_symbols
         rehearsals = rehearse(
             factory,
-            repertoire_of(table),
+            repertoire_of(operator_table(folder)),
             categorise,
             objects=objects,
             seed=seed,
@@ -104,7 +112,7 @@ def kinds_stage(folder: DomainFolder, *, workers: int, progress: Progress | None
         write_json(folder / KINDS_FOUND, KindsFound(objects, dict(found)))
 
     options = {"objects": objects, "seed": seed}
-    return Stage("kinds", (WORLD, PRIMITIVES, MODEL), (KINDS_FOUND,), work, options)
+    return Stage("kinds", (WORLD, *TABLE_FILES, MODEL), (KINDS_FOUND,), work, options)
 
 
 def measure(

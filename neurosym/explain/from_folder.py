@@ -7,6 +7,7 @@ from neurosym.errors import InvalidFile, InvalidValue
 from neurosym.operators import OperatorTable
 from neurosym.stages.folder import DomainFolder
 from neurosym.stages.layout import GROUNDING, INTERACTIONS, PRIMITIVES, WORLD
+from neurosym.stages.practising import table_file
 
 if TYPE_CHECKING:
     from neurosym.explain.explanation import Explanation
@@ -35,7 +36,8 @@ def explain_folder(domain: DomainFolder) -> "Explanation":
     """
     from neurosym.explain.explanation import explain as explain_table
 
-    path = domain.require(PRIMITIVES)
+    domain.require(PRIMITIVES)
+    path = domain / table_file(domain)
     table = OperatorTable.load(path)
     world = _world(domain)
     grounding, remark = _grounding(domain, table, world)
@@ -48,7 +50,7 @@ def explain_folder(domain: DomainFolder) -> "Explanation":
         )
     except InvalidValue as error:
         raise InvalidFile(path, str(error)) from error
-    outdated = [f"{line}." for line in domain.outdated((PRIMITIVES,))]
+    outdated = [f"{line}." for line in domain.outdated((path.name,))]
     remarks = [_NO_WORLD] * (world is None) + [remark] * bool(remark) + outdated
     return replace(explanation, summary=(*explanation.summary, *remarks))
 

@@ -129,7 +129,7 @@ def shortlist_own(
     """
     judged = []
     for group in groups:
-        predicted = [predict(features, _moved(one, len(features), box, seed)) for one in group]
+        predicted = [predict(features, moved(one, len(features), box, seed)) for one in group]
         judged.append([Judgement("resting", rows.mean(0), exactness(rows[:, :3])) for rows in predicted])
     return [
         [group[number] for number in best[:SHORTLISTED]]
@@ -137,12 +137,19 @@ def shortlist_own(
     ]
 
 
-def _moved(primitive: Primitive, count: int, box: ActionBox, seed: int) -> Float[np.ndarray, "N A"]:
-    """Move the lengths of an action a little, once for each object: on an object for all actions alike."""
+def moved(primitive: Primitive, count: int, box: ActionBox, seed: int) -> Float[np.ndarray, "N A"]:
+    """Move the lengths of an action a little, once for each object: on an object for all actions alike.
+
+    Args:
+        primitive: Whose action.
+        count: How many objects.
+        box: What actions must stay inside.
+        seed: Where the changes are drawn from.
+    """
     most = np.where(box.gripper, 0.0, np.minimum(MOVED, _MOST_MOVED * (box.high - box.low)))
     moves = [np.random.default_rng([seed, _MOVES, n]).normal(size=len(most)) for n in range(count)]
-    moved: np.ndarray = np.clip(np.array(primitive.action) + most * np.array(moves), box.low, box.high)
-    return moved
+    actions: np.ndarray = np.clip(np.array(primitive.action) + most * np.array(moves), box.low, box.high)
+    return actions
 
 
 def _audition(
@@ -159,7 +166,7 @@ def _audition(
     tasks, owners = list[Task](), list[list[Performance]]()
     for contest in contests:
         for primitive in (one for group in contest.groups for one in group):
-            actions = _moved(primitive, len(contest.scenes), box, seed)
+            actions = moved(primitive, len(contest.scenes), box, seed)
             for scene, action in zip(contest.scenes[part], actions[part], strict=True):
                 tasks.append(Task(scene, action))
                 owners.append(contest.seen.setdefault(primitive, []))

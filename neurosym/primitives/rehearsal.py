@@ -241,11 +241,16 @@ def _operator(primitive: Primitive, category: Category, outcomes: Sequence[Outco
         trials=len(outcomes),
         modes=modes,
         variant=primitive.variant,
-        rehearsals=tuple(_rehearsal(outcome) for outcome in outcomes),
+        rehearsals=tuple(rehearsal_of(outcome) for outcome in outcomes),
     )
 
 
-def _rehearsal(outcome: Outcome) -> Rehearsal:
+def rehearsal_of(outcome: Outcome) -> Rehearsal:
+    """Keep of an outcome what operators remember.
+
+    Args:
+        outcome: What happened.
+    """
     (peak_height,) = rounded(np.array([outcome.peak_height]))
     return Rehearsal(
         outcome.kind,

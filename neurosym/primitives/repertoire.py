@@ -2,6 +2,7 @@
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from itertools import count
 from string import ascii_lowercase
 
 import msgspec
@@ -56,8 +57,9 @@ def with_own(shared: Sequence[Primitive], chosen: Mapping[Symbol, Sequence[Primi
     for category, actions in sorted(chosen.items()):
         for action in actions:
             if (action.symbol, action.action) not in labels:
-                taken = sum(one.symbol == action.symbol for one in primitives) - 1
-                primitives.append(msgspec.structs.replace(action, variant=_letters(taken)))
+                primitives.append(
+                    msgspec.structs.replace(action, variant=next_variant(primitives, action.symbol))
+                )
                 labels[action.symbol, action.action] = primitives[-1].label
         own[category] = tuple(labels[action.symbol, action.action] for action in actions)
     return Repertoire(shared_by_all(primitives).primitives, own)
@@ -73,6 +75,17 @@ def repertoire_of(table: OperatorTable) -> Repertoire:
         if category.share
     }
     return Repertoire(table.primitives, own)
+
+
+def next_variant(primitives: Sequence[Primitive], symbol: Symbol) -> str:
+    """Return the letter of the next action that a symbol has beside its shared one.
+
+    Args:
+        primitives: Those that there are, the shared one among them.
+        symbol: The symbol.
+    """
+    taken = {one.variant for one in primitives if one.symbol == symbol}
+    return next(letters for number in count() if (letters := _letters(number)) not in taken)
 
 
 def _letters(number: int) -> str:

@@ -9,7 +9,6 @@ from neurosym.errors import InvalidValue, UnknownChoice
 from neurosym.evaluation.comparison_summary import Comparison
 from neurosym.evaluation.paper_tables import comparisons_of
 from neurosym.grounding import Grounding
-from neurosym.operators import OperatorTable
 from neurosym.progress import Progress
 from neurosym.reading import read_bytes
 from neurosym.report.charts import Chart
@@ -22,6 +21,7 @@ from neurosym.report.strips import Shown, primitive_stage, run_stage, shown
 from neurosym.stages.folder import DomainFolder
 from neurosym.stages.layout import GROUNDING, INTERACTIONS, MODEL, PRIMITIVES, WORLD
 from neurosym.stages.manifest import Stage, versions
+from neurosym.stages.practising import operator_table
 
 if TYPE_CHECKING:
     from neurosym.explain.explanation import Explanation
@@ -91,7 +91,7 @@ def gather(folder: DomainFolder, progress: Progress) -> Page:
     from neurosym.explain.from_folder import explain_folder
 
     has = {name: (folder / name).is_file() for name in (INTERACTIONS, PRIMITIVES, GROUNDING)}
-    table = OperatorTable.load(folder / PRIMITIVES) if has[PRIMITIVES] else None
+    table = operator_table(folder) if has[PRIMITIVES] else None
     grounding = Grounding.load(folder / GROUNDING) if has[GROUNDING] else None
     interactions = Interactions.load(folder / INTERACTIONS) if has[INTERACTIONS] else None
     read_problem = problem_reader(folder)

@@ -8,7 +8,6 @@ import numpy as np
 from neurosym.errors import InvalidValue
 from neurosym.files import make_folder, write_atomically
 from neurosym.grounding import Grounding
-from neurosym.operators import OperatorTable
 from neurosym.pddl import compile_domain, domain_text, problem_text
 from neurosym.pddl.compiler import check_axes
 from neurosym.pddl.moves import Encoding
@@ -20,14 +19,15 @@ from neurosym.stages.layout import (
     MODEL,
     NUMERIC_DOMAIN,
     OPERATORS_DOMAIN,
-    PRIMITIVES,
     PROBLEMS,
     SCENE,
+    TABLE_FILES,
     WORLD,
     problem_files,
     scene_file,
 )
 from neurosym.stages.manifest import Claim, Stage
+from neurosym.stages.practising import operator_table
 from neurosym.wording import quoted
 from neurosym.worlds.world_file import read_world
 
@@ -35,11 +35,12 @@ from neurosym.worlds.world_file import read_world
 def compile_stage(folder: DomainFolder, *, cell: float) -> Stage:
     """Compile the domain: `primitives.json` -> a domain in each encoding, and `grounding.json`.
 
+    After practice, `practised.json` takes the place of `primitives.json`.
     Problems that are there already are printed again, so that they fit the new domain.
     """
 
     def work() -> None:
-        table = OperatorTable.load(folder.require(PRIMITIVES))
+        table = operator_table(folder)
         check_axes(table)
         if not (folder / WORLD).exists():
             raise InvalidValue(
@@ -59,7 +60,7 @@ def compile_stage(folder: DomainFolder, *, cell: float) -> Stage:
                 write_atomically(folder / file, text)
 
     outputs = (DOMAIN, OPERATORS_DOMAIN, NUMERIC_DOMAIN, GROUNDING)
-    return Stage("compile-domain", (WORLD, PRIMITIVES), outputs, work, {"cell": cell}, Claim.ALONE)
+    return Stage("compile-domain", (WORLD, *TABLE_FILES), outputs, work, {"cell": cell}, Claim.ALONE)
 
 
 def problem_stage(

@@ -33,6 +33,7 @@ def go_the_whole_way(
     regime: str,
     workers: int,
     rehearsals: int,
+    choice: str,
     problems: int,
     min_predicted_effect: float = 0.0,
     object_bits: int | None = None,
@@ -48,6 +49,7 @@ def go_the_whole_way(
         regime: Network and training.
         workers: Processes that simulate.
         rehearsals: Objects that each primitive is rehearsed on.
+        choice: Which candidate stands for a symbol.
         problems: How many problems to draw; more, if none of them has a plan.
         min_predicted_effect: Only actions with at least this predicted sum of absolute displacements are
             explored, if there are any [m].
@@ -72,7 +74,7 @@ def go_the_whole_way(
             action_bits=action_bits,
         ),
         train_stage(folder, seed=seed, regime=regime, object_bits=object_bits, action_bits=action_bits),
-        distill_stage(folder, objects=rehearsals, seed=seed, workers=workers),
+        distill_stage(folder, objects=rehearsals, seed=seed, workers=workers, choice=choice),
         compile_stage(folder, cell=CELL),
     )
     with folder.claimed(Claim.ALONE):

@@ -53,9 +53,11 @@ def test_each_stage_says_what_to_type_next(folder, capsys):
     assert f"next: neurosym new-problem {folder}" in capsys.readouterr().out
 
 
-def test_distill_can_choose_as_the_paper_does(folder):
+@pytest.mark.parametrize("command", [("distill", "--objects", 40, "--seed", 3), ("run", *RUN_TOY)])
+def test_actions_can_be_chosen_as_the_paper_does(folder, command):
     before = OperatorTable.load(folder / "primitives.json")
-    assert neurosym("distill", folder, "--choice", "lowest-error", "--objects", 40, "--seed", 3) == 0
+    name, *options = command
+    assert neurosym(name, folder, *options, "--choice", "lowest-error") == 0
     after = OperatorTable.load(folder / "primitives.json")
     assert tuple(p.label for p in after.primitives) == after.symbols == before.symbols
     assert all(

@@ -1,0 +1,164 @@
+"""The stage that practises: what was learned and `primitives.json` -> `practised.json`, `practice.json`."""
+
+from typing import Any
+
+import msgspec
+
+from neurosym.console import progress_bar
+from neurosym.drafts import at_once
+from neurosym.errors import InvalidFile, InvalidValue
+from neurosym.files import write_json
+from neurosym.grounding import Grounding
+from neurosym.operators import OperatorTable
+from neurosym.pddl import compile_domain
+from neurosym.practice.rounds import Practised, Round
+from neurosym.reading import digest, read_json
+from neurosym.stages.folder import DomainFolder
+from neurosym.stages.layout import DIRECT_MODEL, INTERACTIONS, MODEL, PRACTICE, PRACTISED, PRIMITIVES, WORLD
+from neurosym.stages.manifest import Claim, Stage
+from neurosym.wording import quoted
+from neurosym.worlds.workers import check_workers
+from neurosym.worlds.world_file import read_world
+
+FORMAT = "neurosym-practice-1"
+
+
+class PracticeFile(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
+    """What was practised.
+
+    Attributes:
+        format: Version of this file.
+        of: SHA-256 of the `primitives.json` that practice began with.
+        seed: Where its draws started.
+        evenly: Whether all operators were rehearsed in turn instead.
+        rounds: The rounds.
+    """
+
+    format: str
+    of: str
+    seed: int
+    evenly: bool
+    rounds: tuple[Round, ...]
+
+
+def practice_of(folder: DomainFolder) -> PracticeFile | None:
+    """Return what was practised with the operators that the folder has; None if nothing was.
+
+    Args:
+        folder: The domain folder.
+
+    Raises:
+        InvalidFile: If the file is none.
+    """
+    path = folder / PRACTICE
+    if not (path.is_file() and (folder / PRACTISED).is_file() and (folder / PRIMITIVES).is_file()):
+        return None
+    found = read_json(path, PracticeFile)
+    if found.format != FORMAT:
+        raise InvalidFile(path, f"it is of the format {found.format!r}, and this version reads {FORMAT!r}")
+    return found if found.of == digest(folder / PRIMITIVES) else None
+
+
+def table_file(folder: DomainFolder) -> str:
+    """Name the file of the operators as they are now: `practised.json` after practice.
+
+    Args:
+        folder: The domain folder.
+    """
+    return PRACTISED if practice_of(folder) else PRIMITIVES
+
+
+def operator_table(folder: DomainFolder) -> OperatorTable:
+    """Read the operators as they are now.
+
+    Args:
+        folder: The domain folder.
+
+    Raises:
+        StageMissing: If there is no `primitives.json`.
+        InvalidFile: If a file is none, or of another version.
+    """
+    folder.require(PRIMITIVES)
+    return OperatorTable.load(folder / table_file(folder))
+
+
+def practise_stage(
+    folder: DomainFolder, *, interactions: int, seed: int, workers: int, evenly: bool = False
+) -> Stage:
+    """Practise: networks, data, world and operators -> `practised.json` and `practice.json`.
+
+    What was practised before with the same seed counts, so that an interrupted call goes on.
+
+    Args:
+        folder: The domain folder.
+        interactions: How many in all.
+        seed: Where all draws start.
+        workers: How many processes; their number does not change the result.
+        evenly: Rehearse all operators in turn instead.
+    """
+    if interactions < 1:
+        raise InvalidValue(f"interactions = {interactions} must be at least 1.")
+    check_workers(workers)
+
+    def work() -> None:
+        from neurosym.data.interactions import Interactions
+        from neurosym.learning.direct_model import DirectModel
+        from neurosym.learning.effect_model import EffectModel
+        from neurosym.practice.improving import Workshop
+        from neurosym.practice.loop import practise
+
+        factory = read_world(folder.require(WORLD))
+        distilled = OperatorTable.load(folder.require(PRIMITIVES))
+        if not any(operator.rehearsals for operator in distilled.operators):
+            raise InvalidFile(
+                folder / PRIMITIVES,
+                f"its rehearsals are not kept; `neurosym distill {quoted(folder.path)}` makes it anew",
+            )
+        shop = Workshop(
+            factory,
+            factory(),
+            EffectModel.load(folder.require(MODEL)),
+            DirectModel.load(folder.require(DIRECT_MODEL)),
+            Interactions.load(folder.require(INTERACTIONS)),
+            seed,
+            workers,
+        )
+        of = digest(folder / PRIMITIVES)
+
+        def compiled(table: OperatorTable) -> Grounding:
+            world = shop.world
+            return compile_domain(
+                table, name=world.name, table_bounds=world.table, lift_height=world.lift_height
+            )
+
+        def save(practised: Practised) -> None:
+            write_json(folder / PRACTISED, practised.table)
+            write_json(folder / PRACTICE, PracticeFile(FORMAT, of, seed, evenly, practised.rounds))
+
+        begun = _begun(folder, distilled, seed, evenly=evenly)
+        with progress_bar("practising") as advance:
+
+            def on_round(practised: Practised) -> None:
+                with at_once():  # a kill loses no more than the round that it comes in
+                    save(practised)
+                advance(min(practised.spent, interactions), interactions)
+
+            advance(min(begun.spent, interactions), interactions)
+            done = practise(
+                shop, begun, compiled, interactions=interactions, evenly=evenly, on_round=on_round
+            )
+        save(done)
+
+    options: dict[str, Any] = {"interactions": interactions, "seed": seed}
+    if evenly:
+        options["evenly"] = True
+    inputs = (WORLD, INTERACTIONS, MODEL, DIRECT_MODEL, PRIMITIVES)
+    return Stage("practise", inputs, (PRACTISED, PRACTICE), work, options, Claim.ALONE)
+
+
+def _begun(folder: DomainFolder, distilled: OperatorTable, seed: int, *, evenly: bool) -> Practised:
+    """Return what was practised so far in the same way, or a table without any practice."""
+    found = practice_of(folder)
+    if found is None or (found.seed, found.evenly) != (seed, evenly):
+        return Practised(distilled)
+    return Practised(OperatorTable.load(folder / PRACTISED), found.rounds)

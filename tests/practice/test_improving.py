@@ -1,0 +1,108 @@
+"""Operators are rehearsed on more objects, and surer actions take the place of others."""
+
+import msgspec
+import numpy as np
+import pytest
+
+from neurosym.data.interactions import Interactions
+from neurosym.learning.direct_model import DirectModel
+from neurosym.learning.effect_model import EffectModel
+from neurosym.operators import OperatorTable
+from neurosym.practice import improving
+from neurosym.practice.improving import Workshop, audition_others, rehearse_more, renamed
+from neurosym.primitives.modes import sort_into_modes
+from neurosym.promises import rehearsed_objects
+from neurosym.worlds.toy import make_world
+
+
+@pytest.fixture(scope="module")
+def shop(toy_folder) -> Workshop:
+    return Workshop(
+        make_world,
+        make_world(),
+        EffectModel.load(toy_folder / "effect_model.safetensors"),
+        DirectModel.load(toy_folder / "direct_model.safetensors"),
+        Interactions.load(toy_folder / "interactions.npz"),
+        seed=3,
+    )
+
+
+@pytest.fixture(scope="module")
+def table(toy_folder) -> OperatorTable:
+    return OperatorTable.load(toy_folder / "primitives.json")
+
+
+def parts(table, operator):
+    primitive = next(one for one in table.primitives if one.label == operator.label)
+    return primitive, next(one for one in table.categories if one.symbol == operator.category)
+
+
+def pushes(table):
+    return [one for one in table.operators if one.name.startswith("push")]
+
+
+def test_more_rehearsals_are_added_and_sorted_into_modes_with_the_others(shop, table):
+    operator = pushes(table)[0]
+    primitive, category = parts(table, operator)
+    improved = rehearse_more(shop, operator, primitive, category, 6, turn=1)
+    now, before = improved.operator, len(operator.rehearsals)
+    assert (improved.interactions, improved.primitive) == (6, None)
+    assert now.rehearsals[:before] == operator.rehearsals
+    assert now.objects[:before] == category.objects
+    assert len(rehearsed_objects(now, category)) == len(now.rehearsals) == now.trials == before + 6
+    rows = now.rehearsals
+    columns = (np.array([getattr(row, name) for row in rows]) for name in ("effect", "resting_effect"))
+    heights = np.array([row.peak_height for row in rows])
+    assert now.modes == sort_into_modes([row.kind for row in rows], *columns, heights)
+    assert set(shop.model.object_symbols(np.array(now.objects[before:]))) == {category.symbol}
+
+
+def test_objects_are_the_same_again_in_the_same_turn_and_others_in_another(shop, table):
+    category = parts(table, pushes(table)[0])[1]
+    first, again, other = (shop.scenes(category, 4, turn) for turn in (1, 1, 2))
+    features = [[tuple(scene.features[0]) for scene in scenes] for scenes in (first, again, other)]
+    assert features[0] == features[1]
+    assert not set(features[0]) & set(features[2])
+
+
+def test_an_action_on_an_edge_gives_way_to_a_surer_one_that_does_the_same(shop, table, monkeypatch):
+    operator = pushes(table)[0]
+    primitive, category = parts(table, operator)
+    real = improving.moved
+
+    def spoilt(one, count, box, seed):
+        actions = real(one, count, box, seed)
+        if one == primitive:
+            actions[::4, 8:10] = actions[::4, :2]  # a fourth of the objects is not pushed
+        return actions
+
+    monkeypatch.setattr(improving, "moved", spoilt)
+    improved = audition_others(shop, operator, primitive, category, turn=1)
+    assert improved.primitive is not None
+    assert improved.primitive.symbol == primitive.symbol
+    assert improved.primitive.action != primitive.action
+    assert shop.model.action_symbols(np.array([improved.primitive.action])) == (primitive.symbol,)
+    now = renamed(improved.operator, category, "q")
+    assert now.label == primitive.symbol + "q"
+    assert f"-{primitive.symbol}q-" in now.name
+    was, shall = operator.promise, now.promise
+    assert np.linalg.norm(np.subtract(was.outcome, shall.outcome)) < 0.06
+
+
+def test_an_action_that_nothing_beats_stays(shop, table, monkeypatch):
+    operator = pushes(table)[0]
+    primitive, category = parts(table, operator)
+    monkeypatch.setattr(improving, "_rivals", lambda *_: [])
+    improved = audition_others(shop, operator, primitive, category, turn=1)
+    assert (improved.operator, improved.primitive) == (operator, None)
+
+
+def test_a_category_that_is_not_met_is_not_practised(shop, table):
+    operator = pushes(table)[0]
+    primitive, category = parts(table, operator)
+    nowhere = msgspec.structs.replace(category, symbol="2" * len(category.symbol))
+    for improved in (
+        rehearse_more(shop, operator, primitive, nowhere, 2, turn=1),
+        audition_others(shop, operator, primitive, nowhere, turn=1),
+    ):
+        assert improved == improving.Improved(operator, None, 0)
