@@ -1,11 +1,12 @@
 """Replanning: whether what is left of a plan still leads to the goal, a new plan if not, and when to stop."""
 
+from collections import Counter
 from collections.abc import Sequence
 from dataclasses import dataclass
 
 from neurosym.execution.experience import Experience, believed_name, learned_name
 from neurosym.pddl.plan_text import PlanStep, primitives
-from neurosym.pddl.validation import validate
+from neurosym.pddl.validation import Validation, validate
 from neurosym.planners.registry import Replanner
 from neurosym.planners.result import PlanResult, PlanStatus
 from neurosym.problems import Problem
@@ -48,6 +49,10 @@ class Progress:
         self.miss = min(miss, self.miss)
 
 
+LATER = 2
+"""An object that is not at one of its last so many primitives may yet go another way; see `_can_wait`."""
+
+
 def why_not_go_on(left: Sequence[PlanStep], seen: Problem, experience: Experience) -> str:
     """Say why what is left of a plan would miss the goal by what is believed now, or nothing.
 
@@ -61,9 +66,33 @@ def why_not_go_on(left: Sequence[PlanStep], seen: Problem, experience: Experienc
     believed, grounding = experience.believed(seen)
     checked = validate([believed_name(step, believed, grounding) for step in left], believed, grounding)
     if checked.failed is None:
-        return checked.reason
+        return "" if _can_wait(left, checked, believed) else checked.reason
     step, why = learned_name(checked.failed[0]), checked.failed[1]
     return f"{step.operator} {step.object}: {why}"
+
+
+def _can_wait(left: Sequence[PlanStep], checked: Validation, problem: Problem) -> bool:
+    """Say whether a plan that would miss its goals by little is to be gone on with for now.
+
+    Long plans mostly miss somewhat, each step another way; it is early enough to plan anew near the end of
+    what is done with an object.
+
+    Args:
+        left: What is left of the plan, every step of which is possible.
+        checked: Its replay.
+        problem: The problem as it stands now.
+    """
+    if not left:
+        return False
+    primitives_left = Counter(step.object for step in left if not step.puts_down)
+    missed = {
+        name: miss
+        for name, miss in problem.distances(checked.positions[-1]).items()
+        if miss > problem.tolerance
+    }
+    return all(
+        miss <= 2 * problem.tolerance and primitives_left[name] > LATER for name, miss in missed.items()
+    )
 
 
 def new_plan(

@@ -16,12 +16,12 @@ from neurosym.operators import Operator
 from neurosym.pddl.chances import expected_success
 from neurosym.pddl.moves import PUT_DOWN, step_cost
 from neurosym.pddl.plan_text import PlanStep
-from neurosym.pddl.validation import operator_for
+from neurosym.pddl.validation import operator_for, validate
 from neurosym.planners.branching import branching_of
 from neurosym.planners.count_vectors import Candidate, candidates
 from neurosym.planners.effort import Effort
 from neurosym.planners.joins import choices_of
-from neurosym.planners.ordering import ends_held, mend
+from neurosym.planners.ordering import ends_held
 from neurosym.problems import Problem
 from neurosym.promises import promised
 
@@ -58,9 +58,10 @@ def aim(
         for way in _ways(own, problem, grounding, Effort(WORK, deadline)):
             place = len(others) if ends_held(way, grounding) else best.index(own[0])
             joined = (*others[:place], *way, *others[place:])
-            ordered, checked = mend(joined, problem, grounding)
-            if checked.valid and (found := expected_success(ordered, problem, grounding)) > likely:
-                best, likely = ordered, found
+            if not validate(joined, problem, grounding).valid:
+                continue  # others are in the way
+            if (found := expected_success(joined, problem, grounding)) > likely:
+                best, likely = joined, found
                 break
     return best
 

@@ -20,6 +20,7 @@ from neurosym.pddl.moves import PUT_DOWN
 from neurosym.pddl.plan_text import PlanStep
 from neurosym.pddl.validation import footprints_apart, validate
 from neurosym.planners.branching import branching_of
+from neurosym.planners.cost_to_go import CostToGo, cost_to_go
 from neurosym.planners.count_vectors import Choices
 from neurosym.planners.effort import Effort
 from neurosym.planners.joins import choices_of
@@ -28,8 +29,8 @@ from neurosym.problems import Problem
 
 WORK = 150_000
 """How many places are looked at in all."""
-WORK_A_WAY = 15_000
-"""How many places are looked at for one way."""
+WORK_A_WAY = 2_000
+"""How many places are looked at for one way; where it takes more, another order is tried."""
 SAME = 0.005
 """Edge of a cell of which only one place is looked at [m]."""
 ASIDE = 2
@@ -83,6 +84,7 @@ class _Search:
     names: list[list[str]] = field(init=False)
     goals: Float[np.ndarray, "M 3"] = field(init=False)
     apart: Float[np.ndarray, "M M 2"] = field(init=False)
+    to_go: dict[tuple[int, bool], CostToGo] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
         branching, names = branching_of(self.problem, self.grounding)
@@ -200,14 +202,14 @@ class _Search:
         """
         others = np.zeros(0, dtype=int) if alone else np.delete(np.arange(len(here)), row)
         choices, ticket, budget = self.choices[row], count(), WORK_A_WAY
-        lifts, far = np.flatnonzero(choices.held), _bound(choices, goal, self.problem.tolerance)
+        lifts, far = np.flatnonzero(choices.held), self._far(row, goal, may_hold=held_goal is not None)
         places, came = [here[row]], [(-1, -1)]  # where each node is; the node before it, and the move
         cheapest = {_cell(here[row]): 0}
-        waiting = [(far(here[row]), next(ticket), 0, 0)]
+        waiting = [(far(here[row]), 0, next(ticket), 0)]
         while waiting and budget and self.effort.spend():
             budget -= 1
-            _, _, spent, node = heapq.heappop(waiting)
-            at = places[node]
+            _, owed, _, node = heapq.heappop(waiting)
+            at, spent = places[node], -owed
             if spent > cheapest[_cell(at)]:
                 continue
             if is_end(at):
@@ -226,12 +228,20 @@ class _Search:
                 cell = _cell(place)
                 if sum_of_costs < cheapest.get(cell, sum_of_costs + 1):
                     cheapest[cell] = sum_of_costs
-                    heapq.heappush(
-                        waiting, (sum_of_costs + far(place), next(ticket), sum_of_costs, len(places))
-                    )
+                    estimate = sum_of_costs + far(place)  # of equal ones, the one that has come farthest
+                    heapq.heappush(waiting, (estimate, -sum_of_costs, next(ticket), len(places)))
                     places.append(place)
                     came.append((node, move))
         return None
+
+    def _far(self, row: int, goal: Float[np.ndarray, "3"] | None, *, may_hold: bool) -> CostToGo:
+        """Return what it costs an object to go on to its goal."""
+        if goal is None:
+            return lambda _: 0.0
+        if (row, may_hold) not in self.to_go:
+            tolerance = self.problem.tolerance
+            self.to_go[row, may_hold] = cost_to_go(self.choices[row], goal, tolerance, may_hold=may_hold)
+        return self.to_go[row, may_hold]
 
     def _after(self, state: _State, row: int, way: _Way, *, is_done: bool) -> _State:
         here, todo, steps = state
@@ -265,19 +275,6 @@ def _traced(
         node, move = came[node]
         moves += [move] if node >= 0 else []
     return _Way(tuple(moves[::-1]), lift is not None, tuple(rests[::-1]))
-
-
-def _bound(
-    choices: Choices, goal: Float[np.ndarray, "3"] | None, tolerance: float
-) -> Callable[[Float[np.ndarray, "3"]], float]:
-    """Return a lower bound of what it costs to come near to a goal, as the crow flies."""
-    if goal is None or not len(choices.costs):
-        return lambda _: 0.0
-    reach = np.maximum(
-        np.linalg.norm(choices.settled[:, :2], axis=1), np.linalg.norm(choices.lifted[:, :2], axis=1)
-    )
-    a_metre = float(np.min(choices.costs / np.maximum(reach, 1e-9)))
-    return lambda at: max(0.0, math.dist(at[:2], goal[:2]) - tolerance) * a_metre
 
 
 def _overlaps(
