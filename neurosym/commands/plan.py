@@ -79,22 +79,31 @@ def plan(
 
 
 def _say_plan(record: "PlanRecord") -> None:
+    from neurosym.stages.plan_records import MORE_MOTIONS
+
     if record.solved:
         remark = f" ({record.reason})" if record.reason else ""
         chance = 1.0 if record.chance is None else record.chance
-        likely = f"{chance:.0%} likely" if chance >= 0.005 else "less than 1% likely"
         count = counted(record.primitives, "primitive")
-        say(f"{count} in {record.seconds:.2f} s{remark}, {likely} to go as promised:")
+        say(f"{count} in {record.seconds:.2f} s{remark}, {_likely(chance)} to go as promised:")
     else:
         say(f"no plan for {record.problem} ({record.status.value}, {record.seconds:.2f} s): {record.reason}")
         if record.steps:
             say("as near as it comes:")
     _say_steps(record.steps)
+    if record.solved and record.steps and record.chance_replanned is not None:
+        motions = record.primitives + MORE_MOTIONS
+        likely = _likely(record.chance_replanned)
+        say(f"planned anew on the way, {likely} to reach the goal within {motions} motions")
     if record.solved and record.chance is not None and record.chance < UNLIKELY:
         say(
             f"note: a plan of {counted(record.primitives, 'primitive')} seldom goes through as it stands; "
             "let `neurosym execute` plan anew on the way (unless --replans 0), or bring the goals nearer"
         )
+
+
+def _likely(chance: float) -> str:
+    return f"{chance:.0%} likely" if chance >= 0.005 else "less than 1% likely"
 
 
 def _say_alternatives(record: "PlanRecord", folder: Path, wanted: int) -> None:

@@ -6,6 +6,7 @@ normal distribution gives to it. That is summed over fixed points which stand fo
 """
 
 import math
+from collections import Counter
 from collections.abc import Sequence
 from functools import cache
 from statistics import NormalDist
@@ -44,6 +45,41 @@ def expected_success(steps: Sequence[PlanStep], problem: Problem, grounding: Gro
     return kept * inside
 
 
+def expected_within(steps: Sequence[PlanStep], problem: Problem, grounding: Grounding, motions: int) -> float:
+    """Return the chance that the goal is reached within so many motions if it is planned anew on the way.
+
+    A step that does not go as promised, or an object that ends beside its goal, takes a motion more, which is
+    as likely to do. An object that is lost ends everything.
+
+    Args:
+        steps: The plan; a put-down belongs to its lift.
+        problem: The problem it is for.
+        grounding: The learned domain.
+        motions: How many primitives may be performed.
+    """
+    ends = validate(steps, problem, grounding).positions[-1]
+    left = Counter(step.object for step in steps if not step.puts_down)
+    stages = []
+    for step in (step for step in steps if not step.puts_down):
+        operator = promise_of(step, problem, grounding)
+        kept, lost = chance(operator), _share_lost(operator)
+        left[step.object] -= 1
+        if not left[step.object] and step.object in problem.goals:
+            spread = spread_of([one for one in steps if one.object == step.object], problem, grounding)
+            miss = ends[problem.object_names.index(step.object)] - problem.goals[step.object]
+            kept *= chance_inside(miss, spread, problem.tolerance)
+        stages.append((kept, max(0.0, 1 - kept - lost)))
+    done = np.array([kept for kept, _ in stages])
+    again = np.array([*(again for _, again in stages), 1.0])
+    so_many = np.zeros(len(stages) + 1)  # how likely so many steps are done
+    so_many[0] = 1.0
+    for _ in range(motions):
+        onward = so_many[:-1] * done
+        so_many = so_many * again
+        so_many[1:] += onward
+    return float(so_many[-1])
+
+
 def promise_of(step: PlanStep, problem: Problem, grounding: Grounding) -> Operator:
     """Return the operator of a step as it promises for its object; its spread is that of promises kept.
 
@@ -72,6 +108,10 @@ def spread_of(steps: Sequence[PlanStep], problem: Problem, grounding: Grounding)
             spread = promise.spread if ends_held else (*promise.resting_spread[:2], 0.0)
             variance += np.square(spread)
     return np.asarray(np.sqrt(variance))
+
+
+def _share_lost(operator: Operator) -> float:
+    return math.fsum(mode.share for mode in operator.modes if mode.kind == "lost")
 
 
 def chance_inside(miss: Float[np.ndarray, "3"], spread: Float[np.ndarray, "3"], tolerance: float) -> float:

@@ -9,7 +9,7 @@ import msgspec
 from neurosym.errors import InvalidFile, InvalidValue
 from neurosym.files import make_folder, remove, write_atomically, write_json
 from neurosym.grounding import Grounding
-from neurosym.pddl.chances import expected_success
+from neurosym.pddl.chances import expected_success, expected_within
 from neurosym.pddl.moves import Encoding
 from neurosym.pddl.plan_text import (
     PlanStep,
@@ -26,6 +26,8 @@ from neurosym.reading import read_json
 from neurosym.stages.folder import DomainFolder
 from neurosym.stages.layout import PLANS, plan_files
 
+MORE_MOTIONS = 2
+"""How many motions more than a plan has primitives are told the chance of."""
 _ALTERNATIVE = r"-alt-\d+$"
 
 
@@ -56,6 +58,8 @@ class PlanRecord(msgspec.Struct, frozen=True, forbid_unknown_fields=True, omit_d
         chance: The chance that all steps go as promised; None without a plan.
         alternatives: The next-best plans, if they were asked for.
         tolerance: How near objects had to come [m]; None if it was the problem's own tolerance.
+        chance_replanned: The chance that the goal is reached with at most `MORE_MOTIONS` motions more than
+            primitives, planned anew on the way; None without a plan.
     """
 
     problem: str
@@ -67,6 +71,7 @@ class PlanRecord(msgspec.Struct, frozen=True, forbid_unknown_fields=True, omit_d
     chance: float | None = None
     alternatives: tuple[PlannedSteps, ...] = ()
     tolerance: float | None = None
+    chance_replanned: float | None = None
 
     @property
     def solved(self) -> bool:
@@ -116,6 +121,7 @@ def write_plans(
         chance=_chance(result.steps, problem, grounding) if result.has_plan else None,
         alternatives=written,
         tolerance=tolerance,
+        chance_replanned=_chance_replanned(result.steps, problem, grounding) if result.has_plan else None,
     )
     if record.solved:
         write_atomically(folder / plan_file, _plan_text(result.steps, problem, grounding, encoding))
@@ -160,6 +166,10 @@ def _write_alternatives(
 
 def _chance(steps: Sequence[PlanStep], problem: Problem, grounding: Grounding) -> float:
     return round(expected_success(steps, problem, grounding), 4)
+
+
+def _chance_replanned(steps: Sequence[PlanStep], problem: Problem, grounding: Grounding) -> float:
+    return round(expected_within(steps, problem, grounding, primitives(steps) + MORE_MOTIONS), 4)
 
 
 def _plan_text(steps: Sequence[PlanStep], problem: Problem, grounding: Grounding, encoding: Encoding) -> str:

@@ -7,7 +7,7 @@ import pytest
 import tables
 from tables import LIFT, PULL
 
-from neurosym.pddl.chances import chance_inside, expected_success, spread_of
+from neurosym.pddl.chances import chance_inside, expected_success, expected_within, spread_of
 from neurosym.problems import Problem
 
 
@@ -39,6 +39,32 @@ def test_spreads_add_up_like_variances_and_a_put_down_belongs_to_its_lift():
     assert spread_of([PULL] * 4, task, learned) == pytest.approx(2 * one)
     in_the_air, down = (spread_of(steps, task, learned) for steps in ([LIFT], [LIFT, tables.DOWN]))
     assert in_the_air[2] > 0 == down[2]
+
+
+def test_within_no_more_motions_than_steps_a_plan_must_go_as_promised():
+    learned, item = tables.grounding(), tables.item("item-01", 0.45, 0.0)
+    task = Problem("p", (item,), {"item-01": (0.45 + 2 * 0.0713, -0.0248, 0.025)})
+    plan, chances = [tables.PUSH] * 2, []
+    for motions in range(9):
+        chances.append(expected_within(plan, task, learned, motions))
+    assert chances[:2] == [0.0, 0.0]
+    assert chances[2] == pytest.approx(expected_success(plan, task, learned))
+    assert chances == sorted(chances)
+    assert chances[3] > chances[2]
+
+
+def test_a_second_try_is_as_likely_and_what_is_lost_stays_lost():
+    learned, item = tables.grounding(), tables.item("item-01", 0.45, 0.0)
+    task = Problem("p", (item,), {"item-01": (0.45 + 0.0713, -0.0124, 0.025)})
+    kept = expected_success([tables.PUSH], task, learned)
+    (lost,) = (
+        sum(mode.share for mode in one.modes if mode.kind == "lost")
+        for one in learned.operators.operators
+        if one.name == tables.PUSH.operator
+    )
+    again = 1 - kept - lost
+    assert expected_within([tables.PUSH], task, learned, 3) == pytest.approx(kept * (1 + again + again**2))
+    assert expected_within([], task, learned, 0) == 1.0
 
 
 def test_plan_comes_true_if_all_steps_are_kept_and_all_objects_end_inside():

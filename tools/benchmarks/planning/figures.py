@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 
+from neurosym.stages.plan_records import MORE_MOTIONS
 from tools.benchmarks.planning.trials import Followed, Step, Trial
 
 BIN = 50
@@ -105,13 +106,35 @@ def calibration(trials: Iterable[Trial]) -> dict[str, Any]:
         trials: Trials whose plans were followed blindly.
     """
     known = [trial for trial in trials if trial.blind and trial.chance is not None]
-    chances = np.array([trial.chance for trial in known], dtype=float)
-    came = np.array([trial.blind.reached for trial in known if trial.blind], dtype=float)
+    return _calibrated(
+        np.array([trial.chance for trial in known], dtype=float),
+        np.array([trial.blind.reached for trial in known if trial.blind], dtype=float),
+    )
+
+
+def calibration_replanned(trials: Iterable[Trial]) -> dict[str, Any]:
+    """Compare the printed chances to be there in so many motions with how often plans were, planned anew.
+
+    Args:
+        trials: Trials whose plans were followed with replanning.
+    """
+    known = [trial for trial in trials if trial.replanned and trial.chance_replanned is not None]
+    came = [
+        trial.replanned.reached and len(trial.replanned.steps) <= trial.primitives + MORE_MOTIONS
+        for trial in known
+        if trial.replanned
+    ]
+    return _calibrated(
+        np.array([trial.chance_replanned for trial in known], dtype=float), np.array(came, dtype=float)
+    )
+
+
+def _calibrated(chances: np.ndarray, came: np.ndarray) -> dict[str, Any]:
     return {
-        "plans": len(known),
-        "brier": brier(chances, came) if known else None,
-        "base_rate": float(came.mean()) if known else None,
-        "brier_of_base_rate": brier(np.full(len(came), came.mean()), came) if known else None,
+        "plans": len(chances),
+        "brier": brier(chances, came) if len(came) else None,
+        "base_rate": float(came.mean()) if len(came) else None,
+        "brier_of_base_rate": brier(np.full(len(came), came.mean()), came) if len(came) else None,
         "bins": bins(chances, came),
     }
 

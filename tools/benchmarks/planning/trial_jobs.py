@@ -154,6 +154,7 @@ def summarise_trials(found: Mapping[str, Any], work: Path, size: Size) -> dict[s
         },
         "far_details": {objects: _far_details(trials) for objects, trials in anywhere.items()},
         "calibration": figures.calibration(every),
+        "calibration_replanned": figures.calibration_replanned(every),
     }
 
 

@@ -3,6 +3,7 @@
 from collections.abc import Mapping, Sequence
 from typing import Any
 
+from neurosym.stages.plan_records import MORE_MOTIONS
 from tools.benchmarks.planning.figures import wilson
 from tools.benchmarks.planning.tables import NOT_YET, markdown
 
@@ -35,7 +36,16 @@ def trial_sections(results: Mapping[str, Any]) -> list[str]:
         + (", ".join(f"{seed}: {len(kinds)}" for seed, kinds in results["kinds_by_seed"].items()) or NOT_YET)
         + ".",
         "## The chance that is printed",
-        _calibration(results["calibration"]),
+        _calibration(
+            "Chance that `neurosym plan` prints, beside how often the plan came true, followed blindly to "
+            "50 mm",
+            results["calibration"],
+        ),
+        _calibration(
+            f"Chance that it prints of being there within {MORE_MOTIONS} motions more than the plan has, "
+            "beside how often that was so, with replanning",
+            results["calibration_replanned"],
+        ),
     ]
 
 
@@ -81,7 +91,7 @@ def _promises(table: Mapping[str, Any]) -> str:
     return markdown([*columns, "ended in the way promised"], rows)
 
 
-def _calibration(told: Mapping[str, Any]) -> str:
+def _calibration(what: str, told: Mapping[str, Any]) -> str:
     if not told["plans"]:
         return NOT_YET
     rows: Sequence[Sequence[str]] = [
@@ -93,8 +103,7 @@ def _calibration(told: Mapping[str, Any]) -> str:
         for part in told["bins"]
     ]
     return (
-        f"Chance that `neurosym plan` prints, beside how often the plan came true, followed blindly within "
-        f"50 mm ({told['plans']} plans). Brier score {told['brier']:.3f}; of the base rate "
+        f"{what} ({told['plans']} plans). Brier score {told['brier']:.3f}; of the base rate "
         f"{told['brier_of_base_rate']:.3f}.\n\n{markdown(['plans', 'mean chance', 'came true'], rows)}"
     )
 

@@ -13,11 +13,12 @@ from neurosym.execution.record import Run, StepRecord
 from neurosym.execution.summary import failure
 from neurosym.grounding import Grounding, at_rest
 from neurosym.operators import Vector
-from neurosym.pddl.chances import expected_success
-from neurosym.pddl.plan_text import PlanStep, primitives
+from neurosym.pddl.chances import expected_success, expected_within
+from neurosym.pddl.plan_text import primitives
 from neurosym.planners import PlanStatus
 from neurosym.problems import Problem, SceneObject
 from neurosym.promises import promised
+from neurosym.stages.plan_records import MORE_MOTIONS
 
 PLANNER = "fast-downward"
 
@@ -79,6 +80,8 @@ class Trial(msgspec.Struct, frozen=True, omit_defaults=True):
         reason: Why there is no plan.
         primitives: How many primitives the first plan has.
         chance: The chance printed with the plan that it comes true.
+        chance_replanned: The chance printed with it that the goal is reached, with replanning, within
+            `MORE_MOTIONS` motions more than primitives.
         blind: What became of the plan followed blindly; None if that was not asked for.
         replanned: What became of it with replanning; None without a plan.
         cpu: CPU seconds that all of it took.
@@ -89,6 +92,7 @@ class Trial(msgspec.Struct, frozen=True, omit_defaults=True):
     reason: str = ""
     primitives: int = 0
     chance: float | None = None
+    chance_replanned: float | None = None
     blind: Followed | None = None
     replanned: Followed | None = None
     cpu: float = 0.0
@@ -118,22 +122,15 @@ def try_task(setting: Setting, task: Problem, *, blind: bool, time_limit: float 
         task=task.name,
         status=found.status.value,
         primitives=primitives(found.steps),
-        chance=round(chance_of(found.steps, task, setting.grounding), 4),
+        chance=round(expected_success(found.steps, task, setting.grounding), 4),
+        chance_replanned=round(
+            expected_within(found.steps, task, setting.grounding, primitives(found.steps) + MORE_MOTIONS),
+            4,
+        ),
         blind=followed,
         replanned=shortened(replanned, task, setting.grounding),
         cpu=round(_cpu() - begin, 2),
     )
-
-
-def chance_of(steps: Sequence[PlanStep], task: Problem, grounding: Grounding) -> float:
-    """Return the chance that `neurosym plan` prints: that a plan followed blindly comes true.
-
-    Args:
-        steps: The plan.
-        task: What it is for.
-        grounding: The learned domain.
-    """
-    return expected_success(steps, task, grounding)
 
 
 def shortened(run: Run, task: Problem, grounding: Grounding) -> Followed:
