@@ -4,7 +4,7 @@ VENV ?= .venv
 PYTHON ?= $(firstword $(shell command -v python3.11) $(shell command -v python3))
 BIN := $(VENV)/bin
 
-.PHONY: install demo test lint fuzz evaluate evaluate-world evaluate-learning evaluate-planning evaluate-planners evaluate-scale faults tutorial architecture clean
+.PHONY: install demo test lint fuzz evaluate evaluate-world evaluate-learning evaluate-planning evaluate-practice evaluate-planners evaluate-scale faults tutorial architecture clean
 
 install: $(VENV)/.installed
 
@@ -56,6 +56,10 @@ evaluate-planning: STEPS := 2560
 evaluate-planning: install
 	$(BIN)/pip install --quiet --constraint constraints.txt --editable '.[dev,planners]'
 	$(BIN)/python -m tools.benchmarks.planning.evaluate --seeds $(SEEDS) --steps $(STEPS)
+
+# Whether practice helps, beside rehearsing evenly, into docs/results/practice.*; goes on where it was interrupted.
+evaluate-practice: install
+	$(BIN)/python -m tools.benchmarks.planning.practice
 
 # How far it goes (rows, symbols, objects), into docs/results/scale.*; goes on where it was interrupted.
 evaluate-scale: install

@@ -28,7 +28,7 @@ TABLETOP = partial(make_world, "tabletop", {})
 
 def run(folder: Path) -> subprocess.CompletedProcess[str]:
     command = [sys.executable, "-m", "neurosym", "run", str(folder), *LEARN]
-    return subprocess.run(command, capture_output=True, text=True, timeout=400)
+    return subprocess.run(command, capture_output=True, text=True, timeout=1200)
 
 
 @pytest.fixture(scope="module")

@@ -1,0 +1,211 @@
+"""Does practice help? `python -m tools.benchmarks.planning.practice`, into docs/results/practice.*.
+
+
+A domain is practised with, and another copy of it is rehearsed evenly for as many interactions. Then the
+domain and both copies are tried on the same tasks, which no practice has seen. Goes on where it was
+interrupted.
+"""
+
+import os
+import shutil
+from collections.abc import Mapping, Sequence
+from functools import partial
+from pathlib import Path
+from statistics import mean, stdev
+from typing import Annotated, Any
+
+import tyro
+
+from neurosym.console import say
+from neurosym.files import write_atomically
+from neurosym.markdown import markdown_table
+from neurosym.pddl.compiler import CELL
+from neurosym.stages.compiling import compile_stage
+from neurosym.stages.folder import DomainFolder
+from neurosym.stages.layout import MANIFEST, TABLE_FILES
+from neurosym.stages.practising import practice_of, practise_stage
+from tools.benchmarks.jobs import Job, as_text, load_jobs, machine, pack, perform, unpack
+from tools.benchmarks.planning import figures
+from tools.benchmarks.planning.jobs import SHIPPED, SIZES, blocks
+from tools.benchmarks.planning.measures import TIME_LIMIT, bench_of
+from tools.benchmarks.planning.trials import Trial, from_json, to_json, try_task
+
+RESULTS, WORK = Path("docs/results"), Path("evaluation/practice")
+RECORDS = "practice-records.zip"
+HOW = ("before", "practised", "evenly")
+TOLERANCES = (50, 20)  # [mm]
+FIRST_TASK = 200_000
+"""Seed of the first task, far from those of other evaluations."""
+BLOCK = 10
+LEFT_OUT = ("plans", "problems", "runs", *TABLE_FILES[1:])
+_KEPT = ("before", "1")
+
+
+def main(
+    domain: Annotated[Path, tyro.conf.arg(help="The domain folder.")] = SHIPPED,
+    interactions: Annotated[int, tyro.conf.arg(help="Interactions of practice.")] = 2000,
+    seeds: Annotated[int, tyro.conf.arg(help="Seeds of practice.")] = 3,
+    tasks: Annotated[int, tyro.conf.arg(help="Tasks with one object, and with two.")] = 100,
+    work: Annotated[Path, tyro.conf.arg(help="Folder for what was measured.")] = WORK,
+    results: Annotated[Path, tyro.conf.arg(help="Folder for the tables.")] = RESULTS,
+    workers: Annotated[int, tyro.conf.arg(help="Jobs at once.")] = os.cpu_count() or 1,
+) -> None:
+    """Practise, try, and write what came of it."""
+    (work / "jobs").mkdir(parents=True, exist_ok=True)
+    unpack(results / RECORDS, work / "jobs")
+    copies = [_KEPT, *((how, str(seed)) for how in HOW[1:] for seed in range(1, seeds + 1))]
+    learning = {
+        f"learn-{how}-{seed}": partial(learn, domain, work / f"{how}-{seed}", how, int(seed), interactions)
+        for how, seed in copies
+    }
+    perform(work / "jobs", learning, workers, lambda: None, label="practising")
+    trying = {
+        name: job
+        for how, seed in copies
+        for kind in SIZES
+        for mm in TOLERANCES
+        for name, job in _jobs(work, how, seed, kind, mm, tasks).items()
+    }
+    perform(work / "jobs", trying, workers, lambda: None, label="trying")
+    found = load_jobs(work / "jobs")
+    pack(work / "jobs", results / RECORDS)
+    summary = summarise(found, work, copies, interactions=interactions, tasks=tasks)
+    write_atomically(results / "practice.json", as_text(summary))
+    write_atomically(results / "practice.md", page(summary))
+    say(f"wrote {results / 'practice.md'}")
+
+
+def learn(domain: Path, folder: Path, how: str, seed: int, interactions: int) -> dict[str, Any]:
+    """Copy a domain, and practise with it, or rehearse all its operators evenly.
+
+    Args:
+        domain: The domain folder.
+        folder: Where the copy lies; one that is there is gone on with.
+        how: One of `HOW`.
+        seed: Of practice.
+        interactions: How many.
+
+    Returns:
+        How many interactions there were, and the competence of what was practised, before and after.
+    """
+    if not (folder / MANIFEST).exists():
+        shutil.copytree(domain, folder, ignore=shutil.ignore_patterns(*LEFT_OUT))
+    copy = DomainFolder(folder)
+    if how != HOW[0]:
+        stage = practise_stage(copy, interactions=interactions, seed=seed, workers=1, evenly=how == "evenly")
+        copy.perform(stage, again=False)
+    copy.perform(compile_stage(copy, cell=CELL), again=False)
+    practised = practice_of(copy)
+    rounds = practised.rounds if practised else ()
+    lessons = [lesson for one in rounds for lesson in one.lessons]
+    return {
+        "spent": sum(one.spent for one in rounds),
+        "rounds": len(rounds),
+        "lessons": len(lessons),
+        "replaced": sum(bool(lesson.replaced) for lesson in lessons),
+        "before": mean(lesson.before for lesson in lessons) if lessons else None,
+        "after": mean(lesson.after for lesson in lessons) if lessons else None,
+    }
+
+
+def try_all(folder: Path, objects: int, mm: int, seeds: Sequence[int]) -> list[Any]:
+    """Try tasks drawn as the paper draws them, blindly and with replanning."""
+    bench = bench_of(folder)
+    tasks = [bench.draw(objects, seed, mm / 1000) for seed in seeds]
+    return to_json([try_task(bench.setting, task, blind=True, time_limit=TIME_LIMIT) for task in tasks])
+
+
+def summarise(
+    found: Mapping[str, Any], work: Path, copies: Sequence[tuple[str, str]], *, interactions: int, tasks: int
+) -> dict[str, Any]:
+    """Gather shares of reached goals, and what practice was.
+
+    Args:
+        found: What the jobs found, by name.
+        work: The working folder.
+        copies: How each copy was treated, and its seed.
+        interactions: Of practice.
+        tasks: With one object, and with two.
+    """
+    shares = {
+        how: {
+            f"{kind}, {mm} mm, {way}": [
+                figures.share(_trials(found, _jobs(work, how, seed, kind, mm, tasks)), way)
+                for other, seed in copies
+                if other == how
+            ]
+            for mm in TOLERANCES
+            for kind in SIZES
+            for way in ("blind", "replanned")
+        }
+        for how in HOW
+    }
+    return {
+        "command": "python -m tools.benchmarks.planning.practice",
+        "versions": machine("numpy", "pybullet", "torch", "up-fast-downward"),
+        "interactions": interactions,
+        "tasks": tasks,
+        "practice": {f"{how} {seed}": found.get(f"learn-{how}-{seed}") for how, seed in copies},
+        "reached": shares,
+    }
+
+
+def page(summary: Mapping[str, Any]) -> str:
+    """Write the tables.
+
+    Args:
+        summary: What `summarise` returned.
+    """
+    reached = summary["reached"]
+    rows = [[what, *(_spread(reached[how][what]) for how in HOW)] for what in reached[HOW[0]]]
+    told = [
+        [name, *(str(entry[key]) for key in ("spent", "lessons", "replaced")), *_competence(entry)]
+        for name, entry in summary["practice"].items()
+        if entry and entry["lessons"]
+    ]
+    sections = [
+        "# Does practice help?",
+        f"`{summary['command']}` wrote this page. {summary['interactions']} interactions of practice, or of "
+        f"rehearsing all operators evenly; then {summary['tasks']} tasks of each size, drawn as the paper "
+        "draws them and seen by neither. Share of goals that were reached: mean and standard deviation of "
+        "the seeds.",
+        markdown_table(["tasks", *HOW], rows),
+        "## What was practised",
+        markdown_table(
+            ["copy and seed", "interactions", "lessons", "replaced", "competence before", "and after"], told
+        ),
+    ]
+    return "\n\n".join(sections) + "\n"
+
+
+def _jobs(work: Path, how: str, seed: str, kind: str, mm: int, tasks: int) -> dict[str, Job]:
+    return {
+        f"try-{how}-{seed}-{kind}-{mm}mm-{block.start}": partial(
+            try_all,
+            work / f"{how}-{seed}",
+            SIZES[kind],
+            mm,
+            [FIRST_TASK + number for number in block],
+        )
+        for block in blocks(tasks, BLOCK)
+    }
+
+
+def _trials(found: Mapping[str, Any], jobs: Mapping[str, Job]) -> list[Trial]:
+    return [trial for name in jobs for trial in from_json(found.get(name, []))]
+
+
+def _spread(shares: Sequence[float | None]) -> str:
+    known = [100 * share for share in shares if share is not None]
+    if not known:
+        return "-"
+    return f"{mean(known):.1f} %" + (f" ± {stdev(known):.1f}" if len(known) > 1 else "")
+
+
+def _competence(entry: Mapping[str, Any]) -> tuple[str, str]:
+    return f"{entry['before']:.2f}", f"{entry['after']:.2f}"
+
+
+if __name__ == "__main__":
+    os.environ.setdefault("OMP_NUM_THREADS", "1")  # for the jobs, of which there are several at once
+    tyro.cli(main)
