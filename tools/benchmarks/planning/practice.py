@@ -1,6 +1,5 @@
 """Does practice help? `python -m tools.benchmarks.planning.practice`, into docs/results/practice.*.
 
-
 A domain is practised with, and another copy of it is rehearsed evenly for as many interactions. Then the
 domain and both copies are tried on the same tasks, which no practice has seen. Goes on where it was
 interrupted.
