@@ -25,6 +25,8 @@ LESSONS = 4
 """Operators that are practised in a round."""
 MORE = 30
 """Objects that an operator is rehearsed on, each time."""
+USED = 0.01
+"""What a use counts beside a broken plan, so that where nothing broke, what is used is practised."""
 FADING = 0.7
 """What a broken plan counts a round later."""
 
@@ -66,13 +68,14 @@ def _round(
     if evenly:
         planned = reached = steps = 0
         broke = Counter[str]()
-        live = grounding.live
+        live = [one for one in table.operators if one.name in {other.name for other in grounding.live}]
         chosen = [(live[(number * LESSONS + n) % len(live)], "rehearsed") for n in range(LESSONS) if live]
     else:
         tasks = range(number * TASKS, (number + 1) * TASKS)
         tried = try_tasks(shop.world, grounding, shop.model.object_symbols, tasks, shop.seed)
-        planned, reached, steps, broke = tried.planned, tried.reached, tried.interactions, tried.broke
-        chosen = choose_lessons(grounding, practised.rounds, tried.uses, broke)
+        planned, reached, steps = tried.planned, tried.reached, tried.interactions
+        uses, broke = (_of_table(counts, grounding, table) for counts in (tried.uses, tried.broke))
+        chosen = choose_lessons(table, practised.rounds, uses, broke)
     lessons = []
     for place, (operator, how) in enumerate(chosen):
         lesson, table = _give_lesson(shop, table, operator, how, 2 * (number * LESSONS + place))
@@ -80,13 +83,23 @@ def _round(
     return Round(planned, reached, steps, dict(sorted(broke.items())), tuple(lessons)), table
 
 
+def _of_table(counts: Counter[str], grounding: Grounding, table: OperatorTable) -> Counter[str]:
+    """Count for the operators of a table what was counted for those that promise other outcomes, too."""
+    names = {(one.category, one.label): one.name for one in table.operators}
+    found = Counter[str]()
+    for name, count in counts.items():
+        operator = grounding.operator_named(name)
+        found[names[operator.category, operator.label]] += count
+    return found
+
+
 def choose_lessons(
-    grounding: Grounding, rounds: tuple[Round, ...], uses: Counter[str], broke: Counter[str]
+    table: OperatorTable, rounds: tuple[Round, ...], uses: Counter[str], broke: Counter[str]
 ) -> list[tuple[Operator, str]]:
     """Choose the operators whose practice is expected to mend most plans, and how each is practised.
 
     Args:
-        grounding: The domain as it is now.
+        table: The operators as they are now.
         rounds: The rounds before.
         uses: How often each operator was performed in this one.
         broke: In how many plans of this round each was the first that did not do as promised.
@@ -97,17 +110,16 @@ def choose_lessons(
             weights[name] = weights.get(name, 0.0) + count * FADING**age
     last = {lesson.operator: lesson.how for one in rounds for lesson in one.lessons}
     scored = []
-    for operator in grounding.operators.operators:
+    categories = {one.symbol: one for one in table.categories}
+    for operator in table.operators:
         if not operator.rehearsals:
             continue
-        category = grounding.category(operator.category)
+        category = categories[operator.category]
         how = "auditioned" if last.get(operator.name) == "rehearsed" else "rehearsed"
         gain = expected_gain(operator, category, MORE)
         if how == "auditioned":
             gain = HOPE * (1 - competence(operator, category))
-        weight = (
-            weights.get(operator.name, 0.0) + 0.01 * uses[operator.name]
-        )  # where nothing broke, what is used
+        weight = weights.get(operator.name, 0.0) + USED * uses[operator.name]
         if weight * gain > 0:
             scored.append((-weight * gain, operator.name, (operator, how)))
     return [choice for _, _, choice in sorted(scored, key=lambda entry: entry[:2])[:LESSONS]]

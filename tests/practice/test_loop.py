@@ -7,7 +7,6 @@ from collections import Counter
 import pytest
 from command_line import neurosym, refusal
 
-from neurosym.grounding import Grounding
 from neurosym.operators import OperatorTable
 from neurosym.practice.loop import LESSONS, choose_lessons
 from neurosym.practice.rounds import Lesson, Round
@@ -22,19 +21,19 @@ def practised(folder, *options, interactions=150):
 
 
 @pytest.fixture(scope="module")
-def grounding(toy_folder):
-    return Grounding.load(toy_folder / "grounding.json")
+def table(toy_folder):
+    return OperatorTable.load(toy_folder / "primitives.json")
 
 
-def test_what_broke_most_plans_is_practised_first_and_auditioned_the_second_time(grounding):
-    names = [one.name for one in grounding.live]
+def test_what_broke_most_plans_is_practised_first_and_auditioned_the_second_time(table):
+    names = [one.name for one in table.operators if one.name.startswith("push")]
     broke = Counter({names[0]: 1000, names[1]: 1})
-    chosen = choose_lessons(grounding, (), Counter(), broke)
+    chosen = choose_lessons(table, (), Counter(), broke)
     assert [(one.name, how) for one, how in chosen] == [(names[0], "rehearsed"), (names[1], "rehearsed")]
     earlier = Round(8, 3, 20, dict(broke), (Lesson(names[0], "rehearsed", 30, 0.5, 0.6),))
-    again = choose_lessons(grounding, (earlier,), Counter(), broke)
+    again = choose_lessons(table, (earlier,), Counter(), broke)
     assert (names[0], "auditioned") in [(one.name, how) for one, how in again]
-    assert len(choose_lessons(grounding, (), Counter(names), Counter(names))) == LESSONS
+    assert len(choose_lessons(table, (), Counter(names), Counter(names))) == LESSONS
 
 
 def test_practice_in_parts_and_by_any_number_of_workers_comes_to_the_same_bytes(folder, tmp_path):
