@@ -66,9 +66,6 @@ def plan_one_by_one(
     while True:
         results = plan_together([partial(believed, task) for task in wanted.values()])
         last = results[-1].status
-        if last is PlanStatus.FAILED and not plans:  # on the grid; ways are searched for without one
-            found = plan_around(problem, grounding, deadline=deadline)
-            return found if found.status is PlanStatus.SOLVED else results[-1]
         if last is PlanStatus.TIMEOUT or (last is not PlanStatus.SOLVED and not plans):
             return results[-1]
         solved = [result for result in results if result.status is PlanStatus.SOLVED]

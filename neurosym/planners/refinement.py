@@ -27,6 +27,7 @@ from neurosym.pddl.plan_text import parse_plan
 from neurosym.pddl.problem import STEPS, problem_text
 from neurosym.pddl.sas import sas_text
 from neurosym.planners.aiming import aim
+from neurosym.planners.around import plan_around
 from neurosym.planners.effort import TimeIsUp, check_time, within
 from neurosym.planners.fast_downward import SAS_SUFFIX
 from neurosym.planners.no_plan import Explanation, explain_clash, explain_no_plan
@@ -159,6 +160,10 @@ def plan_pddl(query: Query, *, name: str, program: PddlProgram) -> PlanResult:
             shorter = attempt(msgspec.structs.replace(grounding, unit_costs=True), deadline)
             if shorter.status is PlanStatus.SOLVED:
                 return dataclasses.replace(shorter, reason=f"not the most reliable: {result.reason}")
+        if result.status is PlanStatus.FAILED and program.aims:  # on every grid; ways are found without one
+            around = plan_around(problem, grounding, deadline=deadline)
+            if around.status is PlanStatus.SOLVED:
+                return dataclasses.replace(around, reason=f"searched for without a grid: {result.reason}")
         return result
 
     return within(query.time_limit, search)

@@ -15,6 +15,7 @@ MORE = (
     "plan {0} long",
     "compare {0} --tasks 2 --workers 1 --planners counting fast-downward",
     "evaluate {0} --workers 1",
+    "practise {0} --interactions 60 --workers 1",
 )
 """What is added to a learned folder, so that every format that is read has a seed."""
 
