@@ -58,6 +58,8 @@ USUAL: dict[str, tuple[Any, ...]] = {
     "strategy": ("random", "random", "disagreement", "entropy", "active"),
     "steps": (1, 64, 600, 1024, 1100),
     "rehearsals": (1, 5),
+    "interactions": (1, 60),
+    "choice": ("own", "predictable", "lowest-error"),
     "problems": (1, 2),
     "tasks": (1, 2),
     "objects": (1, 2, 3),
@@ -78,6 +80,7 @@ USUAL: dict[str, tuple[Any, ...]] = {
 """What each parameter is mostly given: something that can be, and costs little."""
 ALWAYS = {
     "strategy",
+    "interactions",
     "steps",
     "workers",
     "rehearsals",
@@ -90,6 +93,7 @@ ALWAYS = {
 """Options whose defaults cost too much to be tried over and over."""
 WORK = {
     "steps",
+    "interactions",
     "rehearsals",
     "problems",
     "tasks",
@@ -177,6 +181,8 @@ def _garbled(draw: Random, arguments: list[str]) -> list[str]:
 
 def asks_for_much(arguments: tuple[str, ...]) -> bool:
     """Say whether a command line asks for more work than the usual."""
+    if arguments[:1] == ("run",) and not {"predictable", "lowest-error"} & {*arguments}:
+        return True  # in a new folder it is of the tabletop, with auditions for each category
     for option, value in pairwise(arguments):
         name = option.removeprefix("--").partition("=")[0].replace("-", "_")
         if option.startswith("--") and name in WORK and value not in map(str, USUAL[name]):
