@@ -110,8 +110,8 @@ def rehearse_more(
     outcomes = _rehearse(shop, primitive, scenes)
     objects = (*rehearsed_objects(operator, category), *_features(scenes))
     rehearsals = (*operator.rehearsals, *map(rehearsal_of, outcomes))
-    improved = msgspec.structs.replace(operator, objects=objects, rehearsals=rehearsals)
-    return Improved(_tabulated(improved), None, len(scenes))
+    improved = _tabulated(msgspec.structs.replace(operator, objects=objects, rehearsals=rehearsals))
+    return Improved(renamed(improved, category, operator.variant), None, len(scenes))
 
 
 def audition_others(

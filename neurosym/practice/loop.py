@@ -108,7 +108,7 @@ def choose_lessons(
     for age, earlier in enumerate(reversed(rounds), 1):
         for name, count in earlier.broke.items():
             weights[name] = weights.get(name, 0.0) + count * FADING**age
-    last = {lesson.operator: lesson.how for one in rounds for lesson in one.lessons}
+    last = {lesson.replaced or lesson.operator: lesson.how for one in rounds for lesson in one.lessons}
     scored = []
     categories = {one.symbol: one for one in table.categories}
     for operator in table.operators:
@@ -137,7 +137,7 @@ def _give_lesson(
     else:
         improved = audition_others(shop, operator, primitive, category, turn)
     table, now = _with_improved(table, operator, category, improved)
-    replaced = now.name if improved.primitive else ""
+    replaced = now.name if now.name != operator.name else ""
     after = competence(now, category)
     lesson = Lesson(operator.name, how, improved.interactions, round(before, 4), round(after, 4), replaced)
     return lesson, table

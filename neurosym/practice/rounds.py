@@ -14,7 +14,7 @@ class Lesson(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
         interactions: How many that took.
         before: Its competence before.
         after: And after.
-        replaced: Name of the operator that took its place, if it is performed with another action now.
+        replaced: Its name now, if it does something else, or is performed with another action.
     """
 
     operator: str

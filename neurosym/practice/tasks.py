@@ -3,7 +3,7 @@
 from collections import Counter
 from dataclasses import dataclass
 
-from neurosym.errors import InvalidValue
+from neurosym.errors import InvalidValue, InvalidWorld
 from neurosym.execution.executor import execute
 from neurosym.execution.record import StepRecord
 from neurosym.grounding import Grounding
@@ -62,6 +62,8 @@ def try_tasks(world: World, grounding: Grounding, categorise: Categorise, number
                 seed=_FIRST_SEED * (seed + 1) + number,
                 tolerance=NEAR,
             )
+        except InvalidWorld:
+            raise
         except InvalidValue:  # a world where so many objects do not fit, or nothing moves
             continue
         found = plan(task, grounding)

@@ -7,7 +7,7 @@ import msgspec
 from neurosym.console import progress_bar
 from neurosym.drafts import at_once
 from neurosym.errors import InvalidFile, InvalidValue
-from neurosym.files import write_json
+from neurosym.files import digests, write_json
 from neurosym.grounding import Grounding
 from neurosym.operators import OperatorTable
 from neurosym.pddl import compile_domain
@@ -29,6 +29,7 @@ class PracticeFile(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     Attributes:
         format: Version of this file.
         of: SHA-256 of the `primitives.json` that practice began with.
+        table: SHA-256 of the `practised.json` that it came to.
         seed: Where its draws started.
         evenly: Whether all operators were rehearsed in turn instead.
         rounds: The rounds.
@@ -36,6 +37,7 @@ class PracticeFile(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
 
     format: str
     of: str
+    table: str
     seed: int
     evenly: bool
     rounds: tuple[Round, ...]
@@ -56,7 +58,8 @@ def practice_of(folder: DomainFolder) -> PracticeFile | None:
     found = read_json(path, PracticeFile)
     if found.format != FORMAT:
         raise InvalidFile(path, f"it is of the format {found.format!r}, and this version reads {FORMAT!r}")
-    return found if found.of == digest(folder / PRIMITIVES) else None
+    made = digest(folder / PRIMITIVES), digest(folder / PRACTISED)
+    return found if (found.of, found.table) == made else None
 
 
 def table_file(folder: DomainFolder) -> str:
@@ -133,7 +136,8 @@ def practise_stage(
 
         def save(practised: Practised) -> None:
             write_json(folder / PRACTISED, practised.table)
-            write_json(folder / PRACTICE, PracticeFile(FORMAT, of, seed, evenly, practised.rounds))
+            (table,) = digests({PRACTISED: folder / PRACTISED}).values()
+            write_json(folder / PRACTICE, PracticeFile(FORMAT, of, table, seed, evenly, practised.rounds))
 
         begun = _begun(folder, distilled, seed, evenly=evenly)
         with progress_bar("practising") as advance:
@@ -159,6 +163,12 @@ def practise_stage(
 def _begun(folder: DomainFolder, distilled: OperatorTable, seed: int, *, evenly: bool) -> Practised:
     """Return what was practised so far in the same way, or a table without any practice."""
     found = practice_of(folder)
-    if found is None or (found.seed, found.evenly) != (seed, evenly):
+    if found is None:
         return Practised(distilled)
+    if (found.seed, found.evenly) != (seed, evenly):
+        how = "evenly, " if found.evenly else ""
+        raise InvalidValue(
+            f"{folder / PRACTICE} was practised {how}with seed = {found.seed}; go on so, or remove it to "
+            "begin anew."
+        )
     return Practised(OperatorTable.load(folder / PRACTISED), found.rounds)

@@ -106,3 +106,14 @@ def test_a_category_that_is_not_met_is_not_practised(shop, table):
         audition_others(shop, operator, primitive, nowhere, turn=1),
     ):
         assert improved == improving.Improved(operator, None, 0)
+
+
+def test_an_operator_that_mostly_does_something_else_after_more_rehearsals_is_named_so(shop, table):
+    operator = pushes(table)[0]
+    primitive, category = parts(table, operator)
+    held = msgspec.structs.replace(operator.rehearsals[0], kind="held")
+    mixed = msgspec.structs.replace(
+        operator, name="lift-" + operator.name, rehearsals=(held,) * 3, objects=()
+    )
+    few = msgspec.structs.replace(category, objects=category.objects[:3])
+    assert rehearse_more(shop, mixed, primitive, few, 6, turn=1).operator.name == operator.name

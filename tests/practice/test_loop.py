@@ -70,6 +70,27 @@ def test_even_practice_tries_no_tasks(folder):
     assert all(one.planned == one.interactions == 0 and one.lessons for one in found.rounds)
 
 
+def test_another_seed_or_way_does_not_throw_practice_away(folder, capsys):
+    assert practised(folder, interactions=1) == 0
+    before = (folder / "practice.json").read_bytes()
+    for options in (["--seed", 2], ["--seed", 1, "--evenly"]):
+        capsys.readouterr()
+        said = refusal(capsys, "practise", folder, "--interactions", 300, *options)
+        assert "was practised with seed = 1; go on so, or remove it" in said
+    assert (folder / "practice.json").read_bytes() == before
+
+
+def test_what_a_kill_between_two_files_left_is_not_gone_on_with(folder, tmp_path):
+    parted = shutil.copytree(folder, tmp_path / "parted")
+    assert practised(folder, interactions=300) == 0
+    assert practised(parted, interactions=1) == 0
+    table = parted / "practised.json"
+    table.write_bytes((folder / "practised.json").read_bytes())
+    assert practised(parted, interactions=300) == 0
+    for name in FILES:
+        assert (folder / name).read_bytes() == (parted / name).read_bytes(), name
+
+
 @pytest.mark.parametrize(
     ("options", "told"),
     [
