@@ -2,6 +2,8 @@
 
 from functools import cache
 
+import numpy as np
+
 from neurosym.data.interactions import Interactions
 from neurosym.exploration.choice import ExplorationConfig
 from neurosym.exploration.loop import explore
@@ -13,6 +15,7 @@ from neurosym.learning.training_config import (
     TeacherConfig,
     TrainingConfig,
 )
+from neurosym.world import Scene
 from neurosym.worlds.toy import make_world
 
 SMALL = ModelConfig(hidden=16)
@@ -34,3 +37,20 @@ def toy_data(count: int, strategy: str = "random") -> Interactions:
     """Random interactions with the toy world, said to be of some strategy."""
     config = ExplorationConfig(candidates=1, block=count + 1)
     return explore(make_world, steps=count, strategy=strategy, seed=0, config=config)
+
+
+def foretell(features, actions):
+    """Say what the toy world would do, by trying it."""
+    world, upright = make_world(), np.array([[0.0, 0.0, 0.0, 1.0]])
+    middle = np.array([[0.7, 0.0, 0.0]])
+    outcomes = [
+        world.interact(Scene(row[None], middle, upright), action, 0)
+        for row, action in zip(features, actions, strict=True)
+    ]
+    return np.array([outcome.effect for outcome in outcomes])
+
+
+def some_features(count=40):
+    """Features of objects of the toy world."""
+    scenes = [make_world().sample_scene(np.random.default_rng([5, n]), 1) for n in range(count)]
+    return np.concatenate([scene.features for scene in scenes])

@@ -37,7 +37,7 @@ def practise(
         compile_stage(domain, cell=compiled.options.get("cell", CELL) if compiled else CELL), again=False
     )
     found = practice_of(domain)
-    rounds = found.rounds if found else ()
+    rounds = found.practised.rounds if found else ()
     rows = [
         [
             str(number),

@@ -6,8 +6,8 @@ from typing import TYPE_CHECKING
 from neurosym.errors import InvalidFile, InvalidValue
 from neurosym.operators import OperatorTable
 from neurosym.stages.folder import DomainFolder
-from neurosym.stages.layout import GROUNDING, INTERACTIONS, PRIMITIVES, WORLD
-from neurosym.stages.practising import table_file
+from neurosym.stages.layout import GROUNDING, INTERACTIONS, PRIMITIVES, TABLE_FILES, WORLD
+from neurosym.stages.practising import operator_table
 
 if TYPE_CHECKING:
     from neurosym.explain.explanation import Explanation
@@ -36,9 +36,7 @@ def explain_folder(domain: DomainFolder) -> "Explanation":
     """
     from neurosym.explain.explanation import explain as explain_table
 
-    domain.require(PRIMITIVES)
-    path = domain / table_file(domain)
-    table = OperatorTable.load(path)
+    path, table = domain.require(PRIMITIVES), operator_table(domain)
     world = _world(domain)
     grounding, remark = _grounding(domain, table, world)
     try:
@@ -50,7 +48,7 @@ def explain_folder(domain: DomainFolder) -> "Explanation":
         )
     except InvalidValue as error:
         raise InvalidFile(path, str(error)) from error
-    outdated = [f"{line}." for line in domain.outdated((path.name,))]
+    outdated = [f"{line}." for line in domain.outdated(TABLE_FILES)]
     remarks = [_NO_WORLD] * (world is None) + [remark] * bool(remark) + outdated
     return replace(explanation, summary=(*explanation.summary, *remarks))
 

@@ -3,7 +3,7 @@
 import math
 import reprlib
 from collections.abc import Container
-from contextlib import redirect_stdout
+from contextlib import chdir, redirect_stdout
 from io import StringIO
 from pathlib import Path
 
@@ -67,7 +67,8 @@ def solve_checked(planner: Planner, query: Query) -> PlanResult:
         InvalidPlanner: If it raises an error, or returns no `PlanResult`.
     """
     try:
-        with redirect_stdout(StringIO()):  # what it prints is no part of our answer
+        # What it prints is no part of our answer, and where it goes to is not where we write.
+        with redirect_stdout(StringIO()), chdir(Path.cwd()):
             result = planner.solve(query)
     except (InvalidValue, KeyboardInterrupt):
         raise

@@ -145,7 +145,15 @@ def plan_pddl(query: Query, *, name: str, program: PddlProgram) -> PlanResult:
                 raise TimeIsUp
             return found
 
-        believed = partial(_believed, grounding=learned, solve=solve)
+        def believed(task: Problem) -> PlanResult:
+            result = _believed(task, learned, solve)
+            if result.status is not PlanStatus.FAILED or not program.aims:
+                return result
+            found = plan_around(task, learned, deadline=deadline)  # false on every grid: without one
+            if found.status is not PlanStatus.SOLVED:
+                return result
+            return dataclasses.replace(found, reason=f"searched for without a grid: {result.reason}")
+
         return believed(problem) if at_once else plan_one_by_one(problem, learned, believed, deadline)
 
     def search(deadline: float) -> PlanResult:
@@ -160,10 +168,6 @@ def plan_pddl(query: Query, *, name: str, program: PddlProgram) -> PlanResult:
             shorter = attempt(msgspec.structs.replace(grounding, unit_costs=True), deadline)
             if shorter.status is PlanStatus.SOLVED:
                 return dataclasses.replace(shorter, reason=f"not the most reliable: {result.reason}")
-        if result.status is PlanStatus.FAILED and program.aims:  # on every grid; ways are found without one
-            around = plan_around(problem, grounding, deadline=deadline)
-            if around.status is PlanStatus.SOLVED:
-                return dataclasses.replace(around, reason=f"searched for without a grid: {result.reason}")
         return result
 
     return within(query.time_limit, search)

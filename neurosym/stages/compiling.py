@@ -35,7 +35,7 @@ from neurosym.worlds.world_file import read_world
 def compile_stage(folder: DomainFolder, *, cell: float) -> Stage:
     """Compile the domain: `primitives.json` -> a domain in each encoding, and `grounding.json`.
 
-    After practice, `practised.json` takes the place of `primitives.json`.
+    After practice, the operators are those in `practice.json`.
     Problems that are there already are printed again, so that they fit the new domain.
     """
 

@@ -20,11 +20,9 @@ TRAINING = "training.json"
 """`train`: how well the model fits, on interactions held out from training."""
 PRIMITIVES = "primitives.json"
 """`distill`: the parameters of each symbol, and what they do to each category: the table of operators."""
-PRACTISED = "practised.json"
-"""`practise`: the table of operators after practice, which takes the place of `primitives.json`."""
 PRACTICE = "practice.json"
-"""`practise`: what was tried, what broke plans, and what was practised."""
-TABLE_FILES = (PRIMITIVES, PRACTISED, PRACTICE)
+"""`practise`: what was tried, what broke plans, what was practised, and the table of operators after that."""
+TABLE_FILES = (PRIMITIVES, PRACTICE)
 """What decides which operators there are."""
 DOMAIN = "domain.pddl"
 """`compile-domain`: the domain, one axis at a time."""

@@ -1,24 +1,28 @@
-"""The stage that practises: what was learned and `primitives.json` -> `practised.json`, `practice.json`."""
+"""The stage that practises: what was learned, and `primitives.json` -> `practice.json`."""
 
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import msgspec
 
 from neurosym.console import progress_bar
 from neurosym.drafts import at_once
 from neurosym.errors import InvalidFile, InvalidValue
-from neurosym.files import digests, write_json
+from neurosym.files import write_json
 from neurosym.grounding import Grounding
+from neurosym.guarded import made
 from neurosym.operators import OperatorTable
 from neurosym.pddl import compile_domain
-from neurosym.practice.rounds import Practised, Round
+from neurosym.practice.rounds import Practised
 from neurosym.reading import digest, read_json
 from neurosym.stages.folder import DomainFolder
-from neurosym.stages.layout import DIRECT_MODEL, INTERACTIONS, MODEL, PRACTICE, PRACTISED, PRIMITIVES, WORLD
+from neurosym.stages.layout import DIRECT_MODEL, INTERACTIONS, MODEL, PRACTICE, PRIMITIVES, WORLD
 from neurosym.stages.manifest import Claim, Stage
 from neurosym.wording import quoted
 from neurosym.worlds.workers import check_workers
 from neurosym.worlds.world_file import read_world
+
+if TYPE_CHECKING:
+    from neurosym.practice.improving import Workshop
 
 FORMAT = "neurosym-practice-1"
 
@@ -29,18 +33,16 @@ class PracticeFile(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     Attributes:
         format: Version of this file.
         of: SHA-256 of the `primitives.json` that practice began with.
-        table: SHA-256 of the `practised.json` that it came to.
         seed: Where its draws started.
         evenly: Whether all operators were rehearsed in turn instead.
-        rounds: The rounds.
+        practised: The operators that it came to, and the rounds.
     """
 
     format: str
     of: str
-    table: str
     seed: int
     evenly: bool
-    rounds: tuple[Round, ...]
+    practised: Practised
 
 
 def practice_of(folder: DomainFolder) -> PracticeFile | None:
@@ -53,26 +55,16 @@ def practice_of(folder: DomainFolder) -> PracticeFile | None:
         InvalidFile: If the file is none.
     """
     path = folder / PRACTICE
-    if not (path.is_file() and (folder / PRACTISED).is_file() and (folder / PRIMITIVES).is_file()):
+    if not (path.is_file() and (folder / PRIMITIVES).is_file()):
         return None
     found = read_json(path, PracticeFile)
     if found.format != FORMAT:
         raise InvalidFile(path, f"it is of the format {found.format!r}, and this version reads {FORMAT!r}")
-    made = digest(folder / PRIMITIVES), digest(folder / PRACTISED)
-    return found if (found.of, found.table) == made else None
-
-
-def table_file(folder: DomainFolder) -> str:
-    """Name the file of the operators as they are now: `practised.json` after practice.
-
-    Args:
-        folder: The domain folder.
-    """
-    return PRACTISED if practice_of(folder) else PRIMITIVES
+    return found if found.of == digest(folder / PRIMITIVES) else None
 
 
 def operator_table(folder: DomainFolder) -> OperatorTable:
-    """Read the operators as they are now.
+    """Read the operators as they are now: after practice, those that it came to.
 
     Args:
         folder: The domain folder.
@@ -81,16 +73,17 @@ def operator_table(folder: DomainFolder) -> OperatorTable:
         StageMissing: If there is no `primitives.json`.
         InvalidFile: If a file is none, or of another version.
     """
-    folder.require(PRIMITIVES)
-    return OperatorTable.load(folder / table_file(folder))
+    distilled = OperatorTable.load(folder.require(PRIMITIVES))
+    found = practice_of(folder)
+    return found.practised.table if found else distilled
 
 
 def practise_stage(
     folder: DomainFolder, *, interactions: int, seed: int, workers: int, evenly: bool = False
 ) -> Stage:
-    """Practise: networks, data, world and operators -> `practised.json` and `practice.json`.
+    """Practise: networks, data, world and operators -> `practice.json`.
 
-    What was practised before with the same seed counts, so that an interrupted call goes on.
+    What was practised before counts, so that an interrupted call goes on.
 
     Args:
         folder: The domain folder.
@@ -104,28 +97,10 @@ def practise_stage(
     check_workers(workers)
 
     def work() -> None:
-        from neurosym.data.interactions import Interactions
-        from neurosym.learning.direct_model import DirectModel
-        from neurosym.learning.effect_model import EffectModel
-        from neurosym.practice.improving import Workshop
         from neurosym.practice.loop import practise
 
-        factory = read_world(folder.require(WORLD))
-        distilled = OperatorTable.load(folder.require(PRIMITIVES))
-        if not any(operator.rehearsals for operator in distilled.operators):
-            raise InvalidFile(
-                folder / PRIMITIVES,
-                f"its rehearsals are not kept; `neurosym distill {quoted(folder.path)}` makes it anew",
-            )
-        shop = Workshop(
-            factory,
-            factory(),
-            EffectModel.load(folder.require(MODEL)),
-            DirectModel.load(folder.require(DIRECT_MODEL)),
-            Interactions.load(folder.require(INTERACTIONS)),
-            seed,
-            workers,
-        )
+        begun = _begun(folder, seed, evenly=evenly)
+        shop = _workshop(folder, seed, workers)
         of = digest(folder / PRIMITIVES)
 
         def compiled(table: OperatorTable) -> Grounding:
@@ -135,11 +110,8 @@ def practise_stage(
             )
 
         def save(practised: Practised) -> None:
-            write_json(folder / PRACTISED, practised.table)
-            (table,) = digests({PRACTISED: folder / PRACTISED}).values()
-            write_json(folder / PRACTICE, PracticeFile(FORMAT, of, table, seed, evenly, practised.rounds))
+            write_json(folder / PRACTICE, PracticeFile(FORMAT, of, seed, evenly, practised))
 
-        begun = _begun(folder, distilled, seed, evenly=evenly)
         with progress_bar("practising") as advance:
 
             def on_round(practised: Practised) -> None:
@@ -157,11 +129,35 @@ def practise_stage(
     if evenly:
         options["evenly"] = True
     inputs = (WORLD, INTERACTIONS, MODEL, DIRECT_MODEL, PRIMITIVES)
-    return Stage("practise", inputs, (PRACTISED, PRACTICE), work, options, Claim.ALONE)
+    return Stage("practise", inputs, (PRACTICE,), work, options, Claim.ALONE)
 
 
-def _begun(folder: DomainFolder, distilled: OperatorTable, seed: int, *, evenly: bool) -> Practised:
-    """Return what was practised so far in the same way, or a table without any practice."""
+def _workshop(folder: DomainFolder, seed: int, workers: int) -> "Workshop":
+    from neurosym.data.interactions import Interactions
+    from neurosym.learning.direct_model import DirectModel
+    from neurosym.learning.effect_model import EffectModel
+    from neurosym.practice.improving import Workshop
+
+    factory = read_world(folder.require(WORLD))
+    return Workshop(
+        factory,
+        made(factory),
+        EffectModel.load(folder.require(MODEL)),
+        DirectModel.load(folder.require(DIRECT_MODEL)),
+        Interactions.load(folder.require(INTERACTIONS)),
+        seed,
+        workers,
+    )
+
+
+def _begun(folder: DomainFolder, seed: int, *, evenly: bool) -> Practised:
+    """Return what was practised so far, or the distilled operators without any practice."""
+    distilled = OperatorTable.load(folder.require(PRIMITIVES))
+    if not any(operator.rehearsals for operator in distilled.operators):
+        raise InvalidFile(
+            folder / PRIMITIVES,
+            f"its rehearsals are not kept; `neurosym distill {quoted(folder.path)}` makes it anew",
+        )
     found = practice_of(folder)
     if found is None:
         return Practised(distilled)
@@ -171,4 +167,4 @@ def _begun(folder: DomainFolder, distilled: OperatorTable, seed: int, *, evenly:
             f"{folder / PRACTICE} was practised {how}with seed = {found.seed}; go on so, or remove it to "
             "begin anew."
         )
-    return Practised(OperatorTable.load(folder / PRACTISED), found.rounds)
+    return found.practised

@@ -2,6 +2,7 @@
 
 import importlib
 import json
+import os
 import subprocess
 import sys
 from collections.abc import Callable
@@ -29,6 +30,7 @@ from neurosym.planners import (
     planner_named,
     register_planner,
 )
+from neurosym.planners.planner import Query
 
 CODE, REGISTERED = python_blocks("own-planner.md")
 
@@ -255,6 +257,27 @@ def test_an_empty_plan_that_is_called_a_plan_fails():
     found = plan(problem(), grounding(), mine)
     assert found.status is PlanStatus.FAILED
     assert "no plan was true when replayed" in found.reason
+
+
+def test_ours_searches_for_a_way_without_a_grid_where_plans_are_false_on_every_grid():
+    def nothing(*_: object, **__: object) -> PlannerAnswer:
+        return PlannerAnswer(PlanStatus.SOLVED)
+
+    found = plan(problem(), grounding(), pddl_planner("mine", "mine", nothing, aims=True))
+    assert found.status is PlanStatus.SOLVED
+    assert "searched for without a grid: no plan was true when replayed" in found.reason
+    assert validate(found.steps, problem(), grounding()).valid
+
+
+def test_a_planner_that_changes_the_current_folder_moves_nothing(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+
+    def solve(query: Query) -> PlanResult:
+        os.chdir("/")
+        return PlanResult(PlanStatus.NOT_FOUND, (), 0.0, "gone")
+
+    plan(problem(), grounding(), Planner("mine", "mine", solve))
+    assert Path.cwd() == tmp_path
 
 
 @pytest.mark.parametrize(

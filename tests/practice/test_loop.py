@@ -11,9 +11,9 @@ from neurosym.operators import OperatorTable
 from neurosym.practice.loop import LESSONS, choose_lessons
 from neurosym.practice.rounds import Lesson, Round
 from neurosym.stages.folder import DomainFolder
-from neurosym.stages.practising import practice_of, table_file
+from neurosym.stages.practising import operator_table, practice_of
 
-FILES = ("practice.json", "practised.json", "grounding.json", "domain.pddl")
+FILES = ("practice.json", "grounding.json", "domain.pddl")
 
 
 def practised(folder, *options, interactions=150):
@@ -42,7 +42,10 @@ def test_practice_in_parts_and_by_any_number_of_workers_comes_to_the_same_bytes(
     assert practised(parted, "--workers", 1, interactions=1) == 0
     first = practice_of(DomainFolder(parted))
     assert practised(parted, "--workers", 1) == 0
-    assert first.rounds == practice_of(DomainFolder(parted)).rounds[: len(first.rounds)]
+    assert (
+        first.practised.rounds
+        == practice_of(DomainFolder(parted)).practised.rounds[: len(first.practised.rounds)]
+    )
     for name in FILES:
         assert (folder / name).read_bytes() == (parted / name).read_bytes(), name
 
@@ -51,23 +54,23 @@ def test_the_domain_is_compiled_from_what_was_practised_until_it_is_distilled_an
     before = (folder / "grounding.json").read_bytes()
     assert practised(folder) == 0
     domain = DomainFolder(folder)
-    assert table_file(domain) == "practised.json"
     assert (folder / "grounding.json").read_bytes() != before
-    rows = [len(one.rehearsals) for one in OperatorTable.load(folder / "practised.json").operators]
+    rows = [len(one.rehearsals) for one in operator_table(domain).operators]
     assert max(rows) > max(
         len(one.rehearsals) for one in OperatorTable.load(folder / "primitives.json").operators
     )
     assert neurosym("explain", folder) == 0
     assert "compiled from another" not in capsys.readouterr().out
     (folder / "primitives.json").write_bytes((folder / "primitives.json").read_bytes() + b"\n")
-    assert table_file(domain) == "primitives.json"
+    assert practice_of(domain) is None
+    assert operator_table(domain) == OperatorTable.load(folder / "primitives.json")
 
 
 def test_even_practice_tries_no_tasks(folder):
     assert practised(folder, "--evenly") == 0
     found = practice_of(DomainFolder(folder))
     assert found.evenly
-    assert all(one.planned == one.interactions == 0 and one.lessons for one in found.rounds)
+    assert all(one.planned == one.interactions == 0 and one.lessons for one in found.practised.rounds)
 
 
 def test_another_seed_or_way_does_not_throw_practice_away(folder, capsys):
@@ -78,17 +81,6 @@ def test_another_seed_or_way_does_not_throw_practice_away(folder, capsys):
         said = refusal(capsys, "practise", folder, "--interactions", 300, *options)
         assert "was practised with seed = 1; go on so, or remove it" in said
     assert (folder / "practice.json").read_bytes() == before
-
-
-def test_what_a_kill_between_two_files_left_is_not_gone_on_with(folder, tmp_path):
-    parted = shutil.copytree(folder, tmp_path / "parted")
-    assert practised(folder, interactions=300) == 0
-    assert practised(parted, interactions=1) == 0
-    table = parted / "practised.json"
-    table.write_bytes((folder / "practised.json").read_bytes())
-    assert practised(parted, interactions=300) == 0
-    for name in FILES:
-        assert (folder / name).read_bytes() == (parted / name).read_bytes(), name
 
 
 @pytest.mark.parametrize(

@@ -2,12 +2,12 @@
 
 import numpy as np
 import pytest
+from toy_learning import foretell, some_features
 
 from neurosym.errors import UnknownChoice
 from neurosym.operators import Primitive
 from neurosym.primitives.audition import CHOICES, audition, choose, lowest_error, shortlist
 from neurosym.primitives.rehearsal import rehearsal_sample
-from neurosym.world import Scene
 from neurosym.worlds.toy import LONGEST_PUSH, WIDEST_GRASP, ToyWorld, make_world
 from neurosym.worlds.workers import Task
 
@@ -30,22 +30,6 @@ def by_affordance(features):
 
 def alike(features):
     return ("00",) * len(features)
-
-
-def foretell(features, actions):
-    """Say what the toy world would do, by trying it."""
-    world, upright = make_world(), np.array([[0.0, 0.0, 0.0, 1.0]])
-    middle = np.array([[0.7, 0.0, 0.0]])
-    outcomes = [
-        world.interact(Scene(row[None], middle, upright), action, 0)
-        for row, action in zip(features, actions, strict=True)
-    ]
-    return np.array([outcome.effect for outcome in outcomes])
-
-
-def some_features(count=40):
-    scenes = [make_world().sample_scene(np.random.default_rng([5, n]), 1) for n in range(count)]
-    return np.concatenate([scene.features for scene in scenes])
 
 
 class Watched(ToyWorld):

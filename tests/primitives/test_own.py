@@ -4,6 +4,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from toy_learning import foretell, some_features
 
 from neurosym.naming import name_operator
 from neurosym.operators import Primitive
@@ -37,24 +38,8 @@ def pushable(features):
     return tuple(f"{int(p)}" for p in features[:, 0] <= LONGEST_PUSH)
 
 
-def foretell(features, actions):
-    """Say what the toy world would do, by trying it."""
-    world, upright = make_world(), np.array([[0.0, 0.0, 0.0, 1.0]])
-    middle = np.array([[0.7, 0.0, 0.0]])
-    outcomes = [
-        world.interact(Scene(row[None], middle, upright), action, 0)
-        for row, action in zip(features, actions, strict=True)
-    ]
-    return np.array([outcome.effect for outcome in outcomes])
-
-
-def some_features(count=100):
-    scenes = [make_world().sample_scene(np.random.default_rng([5, n]), 1) for n in range(count)]
-    return np.concatenate([scene.features for scene in scenes])
-
-
 def chosen(candidates, shared, categorise=by_affordance, factory=make_world, **options):
-    options = {"predict": foretell, "features": some_features(), "seed": 0, **options}
+    options = {"predict": foretell, "features": some_features(100), "seed": 0, **options}
     return choose_own(factory, candidates, shared, categorise=categorise, **options)
 
 
@@ -164,7 +149,7 @@ def test_own_is_what_choose_gives_and_what_is_told_counts_performances():
         [LIFTING, PUSHING],
         "own",
         predict=foretell,
-        features=some_features(),
+        features=some_features(100),
         categorise=by_affordance,
         world_factory=make_world,
         seed=0,

@@ -95,7 +95,7 @@ def learn(domain: Path, folder: Path, how: str, seed: int, interactions: int) ->
         copy.perform(stage, again=False)
     copy.perform(compile_stage(copy, cell=CELL), again=False)
     practised = practice_of(copy)
-    rounds = practised.rounds if practised else ()
+    rounds = practised.practised.rounds if practised else ()
     lessons = [lesson for one in rounds for lesson in one.lessons]
     return {
         "spent": sum(one.spent for one in rounds),
