@@ -21,8 +21,10 @@ $(VENV)/.installed: pyproject.toml constraints.txt
 demo: install
 	$(BIN)/python tools/demo.py
 
+# A test that hangs is named, after many times what the slowest takes [s].
 test: install
-	$(BIN)/pytest -m "not evaluation" --numprocesses auto --dist loadfile --no-loadscope-reorder
+	$(BIN)/pytest -m "not evaluation" --numprocesses auto --dist loadfile --no-loadscope-reorder \
+	  --timeout 900 --timeout-method thread
 
 lint: install
 	$(BIN)/ruff format --check .

@@ -31,11 +31,16 @@ def told(error: BaseException) -> str:
     """Tell an exception in one line of at most 200 characters, without a full stop."""
     kind = type(error).__name__
     try:
-        said = "".join(sign if sign.isprintable() else " " for sign in str(error))
+        text = one_line(str(error)).rstrip(".")
     except Exception:  # an exception of somebody's own may not even say what it is
         return kind
-    text = shortened(" ".join(said.split()), _LONGEST).rstrip(".")
     return f"{kind}: {text}" if text else kind
+
+
+def one_line(text: str) -> str:
+    """Keep of what somebody's own code says what can be printed, in one line of at most 200 characters."""
+    printable = "".join(sign if sign.isprintable() else " " for sign in text)
+    return shortened(" ".join(printable.split()), _LONGEST)
 
 
 def load_factory(name: str, invalid: Invalid) -> Any:

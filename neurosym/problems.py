@@ -8,7 +8,7 @@ import msgspec
 import numpy as np
 from jaxtyping import Float
 
-from neurosym.checks import as_path, check_fields
+from neurosym.checks import as_path, check_fields, check_kind
 from neurosym.errors import InvalidValue, UnknownChoice
 from neurosym.files import write_json
 from neurosym.operators import TOLERANCE, Length, Vector
@@ -201,6 +201,7 @@ def check_goals(problem: Problem, table: Table, z_range: tuple[float, float]) ->
 def check_names(names: tuple[str, ...]) -> None:
     """Raise `InvalidValue` unless problems and objects can have these names."""
     for name in names:
+        check_kind("name", name, str, "text")
         if len(name) > LONGEST_NAME:
             raise InvalidValue(
                 f"The name {name[:20]}... has {len(name)} characters; valid: at most {LONGEST_NAME}."

@@ -140,7 +140,9 @@ def decode_json(path: Path, content: bytes, kind: type[Document], remedy: str = 
     try:
         return msgspec.json.decode(content, type=kind)
     except (msgspec.MsgspecError, UnicodeDecodeError, OverflowError, RecursionError, InvalidValue) as error:
-        raise InvalidFile(path, shortened(str(error).rstrip("."), 300) + remedy) from error
+        is_other = isinstance(error, msgspec.ValidationError | InvalidValue)
+        said = ("" if is_other else "it is not JSON: ") + shortened(str(error).rstrip("."), 300)
+        raise InvalidFile(path, said + remedy) from error
 
 
 def read_toml(path: Path, remedy: str = "") -> dict[str, Any]:

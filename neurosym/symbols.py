@@ -1,5 +1,6 @@
 """Symbols: codes of bits, written as strings like "101"."""
 
+import re
 from collections.abc import Callable
 from itertools import product
 from typing import Annotated
@@ -9,9 +10,10 @@ import numpy as np
 from jaxtyping import Float
 
 from neurosym.checks import check_all, check_callable
-from neurosym.errors import InvalidValue
+from neurosym.errors import InvalidValue, shortened
 
-Symbol = Annotated[str, msgspec.Meta(pattern=r"\A[01]{1,64}\Z")]
+_BITS = r"\A[01]{1,64}\Z"
+Symbol = Annotated[str, msgspec.Meta(pattern=_BITS)]
 """A code of bits; what stands in files is checked when it is read."""
 Categorise = Callable[[Float[np.ndarray, "N F"]], tuple[Symbol, ...]]
 """Gives the object symbols of features."""
@@ -32,6 +34,9 @@ def symbols_of(categorise: Categorise, features: Float[np.ndarray, "N F"]) -> tu
     check_all("the symbols that categorise gives", symbols, str, "a tuple of symbols, like '10'")
     if len(symbols) != len(features):
         raise InvalidValue(f"categorise gives {len(symbols)} symbols for {len(features)} objects.")
+    for symbol in symbols:
+        if not re.match(_BITS, symbol):
+            raise InvalidValue(f"categorise gives the symbol {shortened(symbol)!r}; valid: bits, like '10'.")
     return tuple(symbols)
 
 

@@ -66,10 +66,13 @@ def plan(
         more=alternatives,
         tolerance=tolerance,
     )
-    domain.perform(stage, again=True)
     plan_file, record_file = stage.outputs
+    had_plan = (domain / plan_file).exists()
+    domain.perform(stage, again=True)
     record = read_json(domain / record_file, PlanRecord)
     _say_plan(record)
+    if had_plan and not (domain / plan_file).exists():
+        say(f"removed {folder / plan_file}, the plan of an earlier call")
     if record.steps or record.solved:
         say(f"wrote {folder / plan_file}")
         _say_alternatives(record, folder, alternatives)

@@ -53,6 +53,8 @@ def practise(
     show_table(f"{counted(len(rounds), 'round')} of practice", columns, rows)
     spent = counted(sum(one.spent for one in rounds), "interaction")
     say(f"{spent}; what was practised lies in {domain / PRACTICE}")
+    if sum(one.spent for one in rounds) < interactions:
+        say("note: it ended earlier, because no task had a plan, and no operator was left to be practised")
     say(f"{domain / DOMAIN} is compiled from it")
     say_next(f"neurosym new-problem {quoted(folder)}")
     return 0

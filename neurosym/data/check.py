@@ -217,8 +217,11 @@ def _shape_problem(name: str, column: np.ndarray, columns: Columns) -> str | Non
         fits = column.ndim == 2 and column.shape[1] > 0
         valid = f"({rows if rows is not None else 'rows'}, columns), with at least one column"
     else:
-        effects = columns.get("effects")
-        like = effects.shape[1:] if effects is not None and name == "resting_effects" else ()
+        like: tuple[int, ...] = ()
+        if name == "resting_effects":
+            if "effects" not in columns:
+                return None  # there is nothing to compare with, which is told
+            like = columns["effects"].shape[1:]
         fits = column.ndim == 1 + len(like) and column.shape[1:] == like
         valid = f"({', '.join(map(str, (rows if rows is not None else 'rows', *like)))}{'' if like else ','})"
     if fits and rows in (None, len(column)):

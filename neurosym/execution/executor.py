@@ -13,7 +13,7 @@ from dataclasses import dataclass, field
 import msgspec
 import numpy as np
 
-from neurosym.checks import check_all, check_count, check_kind, check_seed
+from neurosym.checks import check_all, check_callable, check_count, check_kind, check_seed
 from neurosym.errors import InvalidValue, InvalidWorld
 from neurosym.execution.experience import Experience
 from neurosym.execution.nudges import Nudger, nudged
@@ -75,6 +75,8 @@ def execute(
     """
     world = guarded(world)
     _check(problem, grounding, plan, replans, nudge_seed)
+    if replanner is not None:
+        check_callable("replanner", replanner, "a function from a problem and a grounding to a plan result")
     if limits := limits_of(world):
         for item in problem.objects:
             limits.check(item.name, item.features)

@@ -13,6 +13,7 @@ import torch
 from jaxtyping import Float
 from torch import Tensor, nn
 
+from neurosym.checks import check_array
 from neurosym.data.dimensions import Dimensions
 from neurosym.learning.inputs import InputNorm, with_gripper_states
 from neurosym.learning.model_config import ModelConfig
@@ -78,12 +79,22 @@ class EffectModel(EffectNetwork):
         return self.decode(self.embed_objects(features), self.embed_actions(actions))
 
     def object_codes(self, features: Float[np.ndarray, "N F"]) -> Float[np.ndarray, "N Ko"]:
-        """Encode objects into embeddings, whose signs are the bits of their symbols."""
+        """Encode objects into embeddings, whose signs are the bits of their symbols.
+
+        Raises:
+            InvalidValue: If they have not as many features as the network reads.
+        """
+        check_array("features", features, (None, self.dimensions.features))
         with inference(self):
             return self.embed_objects(tensor(features)).numpy()
 
     def action_codes(self, actions: Float[np.ndarray, "N A"]) -> Float[np.ndarray, "N Ka"]:
-        """Encode actions into embeddings, whose signs are the bits of their symbols."""
+        """Encode actions into embeddings, whose signs are the bits of their symbols.
+
+        Raises:
+            InvalidValue: If they have not as many parameters as the network reads.
+        """
+        check_array("actions", actions, (None, self.dimensions.actions))
         with inference(self):
             return self.embed_actions(tensor(actions)).numpy()
 

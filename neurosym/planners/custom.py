@@ -4,11 +4,12 @@ import math
 import reprlib
 from collections.abc import Container
 from contextlib import chdir, redirect_stdout
+from dataclasses import replace
 from io import StringIO
 from pathlib import Path
 
 from neurosym.errors import InvalidPlanner, InvalidValue, shortened
-from neurosym.factories import admit, load_factory, told
+from neurosym.factories import admit, load_factory, one_line, told
 from neurosym.pddl.plan_text import PlanStep
 from neurosym.pddl.validation import validate
 from neurosym.planners.planner import Planner, PlannerMissing, Query
@@ -75,6 +76,7 @@ def solve_checked(planner: Planner, query: Query) -> PlanResult:
     except BaseException as error:
         raise InvalidPlanner(planner.name, f"raises an error in solve: {told(error)}") from error
     _check_result(planner.name, result)
+    result = replace(result, reason=one_line(result.reason))
     if unknown := _unknown(result, query):
         return PlanResult(PlanStatus.FAILED, (), result.seconds, f"its plan names {unknown}")
     if result.status is PlanStatus.SOLVED and planner.reads == "operators":

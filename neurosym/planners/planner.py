@@ -12,7 +12,7 @@ import numpy as np
 from jaxtyping import Float
 
 from neurosym.checks import check_kind
-from neurosym.errors import InvalidPlanner, NeurosymError, UnknownChoice
+from neurosym.errors import InvalidPlanner, InvalidValue, NeurosymError
 from neurosym.grounding import Grounding
 from neurosym.pddl.moves import ENCODINGS, SAS, Encoding
 from neurosym.planners.result import PlannerAnswer, PlanResult
@@ -93,10 +93,11 @@ class PddlProgram:
             asked: The encoding asked for, if any.
 
         Raises:
-            UnknownChoice: If the planner does not take it.
+            InvalidValue: If the planner does not take it.
         """
         if asked is not None and asked not in self.encodings:
-            raise UnknownChoice(f"encoding for {planner}", asked, self.encodings)
+            valid = ", ".join(sorted(self.encodings))
+            raise InvalidValue(f"{planner} does not take the encoding {asked!r}; valid: {valid}.")
         return asked or self.encodings[0]
 
 
@@ -142,6 +143,9 @@ class Planner:
             raise InvalidPlanner(self.name, f"has about = {self.about!r}; valid: text")
         if not isinstance(self.takes, Collection) or not {*self.takes} <= {"encoding", "whole", "unit-costs"}:
             raise InvalidPlanner(self.name, f"has takes = {self.takes!r}; valid: encoding, whole, unit-costs")
+        is_number = isinstance(self.ceiling, int | float) and not isinstance(self.ceiling, bool)
+        if not (is_number and self.ceiling > 0):
+            raise InvalidPlanner(self.name, f"has ceiling = {self.ceiling!r}; valid: a time above 0 s")
         if self.reads not in ("operators", "network"):
             raise InvalidPlanner(self.name, f"has reads = {self.reads!r}; valid: operators, network")
         known = (SAS, *ENCODINGS)

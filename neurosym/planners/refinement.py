@@ -20,6 +20,7 @@ from jaxtyping import Float
 
 from neurosym.drafts import naming
 from neurosym.errors import InvalidPlan, InvalidPlanner
+from neurosym.factories import one_line
 from neurosym.grounding import Grounding
 from neurosym.pddl.domain import domain_text
 from neurosym.pddl.moves import SAS, Encoding
@@ -113,7 +114,7 @@ def _answer(name: str, call: PddlCall, domain: Path, problem: Path, *, time_limi
         if not isinstance(getattr(answer, part), kinds):
             given = reprlib.repr(getattr(answer, part))
             raise InvalidPlanner(name, f"gives an answer with {part} = {given}; valid: see PlannerAnswer")
-    return answer
+    return dataclasses.replace(answer, reason=one_line(answer.reason))
 
 
 def plan_pddl(query: Query, *, name: str, program: PddlProgram) -> PlanResult:
@@ -125,7 +126,8 @@ def plan_pddl(query: Query, *, name: str, program: PddlProgram) -> PlanResult:
         program: What reads the files.
 
     Raises:
-        UnknownChoice: If it does not take the encoding, or an object's category is unknown.
+        UnknownChoice: If an object's category is unknown.
+        InvalidValue: If the planner does not take the encoding.
         InvalidValue: If an object stands off the table, or its name means something else in the domain.
     """
     problem, grounding = query.problem, query.grounding

@@ -49,12 +49,11 @@ def plan(
         costs: Whether steps cost the more the rarer they keep their promise; otherwise each costs 1.
 
     Raises:
-        UnknownChoice: If there is no such planner, or it does not take the encoding, or an object's category
-            is unknown.
+        UnknownChoice: If there is no such planner, or an object's category is unknown.
         PlannerMissing: If the planner is not installed.
         InvalidPlanner: If it is somebody's own, and fails or returns what is no result.
-        InvalidValue: If the planner does not take an option, or an object stands farther off the table than
-            a push may have left it.
+        InvalidValue: If the planner does not take the encoding or an option, or an object stands farther off
+            the table than a push may have left it.
     """
     check_kind("problem", problem, Problem, "a Problem")
     check_kind("grounding", grounding, Grounding, "a Grounding")
@@ -130,8 +129,7 @@ def check_options(planner: Planner, *, encoding: Encoding | None, whole: bool, c
         costs: Whether steps have costs.
 
     Raises:
-        UnknownChoice: If it does not take the encoding.
-        InvalidValue: If it does not take an option.
+        InvalidValue: If it does not take the encoding or an option.
     """
     asked: dict[Option, bool] = {"encoding": encoding is not None, "whole": whole, "unit-costs": not costs}
     for option, is_asked in asked.items():

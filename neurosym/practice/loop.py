@@ -11,6 +11,7 @@ from collections.abc import Callable
 
 import msgspec
 
+from neurosym.checks import check_count
 from neurosym.grounding import Grounding
 from neurosym.operators import Category, Operator, OperatorTable
 from neurosym.practice.competence import HOPE, competence, expected_gain
@@ -50,6 +51,7 @@ def practise(
         evenly: Rehearse all operators in turn instead, and try no tasks: what to compare with.
         on_round: Called after each round.
     """
+    check_count("interactions", interactions)
     while practised.spent < interactions:
         one, table = _round(shop, practised, compiled(practised.table), evenly)
         if not one.spent:

@@ -15,7 +15,7 @@ import numpy as np
 from jaxtyping import Float
 
 from neurosym.checks import check_all, check_array, check_callable, check_count, check_kind, check_seed
-from neurosym.errors import UnknownChoice
+from neurosym.errors import InvalidValue, UnknownChoice
 from neurosym.guarded import made
 from neurosym.operators import Primitive
 from neurosym.primitives.own import choose_own
@@ -68,6 +68,8 @@ def choose(
         InvalidWorld: If it is a world of one's own that fails.
     """
     check_all("candidates", candidates, Primitive, "primitives, as distill returns them")
+    if not candidates:
+        raise InvalidValue("There are no candidates; distill gives at least one for a symbol that it found.")
     check_kind("choice", choice, str, f"one of {', '.join(CHOICES)}")
     check_callable("predict", predict, "a function from features and actions to outcomes")
     check_array("features", features, (None, None))

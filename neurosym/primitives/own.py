@@ -8,6 +8,7 @@ so that what lies on an edge, and does something else a hair beside it, looks as
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field
+from functools import cache
 
 import numpy as np
 from jaxtyping import Float
@@ -127,10 +128,13 @@ def shortlist_own(
         box: What actions must stay inside.
         seed: Where the changes of actions are drawn from.
     """
-    judged = []
-    for group in groups:
-        predicted = [predict(features, moved(one, len(features), box, seed)) for one in group]
-        judged.append([Judgement("resting", rows.mean(0), exactness(rows[:, :3])) for rows in predicted])
+    judged: list[list[Judgement]] = [[] for _ in groups]
+    for group, judgements in zip(groups, judged, strict=True):
+        if not group:
+            continue
+        actions = np.concatenate([moved(one, len(features), box, seed) for one in group])
+        predicted = np.split(predict(np.tile(features, (len(group), 1)), actions), len(group))
+        judgements += [Judgement("resting", rows.mean(0), exactness(rows[:, :3])) for rows in predicted]
     return [
         [group[number] for number in best[:SHORTLISTED]]
         for group, best in zip(groups, _ranked(judged), strict=True)
@@ -147,9 +151,15 @@ def moved(primitive: Primitive, count: int, box: ActionBox, seed: int) -> Float[
         seed: Where the changes are drawn from.
     """
     most = np.where(box.gripper, 0.0, np.minimum(MOVED, _MOST_MOVED * (box.high - box.low)))
-    moves = [np.random.default_rng([seed, _MOVES, n]).normal(size=len(most)) for n in range(count)]
-    actions: np.ndarray = np.clip(np.array(primitive.action) + most * np.array(moves), box.low, box.high)
+    moves = most * _moves(count, len(most), seed)
+    actions: np.ndarray = np.clip(np.array(primitive.action) + moves, box.low, box.high)
     return actions
+
+
+@cache
+def _moves(count: int, size: int, seed: int) -> Float[np.ndarray, "N A"]:
+    """Draw by how much actions are moved, in standard deviations."""
+    return np.array([np.random.default_rng([seed, _MOVES, n]).normal(size=size) for n in range(count)])
 
 
 def _audition(

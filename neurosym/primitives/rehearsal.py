@@ -172,7 +172,9 @@ def perform_on_each(
     return tuple(outcomes[row : row + len(scenes)] for row in range(0, len(outcomes), len(scenes)))
 
 
-def tabulate(rehearsals: Rehearsals, feature_names: Sequence[str]) -> OperatorTable:
+def tabulate(
+    rehearsals: Rehearsals, feature_names: Sequence[str], *, progress: Progress | None = None
+) -> OperatorTable:
     """Tell what each primitive did to each category.
 
     If a symbol has two actions for a category, the operator of the surer one comes first.
@@ -180,6 +182,7 @@ def tabulate(rehearsals: Rehearsals, feature_names: Sequence[str]) -> OperatorTa
     Args:
         rehearsals: What happened.
         feature_names: What the features are.
+        progress: Called after each primitive.
 
     Raises:
         InvalidValue: If there are not as many names as features.
@@ -200,6 +203,8 @@ def tabulate(rehearsals: Rehearsals, feature_names: Sequence[str]) -> OperatorTa
             if outcomes := rehearsals.on(category.symbol, number):
                 sureness = judge([performance(outcome) for outcome in outcomes]).sureness
                 found.append((sureness, _operator(primitive, category, outcomes)))
+        if progress is not None:
+            progress(number + 1, len(rehearsals.primitives))
     found.sort(key=lambda one: (one[1].primitive, one[1].category, -one[0], one[1].variant))
     operators = tuple(operator for _, operator in found)
     return OperatorTable(categories, rehearsals.primitives, operators, format=TABLE_FORMAT)

@@ -1,6 +1,7 @@
 """From networks and data to the table of operators: distil, choose, and rehearse or average."""
 
 from contextlib import AbstractContextManager, nullcontext
+from typing import Any
 
 from neurosym.actions import ActionBox
 from neurosym.data.interactions import Interactions
@@ -75,11 +76,11 @@ def find_operators(
     categorise = model.object_symbols
     if world_factory is None:
         return average(interactions, chosen.primitives, categorise, model.action_symbols)
-    with open_bar("rehearsing") as bar:
-        found = rehearse(
-            world_factory, chosen, categorise, objects=objects, seed=seed, workers=workers, progress=bar
-        )
-    return tabulate(found, made(world_factory).feature_names)
+    options: Any = {"objects": objects, "seed": seed, "workers": workers}
+    with open_bar("rehearsing") as advance:
+        found = rehearse(world_factory, chosen, categorise, **options, progress=advance)
+    with open_bar("telling the outcomes apart") as advance:
+        return tabulate(found, made(world_factory).feature_names, progress=advance)
 
 
 def _silent(_: str) -> AbstractContextManager[Progress]:

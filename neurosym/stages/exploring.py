@@ -2,7 +2,7 @@
 
 from typing import Any
 
-from neurosym.console import progress_bar
+from neurosym.console import progress_bar, say
 from neurosym.data.interactions import Interactions
 from neurosym.data.origin import is_explored
 from neurosym.errors import InvalidValue
@@ -44,6 +44,7 @@ def explore_stage(
 
         check_steps(folder, steps)
         factory = read_world(folder.require(WORLD))
+        _check_begun(folder, name, seed)
         config = ExplorationConfig(
             min_predicted_effect=min_predicted_effect,
             learning=LearningConfig(
@@ -71,6 +72,24 @@ def explore_stage(
         options["min_predicted_effect"] = min_predicted_effect
     options |= network.unusual_bits()
     return Stage("explore", (WORLD,), (INTERACTIONS,), work, options, Claim.ALONE)
+
+
+def _check_begun(folder: DomainFolder, strategy: str, seed: int) -> None:
+    """Refuse to replace finished interactions by others; the checkpoint that says so too may be gone."""
+    from neurosym.exploration.loop import STATE_FILE
+
+    path = folder / INTERACTIONS
+    if not path.exists():
+        return
+    origin = Interactions.load(path).origin
+    for name, wanted in (("strategy", strategy), ("seed", seed)):
+        if (found := origin.get(name)) != wanted:
+            raise InvalidValue(
+                f"{path} was explored with {name} = {found!r}, not {wanted!r}; use that again, or remove it "
+                "to begin anew."
+            )
+    if not (folder / STATE_FILE).exists():
+        say(f"note: {STATE_FILE} is missing, so that exploration begins anew, and comes to the same again")
 
 
 def check_choices(strategy: StrategyName, regime: str, min_predicted_effect: float = 0.0) -> Regime:

@@ -98,9 +98,10 @@ def plan_stage(
         tolerance: How near objects must come to their goals [m], if not as the problem says.
 
     Raises:
-        UnknownChoice: If there is no such planner, or it does not take the encoding.
+        UnknownChoice: If there is no such planner.
         InvalidPlanner: If it cannot be used, or has the name of another one, by which there is a plan.
-        InvalidValue: If the planner does not take an option, or fewer than no plans are asked for.
+        InvalidValue: If the planner does not take the encoding or an option, or fewer than no plans are
+            asked for.
     """
     chosen = planner_named(planner, folder.path)
     check_options(chosen, encoding=encoding, whole=whole, costs=not unit_costs)

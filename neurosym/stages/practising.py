@@ -57,7 +57,7 @@ def practice_of(folder: DomainFolder) -> PracticeFile | None:
     path = folder / PRACTICE
     if not (path.is_file() and (folder / PRIMITIVES).is_file()):
         return None
-    found = read_json(path, PracticeFile)
+    found = read_json(path, PracticeFile, "; remove it to go back to what was distilled")
     if found.format != FORMAT:
         raise InvalidFile(path, f"it is of the format {found.format!r}, and this version reads {FORMAT!r}")
     return found if found.of == digest(folder / PRIMITIVES) else None

@@ -24,11 +24,15 @@ PLACES = {
     "replay": ["{folder}", "task-01.fast-downward"],
     "compare": ["{folder}", "--tasks", "1", "--workers", "1", "--planners", "bfs-operators"],
     "check": ["{folder}"],
+    "practise": ["{folder}", "--interactions", "1"],
     "planners": [],
 }
 """What each command is given besides, if it is more than a domain folder."""
-COSTLY = {(command, "--seed", NUMBERS[4]) for command in ("train", "distill")}
-"""A seed as good as any: the command does its work."""
+COSTLY = {
+    *((command, "--seed", NUMBERS[4]) for command in ("train", "distill", "practise")),
+    ("practise", "--interactions", NUMBERS[4]),
+}
+"""Values as good as any: the command does its work, for as long as it is let."""
 
 
 def options() -> Iterator[tuple[str, str, str]]:

@@ -64,6 +64,17 @@ def test_folder_with_a_blank_is_quoted_in_what_to_type_next(bare, capsys):
     assert f"`neurosym plan '{folder}' easy`" in refusal(capsys, "execute", folder, "easy", "none.plan")
 
 
+def test_a_plan_that_is_taken_away_is_told(bare, capsys):
+    file = bare / "plans/easy.counting.plan"
+    assert neurosym("plan", bare, "easy", "--planner", "counting") == 0
+    task = Problem.load(bare / "problems/far.scene.json")
+    save(msgspec.structs.replace(task, name="easy"), bare)
+    capsys.readouterr()
+    assert neurosym("plan", bare, "easy", "--planner", "counting") == 3
+    assert not file.exists()
+    assert f"removed {file}, the plan of an earlier call" in capsys.readouterr().out
+
+
 def test_fewer_than_no_alternatives_are_refused(bare, capsys):
     assert neurosym("plan", bare, "easy", "--alternatives", "-1") == 2
     assert "alternatives = -1 must be at least 0" in capsys.readouterr().err

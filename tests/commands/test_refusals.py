@@ -52,6 +52,20 @@ def test_corrupt_file_is_refused_by_name_and_nothing_is_written(folder, command,
     assert {path: path.read_bytes() for path in folder.rglob("*") if path.is_file()} == before
 
 
+@pytest.mark.parametrize(
+    "options", [["--strategy", "random", "--seed", 4], ["--seed", 3, "--strategy", "active"]]
+)
+def test_finished_interactions_are_not_replaced_by_others_where_the_checkpoint_is_gone(
+    folder, options, capsys
+):
+    for name in ("exploration.safetensors", "interactions.partial.npz"):
+        (folder / name).unlink(missing_ok=True)
+    before = (folder / "interactions.npz").read_bytes()
+    said = refusal(capsys, "explore", folder, "--steps", 4096, *options)
+    assert f"was explored with {options[-2].removeprefix('--')} = " in said
+    assert (folder / "interactions.npz").read_bytes() == before
+
+
 @pytest.mark.parametrize("file", ["problems/task-01.scene.json", "grounding.json"])
 def test_foreign_json_is_refused(folder, file, capsys):
     (folder / file).write_text('{"format": "something-else"}')

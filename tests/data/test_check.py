@@ -162,6 +162,15 @@ def test_damaged_bytes_inside_an_archive_are_refused(tmp_path, capsys):
     assert "cannot be used" in refusal(capsys, "train", tmp_path)
 
 
+def test_pickled_effects_are_the_only_fault_told(tmp_path, capsys):
+    columns = own_columns()
+    effects = columns["effects"].astype(object)
+    write_data(tmp_path, {**columns, "resting_effects": columns["effects"], "effects": effects})
+    said = refusal(capsys, "check", tmp_path)
+    assert "'effects' is damaged, or holds Python objects" in said
+    assert "resting_effects" not in said
+
+
 def test_two_arrays_of_one_name_are_refused(tmp_path, capsys):
     path = write_data(tmp_path, own_columns())
     with pytest.warns(UserWarning, match="Duplicate name"), zipfile.ZipFile(path, "a") as archive:

@@ -166,6 +166,19 @@ def test_what_a_planner_prints_is_no_part_of_the_answer(capsys: pytest.CaptureFi
     assert capsys.readouterr().out == ""
 
 
+@pytest.mark.parametrize("reason", ["tired\ud800", "tired\x1b[31m", "tired\n" * 1000])
+@pytest.mark.parametrize("encoded", [True, False])
+def test_what_a_planner_says_is_one_line_that_can_be_printed(reason: str, encoded: bool):
+    if encoded:
+        mine = pddl_planner("mine", "mine", lambda *_, **__: PlannerAnswer(PlanStatus.FAILED, reason=reason))
+    else:
+        mine = Planner("mine", "mine", lambda _: PlanResult(PlanStatus.FAILED, (), 0.0, reason))
+    said = plan(problem(), grounding(), mine).reason
+    assert said.startswith("tired")
+    assert said.isprintable()
+    assert len(said) <= 300
+
+
 def raises(_: object) -> PlanResult:
     raise RuntimeError("out of ink")
 
