@@ -37,10 +37,15 @@ def told(error: BaseException) -> str:
     return f"{kind}: {text}" if text else kind
 
 
-def one_line(text: str) -> str:
-    """Keep of what somebody's own code says what can be printed, in one line of at most 200 characters."""
+def one_line(text: str, longest: int = _LONGEST) -> str:
+    """Keep of what somebody's own code says what can be printed, in one line.
+
+    Args:
+        text: What it says.
+        longest: How many characters the line has at most.
+    """
     printable = "".join(sign if sign.isprintable() else " " for sign in text)
-    return shortened(" ".join(printable.split()), _LONGEST)
+    return shortened(" ".join(printable.split()), longest)
 
 
 def load_factory(name: str, invalid: Invalid) -> Any:

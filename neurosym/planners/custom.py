@@ -13,7 +13,7 @@ from neurosym.factories import admit, load_factory, one_line, told
 from neurosym.pddl.plan_text import PlanStep
 from neurosym.pddl.validation import validate
 from neurosym.planners.planner import Planner, PlannerMissing, Query
-from neurosym.planners.result import PlanResult, PlanStatus
+from neurosym.planners.result import LONGEST_REASON, PlanResult, PlanStatus
 
 
 def load_planner(name: str, domain_folder: Path | None, taken: Container[str]) -> Planner:
@@ -76,7 +76,7 @@ def solve_checked(planner: Planner, query: Query) -> PlanResult:
     except BaseException as error:
         raise InvalidPlanner(planner.name, f"raises an error in solve: {told(error)}") from error
     _check_result(planner.name, result)
-    result = replace(result, reason=one_line(result.reason))
+    result = replace(result, reason=one_line(result.reason, LONGEST_REASON))
     if unknown := _unknown(result, query):
         return PlanResult(PlanStatus.FAILED, (), result.seconds, f"its plan names {unknown}")
     if result.status is PlanStatus.SOLVED and planner.reads == "operators":

@@ -35,7 +35,7 @@ from neurosym.planners.no_plan import Explanation, explain_clash, explain_no_pla
 from neurosym.planners.one_by_one import plan_one_by_one
 from neurosym.planners.ordering import mend
 from neurosym.planners.planner import CEILING, GRID, Option, PddlCall, PddlProgram, Planner, Query
-from neurosym.planners.result import PlannerAnswer, PlanResult, PlanStatus
+from neurosym.planners.result import LONGEST_REASON, PlannerAnswer, PlanResult, PlanStatus
 from neurosym.planners.scratch import scratch_folder
 from neurosym.problems import Problem
 from neurosym.world import Table
@@ -114,7 +114,7 @@ def _answer(name: str, call: PddlCall, domain: Path, problem: Path, *, time_limi
         if not isinstance(getattr(answer, part), kinds):
             given = reprlib.repr(getattr(answer, part))
             raise InvalidPlanner(name, f"gives an answer with {part} = {given}; valid: see PlannerAnswer")
-    return dataclasses.replace(answer, reason=one_line(answer.reason))
+    return dataclasses.replace(answer, reason=one_line(answer.reason, LONGEST_REASON))
 
 
 def plan_pddl(query: Query, *, name: str, program: PddlProgram) -> PlanResult:

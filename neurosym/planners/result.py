@@ -5,6 +5,9 @@ from enum import Enum
 
 from neurosym.pddl.plan_text import PlanStep
 
+LONGEST_REASON = 400
+"""How many characters of a reason that somebody else's planner gives are kept."""
+
 
 class PlanStatus(Enum):
     """How a search for a plan ended.

@@ -2,6 +2,7 @@
 
 from typing import Any
 
+from neurosym.checks import check_count
 from neurosym.console import progress_bar, say
 from neurosym.data.interactions import Interactions
 from neurosym.data.origin import is_explored
@@ -42,6 +43,7 @@ def explore_stage(
         from neurosym.exploration.curiosity import LearningConfig
         from neurosym.exploration.loop import explore
 
+        check_count("steps", steps)
         check_steps(folder, steps)
         factory = read_world(folder.require(WORLD))
         _check_begun(folder, name, seed)
@@ -107,7 +109,7 @@ def has_own_data(folder: DomainFolder) -> bool:
 def check_steps(folder: DomainFolder, steps: int) -> None:
     """Refuse to replace interactions by fewer, or a user's own by any."""
     path = folder / INTERACTIONS
-    if steps <= 0 or not path.exists():
+    if not path.exists():
         return
     if has_own_data(folder):
         raise InvalidValue(
