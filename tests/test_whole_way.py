@@ -23,6 +23,7 @@ from neurosym.stages.plan_records import PlanRecord
 from neurosym.worlds.world_file import make_world
 
 LEARN = ["--steps", "256", "--seed", "7", "--regime", "quick", "--rehearsals", "12", "--problems", "4"]
+LEARN += ["--action-bits", "2"]  # half as many auditions
 TABLETOP = partial(make_world, "tabletop", {})
 
 
