@@ -9,7 +9,7 @@ from tyro.conf import Positional, arg
 
 from neurosym.console import say
 from neurosym.errors import InvalidValue
-from neurosym.learning.model_config import DEFAULT_BITS
+from neurosym.learning.model_config import DEFAULT_BITS, PAPER_BITS
 from neurosym.stages.folder import DomainFolder
 from neurosym.strategies import StrategyName
 
@@ -76,7 +76,10 @@ ObjectBits = Annotated[
 ]
 ActionBits = Annotated[
     int | None,
-    arg(help=f"Bits of an action symbol, 1 to 8: up to 2^bits primitives. By default {DEFAULT_BITS[1]}."),
+    arg(
+        help="Bits of an action symbol, 1 to 8: up to 2^bits primitives. By default "
+        f"{DEFAULT_BITS[1]}, and {PAPER_BITS[1]} with quick and paper."
+    ),
 ]
 
 

@@ -7,8 +7,8 @@ from neurosym.errors import InvalidValue
 
 PAPER_BITS = (2, 3)
 """Bits of object and action symbols in the paper (section IV-B)."""
-DEFAULT_BITS = PAPER_BITS
-"""Bits of object and action symbols unless the user says otherwise."""
+DEFAULT_BITS = (2, 4)
+"""Bits of object and action symbols of the default regime; docs/learning.md says why."""
 _MOST_BITS = {"object_bits": 6, "action_bits": 8}
 _MOST_HIDDEN = 4096
 
@@ -30,8 +30,8 @@ class ModelConfig:
         head: "gaussian" predicts mean and log variance, "mean" the mean alone (the baselines).
     """
 
-    object_bits: int = DEFAULT_BITS[0]
-    action_bits: int = DEFAULT_BITS[1]
+    object_bits: int = PAPER_BITS[0]
+    action_bits: int = PAPER_BITS[1]
     hidden: int = 128
     dropout: float = 0.0
     layer_norm: bool = False

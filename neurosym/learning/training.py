@@ -21,7 +21,7 @@ from neurosym.learning.baselines import trivial_predictions
 from neurosym.learning.direct_model import DirectModel
 from neurosym.learning.effect_model import EffectModel
 from neurosym.learning.losses import FitProgress, reproducible
-from neurosym.learning.model_config import ModelConfig
+from neurosym.learning.model_config import DEFAULT_BITS, ModelConfig
 from neurosym.learning.recipes import RECIPES, fit_direct
 from neurosym.learning.report import TrainingReport
 from neurosym.learning.samples import Samples, dimensions_of, samples_of
@@ -83,7 +83,7 @@ def train(
             check_kind(name, value, kind, f"a {kind.__name__}, like regime_named('quick').{_PARTS[kind]}")
     config, progress = config or TrainingConfig(), progress or _silent
     strategy = strategy_of(interactions.origin)
-    model_config = model_config or ModelConfig()
+    model_config = model_config or ModelConfig(*DEFAULT_BITS)
     if strategy is not None:
         model_config = replace(model_config, head=strategy.head)
         interactions = interactions[strategy.learns_from(interactions.effects)]

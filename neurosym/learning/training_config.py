@@ -5,7 +5,7 @@ from dataclasses import asdict, dataclass, field, replace
 from typing import Any, Literal
 
 from neurosym.errors import InvalidValue, UnknownChoice
-from neurosym.learning.model_config import EXPLORING, PAPER_BITS, DirectConfig, ModelConfig
+from neurosym.learning.model_config import DEFAULT_BITS, EXPLORING, PAPER_BITS, DirectConfig, ModelConfig
 
 
 @dataclass(frozen=True, slots=True)
@@ -231,7 +231,7 @@ class Regime:
 
 _PRINTED = ModelConfig(*PAPER_BITS, dropout=0.1, gripper_sharpness=None, layer_norm=True)
 REGIMES = {
-    "default": Regime(ModelConfig(), TrainingConfig(), exploration_rate=1e-3),
+    "default": Regime(ModelConfig(*DEFAULT_BITS), TrainingConfig(), exploration_rate=1e-3),
     "quick": Regime(
         ModelConfig(),
         TrainingConfig(
