@@ -1,14 +1,20 @@
-"""Learn `domains/tabletop` again, try its problems with both planners, and describe what was measured.
+"""Learn the shipped domains again, try their problems with both planners, and describe what was measured.
 
-Resumable: start it again after an interruption, and nothing is done twice. None of the problems is removed.
+`python tools/relearn_tabletop.py` learns `domains/tabletop`, and with `--paper` `domains/tabletop-paper`,
+whose symbols have as many bits as the paper's. Resumable: start it again after an interruption, and nothing
+is done twice. None of the problems is removed.
 """
 
 from pathlib import Path
+from typing import Annotated
+
+import tyro
 
 from neurosym.commands.run import run
 from neurosym.console import say
 from neurosym.files import write_atomically
 from neurosym.grounding import Grounding
+from neurosym.learning.model_config import DEFAULT_BITS, PAPER_BITS
 from neurosym.learning.report import TrainingReport
 from neurosym.operators import Category, Operator, OperatorTable, Vector
 from neurosym.reading import read_json
@@ -20,7 +26,7 @@ from neurosym.stages.plan_records import PlanRecord
 from neurosym.stages.planning import load_problem, plan_stage
 from neurosym.wording import counted
 
-FOLDER = Path("domains/tabletop")
+TABLETOP = Path("domains/tabletop")
 STEPS, SEED = 10_000, 1
 RISING = {(1, 1): 4, (1, 2): 2, (2, 1): 4, (2, 2): 2, (3, 2): 2, (4, 3): 2, (6, 4): 2, (8, 6): 2}
 SIZES = tuple(size for size, problems in RISING.items() for _ in range(problems))
@@ -28,18 +34,22 @@ SIZES = tuple(size for size, problems in RISING.items() for _ in range(problems)
 PLANNERS = ("bfs", "fast-downward")
 
 
-def main() -> None:
+def main(
+    *, paper: Annotated[bool, tyro.conf.arg(help="Learn the one with the paper's bits instead.")] = False
+) -> None:
     """Learn, try, describe."""
-    run(FOLDER, steps=STEPS, seed=SEED, problems=0)
-    folder = DomainFolder(FOLDER)
+    path = TABLETOP.with_name("tabletop-paper") if paper else TABLETOP
+    bits = PAPER_BITS if paper else DEFAULT_BITS
+    run(path, steps=STEPS, seed=SEED, problems=0, object_bits=bits[0], action_bits=bits[1])
+    folder = DomainFolder(path)
     for number, (objects, actions) in enumerate(SIZES, start=1):
         name = f"task-{number:02d}"
         drawn = problem_stage(folder, name=name, objects=objects, actions=actions, seed=SEED + number)
         folder.perform(drawn, again=False)
         for planner in PLANNERS:
             try_problem(folder, name, planner)
-    write_atomically(FOLDER / "README.md", "\n\n".join(sections(folder)) + "\n")
-    say(f"wrote {FOLDER / 'README.md'}")
+    write_atomically(path / "README.md", "\n\n".join(sections(folder, bits)) + "\n")
+    say(f"wrote {path / 'README.md'}")
 
 
 def try_problem(folder: DomainFolder, name: str, planner: str) -> None:
@@ -50,20 +60,29 @@ def try_problem(folder: DomainFolder, name: str, planner: str) -> None:
         folder.perform(execute_stage(folder, name, folder / plan_file), again=False)
 
 
-def sections(folder: DomainFolder) -> list[str]:
-    """Write the README, a text for each section."""
+def sections(folder: DomainFolder, bits: tuple[int, int]) -> list[str]:
+    """Write the README, a text for each section.
+
+    Args:
+        folder: The domain folder.
+        bits: Bits of object and action symbols.
+    """
+    is_paper = bits == PAPER_BITS
     table = OperatorTable.load(folder / PRIMITIVES)
     grounding = Grounding.load(folder / "grounding.json")
+    command = f"neurosym run {folder.path} --steps {STEPS} --seed {SEED} --problems 0"
     return [
-        "# The tabletop domain",
-        "Learned by neurosym's own pipeline with the paper's budget: 10,000 interactions of a UR10, each the "
-        "one drawn by how much five networks disagreed about it, with boxes, open-topped boxes, planks and "
+        "# The tabletop domain" + (", with the paper's bits" if is_paper else ""),
+        f"Object symbols have {bits[0]} bits, action symbols {bits[1]}"
+        + (", as in the paper. " if is_paper else "; `domains/tabletop-paper` has the paper's 2 and 3. ")
+        + "Learned by neurosym's own pipeline with the paper's budget: 10,000 interactions of a UR10, each the one "
+        "drawn by how much five networks disagreed about it, with boxes, open-topped boxes, planks and "
         "rings of random size. `tools/relearn_tabletop.py` writes "
         "this file from what it measured; nothing in this folder is edited by hand, and no problem was "
         "removed.",
         "## How it was made",
-        f"`python tools/relearn_tabletop.py`, that is `neurosym run {FOLDER} --steps {STEPS} --seed {SEED} "
-        "--problems 0` and then its problems. Minutes on 2 cores:",
+        f"`python tools/relearn_tabletop.py{' --paper' * is_paper}`, that is `{command}"
+        f"{f' --action-bits {bits[1]}' * is_paper}` and then its problems. Minutes on 2 cores:",
         _stages(folder),
         "## How well it predicts",
         _training(folder),
@@ -168,4 +187,4 @@ def _markdown(columns: list[str], rows: list[list[str]]) -> str:
 
 
 if __name__ == "__main__":
-    main()
+    tyro.cli(main)
