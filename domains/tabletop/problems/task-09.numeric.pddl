@@ -5,14 +5,76 @@
 (define (problem task-09)
   (:domain tabletop)
   (:objects
-    item-01 - any-narrow-11
-    item-02 - solid-narrow-10)
+    item-01 - solid-low-narrow-11
+    item-02 - solid-00)
   (:init
     (hand-empty) (= (total-cost) 0)
     ; item-01 starts at (0.5712, 0.0236, 0.0171) m
     (= (x item-01) 2212) (= (y item-01) 3236) (= (z item-01) 0)
+    ; What each operator promises for item-01 (features 0.1509 0.05109 0.03415 0).
+    ; Not for item-01:
+    ; push-forward-right-1101-solid-low-narrow-11: scatters more than it moves.
+    (can-lift-0000d-solid-low-narrow-11 item-01) (= (x-of-lift-0000d-solid-low-narrow-11 item-01) 9694) (= (y-of-lift-0000d-solid-low-narrow-11 item-01) 9632) (= (z-of-lift-0000d-solid-low-narrow-11 item-01) 12513) (= (cost-of-lift-0000d-solid-low-narrow-11 item-01) 4)
+    (= (x-of-put-down-lift-0000d-solid-low-narrow-11 item-01) 9999) (= (y-of-put-down-lift-0000d-solid-low-narrow-11 item-01) 9988) (= (z-of-put-down-lift-0000d-solid-low-narrow-11 item-01) 7487)
+    (can-lift-0001d-solid-low-narrow-11 item-01) (= (x-of-lift-0001d-solid-low-narrow-11 item-01) 10058) (= (y-of-lift-0001d-solid-low-narrow-11 item-01) 9496) (= (z-of-lift-0001d-solid-low-narrow-11 item-01) 11996) (= (cost-of-lift-0001d-solid-low-narrow-11 item-01) 4)
+    (= (x-of-put-down-lift-0001d-solid-low-narrow-11 item-01) 10001) (= (y-of-put-down-lift-0001d-solid-low-narrow-11 item-01) 9987) (= (z-of-put-down-lift-0001d-solid-low-narrow-11 item-01) 8004)
+    (can-lift-0100-solid-low-narrow-11 item-01) (= (x-of-lift-0100-solid-low-narrow-11 item-01) 9256) (= (y-of-lift-0100-solid-low-narrow-11 item-01) 9600) (= (z-of-lift-0100-solid-low-narrow-11 item-01) 11983) (= (cost-of-lift-0100-solid-low-narrow-11 item-01) 4)
+    (= (x-of-put-down-lift-0100-solid-low-narrow-11 item-01) 10018) (= (y-of-put-down-lift-0100-solid-low-narrow-11 item-01) 9983) (= (z-of-put-down-lift-0100-solid-low-narrow-11 item-01) 8017)
+    (can-lift-0100d-solid-low-narrow-11 item-01) (= (x-of-lift-0100d-solid-low-narrow-11 item-01) 9414) (= (y-of-lift-0100d-solid-low-narrow-11 item-01) 10467) (= (z-of-lift-0100d-solid-low-narrow-11 item-01) 12001) (= (cost-of-lift-0100d-solid-low-narrow-11 item-01) 4)
+    (= (x-of-put-down-lift-0100d-solid-low-narrow-11 item-01) 10000) (= (y-of-put-down-lift-0100d-solid-low-narrow-11 item-01) 9985) (= (z-of-put-down-lift-0100d-solid-low-narrow-11 item-01) 7999)
+    (can-lift-0101-solid-low-narrow-11 item-01) (= (x-of-lift-0101-solid-low-narrow-11 item-01) 9650) (= (y-of-lift-0101-solid-low-narrow-11 item-01) 10353) (= (z-of-lift-0101-solid-low-narrow-11 item-01) 12516) (= (cost-of-lift-0101-solid-low-narrow-11 item-01) 4)
+    (= (x-of-put-down-lift-0101-solid-low-narrow-11 item-01) 10000) (= (y-of-put-down-lift-0101-solid-low-narrow-11 item-01) 9986) (= (z-of-put-down-lift-0101-solid-low-narrow-11 item-01) 7484)
+    (can-lift-0101c-solid-low-narrow-11 item-01) (= (x-of-lift-0101c-solid-low-narrow-11 item-01) 9473) (= (y-of-lift-0101c-solid-low-narrow-11 item-01) 9486) (= (z-of-lift-0101c-solid-low-narrow-11 item-01) 12030) (= (cost-of-lift-0101c-solid-low-narrow-11 item-01) 4)
+    (= (x-of-put-down-lift-0101c-solid-low-narrow-11 item-01) 10002) (= (y-of-put-down-lift-0101c-solid-low-narrow-11 item-01) 9987) (= (z-of-put-down-lift-0101c-solid-low-narrow-11 item-01) 7970)
+    (can-lift-1000-solid-low-narrow-11 item-01) (= (x-of-lift-1000-solid-low-narrow-11 item-01) 10669) (= (y-of-lift-1000-solid-low-narrow-11 item-01) 10305) (= (z-of-lift-1000-solid-low-narrow-11 item-01) 11999) (= (cost-of-lift-1000-solid-low-narrow-11 item-01) 4)
+    (= (x-of-put-down-lift-1000-solid-low-narrow-11 item-01) 9994) (= (y-of-put-down-lift-1000-solid-low-narrow-11 item-01) 9983) (= (z-of-put-down-lift-1000-solid-low-narrow-11 item-01) 8001)
+    (can-lift-1001-solid-low-narrow-11 item-01) (= (x-of-lift-1001-solid-low-narrow-11 item-01) 10654) (= (y-of-lift-1001-solid-low-narrow-11 item-01) 9850) (= (z-of-lift-1001-solid-low-narrow-11 item-01) 12439) (= (cost-of-lift-1001-solid-low-narrow-11 item-01) 4)
+    (= (x-of-put-down-lift-1001-solid-low-narrow-11 item-01) 9994) (= (y-of-put-down-lift-1001-solid-low-narrow-11 item-01) 9987) (= (z-of-put-down-lift-1001-solid-low-narrow-11 item-01) 7561)
+    (can-lift-1001c-solid-low-narrow-11 item-01) (= (x-of-lift-1001c-solid-low-narrow-11 item-01) 10485) (= (y-of-lift-1001c-solid-low-narrow-11 item-01) 9477) (= (z-of-lift-1001c-solid-low-narrow-11 item-01) 12405) (= (cost-of-lift-1001c-solid-low-narrow-11 item-01) 4)
+    (= (x-of-put-down-lift-1001c-solid-low-narrow-11 item-01) 9998) (= (y-of-put-down-lift-1001c-solid-low-narrow-11 item-01) 9988) (= (z-of-put-down-lift-1001c-solid-low-narrow-11 item-01) 7595)
+    (can-lift-1100-solid-low-narrow-11 item-01) (= (x-of-lift-1100-solid-low-narrow-11 item-01) 9725) (= (y-of-lift-1100-solid-low-narrow-11 item-01) 10219) (= (z-of-lift-1100-solid-low-narrow-11 item-01) 11999) (= (cost-of-lift-1100-solid-low-narrow-11 item-01) 4)
+    (= (x-of-put-down-lift-1100-solid-low-narrow-11 item-01) 9998) (= (y-of-put-down-lift-1100-solid-low-narrow-11 item-01) 9985) (= (z-of-put-down-lift-1100-solid-low-narrow-11 item-01) 8001)
+    (can-lift-1100c-solid-low-narrow-11 item-01) (= (x-of-lift-1100c-solid-low-narrow-11 item-01) 9935) (= (y-of-lift-1100c-solid-low-narrow-11 item-01) 10298) (= (z-of-lift-1100c-solid-low-narrow-11 item-01) 12398) (= (cost-of-lift-1100c-solid-low-narrow-11 item-01) 4)
+    (= (x-of-put-down-lift-1100c-solid-low-narrow-11 item-01) 10000) (= (y-of-put-down-lift-1100c-solid-low-narrow-11 item-01) 9987) (= (z-of-put-down-lift-1100c-solid-low-narrow-11 item-01) 7602)
+    (can-lift-1101-solid-low-narrow-11 item-01) (= (x-of-lift-1101-solid-low-narrow-11 item-01) 10395) (= (y-of-lift-1101-solid-low-narrow-11 item-01) 10192) (= (z-of-lift-1101-solid-low-narrow-11 item-01) 12479) (= (cost-of-lift-1101-solid-low-narrow-11 item-01) 7)
+    (= (x-of-put-down-lift-1101-solid-low-narrow-11 item-01) 9999) (= (y-of-put-down-lift-1101-solid-low-narrow-11 item-01) 9983) (= (z-of-put-down-lift-1101-solid-low-narrow-11 item-01) 7521)
+    (can-lift-1101c-solid-low-narrow-11 item-01) (= (x-of-lift-1101c-solid-low-narrow-11 item-01) 10086) (= (y-of-lift-1101c-solid-low-narrow-11 item-01) 9969) (= (z-of-lift-1101c-solid-low-narrow-11 item-01) 11999) (= (cost-of-lift-1101c-solid-low-narrow-11 item-01) 4)
+    (= (x-of-put-down-lift-1101c-solid-low-narrow-11 item-01) 10000) (= (y-of-put-down-lift-1101c-solid-low-narrow-11 item-01) 9986) (= (z-of-put-down-lift-1101c-solid-low-narrow-11 item-01) 8001)
+    (can-place-forward-right-1010-solid-low-narrow-11 item-01) (= (x-of-place-forward-right-1010-solid-low-narrow-11 item-01) 10583) (= (y-of-place-forward-right-1010-solid-low-narrow-11 item-01) 9569) (= (cost-of-place-forward-right-1010-solid-low-narrow-11 item-01) 4)
+    (can-pull-0110-solid-low-narrow-11 item-01) (= (x-of-pull-0110-solid-low-narrow-11 item-01) 9573) (= (y-of-pull-0110-solid-low-narrow-11 item-01) 9949) (= (cost-of-pull-0110-solid-low-narrow-11 item-01) 4)
+    (can-pull-0111-solid-low-narrow-11 item-01) (= (x-of-pull-0111-solid-low-narrow-11 item-01) 8999) (= (y-of-pull-0111-solid-low-narrow-11 item-01) 10430) (= (cost-of-pull-0111-solid-low-narrow-11 item-01) 4)
+    (can-push-forward-1011-solid-low-narrow-11 item-01) (= (x-of-push-forward-1011-solid-low-narrow-11 item-01) 10859) (= (y-of-push-forward-1011-solid-low-narrow-11 item-01) 10427) (= (cost-of-push-forward-1011-solid-low-narrow-11 item-01) 4)
+    (= (x-of-push-forward-right-1101-solid-low-narrow-11 item-01) 10132) (= (y-of-push-forward-right-1101-solid-low-narrow-11 item-01) 9887) (= (cost-of-push-forward-right-1101-solid-low-narrow-11 item-01) 209)
+    (can-push-left-0011-solid-low-narrow-11 item-01) (= (x-of-push-left-0011-solid-low-narrow-11 item-01) 9844) (= (y-of-push-left-0011-solid-low-narrow-11 item-01) 10404) (= (cost-of-push-left-0011-solid-low-narrow-11 item-01) 4)
+    (can-push-left-1111-solid-low-narrow-11 item-01) (= (x-of-push-left-1111-solid-low-narrow-11 item-01) 9916) (= (y-of-push-left-1111-solid-low-narrow-11 item-01) 11578) (= (cost-of-push-left-1111-solid-low-narrow-11 item-01) 14)
+    (can-push-right-0010d-solid-low-narrow-11 item-01) (= (x-of-push-right-0010d-solid-low-narrow-11 item-01) 9853) (= (y-of-push-right-0010d-solid-low-narrow-11 item-01) 8816) (= (cost-of-push-right-0010d-solid-low-narrow-11 item-01) 7)
+    (can-push-right-1110-solid-low-narrow-11 item-01) (= (x-of-push-right-1110-solid-low-narrow-11 item-01) 9815) (= (y-of-push-right-1110-solid-low-narrow-11 item-01) 9502) (= (cost-of-push-right-1110-solid-low-narrow-11 item-01) 4)
     ; item-02 starts at (0.7285, -0.1595, 0.0123) m
-    (= (x item-02) 3785) (= (y item-02) 1405) (= (z item-02) 0))
+    (= (x item-02) 3785) (= (y item-02) 1405) (= (z item-02) 0)
+    ; What each operator promises for item-02 (features 0.03588 0.171 0.02456 0).
+    ; Not for item-02:
+    ; lift-1100-solid-00: keeps its promise in 2 of 32 rehearsals only.
+    ; push-left-1110a-solid-00: scatters more than it moves.
+    ; push-right-1100-solid-00: scatters more than it moves.
+    (= (x-of-lift-1100-solid-00 item-02) 9739) (= (y-of-lift-1100-solid-00 item-02) 10238) (= (z-of-lift-1100-solid-00 item-02) 12017) (= (cost-of-lift-1100-solid-00 item-02) 244)
+    (= (x-of-put-down-lift-1100-solid-00 item-02) 10000) (= (y-of-put-down-lift-1100-solid-00 item-02) 9994) (= (z-of-put-down-lift-1100-solid-00 item-02) 7983)
+    (can-pull-0100a-solid-00 item-02) (= (x-of-pull-0100a-solid-00 item-02) 9221) (= (y-of-pull-0100a-solid-00 item-02) 9815) (= (cost-of-pull-0100a-solid-00 item-02) 7)
+    (can-pull-0110a-solid-00 item-02) (= (x-of-pull-0110a-solid-00 item-02) 9662) (= (y-of-pull-0110a-solid-00 item-02) 9897) (= (cost-of-pull-0110a-solid-00 item-02) 4)
+    (can-pull-0111a-solid-00 item-02) (= (x-of-pull-0111a-solid-00 item-02) 9409) (= (y-of-pull-0111a-solid-00 item-02) 10009) (= (cost-of-pull-0111a-solid-00 item-02) 4)
+    (can-pull-left-0101-solid-00 item-02) (= (x-of-pull-left-0101-solid-00 item-02) 9837) (= (y-of-pull-left-0101-solid-00 item-02) 10472) (= (cost-of-pull-left-0101-solid-00 item-02) 4)
+    (can-pull-left-1101-solid-00 item-02) (= (x-of-pull-left-1101-solid-00 item-02) 9682) (= (y-of-pull-left-1101-solid-00 item-02) 10640) (= (cost-of-pull-left-1101-solid-00 item-02) 20)
+    (can-pull-left-1111a-solid-00 item-02) (= (x-of-pull-left-1111a-solid-00 item-02) 9824) (= (y-of-pull-left-1111a-solid-00 item-02) 10167) (= (cost-of-pull-left-1111a-solid-00 item-02) 4)
+    (can-pull-right-0000a-solid-00 item-02) (= (x-of-pull-right-0000a-solid-00 item-02) 9774) (= (y-of-pull-right-0000a-solid-00 item-02) 9685) (= (cost-of-pull-right-0000a-solid-00 item-02) 17)
+    (can-pull-right-1010a-solid-00 item-02) (= (x-of-pull-right-1010a-solid-00 item-02) 9853) (= (y-of-pull-right-1010a-solid-00 item-02) 9888) (= (cost-of-pull-right-1010a-solid-00 item-02) 4)
+    (can-push-forward-1011-solid-00 item-02) (= (x-of-push-forward-1011-solid-00 item-02) 10735) (= (y-of-push-forward-1011-solid-00 item-02) 10152) (= (cost-of-push-forward-1011-solid-00 item-02) 4)
+    (can-push-forward-1011a-solid-00 item-02) (= (x-of-push-forward-1011a-solid-00 item-02) 10784) (= (y-of-push-forward-1011a-solid-00 item-02) 9822) (= (cost-of-push-forward-1011a-solid-00 item-02) 10)
+    (can-push-forward-left-0001a-solid-00 item-02) (= (x-of-push-forward-left-0001a-solid-00 item-02) 10175) (= (y-of-push-forward-left-0001a-solid-00 item-02) 10142) (= (cost-of-push-forward-left-0001a-solid-00 item-02) 4)
+    (can-push-forward-left-1001-solid-00 item-02) (= (x-of-push-forward-left-1001-solid-00 item-02) 10192) (= (y-of-push-forward-left-1001-solid-00 item-02) 10419) (= (cost-of-push-forward-left-1001-solid-00 item-02) 4)
+    (can-push-forward-right-0010a-solid-00 item-02) (= (x-of-push-forward-right-0010a-solid-00 item-02) 10247) (= (y-of-push-forward-right-0010a-solid-00 item-02) 9728) (= (cost-of-push-forward-right-0010a-solid-00 item-02) 4)
+    (can-push-left-0011a-solid-00 item-02) (= (x-of-push-left-0011a-solid-00 item-02) 10174) (= (y-of-push-left-0011a-solid-00 item-02) 10753) (= (cost-of-push-left-0011a-solid-00 item-02) 4)
+    (= (x-of-push-left-1110a-solid-00 item-02) 9954) (= (y-of-push-left-1110a-solid-00 item-02) 10071) (= (cost-of-push-left-1110a-solid-00 item-02) 4)
+    (can-push-right-1000-solid-00 item-02) (= (x-of-push-right-1000-solid-00 item-02) 9990) (= (y-of-push-right-1000-solid-00 item-02) 9535) (= (cost-of-push-right-1000-solid-00 item-02) 4)
+    (= (x-of-push-right-1100-solid-00 item-02) 9959) (= (y-of-push-right-1100-solid-00 item-02) 9943) (= (cost-of-push-right-1100-solid-00 item-02) 14))
   (:goal (and
     ; item-01 shall come to (0.5712, 0.0236, 0.0171) m, 0 mm from where it starts
     (<= (x item-01) 2667) (>= (x item-01) 1757)
