@@ -5,6 +5,8 @@ prediction misses objects that are left out (section 5.4.2) says how sure it is 
 """
 
 from dataclasses import dataclass
+from functools import cache
+from itertools import combinations
 
 import numpy as np
 from jaxtyping import Bool, Float
@@ -14,6 +16,9 @@ from neurosym.operators import TOLERANCE
 _LENGTHS = (0.7, 1.5, 3.0, 6.0)  # over which outcomes change, in spreads of the features
 _NOISES = (0.001, 0.01, 0.1, 0.3, 1.0, 10.0)  # variance that features do not explain, of that they do
 _LIKE = 1.0  # how far objects are whose rehearsals count most, in spreads of the features
+_NEAR = (0.25, 0.5, 1.0)  # the same, where few features decide whether a promise is kept
+_DECIDING = 2  # how many features these can be
+_CLEARLY = 2.0  # how much likelier what was rehearsed must be if they decide [nats]
 _PRIOR = 2.0  # as how many rehearsals of such an object those of the whole category count
 _LEAST_SPREAD = 1e-3
 
@@ -33,6 +38,7 @@ class Regression:
         deviation: Standard deviation of each column of the outcomes [m].
         low: The least outcomes.
         high: The greatest.
+        deciding: By what features are multiplied, to tell for which objects promises are kept.
         length: Over what distance outcomes change.
         weights: What each object counts in a prediction.
     """
@@ -47,6 +53,7 @@ class Regression:
     deviation: Float[np.ndarray, "D"]
     low: Float[np.ndarray, "D"]
     high: Float[np.ndarray, "D"]
+    deciding: Float[np.ndarray, "F"]
     length: float
     weights: Float[np.ndarray, "n D"]
 
@@ -60,7 +67,7 @@ class Regression:
         """Estimate how often an object of such features ends as promised, within a tolerance of it [m]."""
         kept = np.zeros(len(self.objects))
         kept[self.is_kind] = self.keeps(tolerance)
-        near = _likeness(self.objects, at[None], _LIKE)[:, 0]
+        near = _likeness(self.objects * self.deciding, at[None] * self.deciding, 1.0)[:, 0]
         return float((near @ kept + _PRIOR * kept.mean()) / (near.sum() + _PRIOR))
 
     def spreads(self, at: Float[np.ndarray, "F"]) -> Float[np.ndarray, "D"]:
@@ -97,17 +104,21 @@ def fit(
     length, vectors, values = _most_likely(objects[is_kind], scaled)
     weights = vectors @ (vectors.T @ scaled / values[:, None])
     left_out = weights / (vectors**2 / values).sum(1)[:, None] * deviation  # eq. 5.12
+    ends = slice(2, 5) if outcomes.shape[1] > 2 else slice(0, 2)
+    kept = np.zeros(len(objects))
+    kept[is_kind] = np.linalg.norm(left_out[:, ends], axis=1) <= TOLERANCE
     return Regression(
         centre=centre,
         scale=scale,
         objects=objects,
         is_kind=is_kind,
         misses=left_out,
-        ends=slice(2, 5) if outcomes.shape[1] > 2 else slice(0, 2),
+        ends=ends,
         mean=mean,
         deviation=deviation,
         low=outcomes.min(0),
         high=outcomes.max(0),
+        deciding=_deciding(objects, kept),
         length=length,
         weights=weights,
     )
@@ -134,6 +145,39 @@ def _most_likely(
                 best, found = float(likelihood), (length, vectors, values)
     assert found is not None, "outcomes are finite"
     return found
+
+
+def _deciding(objects: Float[np.ndarray, "N F"], kept: Float[np.ndarray, "N"]) -> Float[np.ndarray, "F"]:
+    """Find the features that decide whether a promise is kept, by how likely that makes those left out.
+
+    A hand closes over what is narrow, however long it is. All features count alike, or none if they say
+    nothing, unless few of them say clearly more.
+
+    Args:
+        objects: Scaled features of all objects.
+        kept: For which of them the promise was kept.
+    """
+    metrics, rate = _metrics(objects.shape[1]), kept.mean()
+    likelihoods = []
+    for metric in metrics:
+        near = _likeness(objects * metric, objects * metric, 1.0)
+        np.fill_diagonal(near, 0.0)
+        chances = np.clip((near @ kept + _PRIOR * rate) / (near.sum(1) + _PRIOR), 1e-3, 1 - 1e-3)
+        likelihoods.append(float(np.log(np.where(kept == 1, chances, 1 - chances)).sum()))
+    likelihoods[:2] = [usual + _CLEARLY for usual in likelihoods[:2]]
+    return metrics[int(np.argmax(likelihoods))]
+
+
+@cache
+def _metrics(features: int) -> tuple[Float[np.ndarray, "F"], ...]:
+    """List by what features can be multiplied: all alike, none, and then few of them, the others by 0."""
+    few = [
+        np.isin(np.arange(features), chosen) / near
+        for count in range(1, _DECIDING + 1)
+        for chosen in combinations(range(features), count)
+        for near in _NEAR
+    ]
+    return (np.full(features, 1 / _LIKE), np.zeros(features), *few)
 
 
 def _likeness(

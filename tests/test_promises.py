@@ -8,12 +8,13 @@ import pytest
 import tables
 
 from neurosym.grounding import Grounding
-from neurosym.operators import Rehearsal
+from neurosym.operators import TOLERANCE, Rehearsal
 from neurosym.pddl.plan_text import PlanStep
 from neurosym.pddl.validation import validate
 from neurosym.planners import PlanStatus, plan
 from neurosym.problems import Problem, SceneObject
 from neurosym.promises import LEAST_REHEARSALS, is_rehearsed, promised, usable
+from neurosym.regression import fit
 
 AWAY = "push-away-001-block"
 
@@ -106,3 +107,24 @@ def test_plans_are_made_and_checked_with_what_is_promised_to_the_object(planner:
         assert found.status is PlanStatus.SOLVED, found.reason
         assert found.steps == (PlanStep(AWAY, "item-01"),) * times
         assert validate(found.steps, task, learned).valid
+
+
+@pytest.mark.parametrize("column", [0, 1])
+def test_one_feature_that_decides_is_found_among_four(column: int):
+    rng = np.random.default_rng(column)
+    objects = rng.uniform((0.03, 0.03, 0.02, 0.0), (0.18, 0.18, 0.1, 2.0), (32, 4))
+    is_kind = objects[:, column] < 0.12
+    outcomes = np.zeros((int(is_kind.sum()), 2))
+    found = fit(objects, is_kind, outcomes, scale=objects.std(0))
+    assert np.flatnonzero(found.deciding).tolist() == [column]
+    at = (objects - found.centre) / found.scale
+    chances = np.array([found.chance(row, TOLERANCE) for row in at])
+    assert chances[objects[:, column] > 0.14].max() < 0.3
+    assert chances[objects[:, column] < 0.1].min() > 0.7
+
+
+def test_no_feature_counts_where_none_decides():
+    objects = np.random.default_rng(0).uniform(size=(32, 4))
+    is_kind = np.arange(32) % 3 > 0
+    found = fit(objects, is_kind, np.zeros((int(is_kind.sum()), 2)), scale=objects.std(0))
+    assert not found.deciding.any()

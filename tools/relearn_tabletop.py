@@ -75,11 +75,10 @@ def sections(folder: DomainFolder, bits: tuple[int, int]) -> list[str]:
         "# The tabletop domain" + (", with the paper's bits" if is_paper else ""),
         f"Object symbols have {bits[0]} bits, action symbols {bits[1]}"
         + (", as in the paper. " if is_paper else "; `domains/tabletop-paper` has the paper's 2 and 3. ")
-        + "Learned by neurosym's own pipeline with the paper's budget: 10,000 interactions of a UR10, each the one "
-        "drawn by how much five networks disagreed about it, with boxes, open-topped boxes, planks and "
-        "rings of random size. `tools/relearn_tabletop.py` writes "
-        "this file from what it measured; nothing in this folder is edited by hand, and no problem was "
-        "removed.",
+        + "Learned by neurosym's own pipeline with the paper's budget: 10,000 interactions of a UR10, each "
+        "the one drawn by how much five networks disagreed about it, with boxes, open-topped boxes, planks "
+        "and rings of random size. `tools/relearn_tabletop.py` writes this file from what it measured; "
+        "nothing in this folder is edited by hand, and no problem was removed.",
         "## How it was made",
         f"`python tools/relearn_tabletop.py{' --paper' * is_paper}`, that is `{command}"
         f"{f' --action-bits {bits[1]}' * is_paper}` and then its problems. Minutes on 2 cores:",

@@ -4,7 +4,7 @@ Once an object has been acted upon, more is known of it: the same primitive will
 again, as long as it lies the same way. So during a run an object that was acted upon becomes a category of
 its own. Its operators promise the mean of what was promised before and of what was seen, each weighed by how
 sure it is; the chance of an outcome counts what came and what did not. After two failures in a row an
-operator promises what was seen in place of what did not come.
+operator promises what was seen in place of what did not come, and is not tried a third time the same way.
 """
 
 import math
@@ -57,6 +57,20 @@ class Experience:
         """Whether anything was seen."""
         return bool(self._seen)
 
+    def hoping_again(self, problem: Problem) -> "Experience":
+        """Forget what was seen, but for what failed on an object again and again and would so now.
+
+        Args:
+            problem: The problem as it stands now.
+        """
+        kept = {
+            (item.name, operator.label): self._seen[item.name, operator.label]
+            for item in (as_it_shows(lying, self.grounding) for lying in problem.objects)
+            for operator in promised(self.grounding, item, problem.tolerance).values()
+            if _is_given_up(operator, self._outcomes(item, operator), problem.tolerance)
+        }
+        return Experience(self.grounding, kept)
+
     def learn(self, step: PlanStep, outcome: Outcome) -> None:
         """Remember what a step did.
 
@@ -104,13 +118,17 @@ class Experience:
     def _operators_of(self, item: SceneObject, own: Symbol, tolerance: float) -> list[Operator]:
         found = []
         for operator in promised(self.grounding, item, tolerance).values():
-            seen = self._seen.get((item.name, operator.label), [])
-            outcomes = [one.outcome for one in seen if _angle(one.orientation, item.orientation) < STRAIGHT]
+            outcomes = self._outcomes(item, operator)
             changed = _after(operator, outcomes, tolerance) if outcomes else operator
             found.append(
                 msgspec.structs.replace(changed, name=f"{operator.name}{_OF}{item.name}", category=own)
             )
         return found
+
+    def _outcomes(self, item: SceneObject, operator: Operator) -> list[Outcome]:
+        """List what an operator's primitive did to an object while it lay as it does now."""
+        seen = self._seen.get((item.name, operator.label), [])
+        return [one.outcome for one in seen if _angle(one.orientation, item.orientation) < STRAIGHT]
 
 
 def learned_name(step: PlanStep) -> PlanStep:
@@ -152,14 +170,26 @@ def _after(operator: Operator, outcomes: list[Outcome], tolerance: float) -> Ope
     promise = operator.promise
     if promise is None:
         return operator
+    if _is_given_up(operator, outcomes, tolerance):
+        return _given_up(operator, outcomes)
+    mode, kept = _weighed_mode(promise, outcomes, tolerance)
+    share = (KNOWN_BEFORE * operator.successes / operator.trials + sum(kept)) / (KNOWN_BEFORE + len(kept))
+    return _promising(operator, mode, share)
+
+
+def _is_given_up(operator: Operator, outcomes: list[Outcome], tolerance: float) -> bool:
+    """Say whether what an operator promises did not come the last times."""
+    if operator.promise is None or len(outcomes) < GIVEN_UP:
+        return False
+    return not any(_weighed_mode(operator.promise, outcomes, tolerance)[1][-GIVEN_UP:])
+
+
+def _weighed_mode(promise: Mode, outcomes: list[Outcome], tolerance: float) -> tuple[Mode, list[bool]]:
+    """Weigh a promise against what was seen, and say which outcomes came as is promised then."""
     same = [outcome for outcome in outcomes if outcome.kind == promise.kind]
     mode = _combined(promise, same) if same else promise
     near = max(tolerance, TOLERANCE)
-    kept = [outcome.kind == mode.kind and _miss(mode, outcome) <= near for outcome in outcomes]
-    if len(kept) >= GIVEN_UP and not any(kept[-GIVEN_UP:]):
-        return _given_up(operator, outcomes)
-    share = (KNOWN_BEFORE * operator.successes / operator.trials + sum(kept)) / (KNOWN_BEFORE + len(kept))
-    return _promising(operator, mode, share)
+    return mode, [outcome.kind == mode.kind and _miss(mode, outcome) <= near for outcome in outcomes]
 
 
 def _given_up(operator: Operator, outcomes: list[Outcome]) -> Operator:

@@ -98,7 +98,9 @@ def _can_wait(left: Sequence[PlanStep], checked: Validation, problem: Problem) -
 def new_plan(
     replanner: Replanner, seen: Problem, experience: Experience
 ) -> tuple[PlanResult, tuple[PlanStep, ...], Experience]:
-    """Ask for a new plan from where things are; where experience stands against any, forget it and ask again.
+    """Ask for a new plan from where things are; where experience stands against any, hope and ask again.
+
+    What failed on an object again and again is not hoped for.
 
     Args:
         replanner: Whom to ask.
@@ -110,6 +112,6 @@ def new_plan(
     """
     result = replanner(*experience.believed(seen))
     if result.status is not PlanStatus.SOLVED and experience.says_something:
-        experience = Experience(experience.grounding)  # hope again for what did not come
-        result = replanner(seen, experience.grounding)
+        experience = experience.hoping_again(seen)
+        result = replanner(*experience.believed(seen))
     return result, tuple(learned_name(step) for step in result.steps), experience

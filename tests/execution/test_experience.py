@@ -85,6 +85,19 @@ def test_what_failed_is_hoped_for_once_the_object_lies_otherwise():
     assert own.successes == grounding().operator_named("lift-010-block").successes
 
 
+def test_hoping_again_does_not_hope_for_what_failed_twice_the_same_way():
+    experience = Experience(grounding())
+    for _ in range(2):
+        experience.learn(LIFT, outcome((0.0, 0.0, 0.0)))
+    experience.learn(PUSH, outcome((0.0, 0.0, 0.0)))
+    hoping = experience.hoping_again(problem())
+    _, learned = hoping.believed(problem())
+    assert "lift-010-block-of-item-01" in learned.left_out
+    own = learned.operator_named("push-left-000-block-of-item-01")
+    assert own.successes == grounding().operator_named("push-left-000-block").successes
+    assert not Experience(grounding()).hoping_again(problem()).says_something
+
+
 def test_what_came_once_is_hoped_for_as_it_came():
     experience = Experience(grounding())
     experience.learn(LIFT, outcome((0.03, 0.0, 0.19), held=True))
