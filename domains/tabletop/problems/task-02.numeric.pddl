@@ -13,7 +13,7 @@
     ; What each operator promises for item-01 (features 0.09307 0.1357 0.08707 1).
     ; Not for item-01:
     ; push-right-1100a-hollow-wide-01: scatters more than it moves.
-    (can-lift-0000-hollow-wide-01 item-01) (= (x-of-lift-0000-hollow-wide-01 item-01) 9944) (= (y-of-lift-0000-hollow-wide-01 item-01) 8971) (= (z-of-lift-0000-hollow-wide-01 item-01) 12546) (= (cost-of-lift-0000-hollow-wide-01 item-01) 40)
+    (can-lift-0000-hollow-wide-01 item-01) (= (x-of-lift-0000-hollow-wide-01 item-01) 9944) (= (y-of-lift-0000-hollow-wide-01 item-01) 8971) (= (z-of-lift-0000-hollow-wide-01 item-01) 12546) (= (cost-of-lift-0000-hollow-wide-01 item-01) 33)
     (= (x-of-put-down-lift-0000-hollow-wide-01 item-01) 10002) (= (y-of-put-down-lift-0000-hollow-wide-01 item-01) 9971) (= (z-of-put-down-lift-0000-hollow-wide-01 item-01) 7454)
     (can-lift-0000b-hollow-wide-01 item-01) (= (x-of-lift-0000b-hollow-wide-01 item-01) 9776) (= (y-of-lift-0000b-hollow-wide-01 item-01) 9483) (= (z-of-lift-0000b-hollow-wide-01 item-01) 12356) (= (cost-of-lift-0000b-hollow-wide-01 item-01) 4)
     (= (x-of-put-down-lift-0000b-hollow-wide-01 item-01) 10002) (= (y-of-put-down-lift-0000b-hollow-wide-01 item-01) 9981) (= (z-of-put-down-lift-0000b-hollow-wide-01 item-01) 7644)
@@ -23,7 +23,7 @@
     (= (x-of-put-down-lift-0100b-hollow-wide-01 item-01) 10002) (= (y-of-put-down-lift-0100b-hollow-wide-01 item-01) 9977) (= (z-of-put-down-lift-0100b-hollow-wide-01 item-01) 8005)
     (can-lift-0101a-hollow-wide-01 item-01) (= (x-of-lift-0101a-hollow-wide-01 item-01) 9775) (= (y-of-lift-0101a-hollow-wide-01 item-01) 10418) (= (z-of-lift-0101a-hollow-wide-01 item-01) 12578) (= (cost-of-lift-0101a-hollow-wide-01 item-01) 4)
     (= (x-of-put-down-lift-0101a-hollow-wide-01 item-01) 10010) (= (y-of-put-down-lift-0101a-hollow-wide-01 item-01) 9982) (= (z-of-put-down-lift-0101a-hollow-wide-01 item-01) 7422)
-    (can-lift-1000-hollow-wide-01 item-01) (= (x-of-lift-1000-hollow-wide-01 item-01) 10530) (= (y-of-lift-1000-hollow-wide-01 item-01) 9642) (= (z-of-lift-1000-hollow-wide-01 item-01) 11988) (= (cost-of-lift-1000-hollow-wide-01 item-01) 12)
+    (can-lift-1000-hollow-wide-01 item-01) (= (x-of-lift-1000-hollow-wide-01 item-01) 10530) (= (y-of-lift-1000-hollow-wide-01 item-01) 9642) (= (z-of-lift-1000-hollow-wide-01 item-01) 11988) (= (cost-of-lift-1000-hollow-wide-01 item-01) 9)
     (= (x-of-put-down-lift-1000-hollow-wide-01 item-01) 10000) (= (y-of-put-down-lift-1000-hollow-wide-01 item-01) 9973) (= (z-of-put-down-lift-1000-hollow-wide-01 item-01) 8012)
     (can-lift-1000a-hollow-wide-01 item-01) (= (x-of-lift-1000a-hollow-wide-01 item-01) 10434) (= (y-of-lift-1000a-hollow-wide-01 item-01) 8917) (= (z-of-lift-1000a-hollow-wide-01 item-01) 12131) (= (cost-of-lift-1000a-hollow-wide-01 item-01) 4)
     (= (x-of-put-down-lift-1000a-hollow-wide-01 item-01) 10000) (= (y-of-put-down-lift-1000a-hollow-wide-01 item-01) 9965) (= (z-of-put-down-lift-1000a-hollow-wide-01 item-01) 7869)
@@ -34,7 +34,7 @@
     (can-lift-1101a-hollow-wide-01 item-01) (= (x-of-lift-1101a-hollow-wide-01 item-01) 10368) (= (y-of-lift-1101a-hollow-wide-01 item-01) 10427) (= (z-of-lift-1101a-hollow-wide-01 item-01) 11961) (= (cost-of-lift-1101a-hollow-wide-01 item-01) 4)
     (= (x-of-put-down-lift-1101a-hollow-wide-01 item-01) 10001) (= (y-of-put-down-lift-1101a-hollow-wide-01 item-01) 9985) (= (z-of-put-down-lift-1101a-hollow-wide-01 item-01) 8039)
     (can-place-right-0000-hollow-wide-01 item-01) (= (x-of-place-right-0000-hollow-wide-01 item-01) 10017) (= (y-of-place-right-0000-hollow-wide-01 item-01) 9439) (= (cost-of-place-right-0000-hollow-wide-01 item-01) 168)
-    (can-pull-0111-hollow-wide-01 item-01) (= (x-of-pull-0111-hollow-wide-01 item-01) 9112) (= (y-of-pull-0111-hollow-wide-01 item-01) 10181) (= (cost-of-pull-0111-hollow-wide-01 item-01) 16)
+    (can-pull-0111-hollow-wide-01 item-01) (= (x-of-pull-0111-hollow-wide-01 item-01) 9112) (= (y-of-pull-0111-hollow-wide-01 item-01) 10181) (= (cost-of-pull-0111-hollow-wide-01 item-01) 19)
     (can-pull-left-0111b-hollow-wide-01 item-01) (= (x-of-pull-left-0111b-hollow-wide-01 item-01) 9526) (= (y-of-pull-left-0111b-hollow-wide-01 item-01) 10683) (= (cost-of-pull-left-0111b-hollow-wide-01 item-01) 4)
     (can-pull-right-0110-hollow-wide-01 item-01) (= (x-of-pull-right-0110-hollow-wide-01 item-01) 9654) (= (y-of-pull-right-0110-hollow-wide-01 item-01) 9432) (= (cost-of-pull-right-0110-hollow-wide-01 item-01) 16)
     (can-pull-right-1110b-hollow-wide-01 item-01) (= (x-of-pull-right-1110b-hollow-wide-01 item-01) 9727) (= (y-of-pull-right-1110b-hollow-wide-01 item-01) 9811) (= (cost-of-pull-right-1110b-hollow-wide-01 item-01) 4)

@@ -15,7 +15,7 @@
     (= (x-of-put-down-lift-0000-hollow-wide-01 item-01) 10002) (= (y-of-put-down-lift-0000-hollow-wide-01 item-01) 9970) (= (z-of-put-down-lift-0000-hollow-wide-01 item-01) 7327)
     (can-lift-0000b-hollow-wide-01 item-01) (= (x-of-lift-0000b-hollow-wide-01 item-01) 9635) (= (y-of-lift-0000b-hollow-wide-01 item-01) 9441) (= (z-of-lift-0000b-hollow-wide-01 item-01) 12332) (= (cost-of-lift-0000b-hollow-wide-01 item-01) 4)
     (= (x-of-put-down-lift-0000b-hollow-wide-01 item-01) 10007) (= (y-of-put-down-lift-0000b-hollow-wide-01 item-01) 9963) (= (z-of-put-down-lift-0000b-hollow-wide-01 item-01) 7668)
-    (can-lift-0001b-hollow-wide-01 item-01) (= (x-of-lift-0001b-hollow-wide-01 item-01) 9835) (= (y-of-lift-0001b-hollow-wide-01 item-01) 10163) (= (z-of-lift-0001b-hollow-wide-01 item-01) 11977) (= (cost-of-lift-0001b-hollow-wide-01 item-01) 7)
+    (can-lift-0001b-hollow-wide-01 item-01) (= (x-of-lift-0001b-hollow-wide-01 item-01) 9835) (= (y-of-lift-0001b-hollow-wide-01 item-01) 10163) (= (z-of-lift-0001b-hollow-wide-01 item-01) 11977) (= (cost-of-lift-0001b-hollow-wide-01 item-01) 4)
     (= (x-of-put-down-lift-0001b-hollow-wide-01 item-01) 9997) (= (y-of-put-down-lift-0001b-hollow-wide-01 item-01) 9972) (= (z-of-put-down-lift-0001b-hollow-wide-01 item-01) 8023)
     (can-lift-0100b-hollow-wide-01 item-01) (= (x-of-lift-0100b-hollow-wide-01 item-01) 9617) (= (y-of-lift-0100b-hollow-wide-01 item-01) 9216) (= (z-of-lift-0100b-hollow-wide-01 item-01) 11964) (= (cost-of-lift-0100b-hollow-wide-01 item-01) 98)
     (= (x-of-put-down-lift-0100b-hollow-wide-01 item-01) 10015) (= (y-of-put-down-lift-0100b-hollow-wide-01 item-01) 9971) (= (z-of-put-down-lift-0100b-hollow-wide-01 item-01) 8036)

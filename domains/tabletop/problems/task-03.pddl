@@ -43,7 +43,7 @@
     (x-of-put-down-lift-0000-hollow-wide-01 item-01 x-plus-0) (y-of-put-down-lift-0000-hollow-wide-01 item-01 y-minus-1) (z-of-put-down-lift-0000-hollow-wide-01 item-01 z-minus-53)
     (x-of-lift-0000b-hollow-wide-01 item-01 x-minus-7) (y-of-lift-0000b-hollow-wide-01 item-01 y-minus-11) (z-of-lift-0000b-hollow-wide-01 item-01 z-plus-47) (= (cost-of-lift-0000b-hollow-wide-01 item-01) 4)
     (x-of-put-down-lift-0000b-hollow-wide-01 item-01 x-plus-0) (y-of-put-down-lift-0000b-hollow-wide-01 item-01 y-minus-1) (z-of-put-down-lift-0000b-hollow-wide-01 item-01 z-minus-47)
-    (x-of-lift-0001b-hollow-wide-01 item-01 x-minus-3) (y-of-lift-0001b-hollow-wide-01 item-01 y-plus-3) (z-of-lift-0001b-hollow-wide-01 item-01 z-plus-40) (= (cost-of-lift-0001b-hollow-wide-01 item-01) 7)
+    (x-of-lift-0001b-hollow-wide-01 item-01 x-minus-3) (y-of-lift-0001b-hollow-wide-01 item-01 y-plus-3) (z-of-lift-0001b-hollow-wide-01 item-01 z-plus-40) (= (cost-of-lift-0001b-hollow-wide-01 item-01) 4)
     (x-of-put-down-lift-0001b-hollow-wide-01 item-01 x-plus-0) (y-of-put-down-lift-0001b-hollow-wide-01 item-01 y-plus-0) (z-of-put-down-lift-0001b-hollow-wide-01 item-01 z-minus-40)
     (x-of-lift-0100b-hollow-wide-01 item-01 x-minus-8) (y-of-lift-0100b-hollow-wide-01 item-01 y-minus-16) (z-of-lift-0100b-hollow-wide-01 item-01 z-plus-39) (= (cost-of-lift-0100b-hollow-wide-01 item-01) 98)
     (x-of-put-down-lift-0100b-hollow-wide-01 item-01 x-plus-1) (y-of-put-down-lift-0100b-hollow-wide-01 item-01 y-plus-0) (z-of-put-down-lift-0100b-hollow-wide-01 item-01 z-minus-39)

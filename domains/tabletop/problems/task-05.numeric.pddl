@@ -14,7 +14,7 @@
     ; Not for item-01:
     ; push-left-1110a-solid-00: scatters more than it moves.
     ; push-right-1000-solid-00: scatters more than it moves.
-    (can-lift-1100-solid-00 item-01) (= (x-of-lift-1100-solid-00 item-01) 9740) (= (y-of-lift-1100-solid-00 item-01) 10234) (= (z-of-lift-1100-solid-00 item-01) 12008) (= (cost-of-lift-1100-solid-00 item-01) 45)
+    (can-lift-1100-solid-00 item-01) (= (x-of-lift-1100-solid-00 item-01) 9740) (= (y-of-lift-1100-solid-00 item-01) 10234) (= (z-of-lift-1100-solid-00 item-01) 12008) (= (cost-of-lift-1100-solid-00 item-01) 32)
     (= (x-of-put-down-lift-1100-solid-00 item-01) 9998) (= (y-of-put-down-lift-1100-solid-00 item-01) 9991) (= (z-of-put-down-lift-1100-solid-00 item-01) 7992)
     (can-pull-0100a-solid-00 item-01) (= (x-of-pull-0100a-solid-00 item-01) 9132) (= (y-of-pull-0100a-solid-00 item-01) 9693) (= (cost-of-pull-0100a-solid-00 item-01) 7)
     (can-pull-0110a-solid-00 item-01) (= (x-of-pull-0110a-solid-00 item-01) 9654) (= (y-of-pull-0110a-solid-00 item-01) 9922) (= (cost-of-pull-0110a-solid-00 item-01) 4)
@@ -24,15 +24,15 @@
     (can-pull-left-1111a-solid-00 item-01) (= (x-of-pull-left-1111a-solid-00 item-01) 9839) (= (y-of-pull-left-1111a-solid-00 item-01) 10139) (= (cost-of-pull-left-1111a-solid-00 item-01) 4)
     (can-pull-right-0000a-solid-00 item-01) (= (x-of-pull-right-0000a-solid-00 item-01) 9753) (= (y-of-pull-right-0000a-solid-00 item-01) 9537) (= (cost-of-pull-right-0000a-solid-00 item-01) 32)
     (can-pull-right-1010a-solid-00 item-01) (= (x-of-pull-right-1010a-solid-00 item-01) 9868) (= (y-of-pull-right-1010a-solid-00 item-01) 9741) (= (cost-of-pull-right-1010a-solid-00 item-01) 4)
-    (can-push-forward-1011-solid-00 item-01) (= (x-of-push-forward-1011-solid-00 item-01) 10755) (= (y-of-push-forward-1011-solid-00 item-01) 10225) (= (cost-of-push-forward-1011-solid-00 item-01) 7)
-    (can-push-forward-1011a-solid-00 item-01) (= (x-of-push-forward-1011a-solid-00 item-01) 10815) (= (y-of-push-forward-1011a-solid-00 item-01) 9768) (= (cost-of-push-forward-1011a-solid-00 item-01) 10)
+    (can-push-forward-1011-solid-00 item-01) (= (x-of-push-forward-1011-solid-00 item-01) 10755) (= (y-of-push-forward-1011-solid-00 item-01) 10225) (= (cost-of-push-forward-1011-solid-00 item-01) 4)
+    (can-push-forward-1011a-solid-00 item-01) (= (x-of-push-forward-1011a-solid-00 item-01) 10815) (= (y-of-push-forward-1011a-solid-00 item-01) 9768) (= (cost-of-push-forward-1011a-solid-00 item-01) 7)
     (can-push-forward-left-0001a-solid-00 item-01) (= (x-of-push-forward-left-0001a-solid-00 item-01) 10132) (= (y-of-push-forward-left-0001a-solid-00 item-01) 10129) (= (cost-of-push-forward-left-0001a-solid-00 item-01) 14)
     (can-push-forward-left-1001-solid-00 item-01) (= (x-of-push-forward-left-1001-solid-00 item-01) 10165) (= (y-of-push-forward-left-1001-solid-00 item-01) 10428) (= (cost-of-push-forward-left-1001-solid-00 item-01) 4)
     (can-push-forward-right-0010a-solid-00 item-01) (= (x-of-push-forward-right-0010a-solid-00 item-01) 9950) (= (y-of-push-forward-right-0010a-solid-00 item-01) 9774) (= (cost-of-push-forward-right-0010a-solid-00 item-01) 4)
     (can-push-left-0011a-solid-00 item-01) (= (x-of-push-left-0011a-solid-00 item-01) 10057) (= (y-of-push-left-0011a-solid-00 item-01) 10290) (= (cost-of-push-left-0011a-solid-00 item-01) 4)
     (= (x-of-push-left-1110a-solid-00 item-01) 10072) (= (y-of-push-left-1110a-solid-00 item-01) 10282) (= (cost-of-push-left-1110a-solid-00 item-01) 17)
     (= (x-of-push-right-1000-solid-00 item-01) 10017) (= (y-of-push-right-1000-solid-00 item-01) 9865) (= (cost-of-push-right-1000-solid-00 item-01) 4)
-    (can-push-right-1100-solid-00 item-01) (= (x-of-push-right-1100-solid-00 item-01) 9964) (= (y-of-push-right-1100-solid-00 item-01) 9342) (= (cost-of-push-right-1100-solid-00 item-01) 114))
+    (can-push-right-1100-solid-00 item-01) (= (x-of-push-right-1100-solid-00 item-01) 9964) (= (y-of-push-right-1100-solid-00 item-01) 9342) (= (cost-of-push-right-1100-solid-00 item-01) 90))
   (:goal (and
     ; item-01 shall come to (0.6664, 0.0750, 0.2117) m, 209 mm from where it starts
     (<= (x item-01) 3619) (>= (x item-01) 2709)

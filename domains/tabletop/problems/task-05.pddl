@@ -38,7 +38,7 @@
     (goal-xy item-01 x072 y073) (goal-xy item-01 x072 y074) (goal-xy item-01 x072 y075) (goal-xy item-01 x072 y076) (goal-xy item-01 x072 y077)
     (goal-z item-01 z040)
     ; What each operator promises for item-01 (features 0.05625 0.1067 0.02264 0).
-    (x-of-lift-1100-solid-00 item-01 x-minus-5) (y-of-lift-1100-solid-00 item-01 y-plus-5) (z-of-lift-1100-solid-00 item-01 z-plus-40) (= (cost-of-lift-1100-solid-00 item-01) 45)
+    (x-of-lift-1100-solid-00 item-01 x-minus-5) (y-of-lift-1100-solid-00 item-01 y-plus-5) (z-of-lift-1100-solid-00 item-01 z-plus-40) (= (cost-of-lift-1100-solid-00 item-01) 32)
     (x-of-put-down-lift-1100-solid-00 item-01 x-plus-0) (y-of-put-down-lift-1100-solid-00 item-01 y-plus-0) (z-of-put-down-lift-1100-solid-00 item-01 z-minus-40)
     (x-of-pull-0100a-solid-00 item-01 x-minus-17) (y-of-pull-0100a-solid-00 item-01 y-minus-6) (= (cost-of-pull-0100a-solid-00 item-01) 7)
     (x-of-pull-0110a-solid-00 item-01 x-minus-7) (y-of-pull-0110a-solid-00 item-01 y-minus-2) (= (cost-of-pull-0110a-solid-00 item-01) 4)
@@ -48,13 +48,13 @@
     (x-of-pull-left-1111a-solid-00 item-01 x-minus-3) (y-of-pull-left-1111a-solid-00 item-01 y-plus-3) (= (cost-of-pull-left-1111a-solid-00 item-01) 4)
     (x-of-pull-right-0000a-solid-00 item-01 x-minus-5) (y-of-pull-right-0000a-solid-00 item-01 y-minus-9) (= (cost-of-pull-right-0000a-solid-00 item-01) 32)
     (x-of-pull-right-1010a-solid-00 item-01 x-minus-3) (y-of-pull-right-1010a-solid-00 item-01 y-minus-5) (= (cost-of-pull-right-1010a-solid-00 item-01) 4)
-    (x-of-push-forward-1011-solid-00 item-01 x-plus-15) (y-of-push-forward-1011-solid-00 item-01 y-plus-5) (= (cost-of-push-forward-1011-solid-00 item-01) 7)
-    (x-of-push-forward-1011a-solid-00 item-01 x-plus-16) (y-of-push-forward-1011a-solid-00 item-01 y-minus-5) (= (cost-of-push-forward-1011a-solid-00 item-01) 10)
+    (x-of-push-forward-1011-solid-00 item-01 x-plus-15) (y-of-push-forward-1011-solid-00 item-01 y-plus-5) (= (cost-of-push-forward-1011-solid-00 item-01) 4)
+    (x-of-push-forward-1011a-solid-00 item-01 x-plus-16) (y-of-push-forward-1011a-solid-00 item-01 y-minus-5) (= (cost-of-push-forward-1011a-solid-00 item-01) 7)
     (x-of-push-forward-left-0001a-solid-00 item-01 x-plus-3) (y-of-push-forward-left-0001a-solid-00 item-01 y-plus-3) (= (cost-of-push-forward-left-0001a-solid-00 item-01) 14)
     (x-of-push-forward-left-1001-solid-00 item-01 x-plus-3) (y-of-push-forward-left-1001-solid-00 item-01 y-plus-9) (= (cost-of-push-forward-left-1001-solid-00 item-01) 4)
     (x-of-push-forward-right-0010a-solid-00 item-01 x-minus-1) (y-of-push-forward-right-0010a-solid-00 item-01 y-minus-5) (= (cost-of-push-forward-right-0010a-solid-00 item-01) 4)
     (x-of-push-left-0011a-solid-00 item-01 x-plus-1) (y-of-push-left-0011a-solid-00 item-01 y-plus-6) (= (cost-of-push-left-0011a-solid-00 item-01) 4)
-    (x-of-push-right-1100-solid-00 item-01 x-minus-1) (y-of-push-right-1100-solid-00 item-01 y-minus-13) (= (cost-of-push-right-1100-solid-00 item-01) 114)
+    (x-of-push-right-1100-solid-00 item-01 x-minus-1) (y-of-push-right-1100-solid-00 item-01 y-minus-13) (= (cost-of-push-right-1100-solid-00 item-01) 90)
     ; Not for item-01, so there are costs but no steps:
     ; push-left-1110a-solid-00: scatters more than it moves.
     ; push-right-1000-solid-00: scatters more than it moves.

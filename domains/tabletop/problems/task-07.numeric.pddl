@@ -46,7 +46,7 @@
     (can-push-forward-1011-solid-low-narrow-11 item-01) (= (x-of-push-forward-1011-solid-low-narrow-11 item-01) 10867) (= (y-of-push-forward-1011-solid-low-narrow-11 item-01) 10451) (= (cost-of-push-forward-1011-solid-low-narrow-11 item-01) 7)
     (= (x-of-push-forward-right-1101-solid-low-narrow-11 item-01) 10132) (= (y-of-push-forward-right-1101-solid-low-narrow-11 item-01) 9887) (= (cost-of-push-forward-right-1101-solid-low-narrow-11 item-01) 209)
     (can-push-left-0011-solid-low-narrow-11 item-01) (= (x-of-push-left-0011-solid-low-narrow-11 item-01) 9845) (= (y-of-push-left-0011-solid-low-narrow-11 item-01) 10408) (= (cost-of-push-left-0011-solid-low-narrow-11 item-01) 4)
-    (can-push-left-1111-solid-low-narrow-11 item-01) (= (x-of-push-left-1111-solid-low-narrow-11 item-01) 9892) (= (y-of-push-left-1111-solid-low-narrow-11 item-01) 11579) (= (cost-of-push-left-1111-solid-low-narrow-11 item-01) 30)
+    (can-push-left-1111-solid-low-narrow-11 item-01) (= (x-of-push-left-1111-solid-low-narrow-11 item-01) 9892) (= (y-of-push-left-1111-solid-low-narrow-11 item-01) 11579) (= (cost-of-push-left-1111-solid-low-narrow-11 item-01) 38)
     (can-push-right-0010d-solid-low-narrow-11 item-01) (= (x-of-push-right-0010d-solid-low-narrow-11 item-01) 9694) (= (y-of-push-right-0010d-solid-low-narrow-11 item-01) 8782) (= (cost-of-push-right-0010d-solid-low-narrow-11 item-01) 18)
     (can-push-right-1110-solid-low-narrow-11 item-01) (= (x-of-push-right-1110-solid-low-narrow-11 item-01) 9815) (= (y-of-push-right-1110-solid-low-narrow-11 item-01) 9506) (= (cost-of-push-right-1110-solid-low-narrow-11 item-01) 4)
     ; item-02 starts at (0.6145, 0.1177, 0.0189) m
@@ -54,7 +54,7 @@
     ; What each operator promises for item-02 (features 0.1206 0.1206 0.03786 2).
     ; Not for item-02:
     ; push-right-1100a-hollow-wide-01: scatters more than it moves.
-    (can-lift-0000-hollow-wide-01 item-02) (= (x-of-lift-0000-hollow-wide-01 item-02) 9956) (= (y-of-lift-0000-hollow-wide-01 item-02) 9348) (= (z-of-lift-0000-hollow-wide-01 item-02) 12836) (= (cost-of-lift-0000-hollow-wide-01 item-02) 36)
+    (can-lift-0000-hollow-wide-01 item-02) (= (x-of-lift-0000-hollow-wide-01 item-02) 9956) (= (y-of-lift-0000-hollow-wide-01 item-02) 9348) (= (z-of-lift-0000-hollow-wide-01 item-02) 12836) (= (cost-of-lift-0000-hollow-wide-01 item-02) 63)
     (= (x-of-put-down-lift-0000-hollow-wide-01 item-02) 10015) (= (y-of-put-down-lift-0000-hollow-wide-01 item-02) 9956) (= (z-of-put-down-lift-0000-hollow-wide-01 item-02) 7164)
     (can-lift-0000b-hollow-wide-01 item-02) (= (x-of-lift-0000b-hollow-wide-01 item-02) 9667) (= (y-of-lift-0000b-hollow-wide-01 item-02) 9558) (= (z-of-lift-0000b-hollow-wide-01 item-02) 12322) (= (cost-of-lift-0000b-hollow-wide-01 item-02) 4)
     (= (x-of-put-down-lift-0000b-hollow-wide-01 item-02) 10003) (= (y-of-put-down-lift-0000b-hollow-wide-01 item-02) 9959) (= (z-of-put-down-lift-0000b-hollow-wide-01 item-02) 7678)
@@ -64,7 +64,7 @@
     (= (x-of-put-down-lift-0100b-hollow-wide-01 item-02) 10001) (= (y-of-put-down-lift-0100b-hollow-wide-01 item-02) 9974) (= (z-of-put-down-lift-0100b-hollow-wide-01 item-02) 8024)
     (can-lift-0101a-hollow-wide-01 item-02) (= (x-of-lift-0101a-hollow-wide-01 item-02) 9753) (= (y-of-lift-0101a-hollow-wide-01 item-02) 10300) (= (z-of-lift-0101a-hollow-wide-01 item-02) 12461) (= (cost-of-lift-0101a-hollow-wide-01 item-02) 4)
     (= (x-of-put-down-lift-0101a-hollow-wide-01 item-02) 9998) (= (y-of-put-down-lift-0101a-hollow-wide-01 item-02) 9960) (= (z-of-put-down-lift-0101a-hollow-wide-01 item-02) 7539)
-    (can-lift-1000-hollow-wide-01 item-02) (= (x-of-lift-1000-hollow-wide-01 item-02) 10301) (= (y-of-lift-1000-hollow-wide-01 item-02) 9628) (= (z-of-lift-1000-hollow-wide-01 item-02) 11998) (= (cost-of-lift-1000-hollow-wide-01 item-02) 19)
+    (can-lift-1000-hollow-wide-01 item-02) (= (x-of-lift-1000-hollow-wide-01 item-02) 10301) (= (y-of-lift-1000-hollow-wide-01 item-02) 9628) (= (z-of-lift-1000-hollow-wide-01 item-02) 11998) (= (cost-of-lift-1000-hollow-wide-01 item-02) 29)
     (= (x-of-put-down-lift-1000-hollow-wide-01 item-02) 10001) (= (y-of-put-down-lift-1000-hollow-wide-01 item-02) 9966) (= (z-of-put-down-lift-1000-hollow-wide-01 item-02) 8002)
     (can-lift-1000a-hollow-wide-01 item-02) (= (x-of-lift-1000a-hollow-wide-01 item-02) 10509) (= (y-of-lift-1000a-hollow-wide-01 item-02) 8973) (= (z-of-lift-1000a-hollow-wide-01 item-02) 12186) (= (cost-of-lift-1000a-hollow-wide-01 item-02) 4)
     (= (x-of-put-down-lift-1000a-hollow-wide-01 item-02) 9997) (= (y-of-put-down-lift-1000a-hollow-wide-01 item-02) 9959) (= (z-of-put-down-lift-1000a-hollow-wide-01 item-02) 7814)

@@ -94,14 +94,14 @@
     (x-of-pull-0111-solid-low-narrow-11 item-01 x-minus-20) (y-of-pull-0111-solid-low-narrow-11 item-01 y-plus-8) (= (cost-of-pull-0111-solid-low-narrow-11 item-01) 7)
     (x-of-push-forward-1011-solid-low-narrow-11 item-01 x-plus-17) (y-of-push-forward-1011-solid-low-narrow-11 item-01 y-plus-9) (= (cost-of-push-forward-1011-solid-low-narrow-11 item-01) 7)
     (x-of-push-left-0011-solid-low-narrow-11 item-01 x-minus-3) (y-of-push-left-0011-solid-low-narrow-11 item-01 y-plus-8) (= (cost-of-push-left-0011-solid-low-narrow-11 item-01) 4)
-    (x-of-push-left-1111-solid-low-narrow-11 item-01 x-minus-2) (y-of-push-left-1111-solid-low-narrow-11 item-01 y-plus-32) (= (cost-of-push-left-1111-solid-low-narrow-11 item-01) 30)
+    (x-of-push-left-1111-solid-low-narrow-11 item-01 x-minus-2) (y-of-push-left-1111-solid-low-narrow-11 item-01 y-plus-32) (= (cost-of-push-left-1111-solid-low-narrow-11 item-01) 38)
     (x-of-push-right-0010d-solid-low-narrow-11 item-01 x-minus-6) (y-of-push-right-0010d-solid-low-narrow-11 item-01 y-minus-24) (= (cost-of-push-right-0010d-solid-low-narrow-11 item-01) 18)
     (x-of-push-right-1110-solid-low-narrow-11 item-01 x-minus-4) (y-of-push-right-1110-solid-low-narrow-11 item-01 y-minus-10) (= (cost-of-push-right-1110-solid-low-narrow-11 item-01) 4)
     ; Not for item-01, so there are costs but no steps:
     ; push-forward-right-1101-solid-low-narrow-11: scatters more than it moves.
     (= (cost-of-push-forward-right-1101-solid-low-narrow-11 item-01) 209)
     ; What each operator promises for item-02 (features 0.1206 0.1206 0.03786 2).
-    (x-of-lift-0000-hollow-wide-01 item-02 x-minus-1) (y-of-lift-0000-hollow-wide-01 item-02 y-minus-13) (z-of-lift-0000-hollow-wide-01 item-02 z-plus-57) (= (cost-of-lift-0000-hollow-wide-01 item-02) 36)
+    (x-of-lift-0000-hollow-wide-01 item-02 x-minus-1) (y-of-lift-0000-hollow-wide-01 item-02 y-minus-13) (z-of-lift-0000-hollow-wide-01 item-02 z-plus-57) (= (cost-of-lift-0000-hollow-wide-01 item-02) 63)
     (x-of-put-down-lift-0000-hollow-wide-01 item-02 x-plus-0) (y-of-put-down-lift-0000-hollow-wide-01 item-02 y-minus-1) (z-of-put-down-lift-0000-hollow-wide-01 item-02 z-minus-57)
     (x-of-lift-0000b-hollow-wide-01 item-02 x-minus-7) (y-of-lift-0000b-hollow-wide-01 item-02 y-minus-9) (z-of-lift-0000b-hollow-wide-01 item-02 z-plus-46) (= (cost-of-lift-0000b-hollow-wide-01 item-02) 4)
     (x-of-put-down-lift-0000b-hollow-wide-01 item-02 x-plus-0) (y-of-put-down-lift-0000b-hollow-wide-01 item-02 y-minus-1) (z-of-put-down-lift-0000b-hollow-wide-01 item-02 z-minus-46)
@@ -111,7 +111,7 @@
     (x-of-put-down-lift-0100b-hollow-wide-01 item-02 x-plus-0) (y-of-put-down-lift-0100b-hollow-wide-01 item-02 y-plus-0) (z-of-put-down-lift-0100b-hollow-wide-01 item-02 z-minus-40)
     (x-of-lift-0101a-hollow-wide-01 item-02 x-minus-5) (y-of-lift-0101a-hollow-wide-01 item-02 y-plus-6) (z-of-lift-0101a-hollow-wide-01 item-02 z-plus-49) (= (cost-of-lift-0101a-hollow-wide-01 item-02) 4)
     (x-of-put-down-lift-0101a-hollow-wide-01 item-02 x-plus-0) (y-of-put-down-lift-0101a-hollow-wide-01 item-02 y-minus-1) (z-of-put-down-lift-0101a-hollow-wide-01 item-02 z-minus-49)
-    (x-of-lift-1000-hollow-wide-01 item-02 x-plus-6) (y-of-lift-1000-hollow-wide-01 item-02 y-minus-7) (z-of-lift-1000-hollow-wide-01 item-02 z-plus-40) (= (cost-of-lift-1000-hollow-wide-01 item-02) 19)
+    (x-of-lift-1000-hollow-wide-01 item-02 x-plus-6) (y-of-lift-1000-hollow-wide-01 item-02 y-minus-7) (z-of-lift-1000-hollow-wide-01 item-02 z-plus-40) (= (cost-of-lift-1000-hollow-wide-01 item-02) 29)
     (x-of-put-down-lift-1000-hollow-wide-01 item-02 x-plus-0) (y-of-put-down-lift-1000-hollow-wide-01 item-02 y-minus-1) (z-of-put-down-lift-1000-hollow-wide-01 item-02 z-minus-40)
     (x-of-lift-1000a-hollow-wide-01 item-02 x-plus-10) (y-of-lift-1000a-hollow-wide-01 item-02 y-minus-21) (z-of-lift-1000a-hollow-wide-01 item-02 z-plus-44) (= (cost-of-lift-1000a-hollow-wide-01 item-02) 4)
     (x-of-put-down-lift-1000a-hollow-wide-01 item-02 x-plus-0) (y-of-put-down-lift-1000a-hollow-wide-01 item-02 y-plus-0) (z-of-put-down-lift-1000a-hollow-wide-01 item-02 z-minus-44)

@@ -17,7 +17,7 @@
     ; pull-left-0101-solid-00: scatters more than it moves.
     ; pull-left-1101-solid-00: scatters more than it moves.
     ; pull-right-1010a-solid-00: moves less than half a cell.
-    (can-lift-1100-solid-00 item-01) (= (x-of-lift-1100-solid-00 item-01) 9744) (= (y-of-lift-1100-solid-00 item-01) 10246) (= (z-of-lift-1100-solid-00 item-01) 12037) (= (cost-of-lift-1100-solid-00 item-01) 90)
+    (can-lift-1100-solid-00 item-01) (= (x-of-lift-1100-solid-00 item-01) 9744) (= (y-of-lift-1100-solid-00 item-01) 10246) (= (z-of-lift-1100-solid-00 item-01) 12037) (= (cost-of-lift-1100-solid-00 item-01) 54)
     (= (x-of-put-down-lift-1100-solid-00 item-01) 10010) (= (y-of-put-down-lift-1100-solid-00 item-01) 9994) (= (z-of-put-down-lift-1100-solid-00 item-01) 7963)
     (can-pull-0100a-solid-00 item-01) (= (x-of-pull-0100a-solid-00 item-01) 9137) (= (y-of-pull-0100a-solid-00 item-01) 9681) (= (cost-of-pull-0100a-solid-00 item-01) 10)
     (= (x-of-pull-0110a-solid-00 item-01) 9821) (= (y-of-pull-0110a-solid-00 item-01) 9999) (= (cost-of-pull-0110a-solid-00 item-01) 4)
@@ -28,25 +28,25 @@
     (can-pull-right-0000a-solid-00 item-01) (= (x-of-pull-right-0000a-solid-00 item-01) 9746) (= (y-of-pull-right-0000a-solid-00 item-01) 9587) (= (cost-of-pull-right-0000a-solid-00 item-01) 32)
     (= (x-of-pull-right-1010a-solid-00 item-01) 9983) (= (y-of-pull-right-1010a-solid-00 item-01) 9981) (= (cost-of-pull-right-1010a-solid-00 item-01) 4)
     (can-push-forward-1011-solid-00 item-01) (= (x-of-push-forward-1011-solid-00 item-01) 10782) (= (y-of-push-forward-1011-solid-00 item-01) 10162) (= (cost-of-push-forward-1011-solid-00 item-01) 7)
-    (can-push-forward-1011a-solid-00 item-01) (= (x-of-push-forward-1011a-solid-00 item-01) 10845) (= (y-of-push-forward-1011a-solid-00 item-01) 9861) (= (cost-of-push-forward-1011a-solid-00 item-01) 10)
+    (can-push-forward-1011a-solid-00 item-01) (= (x-of-push-forward-1011a-solid-00 item-01) 10845) (= (y-of-push-forward-1011a-solid-00 item-01) 9861) (= (cost-of-push-forward-1011a-solid-00 item-01) 7)
     (can-push-forward-left-0001a-solid-00 item-01) (= (x-of-push-forward-left-0001a-solid-00 item-01) 10146) (= (y-of-push-forward-left-0001a-solid-00 item-01) 10132) (= (cost-of-push-forward-left-0001a-solid-00 item-01) 7)
     (can-push-forward-left-1001-solid-00 item-01) (= (x-of-push-forward-left-1001-solid-00 item-01) 10242) (= (y-of-push-forward-left-1001-solid-00 item-01) 10205) (= (cost-of-push-forward-left-1001-solid-00 item-01) 4)
     (can-push-forward-right-0010a-solid-00 item-01) (= (x-of-push-forward-right-0010a-solid-00 item-01) 10153) (= (y-of-push-forward-right-0010a-solid-00 item-01) 9767) (= (cost-of-push-forward-right-0010a-solid-00 item-01) 4)
     (can-push-left-0011a-solid-00 item-01) (= (x-of-push-left-0011a-solid-00 item-01) 10230) (= (y-of-push-left-0011a-solid-00 item-01) 10658) (= (cost-of-push-left-0011a-solid-00 item-01) 4)
     (can-push-left-1110a-solid-00 item-01) (= (x-of-push-left-1110a-solid-00 item-01) 9800) (= (y-of-push-left-1110a-solid-00 item-01) 10178) (= (cost-of-push-left-1110a-solid-00 item-01) 7)
     (can-push-right-1000-solid-00 item-01) (= (x-of-push-right-1000-solid-00 item-01) 9997) (= (y-of-push-right-1000-solid-00 item-01) 9766) (= (cost-of-push-right-1000-solid-00 item-01) 4)
-    (can-push-right-1100-solid-00 item-01) (= (x-of-push-right-1100-solid-00 item-01) 9961) (= (y-of-push-right-1100-solid-00 item-01) 9568) (= (cost-of-push-right-1100-solid-00 item-01) 59)
+    (can-push-right-1100-solid-00 item-01) (= (x-of-push-right-1100-solid-00 item-01) 9961) (= (y-of-push-right-1100-solid-00 item-01) 9568) (= (cost-of-push-right-1100-solid-00 item-01) 105)
     ; item-02 starts at (0.7614, 0.1304, 0.0252) m
     (= (x item-02) 4114) (= (y item-02) 4304) (= (z item-02) 0)
     ; What each operator promises for item-02 (features 0.05018 0.07866 0.05032 1).
     ; Not for item-02:
     ; push-left-0011c-any-tall-narrow-10: scatters more than it moves.
     ; stay-1101b-any-tall-narrow-10: scatters more than it moves.
-    (can-lift-0000-any-tall-narrow-10 item-02) (= (x-of-lift-0000-any-tall-narrow-10 item-02) 9862) (= (y-of-lift-0000-any-tall-narrow-10 item-02) 9549) (= (z-of-lift-0000-any-tall-narrow-10 item-02) 12600) (= (cost-of-lift-0000-any-tall-narrow-10 item-02) 59)
+    (can-lift-0000-any-tall-narrow-10 item-02) (= (x-of-lift-0000-any-tall-narrow-10 item-02) 9862) (= (y-of-lift-0000-any-tall-narrow-10 item-02) 9549) (= (z-of-lift-0000-any-tall-narrow-10 item-02) 12600) (= (cost-of-lift-0000-any-tall-narrow-10 item-02) 30)
     (= (x-of-put-down-lift-0000-any-tall-narrow-10 item-02) 9998) (= (y-of-put-down-lift-0000-any-tall-narrow-10 item-02) 10077) (= (z-of-put-down-lift-0000-any-tall-narrow-10 item-02) 7400)
     (can-lift-0000c-any-tall-narrow-10 item-02) (= (x-of-lift-0000c-any-tall-narrow-10 item-02) 9887) (= (y-of-lift-0000c-any-tall-narrow-10 item-02) 9660) (= (z-of-lift-0000c-any-tall-narrow-10 item-02) 12315) (= (cost-of-lift-0000c-any-tall-narrow-10 item-02) 11)
     (= (x-of-put-down-lift-0000c-any-tall-narrow-10 item-02) 9997) (= (y-of-put-down-lift-0000c-any-tall-narrow-10 item-02) 9991) (= (z-of-put-down-lift-0000c-any-tall-narrow-10 item-02) 7685)
-    (can-lift-0100-any-tall-narrow-10 item-02) (= (x-of-lift-0100-any-tall-narrow-10 item-02) 9173) (= (y-of-lift-0100-any-tall-narrow-10 item-02) 9646) (= (z-of-lift-0100-any-tall-narrow-10 item-02) 11999) (= (cost-of-lift-0100-any-tall-narrow-10 item-02) 84)
+    (can-lift-0100-any-tall-narrow-10 item-02) (= (x-of-lift-0100-any-tall-narrow-10 item-02) 9173) (= (y-of-lift-0100-any-tall-narrow-10 item-02) 9646) (= (z-of-lift-0100-any-tall-narrow-10 item-02) 11999) (= (cost-of-lift-0100-any-tall-narrow-10 item-02) 153)
     (= (x-of-put-down-lift-0100-any-tall-narrow-10 item-02) 9999) (= (y-of-put-down-lift-0100-any-tall-narrow-10 item-02) 9982) (= (z-of-put-down-lift-0100-any-tall-narrow-10 item-02) 8001)
     (can-lift-0100c-any-tall-narrow-10 item-02) (= (x-of-lift-0100c-any-tall-narrow-10 item-02) 9453) (= (y-of-lift-0100c-any-tall-narrow-10 item-02) 9508) (= (z-of-lift-0100c-any-tall-narrow-10 item-02) 12003) (= (cost-of-lift-0100c-any-tall-narrow-10 item-02) 4)
     (= (x-of-put-down-lift-0100c-any-tall-narrow-10 item-02) 10006) (= (y-of-put-down-lift-0100c-any-tall-narrow-10 item-02) 9991) (= (z-of-put-down-lift-0100c-any-tall-narrow-10 item-02) 7997)
@@ -63,15 +63,15 @@
     (can-lift-1101b-any-tall-narrow-10 item-02) (= (x-of-lift-1101b-any-tall-narrow-10 item-02) 10144) (= (y-of-lift-1101b-any-tall-narrow-10 item-02) 10033) (= (z-of-lift-1101b-any-tall-narrow-10 item-02) 12003) (= (cost-of-lift-1101b-any-tall-narrow-10 item-02) 18)
     (= (x-of-put-down-lift-1101b-any-tall-narrow-10 item-02) 10003) (= (y-of-put-down-lift-1101b-any-tall-narrow-10 item-02) 9990) (= (z-of-put-down-lift-1101b-any-tall-narrow-10 item-02) 7997)
     (can-place-forward-1010c-any-tall-narrow-10 item-02) (= (x-of-place-forward-1010c-any-tall-narrow-10 item-02) 10580) (= (y-of-place-forward-1010c-any-tall-narrow-10 item-02) 10031) (= (cost-of-place-forward-1010c-any-tall-narrow-10 item-02) 4)
-    (can-pull-0100-any-tall-narrow-10 item-02) (= (x-of-pull-0100-any-tall-narrow-10 item-02) 9460) (= (y-of-pull-0100-any-tall-narrow-10 item-02) 9929) (= (cost-of-pull-0100-any-tall-narrow-10 item-02) 70)
+    (can-pull-0100-any-tall-narrow-10 item-02) (= (x-of-pull-0100-any-tall-narrow-10 item-02) 9460) (= (y-of-pull-0100-any-tall-narrow-10 item-02) 9929) (= (cost-of-pull-0100-any-tall-narrow-10 item-02) 43)
     (can-pull-0111c-any-tall-narrow-10 item-02) (= (x-of-pull-0111c-any-tall-narrow-10 item-02) 9185) (= (y-of-pull-0111c-any-tall-narrow-10 item-02) 10081) (= (cost-of-pull-0111c-any-tall-narrow-10 item-02) 7)
     (can-pull-left-0101b-any-tall-narrow-10 item-02) (= (x-of-pull-left-0101b-any-tall-narrow-10 item-02) 9876) (= (y-of-pull-left-0101b-any-tall-narrow-10 item-02) 10098) (= (cost-of-pull-left-0101b-any-tall-narrow-10 item-02) 209)
     (can-pull-right-0110c-any-tall-narrow-10 item-02) (= (x-of-pull-right-0110c-any-tall-narrow-10 item-02) 9603) (= (y-of-pull-right-0110c-any-tall-narrow-10 item-02) 9652) (= (cost-of-pull-right-0110c-any-tall-narrow-10 item-02) 4)
     (can-push-forward-0001c-any-tall-narrow-10 item-02) (= (x-of-push-forward-0001c-any-tall-narrow-10 item-02) 10401) (= (y-of-push-forward-0001c-any-tall-narrow-10 item-02) 10130) (= (cost-of-push-forward-0001c-any-tall-narrow-10 item-02) 7)
     (can-push-forward-1011c-any-tall-narrow-10 item-02) (= (x-of-push-forward-1011c-any-tall-narrow-10 item-02) 10870) (= (y-of-push-forward-1011c-any-tall-narrow-10 item-02) 10002) (= (cost-of-push-forward-1011c-any-tall-narrow-10 item-02) 7)
-    (can-push-forward-left-1111b-any-tall-narrow-10 item-02) (= (x-of-push-forward-left-1111b-any-tall-narrow-10 item-02) 10097) (= (y-of-push-forward-left-1111b-any-tall-narrow-10 item-02) 10135) (= (cost-of-push-forward-left-1111b-any-tall-narrow-10 item-02) 7)
+    (can-push-forward-left-1111b-any-tall-narrow-10 item-02) (= (x-of-push-forward-left-1111b-any-tall-narrow-10 item-02) 10097) (= (y-of-push-forward-left-1111b-any-tall-narrow-10 item-02) 10135) (= (cost-of-push-forward-left-1111b-any-tall-narrow-10 item-02) 11)
     (can-push-forward-right-0010c-any-tall-narrow-10 item-02) (= (x-of-push-forward-right-0010c-any-tall-narrow-10 item-02) 10236) (= (y-of-push-forward-right-0010c-any-tall-narrow-10 item-02) 9662) (= (cost-of-push-forward-right-0010c-any-tall-narrow-10 item-02) 4)
-    (can-push-forward-right-1010-any-tall-narrow-10 item-02) (= (x-of-push-forward-right-1010-any-tall-narrow-10 item-02) 10388) (= (y-of-push-forward-right-1010-any-tall-narrow-10 item-02) 9711) (= (cost-of-push-forward-right-1010-any-tall-narrow-10 item-02) 53)
+    (can-push-forward-right-1010-any-tall-narrow-10 item-02) (= (x-of-push-forward-right-1010-any-tall-narrow-10 item-02) 10388) (= (y-of-push-forward-right-1010-any-tall-narrow-10 item-02) 9711) (= (cost-of-push-forward-right-1010-any-tall-narrow-10 item-02) 140)
     (= (x-of-push-left-0011c-any-tall-narrow-10 item-02) 9964) (= (y-of-push-left-0011c-any-tall-narrow-10 item-02) 10072) (= (cost-of-push-left-0011c-any-tall-narrow-10 item-02) 4)
     (can-push-right-0000-any-tall-narrow-10 item-02) (= (x-of-push-right-0000-any-tall-narrow-10 item-02) 9778) (= (y-of-push-right-0000-any-tall-narrow-10 item-02) 9385) (= (cost-of-push-right-0000-any-tall-narrow-10 item-02) 99)
     (can-push-right-0000c-any-tall-narrow-10 item-02) (= (x-of-push-right-0000c-any-tall-narrow-10 item-02) 9921) (= (y-of-push-right-0000c-any-tall-narrow-10 item-02) 9588) (= (cost-of-push-right-0000c-any-tall-narrow-10 item-02) 209)

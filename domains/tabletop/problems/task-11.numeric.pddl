@@ -46,7 +46,7 @@
     (can-push-forward-1011-solid-low-narrow-11 item-01) (= (x-of-push-forward-1011-solid-low-narrow-11 item-01) 10853) (= (y-of-push-forward-1011-solid-low-narrow-11 item-01) 10412) (= (cost-of-push-forward-1011-solid-low-narrow-11 item-01) 7)
     (= (x-of-push-forward-right-1101-solid-low-narrow-11 item-01) 10132) (= (y-of-push-forward-right-1101-solid-low-narrow-11 item-01) 9887) (= (cost-of-push-forward-right-1101-solid-low-narrow-11 item-01) 209)
     (can-push-left-0011-solid-low-narrow-11 item-01) (= (x-of-push-left-0011-solid-low-narrow-11 item-01) 9846) (= (y-of-push-left-0011-solid-low-narrow-11 item-01) 10408) (= (cost-of-push-left-0011-solid-low-narrow-11 item-01) 4)
-    (can-push-left-1111-solid-low-narrow-11 item-01) (= (x-of-push-left-1111-solid-low-narrow-11 item-01) 9917) (= (y-of-push-left-1111-solid-low-narrow-11 item-01) 11537) (= (cost-of-push-left-1111-solid-low-narrow-11 item-01) 84)
+    (can-push-left-1111-solid-low-narrow-11 item-01) (= (x-of-push-left-1111-solid-low-narrow-11 item-01) 9917) (= (y-of-push-left-1111-solid-low-narrow-11 item-01) 11537) (= (cost-of-push-left-1111-solid-low-narrow-11 item-01) 34)
     (can-push-right-0010d-solid-low-narrow-11 item-01) (= (x-of-push-right-0010d-solid-low-narrow-11 item-01) 9778) (= (y-of-push-right-0010d-solid-low-narrow-11 item-01) 8874) (= (cost-of-push-right-0010d-solid-low-narrow-11 item-01) 70)
     (can-push-right-1110-solid-low-narrow-11 item-01) (= (x-of-push-right-1110-solid-low-narrow-11 item-01) 9816) (= (y-of-push-right-1110-solid-low-narrow-11 item-01) 9504) (= (cost-of-push-right-1110-solid-low-narrow-11 item-01) 4)
     ; item-02 starts at (0.6896, 0.1511, 0.0160) m
@@ -86,7 +86,7 @@
     (can-push-forward-1011-solid-low-narrow-11 item-02) (= (x-of-push-forward-1011-solid-low-narrow-11 item-02) 10860) (= (y-of-push-forward-1011-solid-low-narrow-11 item-02) 10419) (= (cost-of-push-forward-1011-solid-low-narrow-11 item-02) 4)
     (= (x-of-push-forward-right-1101-solid-low-narrow-11 item-02) 10132) (= (y-of-push-forward-right-1101-solid-low-narrow-11 item-02) 9887) (= (cost-of-push-forward-right-1101-solid-low-narrow-11 item-02) 209)
     (can-push-left-0011-solid-low-narrow-11 item-02) (= (x-of-push-left-0011-solid-low-narrow-11 item-02) 9843) (= (y-of-push-left-0011-solid-low-narrow-11 item-02) 10405) (= (cost-of-push-left-0011-solid-low-narrow-11 item-02) 4)
-    (can-push-left-1111-solid-low-narrow-11 item-02) (= (x-of-push-left-1111-solid-low-narrow-11 item-02) 9909) (= (y-of-push-left-1111-solid-low-narrow-11 item-02) 11581) (= (cost-of-push-left-1111-solid-low-narrow-11 item-02) 14)
+    (can-push-left-1111-solid-low-narrow-11 item-02) (= (x-of-push-left-1111-solid-low-narrow-11 item-02) 9909) (= (y-of-push-left-1111-solid-low-narrow-11 item-02) 11581) (= (cost-of-push-left-1111-solid-low-narrow-11 item-02) 43)
     (can-push-right-0010d-solid-low-narrow-11 item-02) (= (x-of-push-right-0010d-solid-low-narrow-11 item-02) 9860) (= (y-of-push-right-0010d-solid-low-narrow-11 item-02) 8828) (= (cost-of-push-right-0010d-solid-low-narrow-11 item-02) 7)
     (can-push-right-1110-solid-low-narrow-11 item-02) (= (x-of-push-right-1110-solid-low-narrow-11 item-02) 9815) (= (y-of-push-right-1110-solid-low-narrow-11 item-02) 9502) (= (cost-of-push-right-1110-solid-low-narrow-11 item-02) 4))
   (:goal (and

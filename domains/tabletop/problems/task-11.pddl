@@ -94,7 +94,7 @@
     (x-of-pull-0111-solid-low-narrow-11 item-01 x-minus-20) (y-of-pull-0111-solid-low-narrow-11 item-01 y-plus-9) (= (cost-of-pull-0111-solid-low-narrow-11 item-01) 7)
     (x-of-push-forward-1011-solid-low-narrow-11 item-01 x-plus-17) (y-of-push-forward-1011-solid-low-narrow-11 item-01 y-plus-8) (= (cost-of-push-forward-1011-solid-low-narrow-11 item-01) 7)
     (x-of-push-left-0011-solid-low-narrow-11 item-01 x-minus-3) (y-of-push-left-0011-solid-low-narrow-11 item-01 y-plus-8) (= (cost-of-push-left-0011-solid-low-narrow-11 item-01) 4)
-    (x-of-push-left-1111-solid-low-narrow-11 item-01 x-minus-2) (y-of-push-left-1111-solid-low-narrow-11 item-01 y-plus-31) (= (cost-of-push-left-1111-solid-low-narrow-11 item-01) 84)
+    (x-of-push-left-1111-solid-low-narrow-11 item-01 x-minus-2) (y-of-push-left-1111-solid-low-narrow-11 item-01 y-plus-31) (= (cost-of-push-left-1111-solid-low-narrow-11 item-01) 34)
     (x-of-push-right-0010d-solid-low-narrow-11 item-01 x-minus-4) (y-of-push-right-0010d-solid-low-narrow-11 item-01 y-minus-23) (= (cost-of-push-right-0010d-solid-low-narrow-11 item-01) 70)
     (x-of-push-right-1110-solid-low-narrow-11 item-01 x-minus-4) (y-of-push-right-1110-solid-low-narrow-11 item-01 y-minus-10) (= (cost-of-push-right-1110-solid-low-narrow-11 item-01) 4)
     ; Not for item-01, so there are costs but no steps:
@@ -132,7 +132,7 @@
     (x-of-pull-0111-solid-low-narrow-11 item-02 x-minus-20) (y-of-pull-0111-solid-low-narrow-11 item-02 y-plus-9) (= (cost-of-pull-0111-solid-low-narrow-11 item-02) 4)
     (x-of-push-forward-1011-solid-low-narrow-11 item-02 x-plus-17) (y-of-push-forward-1011-solid-low-narrow-11 item-02 y-plus-8) (= (cost-of-push-forward-1011-solid-low-narrow-11 item-02) 4)
     (x-of-push-left-0011-solid-low-narrow-11 item-02 x-minus-3) (y-of-push-left-0011-solid-low-narrow-11 item-02 y-plus-8) (= (cost-of-push-left-0011-solid-low-narrow-11 item-02) 4)
-    (x-of-push-left-1111-solid-low-narrow-11 item-02 x-minus-2) (y-of-push-left-1111-solid-low-narrow-11 item-02 y-plus-32) (= (cost-of-push-left-1111-solid-low-narrow-11 item-02) 14)
+    (x-of-push-left-1111-solid-low-narrow-11 item-02 x-minus-2) (y-of-push-left-1111-solid-low-narrow-11 item-02 y-plus-32) (= (cost-of-push-left-1111-solid-low-narrow-11 item-02) 43)
     (x-of-push-right-0010d-solid-low-narrow-11 item-02 x-minus-3) (y-of-push-right-0010d-solid-low-narrow-11 item-02 y-minus-23) (= (cost-of-push-right-0010d-solid-low-narrow-11 item-02) 7)
     (x-of-push-right-1110-solid-low-narrow-11 item-02 x-minus-4) (y-of-push-right-1110-solid-low-narrow-11 item-02 y-minus-10) (= (cost-of-push-right-1110-solid-low-narrow-11 item-02) 4)
     ; Not for item-02, so there are costs but no steps:

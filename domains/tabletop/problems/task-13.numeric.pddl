@@ -47,7 +47,7 @@
     (can-push-forward-1011-solid-low-narrow-11 item-01) (= (x-of-push-forward-1011-solid-low-narrow-11 item-01) 10860) (= (y-of-push-forward-1011-solid-low-narrow-11 item-01) 10410) (= (cost-of-push-forward-1011-solid-low-narrow-11 item-01) 4)
     (= (x-of-push-forward-right-1101-solid-low-narrow-11 item-01) 10132) (= (y-of-push-forward-right-1101-solid-low-narrow-11 item-01) 9887) (= (cost-of-push-forward-right-1101-solid-low-narrow-11 item-01) 209)
     (can-push-left-0011-solid-low-narrow-11 item-01) (= (x-of-push-left-0011-solid-low-narrow-11 item-01) 9852) (= (y-of-push-left-0011-solid-low-narrow-11 item-01) 10399) (= (cost-of-push-left-0011-solid-low-narrow-11 item-01) 4)
-    (can-push-left-1111-solid-low-narrow-11 item-01) (= (x-of-push-left-1111-solid-low-narrow-11 item-01) 9918) (= (y-of-push-left-1111-solid-low-narrow-11 item-01) 11501) (= (cost-of-push-left-1111-solid-low-narrow-11 item-01) 18)
+    (can-push-left-1111-solid-low-narrow-11 item-01) (= (x-of-push-left-1111-solid-low-narrow-11 item-01) 9918) (= (y-of-push-left-1111-solid-low-narrow-11 item-01) 11501) (= (cost-of-push-left-1111-solid-low-narrow-11 item-01) 11)
     (can-push-right-0010d-solid-low-narrow-11 item-01) (= (x-of-push-right-0010d-solid-low-narrow-11 item-01) 9869) (= (y-of-push-right-0010d-solid-low-narrow-11 item-01) 8921) (= (cost-of-push-right-0010d-solid-low-narrow-11 item-01) 7)
     (can-push-right-1110-solid-low-narrow-11 item-01) (= (x-of-push-right-1110-solid-low-narrow-11 item-01) 9815) (= (y-of-push-right-1110-solid-low-narrow-11 item-01) 9500) (= (cost-of-push-right-1110-solid-low-narrow-11 item-01) 4)
     ; item-02 starts at (0.6544, 0.2163, 0.0455) m
@@ -99,25 +99,25 @@
     ; pull-right-1010a-solid-00: scatters more than it moves.
     ; push-forward-left-1001-solid-00: scatters more than it moves.
     ; push-left-1110a-solid-00: scatters more than it moves.
-    (can-lift-1100-solid-00 item-03) (= (x-of-lift-1100-solid-00 item-03) 9739) (= (y-of-lift-1100-solid-00 item-03) 10238) (= (z-of-lift-1100-solid-00 item-03) 12017) (= (cost-of-lift-1100-solid-00 item-03) 159)
+    (can-lift-1100-solid-00 item-03) (= (x-of-lift-1100-solid-00 item-03) 9739) (= (y-of-lift-1100-solid-00 item-03) 10238) (= (z-of-lift-1100-solid-00 item-03) 12017) (= (cost-of-lift-1100-solid-00 item-03) 105)
     (= (x-of-put-down-lift-1100-solid-00 item-03) 10000) (= (y-of-put-down-lift-1100-solid-00 item-03) 9994) (= (z-of-put-down-lift-1100-solid-00 item-03) 7983)
     (can-pull-0100a-solid-00 item-03) (= (x-of-pull-0100a-solid-00 item-03) 9187) (= (y-of-pull-0100a-solid-00 item-03) 9645) (= (cost-of-pull-0100a-solid-00 item-03) 14)
     (can-pull-0110a-solid-00 item-03) (= (x-of-pull-0110a-solid-00 item-03) 9791) (= (y-of-pull-0110a-solid-00 item-03) 9959) (= (cost-of-pull-0110a-solid-00 item-03) 4)
     (can-pull-0111a-solid-00 item-03) (= (x-of-pull-0111a-solid-00 item-03) 9480) (= (y-of-pull-0111a-solid-00 item-03) 10080) (= (cost-of-pull-0111a-solid-00 item-03) 4)
     (= (x-of-pull-left-0101-solid-00 item-03) 9916) (= (y-of-pull-left-0101-solid-00 item-03) 10117) (= (cost-of-pull-left-0101-solid-00 item-03) 10)
-    (= (x-of-pull-left-1101-solid-00 item-03) 9912) (= (y-of-pull-left-1101-solid-00 item-03) 9942) (= (cost-of-pull-left-1101-solid-00 item-03) 49)
+    (= (x-of-pull-left-1101-solid-00 item-03) 9912) (= (y-of-pull-left-1101-solid-00 item-03) 9942) (= (cost-of-pull-left-1101-solid-00 item-03) 54)
     (can-pull-left-1111a-solid-00 item-03) (= (x-of-pull-left-1111a-solid-00 item-03) 9837) (= (y-of-pull-left-1111a-solid-00 item-03) 10149) (= (cost-of-pull-left-1111a-solid-00 item-03) 4)
     (can-pull-right-0000a-solid-00 item-03) (= (x-of-pull-right-0000a-solid-00 item-03) 9754) (= (y-of-pull-right-0000a-solid-00 item-03) 9575) (= (cost-of-pull-right-0000a-solid-00 item-03) 20)
     (= (x-of-pull-right-1010a-solid-00 item-03) 9973) (= (y-of-pull-right-1010a-solid-00 item-03) 9968) (= (cost-of-pull-right-1010a-solid-00 item-03) 4)
-    (can-push-forward-1011-solid-00 item-03) (= (x-of-push-forward-1011-solid-00 item-03) 10523) (= (y-of-push-forward-1011-solid-00 item-03) 10100) (= (cost-of-push-forward-1011-solid-00 item-03) 28)
-    (can-push-forward-1011a-solid-00 item-03) (= (x-of-push-forward-1011a-solid-00 item-03) 10552) (= (y-of-push-forward-1011a-solid-00 item-03) 9829) (= (cost-of-push-forward-1011a-solid-00 item-03) 36)
+    (can-push-forward-1011-solid-00 item-03) (= (x-of-push-forward-1011-solid-00 item-03) 10523) (= (y-of-push-forward-1011-solid-00 item-03) 10100) (= (cost-of-push-forward-1011-solid-00 item-03) 40)
+    (can-push-forward-1011a-solid-00 item-03) (= (x-of-push-forward-1011a-solid-00 item-03) 10552) (= (y-of-push-forward-1011a-solid-00 item-03) 9829) (= (cost-of-push-forward-1011a-solid-00 item-03) 17)
     (can-push-forward-left-0001a-solid-00 item-03) (= (x-of-push-forward-left-0001a-solid-00 item-03) 10149) (= (y-of-push-forward-left-0001a-solid-00 item-03) 10129) (= (cost-of-push-forward-left-0001a-solid-00 item-03) 7)
     (= (x-of-push-forward-left-1001-solid-00 item-03) 10059) (= (y-of-push-forward-left-1001-solid-00 item-03) 10106) (= (cost-of-push-forward-left-1001-solid-00 item-03) 4)
     (can-push-forward-right-0010a-solid-00 item-03) (= (x-of-push-forward-right-0010a-solid-00 item-03) 10144) (= (y-of-push-forward-right-0010a-solid-00 item-03) 9783) (= (cost-of-push-forward-right-0010a-solid-00 item-03) 4)
     (can-push-left-0011a-solid-00 item-03) (= (x-of-push-left-0011a-solid-00 item-03) 10098) (= (y-of-push-left-0011a-solid-00 item-03) 10492) (= (cost-of-push-left-0011a-solid-00 item-03) 4)
     (= (x-of-push-left-1110a-solid-00 item-03) 9976) (= (y-of-push-left-1110a-solid-00 item-03) 10123) (= (cost-of-push-left-1110a-solid-00 item-03) 7)
     (can-push-right-1000-solid-00 item-03) (= (x-of-push-right-1000-solid-00 item-03) 9995) (= (y-of-push-right-1000-solid-00 item-03) 9752) (= (cost-of-push-right-1000-solid-00 item-03) 4)
-    (can-push-right-1100-solid-00 item-03) (= (x-of-push-right-1100-solid-00 item-03) 9987) (= (y-of-push-right-1100-solid-00 item-03) 9786) (= (cost-of-push-right-1100-solid-00 item-03) 28))
+    (can-push-right-1100-solid-00 item-03) (= (x-of-push-right-1100-solid-00 item-03) 9987) (= (y-of-push-right-1100-solid-00 item-03) 9786) (= (cost-of-push-right-1100-solid-00 item-03) 49))
   (:goal (and
     ; item-01 shall come to (0.8636, 0.2712, 0.2156) m, 200 mm from where it starts
     (<= (x item-01) 5591) (>= (x item-01) 4681)

@@ -118,7 +118,7 @@
     (x-of-pull-0111-solid-low-narrow-11 item-01 x-minus-20) (y-of-pull-0111-solid-low-narrow-11 item-01 y-plus-9) (= (cost-of-pull-0111-solid-low-narrow-11 item-01) 4)
     (x-of-push-forward-1011-solid-low-narrow-11 item-01 x-plus-17) (y-of-push-forward-1011-solid-low-narrow-11 item-01 y-plus-8) (= (cost-of-push-forward-1011-solid-low-narrow-11 item-01) 4)
     (x-of-push-left-0011-solid-low-narrow-11 item-01 x-minus-3) (y-of-push-left-0011-solid-low-narrow-11 item-01 y-plus-8) (= (cost-of-push-left-0011-solid-low-narrow-11 item-01) 4)
-    (x-of-push-left-1111-solid-low-narrow-11 item-01 x-minus-2) (y-of-push-left-1111-solid-low-narrow-11 item-01 y-plus-30) (= (cost-of-push-left-1111-solid-low-narrow-11 item-01) 18)
+    (x-of-push-left-1111-solid-low-narrow-11 item-01 x-minus-2) (y-of-push-left-1111-solid-low-narrow-11 item-01 y-plus-30) (= (cost-of-push-left-1111-solid-low-narrow-11 item-01) 11)
     (x-of-push-right-0010d-solid-low-narrow-11 item-01 x-minus-3) (y-of-push-right-0010d-solid-low-narrow-11 item-01 y-minus-22) (= (cost-of-push-right-0010d-solid-low-narrow-11 item-01) 7)
     (x-of-push-right-1110-solid-low-narrow-11 item-01 x-minus-4) (y-of-push-right-1110-solid-low-narrow-11 item-01 y-minus-10) (= (cost-of-push-right-1110-solid-low-narrow-11 item-01) 4)
     ; Not for item-01, so there are costs but no steps:
@@ -163,20 +163,20 @@
     ; push-forward-right-1101-solid-low-narrow-11: scatters more than it moves.
     (= (cost-of-push-forward-right-1101-solid-low-narrow-11 item-02) 209)
     ; What each operator promises for item-03 (features 0.1591 0.1298 0.09207 0).
-    (x-of-lift-1100-solid-00 item-03 x-minus-5) (y-of-lift-1100-solid-00 item-03 y-plus-5) (z-of-lift-1100-solid-00 item-03 z-plus-40) (= (cost-of-lift-1100-solid-00 item-03) 159)
+    (x-of-lift-1100-solid-00 item-03 x-minus-5) (y-of-lift-1100-solid-00 item-03 y-plus-5) (z-of-lift-1100-solid-00 item-03 z-plus-40) (= (cost-of-lift-1100-solid-00 item-03) 105)
     (x-of-put-down-lift-1100-solid-00 item-03 x-plus-0) (y-of-put-down-lift-1100-solid-00 item-03 y-plus-0) (z-of-put-down-lift-1100-solid-00 item-03 z-minus-40)
     (x-of-pull-0100a-solid-00 item-03 x-minus-16) (y-of-pull-0100a-solid-00 item-03 y-minus-7) (= (cost-of-pull-0100a-solid-00 item-03) 14)
     (x-of-pull-0110a-solid-00 item-03 x-minus-4) (y-of-pull-0110a-solid-00 item-03 y-minus-1) (= (cost-of-pull-0110a-solid-00 item-03) 4)
     (x-of-pull-0111a-solid-00 item-03 x-minus-10) (y-of-pull-0111a-solid-00 item-03 y-plus-2) (= (cost-of-pull-0111a-solid-00 item-03) 4)
     (x-of-pull-left-1111a-solid-00 item-03 x-minus-3) (y-of-pull-left-1111a-solid-00 item-03 y-plus-3) (= (cost-of-pull-left-1111a-solid-00 item-03) 4)
     (x-of-pull-right-0000a-solid-00 item-03 x-minus-5) (y-of-pull-right-0000a-solid-00 item-03 y-minus-9) (= (cost-of-pull-right-0000a-solid-00 item-03) 20)
-    (x-of-push-forward-1011-solid-00 item-03 x-plus-10) (y-of-push-forward-1011-solid-00 item-03 y-plus-2) (= (cost-of-push-forward-1011-solid-00 item-03) 28)
-    (x-of-push-forward-1011a-solid-00 item-03 x-plus-11) (y-of-push-forward-1011a-solid-00 item-03 y-minus-3) (= (cost-of-push-forward-1011a-solid-00 item-03) 36)
+    (x-of-push-forward-1011-solid-00 item-03 x-plus-10) (y-of-push-forward-1011-solid-00 item-03 y-plus-2) (= (cost-of-push-forward-1011-solid-00 item-03) 40)
+    (x-of-push-forward-1011a-solid-00 item-03 x-plus-11) (y-of-push-forward-1011a-solid-00 item-03 y-minus-3) (= (cost-of-push-forward-1011a-solid-00 item-03) 17)
     (x-of-push-forward-left-0001a-solid-00 item-03 x-plus-3) (y-of-push-forward-left-0001a-solid-00 item-03 y-plus-3) (= (cost-of-push-forward-left-0001a-solid-00 item-03) 7)
     (x-of-push-forward-right-0010a-solid-00 item-03 x-plus-3) (y-of-push-forward-right-0010a-solid-00 item-03 y-minus-4) (= (cost-of-push-forward-right-0010a-solid-00 item-03) 4)
     (x-of-push-left-0011a-solid-00 item-03 x-plus-2) (y-of-push-left-0011a-solid-00 item-03 y-plus-10) (= (cost-of-push-left-0011a-solid-00 item-03) 4)
     (x-of-push-right-1000-solid-00 item-03 x-plus-0) (y-of-push-right-1000-solid-00 item-03 y-minus-5) (= (cost-of-push-right-1000-solid-00 item-03) 4)
-    (x-of-push-right-1100-solid-00 item-03 x-plus-0) (y-of-push-right-1100-solid-00 item-03 y-minus-4) (= (cost-of-push-right-1100-solid-00 item-03) 28)
+    (x-of-push-right-1100-solid-00 item-03 x-plus-0) (y-of-push-right-1100-solid-00 item-03 y-minus-4) (= (cost-of-push-right-1100-solid-00 item-03) 49)
     ; Not for item-03, so there are costs but no steps:
     ; pull-left-0101-solid-00: scatters more than it moves.
     ; pull-left-1101-solid-00: scatters more than it moves.
@@ -184,7 +184,7 @@
     ; push-forward-left-1001-solid-00: scatters more than it moves.
     ; push-left-1110a-solid-00: scatters more than it moves.
     (= (cost-of-pull-left-0101-solid-00 item-03) 10)
-    (= (cost-of-pull-left-1101-solid-00 item-03) 49)
+    (= (cost-of-pull-left-1101-solid-00 item-03) 54)
     (= (cost-of-pull-right-1010a-solid-00 item-03) 4)
     (= (cost-of-push-forward-left-1001-solid-00 item-03) 4)
     (= (cost-of-push-left-1110a-solid-00 item-03) 7)

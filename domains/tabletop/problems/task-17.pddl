@@ -159,7 +159,7 @@
     (goal-xy item-06 x077 y021) (goal-xy item-06 x077 y022) (goal-xy item-06 x077 y023) (goal-xy item-06 x077 y024) (goal-xy item-06 x077 y025)
     (goal-z item-06 z000)
     ; What each operator promises for item-01 (features 0.06642 0.1336 0.02078 0).
-    (x-of-lift-1100-solid-00 item-01 x-minus-5) (y-of-lift-1100-solid-00 item-01 y-plus-5) (z-of-lift-1100-solid-00 item-01 z-plus-41) (= (cost-of-lift-1100-solid-00 item-01) 105)
+    (x-of-lift-1100-solid-00 item-01 x-minus-5) (y-of-lift-1100-solid-00 item-01 y-plus-5) (z-of-lift-1100-solid-00 item-01 z-plus-41) (= (cost-of-lift-1100-solid-00 item-01) 146)
     (x-of-put-down-lift-1100-solid-00 item-01 x-plus-0) (y-of-put-down-lift-1100-solid-00 item-01 y-plus-0) (z-of-put-down-lift-1100-solid-00 item-01 z-minus-41)
     (x-of-pull-0100a-solid-00 item-01 x-minus-18) (y-of-pull-0100a-solid-00 item-01 y-minus-5) (= (cost-of-pull-0100a-solid-00 item-01) 7)
     (x-of-pull-0110a-solid-00 item-01 x-minus-6) (y-of-pull-0110a-solid-00 item-01 y-minus-2) (= (cost-of-pull-0110a-solid-00 item-01) 4)
@@ -169,12 +169,12 @@
     (x-of-pull-right-0000a-solid-00 item-01 x-minus-5) (y-of-pull-right-0000a-solid-00 item-01 y-minus-9) (= (cost-of-pull-right-0000a-solid-00 item-01) 36)
     (x-of-pull-right-1010a-solid-00 item-01 x-minus-3) (y-of-pull-right-1010a-solid-00 item-01 y-minus-5) (= (cost-of-pull-right-1010a-solid-00 item-01) 4)
     (x-of-push-forward-1011-solid-00 item-01 x-plus-17) (y-of-push-forward-1011-solid-00 item-01 y-plus-5) (= (cost-of-push-forward-1011-solid-00 item-01) 4)
-    (x-of-push-forward-1011a-solid-00 item-01 x-plus-19) (y-of-push-forward-1011a-solid-00 item-01 y-minus-6) (= (cost-of-push-forward-1011a-solid-00 item-01) 17)
+    (x-of-push-forward-1011a-solid-00 item-01 x-plus-19) (y-of-push-forward-1011a-solid-00 item-01 y-minus-6) (= (cost-of-push-forward-1011a-solid-00 item-01) 10)
     (x-of-push-forward-left-0001a-solid-00 item-01 x-plus-3) (y-of-push-forward-left-0001a-solid-00 item-01 y-plus-2) (= (cost-of-push-forward-left-0001a-solid-00 item-01) 7)
     (x-of-push-forward-left-1001-solid-00 item-01 x-plus-4) (y-of-push-forward-left-1001-solid-00 item-01 y-plus-10) (= (cost-of-push-forward-left-1001-solid-00 item-01) 4)
     (x-of-push-forward-right-0010a-solid-00 item-01 x-plus-4) (y-of-push-forward-right-0010a-solid-00 item-01 y-minus-7) (= (cost-of-push-forward-right-0010a-solid-00 item-01) 4)
     (x-of-push-left-0011a-solid-00 item-01 x-plus-2) (y-of-push-left-0011a-solid-00 item-01 y-plus-13) (= (cost-of-push-left-0011a-solid-00 item-01) 4)
-    (x-of-push-right-1100-solid-00 item-01 x-minus-1) (y-of-push-right-1100-solid-00 item-01 y-minus-17) (= (cost-of-push-right-1100-solid-00 item-01) 49)
+    (x-of-push-right-1100-solid-00 item-01 x-minus-1) (y-of-push-right-1100-solid-00 item-01 y-minus-17) (= (cost-of-push-right-1100-solid-00 item-01) 24)
     ; Not for item-01, so there are costs but no steps:
     ; pull-left-0101-solid-00: scatters more than it moves.
     ; push-left-1110a-solid-00: scatters more than it moves.
@@ -186,23 +186,23 @@
     (x-of-pull-0100a-solid-00 item-02 x-minus-17) (y-of-pull-0100a-solid-00 item-02 y-minus-4) (= (cost-of-pull-0100a-solid-00 item-02) 14)
     (x-of-pull-0110a-solid-00 item-02 x-minus-4) (y-of-pull-0110a-solid-00 item-02 y-minus-1) (= (cost-of-pull-0110a-solid-00 item-02) 4)
     (x-of-pull-0111a-solid-00 item-02 x-minus-10) (y-of-pull-0111a-solid-00 item-02 y-plus-0) (= (cost-of-pull-0111a-solid-00 item-02) 4)
-    (x-of-pull-left-1101-solid-00 item-02 x-minus-5) (y-of-pull-left-1101-solid-00 item-02 y-plus-17) (= (cost-of-pull-left-1101-solid-00 item-02) 17)
+    (x-of-pull-left-1101-solid-00 item-02 x-minus-5) (y-of-pull-left-1101-solid-00 item-02 y-plus-17) (= (cost-of-pull-left-1101-solid-00 item-02) 20)
     (x-of-pull-left-1111a-solid-00 item-02 x-minus-3) (y-of-pull-left-1111a-solid-00 item-02 y-plus-3) (= (cost-of-pull-left-1111a-solid-00 item-02) 4)
     (x-of-pull-right-0000a-solid-00 item-02 x-minus-5) (y-of-pull-right-0000a-solid-00 item-02 y-minus-8) (= (cost-of-pull-right-0000a-solid-00 item-02) 14)
     (x-of-pull-right-1010a-solid-00 item-02 x-minus-2) (y-of-pull-right-1010a-solid-00 item-02 y-minus-2) (= (cost-of-pull-right-1010a-solid-00 item-02) 4)
-    (x-of-push-forward-1011-solid-00 item-02 x-plus-14) (y-of-push-forward-1011-solid-00 item-02 y-plus-6) (= (cost-of-push-forward-1011-solid-00 item-02) 7)
-    (x-of-push-forward-1011a-solid-00 item-02 x-plus-14) (y-of-push-forward-1011a-solid-00 item-02 y-minus-13) (= (cost-of-push-forward-1011a-solid-00 item-02) 28)
+    (x-of-push-forward-1011-solid-00 item-02 x-plus-14) (y-of-push-forward-1011-solid-00 item-02 y-plus-6) (= (cost-of-push-forward-1011-solid-00 item-02) 4)
+    (x-of-push-forward-1011a-solid-00 item-02 x-plus-14) (y-of-push-forward-1011a-solid-00 item-02 y-minus-13) (= (cost-of-push-forward-1011a-solid-00 item-02) 32)
     (x-of-push-forward-left-0001a-solid-00 item-02 x-plus-3) (y-of-push-forward-left-0001a-solid-00 item-02 y-plus-3) (= (cost-of-push-forward-left-0001a-solid-00 item-02) 4)
     (x-of-push-forward-left-1001-solid-00 item-02 x-plus-3) (y-of-push-forward-left-1001-solid-00 item-02 y-plus-8) (= (cost-of-push-forward-left-1001-solid-00 item-02) 4)
     (x-of-push-forward-right-0010a-solid-00 item-02 x-plus-4) (y-of-push-forward-right-0010a-solid-00 item-02 y-minus-7) (= (cost-of-push-forward-right-0010a-solid-00 item-02) 4)
     (x-of-push-left-0011a-solid-00 item-02 x-plus-2) (y-of-push-left-0011a-solid-00 item-02 y-plus-13) (= (cost-of-push-left-0011a-solid-00 item-02) 4)
     (x-of-push-left-1110a-solid-00 item-02 x-minus-1) (y-of-push-left-1110a-solid-00 item-02 y-plus-3) (= (cost-of-push-left-1110a-solid-00 item-02) 4)
     (x-of-push-right-1000-solid-00 item-02 x-plus-0) (y-of-push-right-1000-solid-00 item-02 y-minus-6) (= (cost-of-push-right-1000-solid-00 item-02) 4)
-    (x-of-push-right-1100-solid-00 item-02 x-minus-1) (y-of-push-right-1100-solid-00 item-02 y-minus-6) (= (cost-of-push-right-1100-solid-00 item-02) 24)
+    (x-of-push-right-1100-solid-00 item-02 x-minus-1) (y-of-push-right-1100-solid-00 item-02 y-minus-6) (= (cost-of-push-right-1100-solid-00 item-02) 14)
     ; Not for item-02, so there are costs but no steps:
-    ; lift-1100-solid-00: keeps its promise in 3 of 32 rehearsals only.
+    ; lift-1100-solid-00: keeps its promise in 2 of 32 rehearsals only.
     ; pull-left-0101-solid-00: scatters more than it moves.
-    (= (cost-of-lift-1100-solid-00 item-02) 215)
+    (= (cost-of-lift-1100-solid-00 item-02) 244)
     (= (cost-of-pull-left-0101-solid-00 item-02) 10)
     ; What each operator promises for item-03 (features 0.1616 0.09906 0.07592 1).
     ; item-03 is unlike all that were rehearsed: it is promised what its category is.
@@ -244,11 +244,11 @@
     ; push-forward-right-1101-solid-low-narrow-11: scatters more than it moves.
     (= (cost-of-push-forward-right-1101-solid-low-narrow-11 item-03) 209)
     ; What each operator promises for item-04 (features 0.06006 0.09504 0.05515 1).
-    (x-of-lift-0000-any-tall-narrow-10 item-04 x-minus-2) (y-of-lift-0000-any-tall-narrow-10 item-04 y-minus-10) (z-of-lift-0000-any-tall-narrow-10 item-04 z-plus-52) (= (cost-of-lift-0000-any-tall-narrow-10 item-04) 70)
+    (x-of-lift-0000-any-tall-narrow-10 item-04 x-minus-2) (y-of-lift-0000-any-tall-narrow-10 item-04 y-minus-10) (z-of-lift-0000-any-tall-narrow-10 item-04 z-plus-52) (= (cost-of-lift-0000-any-tall-narrow-10 item-04) 59)
     (x-of-put-down-lift-0000-any-tall-narrow-10 item-04 x-plus-0) (y-of-put-down-lift-0000-any-tall-narrow-10 item-04 y-plus-3) (z-of-put-down-lift-0000-any-tall-narrow-10 item-04 z-minus-52)
     (x-of-lift-0000c-any-tall-narrow-10 item-04 x-minus-2) (y-of-lift-0000c-any-tall-narrow-10 item-04 y-minus-7) (z-of-lift-0000c-any-tall-narrow-10 item-04 z-plus-46) (= (cost-of-lift-0000c-any-tall-narrow-10 item-04) 14)
     (x-of-put-down-lift-0000c-any-tall-narrow-10 item-04 x-plus-0) (y-of-put-down-lift-0000c-any-tall-narrow-10 item-04 y-plus-0) (z-of-put-down-lift-0000c-any-tall-narrow-10 item-04 z-minus-46)
-    (x-of-lift-0100-any-tall-narrow-10 item-04 x-minus-17) (y-of-lift-0100-any-tall-narrow-10 item-04 y-minus-7) (z-of-lift-0100-any-tall-narrow-10 item-04 z-plus-40) (= (cost-of-lift-0100-any-tall-narrow-10 item-04) 53)
+    (x-of-lift-0100-any-tall-narrow-10 item-04 x-minus-17) (y-of-lift-0100-any-tall-narrow-10 item-04 y-minus-7) (z-of-lift-0100-any-tall-narrow-10 item-04 z-plus-40) (= (cost-of-lift-0100-any-tall-narrow-10 item-04) 117)
     (x-of-put-down-lift-0100-any-tall-narrow-10 item-04 x-plus-0) (y-of-put-down-lift-0100-any-tall-narrow-10 item-04 y-plus-0) (z-of-put-down-lift-0100-any-tall-narrow-10 item-04 z-minus-40)
     (x-of-lift-0100c-any-tall-narrow-10 item-04 x-minus-11) (y-of-lift-0100c-any-tall-narrow-10 item-04 y-minus-10) (z-of-lift-0100c-any-tall-narrow-10 item-04 z-plus-40) (= (cost-of-lift-0100c-any-tall-narrow-10 item-04) 4)
     (x-of-put-down-lift-0100c-any-tall-narrow-10 item-04 x-plus-0) (y-of-put-down-lift-0100c-any-tall-narrow-10 item-04 y-plus-0) (z-of-put-down-lift-0100c-any-tall-narrow-10 item-04 z-minus-40)
@@ -265,15 +265,15 @@
     (x-of-lift-1101b-any-tall-narrow-10 item-04 x-plus-2) (y-of-lift-1101b-any-tall-narrow-10 item-04 y-plus-1) (z-of-lift-1101b-any-tall-narrow-10 item-04 z-plus-40) (= (cost-of-lift-1101b-any-tall-narrow-10 item-04) 30)
     (x-of-put-down-lift-1101b-any-tall-narrow-10 item-04 x-plus-0) (y-of-put-down-lift-1101b-any-tall-narrow-10 item-04 y-minus-1) (z-of-put-down-lift-1101b-any-tall-narrow-10 item-04 z-minus-40)
     (x-of-place-forward-1010c-any-tall-narrow-10 item-04 x-plus-12) (y-of-place-forward-1010c-any-tall-narrow-10 item-04 y-plus-1) (= (cost-of-place-forward-1010c-any-tall-narrow-10 item-04) 4)
-    (x-of-pull-0100-any-tall-narrow-10 item-04 x-minus-11) (y-of-pull-0100-any-tall-narrow-10 item-04 y-minus-2) (= (cost-of-pull-0100-any-tall-narrow-10 item-04) 108)
+    (x-of-pull-0100-any-tall-narrow-10 item-04 x-minus-11) (y-of-pull-0100-any-tall-narrow-10 item-04 y-minus-2) (= (cost-of-pull-0100-any-tall-narrow-10 item-04) 59)
     (x-of-pull-0111c-any-tall-narrow-10 item-04 x-minus-16) (y-of-pull-0111c-any-tall-narrow-10 item-04 y-plus-3) (= (cost-of-pull-0111c-any-tall-narrow-10 item-04) 7)
     (x-of-pull-left-0101b-any-tall-narrow-10 item-04 x-minus-2) (y-of-pull-left-0101b-any-tall-narrow-10 item-04 y-plus-2) (= (cost-of-pull-left-0101b-any-tall-narrow-10 item-04) 209)
     (x-of-pull-right-0110c-any-tall-narrow-10 item-04 x-minus-8) (y-of-pull-right-0110c-any-tall-narrow-10 item-04 y-minus-7) (= (cost-of-pull-right-0110c-any-tall-narrow-10 item-04) 4)
     (x-of-push-forward-0001c-any-tall-narrow-10 item-04 x-plus-5) (y-of-push-forward-0001c-any-tall-narrow-10 item-04 y-minus-2) (= (cost-of-push-forward-0001c-any-tall-narrow-10 item-04) 7)
     (x-of-push-forward-1011c-any-tall-narrow-10 item-04 x-plus-15) (y-of-push-forward-1011c-any-tall-narrow-10 item-04 y-plus-1) (= (cost-of-push-forward-1011c-any-tall-narrow-10 item-04) 11)
-    (x-of-push-forward-left-1111b-any-tall-narrow-10 item-04 x-plus-5) (y-of-push-forward-left-1111b-any-tall-narrow-10 item-04 y-plus-6) (= (cost-of-push-forward-left-1111b-any-tall-narrow-10 item-04) 7)
+    (x-of-push-forward-left-1111b-any-tall-narrow-10 item-04 x-plus-5) (y-of-push-forward-left-1111b-any-tall-narrow-10 item-04 y-plus-6) (= (cost-of-push-forward-left-1111b-any-tall-narrow-10 item-04) 11)
     (x-of-push-forward-right-0010c-any-tall-narrow-10 item-04 x-plus-2) (y-of-push-forward-right-0010c-any-tall-narrow-10 item-04 y-minus-2) (= (cost-of-push-forward-right-0010c-any-tall-narrow-10 item-04) 4)
-    (x-of-push-forward-right-1010-any-tall-narrow-10 item-04 x-plus-6) (y-of-push-forward-right-1010-any-tall-narrow-10 item-04 y-minus-11) (= (cost-of-push-forward-right-1010-any-tall-narrow-10 item-04) 48)
+    (x-of-push-forward-right-1010-any-tall-narrow-10 item-04 x-plus-6) (y-of-push-forward-right-1010-any-tall-narrow-10 item-04 y-minus-11) (= (cost-of-push-forward-right-1010-any-tall-narrow-10 item-04) 128)
     (x-of-push-left-0011c-any-tall-narrow-10 item-04 x-minus-1) (y-of-push-left-0011c-any-tall-narrow-10 item-04 y-plus-3) (= (cost-of-push-left-0011c-any-tall-narrow-10 item-04) 4)
     (x-of-push-right-0000-any-tall-narrow-10 item-04 x-minus-4) (y-of-push-right-0000-any-tall-narrow-10 item-04 y-minus-13) (= (cost-of-push-right-0000-any-tall-narrow-10 item-04) 77)
     (x-of-push-right-0000c-any-tall-narrow-10 item-04 x-minus-2) (y-of-push-right-0000c-any-tall-narrow-10 item-04 y-minus-8) (= (cost-of-push-right-0000c-any-tall-narrow-10 item-04) 209)
@@ -351,7 +351,7 @@
     (x-of-pull-0111-solid-low-narrow-11 item-06 x-minus-20) (y-of-pull-0111-solid-low-narrow-11 item-06 y-plus-8) (= (cost-of-pull-0111-solid-low-narrow-11 item-06) 4)
     (x-of-push-forward-1011-solid-low-narrow-11 item-06 x-plus-17) (y-of-push-forward-1011-solid-low-narrow-11 item-06 y-plus-7) (= (cost-of-push-forward-1011-solid-low-narrow-11 item-06) 7)
     (x-of-push-left-0011-solid-low-narrow-11 item-06 x-minus-3) (y-of-push-left-0011-solid-low-narrow-11 item-06 y-plus-8) (= (cost-of-push-left-0011-solid-low-narrow-11 item-06) 4)
-    (x-of-push-left-1111-solid-low-narrow-11 item-06 x-minus-2) (y-of-push-left-1111-solid-low-narrow-11 item-06 y-plus-33) (= (cost-of-push-left-1111-solid-low-narrow-11 item-06) 22)
+    (x-of-push-left-1111-solid-low-narrow-11 item-06 x-minus-2) (y-of-push-left-1111-solid-low-narrow-11 item-06 y-plus-33) (= (cost-of-push-left-1111-solid-low-narrow-11 item-06) 18)
     (x-of-push-right-0010d-solid-low-narrow-11 item-06 x-minus-4) (y-of-push-right-0010d-solid-low-narrow-11 item-06 y-minus-24) (= (cost-of-push-right-0010d-solid-low-narrow-11 item-06) 7)
     (x-of-push-right-1110-solid-low-narrow-11 item-06 x-minus-4) (y-of-push-right-1110-solid-low-narrow-11 item-06 y-minus-10) (= (cost-of-push-right-1110-solid-low-narrow-11 item-06) 4)
     ; Not for item-06, so there are costs but no steps:

@@ -35,7 +35,7 @@ MOST_SECONDS_COUNTING = 0.2
 MOST_SECONDS_PROCESS = 1.0
 MOST_OF_TRANSLATED = 0.5
 """What a plan without Fast Downward's translator may cost, of one with it."""
-CROWD, STEPS = 16, 8
+CROWD, STEPS = 16, 4
 """How many objects counting plans for, and how many random steps lead each to its goal."""
 
 Results = dict[str, Any]
