@@ -55,9 +55,10 @@ evaluate-learning: install
 
 # Every figure of docs/planning.md, into docs/results/; goes on where it was interrupted. SEEDS=1 is the short form.
 evaluate-planning: STEPS := 2560
+evaluate-planning: STRATEGIES := curiosity random active
 evaluate-planning: install
 	$(BIN)/pip install --quiet --constraint constraints.txt --editable '.[dev,planners]'
-	$(BIN)/python -m tools.benchmarks.planning.evaluate --seeds $(SEEDS) --steps $(STEPS)
+	$(BIN)/python -m tools.benchmarks.planning.evaluate --seeds $(SEEDS) --steps $(STEPS) --strategies $(STRATEGIES)
 
 # Whether practice helps, beside rehearsing evenly, into docs/results/practice.*; goes on where it was interrupted.
 evaluate-practice: install

@@ -51,7 +51,9 @@ def main(
         tuple[int, int, int] | None,
         tyro.conf.arg(help="Tasks with goals anywhere, with 1, 2 and 4 objects; 200 100 100, or 10 5 5."),
     ] = None,
-    entropy: Annotated[bool, tyro.conf.arg(help="Try the paper's own curiosity, too.")] = False,
+    strategies: Annotated[
+        tuple[jobs.Strategy, ...], tyro.conf.arg(help="Strategies of exploration that Table III compares.")
+    ] = jobs.USUAL,
     learn: Annotated[bool, tyro.conf.arg(help="Learn domains; else take those that are there.")] = True,
     work: Annotated[Path, tyro.conf.arg(help="Folder for what was learned and measured.")] = WORK,
     results: Annotated[Path, tyro.conf.arg(help="Folder for the tables.")] = RESULTS,
@@ -59,7 +61,7 @@ def main(
     only_report: Annotated[bool, tyro.conf.arg(help="Write the tables from what is there.")] = False,
 ) -> None:
     """Learn, do every job that was not done, and write the results."""
-    size = jobs.size_of(seeds, steps, tasks, precise=precise, far=far, entropy=entropy)
+    size = jobs.size_of(seeds, steps, tasks, precise=precise, far=far, strategies=strategies)
     for name, value in (
         ("seeds", seeds),
         ("steps", steps),
@@ -152,7 +154,8 @@ def summarise(found: Mapping[str, Any], work: Path, size: Size, planners: Any) -
     costless = {kind: _of_size(found, jobs.costless_jobs(work, size), kind) for kind in SIZES}
     nudged = {kind: _of_size(found, jobs.disturbed_jobs(work, size), kind) for kind in SIZES}
     return {
-        "command": f"make evaluate-planning SEEDS={size.seeds} STEPS={size.steps}",
+        "command": f"make evaluate-planning SEEDS={size.seeds} STEPS={size.steps} "
+        f"STRATEGIES='{' '.join(size.strategies)}'",
         "versions": machine("numpy", "pybullet", "torch", "up-fast-downward"),
         "missing": sum(name not in found for name in every),
         "size": size._asdict(),

@@ -4,7 +4,7 @@ import hashlib
 from collections.abc import Iterator, Sequence
 from functools import partial
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import Any, Literal, NamedTuple
 
 from neurosym.planners import PLANNERS
 from neurosym.stages.layout import GROUNDING, MODEL, WORLD
@@ -13,8 +13,16 @@ from tools.benchmarks.planning import measures
 from tools.benchmarks.planning.tasks import DIFFICULTIES
 
 SHIPPED = Path("domains/tabletop")
-STRATEGIES = {"curiosity": "disagreement", "random": "random", "active": "active", "entropy": "entropy"}
+Strategy = Literal["curiosity", "random", "active", "entropy"]
+STRATEGIES: dict[Strategy, str] = {
+    "curiosity": "disagreement",
+    "random": "random",
+    "active": "active",
+    "entropy": "entropy",
+}
 """What Table III compares, and what `neurosym explore` calls it; entropy is the paper's own curiosity."""
+USUAL: tuple[Strategy, ...] = ("curiosity", "random", "active")
+"""Who is compared unless asked otherwise."""
 BLOCK = 10
 """Tasks in one job."""
 SIZES = {"single": 1, "double": 2}
@@ -66,7 +74,7 @@ class Size(NamedTuple):
     symbolic: int
     scaling: int
     disturbed: int
-    strategies: tuple[str, ...]
+    strategies: tuple[Strategy, ...]
     precise: int
     far: tuple[int, ...]
 
@@ -78,10 +86,9 @@ def size_of(
     *,
     precise: int | None = None,
     far: tuple[int, ...] | None = None,
-    entropy: bool = False,
+    strategies: tuple[Strategy, ...] = USUAL,
 ) -> Size:
     """Say how much is measured: all of it, or the short form of a single seed."""
-    strategies = tuple(name for name in STRATEGIES if entropy or name != "entropy")
     if seeds == 1:
         return Size(seeds, steps, tasks or 30, 30, 2, 20, strategies, precise or 30, far or (10, 5, 5))
     return Size(seeds, steps, tasks or 100, 150, 5, 100, strategies, precise or 400, far or (200, 100, 100))
@@ -129,7 +136,7 @@ def seed_turns(work: Path, size: Size, seed: int, tolerance: float, *, learn: bo
     yield f"seed {seed}, {1000 * tolerance:g} mm", jobs
 
 
-def domain_name(strategy: str, seed: int) -> str:
+def domain_name(strategy: Strategy, seed: int) -> str:
     """Name the domain that a strategy leads to."""
     return f"{STRATEGIES[strategy]}-{seed}"
 
