@@ -1,8 +1,8 @@
 ; Learned domain tabletop, encoding stepwise. Printed by neurosym; do not edit.
-; One action moves one axis: the named action the first, finish-... the others.
+; The named action begins a move, and move-z, move-x and move-y make it. By which steps, and what it costs,
+; stands in the problem.
 ; Cells of 5 mm: 121 along x, 121 along y, 62 along z (counted from where an object rests).
 ; (x-leads x-plus-3 ?from ?to): ?to is 3 cells further along x than ?from, and on the table.
-; By which steps an operator moves an object, and what that costs, stands in the problem.
 ; After a lift the hand is full: only the put-down of that lift applies.
 ; Cost of a step: 1 + round(-100 ln((k + 1) / (n + 2))), k successes in n rehearsals.
 
@@ -10,13 +10,14 @@
   (:requirements :strips :typing :action-costs)
 
   (:types
-    movable x-cell y-cell z-cell x-step y-step z-step - object
+    movable x-cell y-cell z-cell x-step y-step z-step move - object
     any-tall-narrow-10 hollow-wide-01 solid-00 solid-low-narrow-11 - movable)
 
   (:constants
     x-minus-20 x-minus-18 x-minus-16 x-minus-15 x-minus-12 x-minus-11 x-minus-10 x-minus-9 x-minus-8 x-minus-7 x-minus-6 x-minus-5 x-minus-4 x-minus-3 x-minus-2 x-minus-1 x-plus-1 x-plus-2 x-plus-3 x-plus-4 x-plus-6 x-plus-7 x-plus-8 x-plus-9 x-plus-10 x-plus-11 x-plus-12 x-plus-13 x-plus-14 x-plus-16 x-plus-17 - x-step
     y-minus-23 y-minus-22 y-minus-21 y-minus-20 y-minus-17 y-minus-14 y-minus-12 y-minus-11 y-minus-10 y-minus-9 y-minus-8 y-minus-7 y-minus-6 y-minus-5 y-minus-4 y-minus-3 y-minus-2 y-minus-1 y-plus-1 y-plus-2 y-plus-3 y-plus-4 y-plus-5 y-plus-6 y-plus-7 y-plus-8 y-plus-9 y-plus-11 y-plus-12 y-plus-13 y-plus-14 y-plus-30 - y-step
-    z-minus-53 z-minus-51 z-minus-50 z-minus-49 z-minus-48 z-minus-46 z-minus-45 z-minus-43 z-minus-42 z-minus-41 z-minus-40 z-plus-40 z-plus-41 z-plus-42 z-plus-43 z-plus-45 z-plus-46 z-plus-48 z-plus-49 z-plus-50 z-plus-51 z-plus-53 - z-step)
+    z-minus-53 z-minus-51 z-minus-50 z-minus-49 z-minus-48 z-minus-46 z-minus-45 z-minus-43 z-minus-42 z-minus-41 z-minus-40 z-plus-40 z-plus-41 z-plus-42 z-plus-43 z-plus-45 z-plus-46 z-plus-48 z-plus-49 z-plus-50 z-plus-51 z-plus-53 - z-step
+    a-lift-0000-any-tall-narrow-10 a-put-down-lift-0000-any-tall-narrow-10 a-lift-0000-hollow-wide-01 a-put-down-lift-0000-hollow-wide-01 a-lift-0000b-hollow-wide-01 a-put-down-lift-0000b-hollow-wide-01 a-lift-0000c-any-tall-narrow-10 a-put-down-lift-0000c-any-tall-narrow-10 a-lift-0000d-solid-low-narrow-11 a-put-down-lift-0000d-solid-low-narrow-11 a-lift-0001b-hollow-wide-01 a-put-down-lift-0001b-hollow-wide-01 a-lift-0001d-solid-low-narrow-11 a-put-down-lift-0001d-solid-low-narrow-11 a-lift-0100-any-tall-narrow-10 a-put-down-lift-0100-any-tall-narrow-10 a-lift-0100-solid-low-narrow-11 a-put-down-lift-0100-solid-low-narrow-11 a-lift-0100b-hollow-wide-01 a-put-down-lift-0100b-hollow-wide-01 a-lift-0100c-any-tall-narrow-10 a-put-down-lift-0100c-any-tall-narrow-10 a-lift-0100d-solid-low-narrow-11 a-put-down-lift-0100d-solid-low-narrow-11 a-lift-0101-solid-low-narrow-11 a-put-down-lift-0101-solid-low-narrow-11 a-lift-0101a-hollow-wide-01 a-put-down-lift-0101a-hollow-wide-01 a-lift-0101b-any-tall-narrow-10 a-put-down-lift-0101b-any-tall-narrow-10 a-lift-0101c-solid-low-narrow-11 a-put-down-lift-0101c-solid-low-narrow-11 a-lift-1000-hollow-wide-01 a-put-down-lift-1000-hollow-wide-01 a-lift-1000-solid-low-narrow-11 a-put-down-lift-1000-solid-low-narrow-11 a-lift-1000a-hollow-wide-01 a-put-down-lift-1000a-hollow-wide-01 a-lift-1000b-any-tall-narrow-10 a-put-down-lift-1000b-any-tall-narrow-10 a-lift-1001-solid-low-narrow-11 a-put-down-lift-1001-solid-low-narrow-11 a-lift-1001a-hollow-wide-01 a-put-down-lift-1001a-hollow-wide-01 a-lift-1001b-any-tall-narrow-10 a-put-down-lift-1001b-any-tall-narrow-10 a-lift-1001c-solid-low-narrow-11 a-put-down-lift-1001c-solid-low-narrow-11 a-lift-1100-any-tall-narrow-10 a-put-down-lift-1100-any-tall-narrow-10 a-lift-1100-solid-00 a-put-down-lift-1100-solid-00 a-lift-1100-solid-low-narrow-11 a-put-down-lift-1100-solid-low-narrow-11 a-lift-1100a-hollow-wide-01 a-put-down-lift-1100a-hollow-wide-01 a-lift-1100b-any-tall-narrow-10 a-put-down-lift-1100b-any-tall-narrow-10 a-lift-1100c-solid-low-narrow-11 a-put-down-lift-1100c-solid-low-narrow-11 a-lift-1101-solid-low-narrow-11 a-put-down-lift-1101-solid-low-narrow-11 a-lift-1101a-hollow-wide-01 a-put-down-lift-1101a-hollow-wide-01 a-lift-1101b-any-tall-narrow-10 a-put-down-lift-1101b-any-tall-narrow-10 a-lift-1101c-solid-low-narrow-11 a-put-down-lift-1101c-solid-low-narrow-11 a-place-forward-1010c-any-tall-narrow-10 a-place-forward-right-1010-solid-low-narrow-11 a-place-right-0000-hollow-wide-01 a-pull-0100-any-tall-narrow-10 a-pull-0100a-solid-00 a-pull-0110-solid-low-narrow-11 a-pull-0110a-solid-00 a-pull-0111-hollow-wide-01 a-pull-0111-solid-low-narrow-11 a-pull-0111a-solid-00 a-pull-0111c-any-tall-narrow-10 a-pull-left-0101-solid-00 a-pull-left-0101b-any-tall-narrow-10 a-pull-left-0111b-hollow-wide-01 a-pull-left-1101-solid-00 a-pull-left-1111a-solid-00 a-pull-right-0000a-solid-00 a-pull-right-0110-hollow-wide-01 a-pull-right-0110c-any-tall-narrow-10 a-pull-right-1010a-solid-00 a-pull-right-1110b-hollow-wide-01 a-push-forward-0001c-any-tall-narrow-10 a-push-forward-1011-solid-00 a-push-forward-1011-solid-low-narrow-11 a-push-forward-1011a-solid-00 a-push-forward-1011c-any-tall-narrow-10 a-push-forward-left-0001a-solid-00 a-push-forward-left-1001-solid-00 a-push-forward-left-1011b-hollow-wide-01 a-push-forward-left-1111b-any-tall-narrow-10 a-push-forward-right-0010a-solid-00 a-push-forward-right-0010b-hollow-wide-01 a-push-forward-right-0010c-any-tall-narrow-10 a-push-forward-right-1010-any-tall-narrow-10 a-push-forward-right-1101-solid-low-narrow-11 a-push-left-0011-solid-low-narrow-11 a-push-left-0011a-solid-00 a-push-left-0011b-hollow-wide-01 a-push-left-0011c-any-tall-narrow-10 a-push-left-1110a-solid-00 a-push-left-1111-hollow-wide-01 a-push-left-1111-solid-low-narrow-11 a-push-right-0000-any-tall-narrow-10 a-push-right-0000c-any-tall-narrow-10 a-push-right-0010d-solid-low-narrow-11 a-push-right-0100b-hollow-wide-01 a-push-right-0110b-hollow-wide-01 a-push-right-1000-hollow-wide-01 a-push-right-1000-solid-00 a-push-right-1010-hollow-wide-01 a-push-right-1010b-hollow-wide-01 a-push-right-1100-solid-00 a-push-right-1100a-hollow-wide-01 a-push-right-1110-any-tall-narrow-10 a-push-right-1110-solid-low-narrow-11 a-stay-1101b-any-tall-narrow-10 - move)
 
   (:predicates
     (hand-empty)
@@ -27,551 +28,17 @@
     (goal-xy ?o - movable ?x - x-cell ?y - y-cell)
     (goal-z ?o - movable ?z - z-cell)
     (done ?o - movable)
-    (held-by-lift-0000-any-tall-narrow-10 ?o - any-tall-narrow-10)
-    (held-by-lift-0000-hollow-wide-01 ?o - hollow-wide-01)
-    (held-by-lift-0000b-hollow-wide-01 ?o - hollow-wide-01)
-    (held-by-lift-0000c-any-tall-narrow-10 ?o - any-tall-narrow-10)
-    (held-by-lift-0000d-solid-low-narrow-11 ?o - solid-low-narrow-11)
-    (held-by-lift-0001b-hollow-wide-01 ?o - hollow-wide-01)
-    (held-by-lift-0001d-solid-low-narrow-11 ?o - solid-low-narrow-11)
-    (held-by-lift-0100-any-tall-narrow-10 ?o - any-tall-narrow-10)
-    (held-by-lift-0100-solid-low-narrow-11 ?o - solid-low-narrow-11)
-    (held-by-lift-0100b-hollow-wide-01 ?o - hollow-wide-01)
-    (held-by-lift-0100c-any-tall-narrow-10 ?o - any-tall-narrow-10)
-    (held-by-lift-0100d-solid-low-narrow-11 ?o - solid-low-narrow-11)
-    (held-by-lift-0101-solid-low-narrow-11 ?o - solid-low-narrow-11)
-    (held-by-lift-0101a-hollow-wide-01 ?o - hollow-wide-01)
-    (held-by-lift-0101b-any-tall-narrow-10 ?o - any-tall-narrow-10)
-    (held-by-lift-0101c-solid-low-narrow-11 ?o - solid-low-narrow-11)
-    (held-by-lift-1000-hollow-wide-01 ?o - hollow-wide-01)
-    (held-by-lift-1000-solid-low-narrow-11 ?o - solid-low-narrow-11)
-    (held-by-lift-1000a-hollow-wide-01 ?o - hollow-wide-01)
-    (held-by-lift-1000b-any-tall-narrow-10 ?o - any-tall-narrow-10)
-    (held-by-lift-1001-solid-low-narrow-11 ?o - solid-low-narrow-11)
-    (held-by-lift-1001a-hollow-wide-01 ?o - hollow-wide-01)
-    (held-by-lift-1001b-any-tall-narrow-10 ?o - any-tall-narrow-10)
-    (held-by-lift-1001c-solid-low-narrow-11 ?o - solid-low-narrow-11)
-    (held-by-lift-1100-any-tall-narrow-10 ?o - any-tall-narrow-10)
-    (held-by-lift-1100-solid-00 ?o - solid-00)
-    (held-by-lift-1100-solid-low-narrow-11 ?o - solid-low-narrow-11)
-    (held-by-lift-1100a-hollow-wide-01 ?o - hollow-wide-01)
-    (held-by-lift-1100b-any-tall-narrow-10 ?o - any-tall-narrow-10)
-    (held-by-lift-1100c-solid-low-narrow-11 ?o - solid-low-narrow-11)
-    (held-by-lift-1101-solid-low-narrow-11 ?o - solid-low-narrow-11)
-    (held-by-lift-1101a-hollow-wide-01 ?o - hollow-wide-01)
-    (held-by-lift-1101b-any-tall-narrow-10 ?o - any-tall-narrow-10)
-    (held-by-lift-1101c-solid-low-narrow-11 ?o - solid-low-narrow-11)
-    (moving-lift-0000-any-tall-narrow-10-y ?o - any-tall-narrow-10)
-    (moving-lift-0000-any-tall-narrow-10-z ?o - any-tall-narrow-10)
-    (moving-put-down-lift-0000-any-tall-narrow-10-y ?o - any-tall-narrow-10)
-    (moving-put-down-lift-0000-any-tall-narrow-10-z ?o - any-tall-narrow-10)
-    (moving-lift-0000-hollow-wide-01-y ?o - hollow-wide-01)
-    (moving-lift-0000-hollow-wide-01-z ?o - hollow-wide-01)
-    (moving-put-down-lift-0000-hollow-wide-01-y ?o - hollow-wide-01)
-    (moving-put-down-lift-0000-hollow-wide-01-z ?o - hollow-wide-01)
-    (moving-lift-0000b-hollow-wide-01-y ?o - hollow-wide-01)
-    (moving-lift-0000b-hollow-wide-01-z ?o - hollow-wide-01)
-    (moving-put-down-lift-0000b-hollow-wide-01-y ?o - hollow-wide-01)
-    (moving-put-down-lift-0000b-hollow-wide-01-z ?o - hollow-wide-01)
-    (moving-lift-0000c-any-tall-narrow-10-y ?o - any-tall-narrow-10)
-    (moving-lift-0000c-any-tall-narrow-10-z ?o - any-tall-narrow-10)
-    (moving-put-down-lift-0000c-any-tall-narrow-10-y ?o - any-tall-narrow-10)
-    (moving-put-down-lift-0000c-any-tall-narrow-10-z ?o - any-tall-narrow-10)
-    (moving-lift-0000d-solid-low-narrow-11-y ?o - solid-low-narrow-11)
-    (moving-lift-0000d-solid-low-narrow-11-z ?o - solid-low-narrow-11)
-    (moving-put-down-lift-0000d-solid-low-narrow-11-y ?o - solid-low-narrow-11)
-    (moving-put-down-lift-0000d-solid-low-narrow-11-z ?o - solid-low-narrow-11)
-    (moving-lift-0001b-hollow-wide-01-y ?o - hollow-wide-01)
-    (moving-lift-0001b-hollow-wide-01-z ?o - hollow-wide-01)
-    (moving-put-down-lift-0001b-hollow-wide-01-y ?o - hollow-wide-01)
-    (moving-put-down-lift-0001b-hollow-wide-01-z ?o - hollow-wide-01)
-    (moving-lift-0001d-solid-low-narrow-11-y ?o - solid-low-narrow-11)
-    (moving-lift-0001d-solid-low-narrow-11-z ?o - solid-low-narrow-11)
-    (moving-put-down-lift-0001d-solid-low-narrow-11-y ?o - solid-low-narrow-11)
-    (moving-put-down-lift-0001d-solid-low-narrow-11-z ?o - solid-low-narrow-11)
-    (moving-lift-0100-any-tall-narrow-10-y ?o - any-tall-narrow-10)
-    (moving-lift-0100-any-tall-narrow-10-z ?o - any-tall-narrow-10)
-    (moving-put-down-lift-0100-any-tall-narrow-10-y ?o - any-tall-narrow-10)
-    (moving-put-down-lift-0100-any-tall-narrow-10-z ?o - any-tall-narrow-10)
-    (moving-lift-0100-solid-low-narrow-11-y ?o - solid-low-narrow-11)
-    (moving-lift-0100-solid-low-narrow-11-z ?o - solid-low-narrow-11)
-    (moving-put-down-lift-0100-solid-low-narrow-11-y ?o - solid-low-narrow-11)
-    (moving-put-down-lift-0100-solid-low-narrow-11-z ?o - solid-low-narrow-11)
-    (moving-lift-0100b-hollow-wide-01-y ?o - hollow-wide-01)
-    (moving-lift-0100b-hollow-wide-01-z ?o - hollow-wide-01)
-    (moving-put-down-lift-0100b-hollow-wide-01-y ?o - hollow-wide-01)
-    (moving-put-down-lift-0100b-hollow-wide-01-z ?o - hollow-wide-01)
-    (moving-lift-0100c-any-tall-narrow-10-y ?o - any-tall-narrow-10)
-    (moving-lift-0100c-any-tall-narrow-10-z ?o - any-tall-narrow-10)
-    (moving-put-down-lift-0100c-any-tall-narrow-10-y ?o - any-tall-narrow-10)
-    (moving-put-down-lift-0100c-any-tall-narrow-10-z ?o - any-tall-narrow-10)
-    (moving-lift-0100d-solid-low-narrow-11-y ?o - solid-low-narrow-11)
-    (moving-lift-0100d-solid-low-narrow-11-z ?o - solid-low-narrow-11)
-    (moving-put-down-lift-0100d-solid-low-narrow-11-y ?o - solid-low-narrow-11)
-    (moving-put-down-lift-0100d-solid-low-narrow-11-z ?o - solid-low-narrow-11)
-    (moving-lift-0101-solid-low-narrow-11-y ?o - solid-low-narrow-11)
-    (moving-lift-0101-solid-low-narrow-11-z ?o - solid-low-narrow-11)
-    (moving-put-down-lift-0101-solid-low-narrow-11-y ?o - solid-low-narrow-11)
-    (moving-put-down-lift-0101-solid-low-narrow-11-z ?o - solid-low-narrow-11)
-    (moving-lift-0101a-hollow-wide-01-y ?o - hollow-wide-01)
-    (moving-lift-0101a-hollow-wide-01-z ?o - hollow-wide-01)
-    (moving-put-down-lift-0101a-hollow-wide-01-y ?o - hollow-wide-01)
-    (moving-put-down-lift-0101a-hollow-wide-01-z ?o - hollow-wide-01)
-    (moving-lift-0101b-any-tall-narrow-10-y ?o - any-tall-narrow-10)
-    (moving-lift-0101b-any-tall-narrow-10-z ?o - any-tall-narrow-10)
-    (moving-put-down-lift-0101b-any-tall-narrow-10-y ?o - any-tall-narrow-10)
-    (moving-put-down-lift-0101b-any-tall-narrow-10-z ?o - any-tall-narrow-10)
-    (moving-lift-0101c-solid-low-narrow-11-y ?o - solid-low-narrow-11)
-    (moving-lift-0101c-solid-low-narrow-11-z ?o - solid-low-narrow-11)
-    (moving-put-down-lift-0101c-solid-low-narrow-11-y ?o - solid-low-narrow-11)
-    (moving-put-down-lift-0101c-solid-low-narrow-11-z ?o - solid-low-narrow-11)
-    (moving-lift-1000-hollow-wide-01-y ?o - hollow-wide-01)
-    (moving-lift-1000-hollow-wide-01-z ?o - hollow-wide-01)
-    (moving-put-down-lift-1000-hollow-wide-01-y ?o - hollow-wide-01)
-    (moving-put-down-lift-1000-hollow-wide-01-z ?o - hollow-wide-01)
-    (moving-lift-1000-solid-low-narrow-11-y ?o - solid-low-narrow-11)
-    (moving-lift-1000-solid-low-narrow-11-z ?o - solid-low-narrow-11)
-    (moving-put-down-lift-1000-solid-low-narrow-11-y ?o - solid-low-narrow-11)
-    (moving-put-down-lift-1000-solid-low-narrow-11-z ?o - solid-low-narrow-11)
-    (moving-lift-1000a-hollow-wide-01-y ?o - hollow-wide-01)
-    (moving-lift-1000a-hollow-wide-01-z ?o - hollow-wide-01)
-    (moving-put-down-lift-1000a-hollow-wide-01-y ?o - hollow-wide-01)
-    (moving-put-down-lift-1000a-hollow-wide-01-z ?o - hollow-wide-01)
-    (moving-lift-1000b-any-tall-narrow-10-y ?o - any-tall-narrow-10)
-    (moving-lift-1000b-any-tall-narrow-10-z ?o - any-tall-narrow-10)
-    (moving-put-down-lift-1000b-any-tall-narrow-10-y ?o - any-tall-narrow-10)
-    (moving-put-down-lift-1000b-any-tall-narrow-10-z ?o - any-tall-narrow-10)
-    (moving-lift-1001-solid-low-narrow-11-y ?o - solid-low-narrow-11)
-    (moving-lift-1001-solid-low-narrow-11-z ?o - solid-low-narrow-11)
-    (moving-put-down-lift-1001-solid-low-narrow-11-y ?o - solid-low-narrow-11)
-    (moving-put-down-lift-1001-solid-low-narrow-11-z ?o - solid-low-narrow-11)
-    (moving-lift-1001a-hollow-wide-01-y ?o - hollow-wide-01)
-    (moving-lift-1001a-hollow-wide-01-z ?o - hollow-wide-01)
-    (moving-put-down-lift-1001a-hollow-wide-01-y ?o - hollow-wide-01)
-    (moving-put-down-lift-1001a-hollow-wide-01-z ?o - hollow-wide-01)
-    (moving-lift-1001b-any-tall-narrow-10-y ?o - any-tall-narrow-10)
-    (moving-lift-1001b-any-tall-narrow-10-z ?o - any-tall-narrow-10)
-    (moving-put-down-lift-1001b-any-tall-narrow-10-y ?o - any-tall-narrow-10)
-    (moving-put-down-lift-1001b-any-tall-narrow-10-z ?o - any-tall-narrow-10)
-    (moving-lift-1001c-solid-low-narrow-11-y ?o - solid-low-narrow-11)
-    (moving-lift-1001c-solid-low-narrow-11-z ?o - solid-low-narrow-11)
-    (moving-put-down-lift-1001c-solid-low-narrow-11-y ?o - solid-low-narrow-11)
-    (moving-put-down-lift-1001c-solid-low-narrow-11-z ?o - solid-low-narrow-11)
-    (moving-lift-1100-any-tall-narrow-10-y ?o - any-tall-narrow-10)
-    (moving-lift-1100-any-tall-narrow-10-z ?o - any-tall-narrow-10)
-    (moving-put-down-lift-1100-any-tall-narrow-10-y ?o - any-tall-narrow-10)
-    (moving-put-down-lift-1100-any-tall-narrow-10-z ?o - any-tall-narrow-10)
-    (moving-lift-1100-solid-00-y ?o - solid-00)
-    (moving-lift-1100-solid-00-z ?o - solid-00)
-    (moving-put-down-lift-1100-solid-00-y ?o - solid-00)
-    (moving-put-down-lift-1100-solid-00-z ?o - solid-00)
-    (moving-lift-1100-solid-low-narrow-11-y ?o - solid-low-narrow-11)
-    (moving-lift-1100-solid-low-narrow-11-z ?o - solid-low-narrow-11)
-    (moving-put-down-lift-1100-solid-low-narrow-11-y ?o - solid-low-narrow-11)
-    (moving-put-down-lift-1100-solid-low-narrow-11-z ?o - solid-low-narrow-11)
-    (moving-lift-1100a-hollow-wide-01-y ?o - hollow-wide-01)
-    (moving-lift-1100a-hollow-wide-01-z ?o - hollow-wide-01)
-    (moving-put-down-lift-1100a-hollow-wide-01-y ?o - hollow-wide-01)
-    (moving-put-down-lift-1100a-hollow-wide-01-z ?o - hollow-wide-01)
-    (moving-lift-1100b-any-tall-narrow-10-y ?o - any-tall-narrow-10)
-    (moving-lift-1100b-any-tall-narrow-10-z ?o - any-tall-narrow-10)
-    (moving-put-down-lift-1100b-any-tall-narrow-10-y ?o - any-tall-narrow-10)
-    (moving-put-down-lift-1100b-any-tall-narrow-10-z ?o - any-tall-narrow-10)
-    (moving-lift-1100c-solid-low-narrow-11-y ?o - solid-low-narrow-11)
-    (moving-lift-1100c-solid-low-narrow-11-z ?o - solid-low-narrow-11)
-    (moving-put-down-lift-1100c-solid-low-narrow-11-y ?o - solid-low-narrow-11)
-    (moving-put-down-lift-1100c-solid-low-narrow-11-z ?o - solid-low-narrow-11)
-    (moving-lift-1101-solid-low-narrow-11-y ?o - solid-low-narrow-11)
-    (moving-lift-1101-solid-low-narrow-11-z ?o - solid-low-narrow-11)
-    (moving-put-down-lift-1101-solid-low-narrow-11-y ?o - solid-low-narrow-11)
-    (moving-put-down-lift-1101-solid-low-narrow-11-z ?o - solid-low-narrow-11)
-    (moving-lift-1101a-hollow-wide-01-y ?o - hollow-wide-01)
-    (moving-lift-1101a-hollow-wide-01-z ?o - hollow-wide-01)
-    (moving-put-down-lift-1101a-hollow-wide-01-y ?o - hollow-wide-01)
-    (moving-put-down-lift-1101a-hollow-wide-01-z ?o - hollow-wide-01)
-    (moving-lift-1101b-any-tall-narrow-10-y ?o - any-tall-narrow-10)
-    (moving-lift-1101b-any-tall-narrow-10-z ?o - any-tall-narrow-10)
-    (moving-put-down-lift-1101b-any-tall-narrow-10-y ?o - any-tall-narrow-10)
-    (moving-put-down-lift-1101b-any-tall-narrow-10-z ?o - any-tall-narrow-10)
-    (moving-lift-1101c-solid-low-narrow-11-y ?o - solid-low-narrow-11)
-    (moving-lift-1101c-solid-low-narrow-11-z ?o - solid-low-narrow-11)
-    (moving-put-down-lift-1101c-solid-low-narrow-11-y ?o - solid-low-narrow-11)
-    (moving-put-down-lift-1101c-solid-low-narrow-11-z ?o - solid-low-narrow-11)
-    (moving-place-forward-1010c-any-tall-narrow-10-y ?o - any-tall-narrow-10)
-    (moving-place-forward-right-1010-solid-low-narrow-11-y ?o - solid-low-narrow-11)
-    (moving-place-right-0000-hollow-wide-01-y ?o - hollow-wide-01)
-    (moving-pull-0100-any-tall-narrow-10-y ?o - any-tall-narrow-10)
-    (moving-pull-0100a-solid-00-y ?o - solid-00)
-    (moving-pull-0110-solid-low-narrow-11-y ?o - solid-low-narrow-11)
-    (moving-pull-0110a-solid-00-y ?o - solid-00)
-    (moving-pull-0111-hollow-wide-01-y ?o - hollow-wide-01)
-    (moving-pull-0111-solid-low-narrow-11-y ?o - solid-low-narrow-11)
-    (moving-pull-0111a-solid-00-y ?o - solid-00)
-    (moving-pull-0111c-any-tall-narrow-10-y ?o - any-tall-narrow-10)
-    (moving-pull-left-0101-solid-00-y ?o - solid-00)
-    (moving-pull-left-0101b-any-tall-narrow-10-y ?o - any-tall-narrow-10)
-    (moving-pull-left-0111b-hollow-wide-01-y ?o - hollow-wide-01)
-    (moving-pull-left-1101-solid-00-y ?o - solid-00)
-    (moving-pull-left-1111a-solid-00-y ?o - solid-00)
-    (moving-pull-right-0000a-solid-00-y ?o - solid-00)
-    (moving-pull-right-0110-hollow-wide-01-y ?o - hollow-wide-01)
-    (moving-pull-right-0110c-any-tall-narrow-10-y ?o - any-tall-narrow-10)
-    (moving-pull-right-1010a-solid-00-y ?o - solid-00)
-    (moving-pull-right-1110b-hollow-wide-01-y ?o - hollow-wide-01)
-    (moving-push-forward-0001c-any-tall-narrow-10-y ?o - any-tall-narrow-10)
-    (moving-push-forward-1011-solid-00-y ?o - solid-00)
-    (moving-push-forward-1011-solid-low-narrow-11-y ?o - solid-low-narrow-11)
-    (moving-push-forward-1011a-solid-00-y ?o - solid-00)
-    (moving-push-forward-1011c-any-tall-narrow-10-y ?o - any-tall-narrow-10)
-    (moving-push-forward-left-0001a-solid-00-y ?o - solid-00)
-    (moving-push-forward-left-1001-solid-00-y ?o - solid-00)
-    (moving-push-forward-left-1011b-hollow-wide-01-y ?o - hollow-wide-01)
-    (moving-push-forward-left-1111b-any-tall-narrow-10-y ?o - any-tall-narrow-10)
-    (moving-push-forward-right-0010a-solid-00-y ?o - solid-00)
-    (moving-push-forward-right-0010b-hollow-wide-01-y ?o - hollow-wide-01)
-    (moving-push-forward-right-0010c-any-tall-narrow-10-y ?o - any-tall-narrow-10)
-    (moving-push-forward-right-1010-any-tall-narrow-10-y ?o - any-tall-narrow-10)
-    (moving-push-forward-right-1101-solid-low-narrow-11-y ?o - solid-low-narrow-11)
-    (moving-push-left-0011-solid-low-narrow-11-y ?o - solid-low-narrow-11)
-    (moving-push-left-0011a-solid-00-y ?o - solid-00)
-    (moving-push-left-0011b-hollow-wide-01-y ?o - hollow-wide-01)
-    (moving-push-left-0011c-any-tall-narrow-10-y ?o - any-tall-narrow-10)
-    (moving-push-left-1110a-solid-00-y ?o - solid-00)
-    (moving-push-left-1111-hollow-wide-01-y ?o - hollow-wide-01)
-    (moving-push-left-1111-solid-low-narrow-11-y ?o - solid-low-narrow-11)
-    (moving-push-right-0000-any-tall-narrow-10-y ?o - any-tall-narrow-10)
-    (moving-push-right-0000c-any-tall-narrow-10-y ?o - any-tall-narrow-10)
-    (moving-push-right-0010d-solid-low-narrow-11-y ?o - solid-low-narrow-11)
-    (moving-push-right-0100b-hollow-wide-01-y ?o - hollow-wide-01)
-    (moving-push-right-0110b-hollow-wide-01-y ?o - hollow-wide-01)
-    (moving-push-right-1000-hollow-wide-01-y ?o - hollow-wide-01)
-    (moving-push-right-1000-solid-00-y ?o - solid-00)
-    (moving-push-right-1010-hollow-wide-01-y ?o - hollow-wide-01)
-    (moving-push-right-1010b-hollow-wide-01-y ?o - hollow-wide-01)
-    (moving-push-right-1100-solid-00-y ?o - solid-00)
-    (moving-push-right-1100a-hollow-wide-01-y ?o - hollow-wide-01)
-    (moving-push-right-1110-any-tall-narrow-10-y ?o - any-tall-narrow-10)
-    (moving-push-right-1110-solid-low-narrow-11-y ?o - solid-low-narrow-11)
-    (moving-stay-1101b-any-tall-narrow-10-y ?o - any-tall-narrow-10)
+    (held ?m - move ?o - movable)
+    (moving-z ?m - move ?o - movable)
+    (moving-x ?m - move ?o - movable)
+    (moving-y ?m - move ?o - movable)
     (x-leads ?s - x-step ?from ?to - x-cell)
     (y-leads ?s - y-step ?from ?to - y-cell)
     (z-leads ?s - z-step ?from ?to - z-cell)
-    (x-of-lift-0000-any-tall-narrow-10 ?o - any-tall-narrow-10 ?s - x-step)
-    (y-of-lift-0000-any-tall-narrow-10 ?o - any-tall-narrow-10 ?s - y-step)
-    (z-of-lift-0000-any-tall-narrow-10 ?o - any-tall-narrow-10 ?s - z-step)
-    (x-of-put-down-lift-0000-any-tall-narrow-10 ?o - any-tall-narrow-10 ?s - x-step)
-    (y-of-put-down-lift-0000-any-tall-narrow-10 ?o - any-tall-narrow-10 ?s - y-step)
-    (z-of-put-down-lift-0000-any-tall-narrow-10 ?o - any-tall-narrow-10 ?s - z-step)
-    (x-of-lift-0000-hollow-wide-01 ?o - hollow-wide-01 ?s - x-step)
-    (y-of-lift-0000-hollow-wide-01 ?o - hollow-wide-01 ?s - y-step)
-    (z-of-lift-0000-hollow-wide-01 ?o - hollow-wide-01 ?s - z-step)
-    (x-of-put-down-lift-0000-hollow-wide-01 ?o - hollow-wide-01 ?s - x-step)
-    (y-of-put-down-lift-0000-hollow-wide-01 ?o - hollow-wide-01 ?s - y-step)
-    (z-of-put-down-lift-0000-hollow-wide-01 ?o - hollow-wide-01 ?s - z-step)
-    (x-of-lift-0000b-hollow-wide-01 ?o - hollow-wide-01 ?s - x-step)
-    (y-of-lift-0000b-hollow-wide-01 ?o - hollow-wide-01 ?s - y-step)
-    (z-of-lift-0000b-hollow-wide-01 ?o - hollow-wide-01 ?s - z-step)
-    (x-of-put-down-lift-0000b-hollow-wide-01 ?o - hollow-wide-01 ?s - x-step)
-    (y-of-put-down-lift-0000b-hollow-wide-01 ?o - hollow-wide-01 ?s - y-step)
-    (z-of-put-down-lift-0000b-hollow-wide-01 ?o - hollow-wide-01 ?s - z-step)
-    (x-of-lift-0000c-any-tall-narrow-10 ?o - any-tall-narrow-10 ?s - x-step)
-    (y-of-lift-0000c-any-tall-narrow-10 ?o - any-tall-narrow-10 ?s - y-step)
-    (z-of-lift-0000c-any-tall-narrow-10 ?o - any-tall-narrow-10 ?s - z-step)
-    (x-of-put-down-lift-0000c-any-tall-narrow-10 ?o - any-tall-narrow-10 ?s - x-step)
-    (y-of-put-down-lift-0000c-any-tall-narrow-10 ?o - any-tall-narrow-10 ?s - y-step)
-    (z-of-put-down-lift-0000c-any-tall-narrow-10 ?o - any-tall-narrow-10 ?s - z-step)
-    (x-of-lift-0000d-solid-low-narrow-11 ?o - solid-low-narrow-11 ?s - x-step)
-    (y-of-lift-0000d-solid-low-narrow-11 ?o - solid-low-narrow-11 ?s - y-step)
-    (z-of-lift-0000d-solid-low-narrow-11 ?o - solid-low-narrow-11 ?s - z-step)
-    (x-of-put-down-lift-0000d-solid-low-narrow-11 ?o - solid-low-narrow-11 ?s - x-step)
-    (y-of-put-down-lift-0000d-solid-low-narrow-11 ?o - solid-low-narrow-11 ?s - y-step)
-    (z-of-put-down-lift-0000d-solid-low-narrow-11 ?o - solid-low-narrow-11 ?s - z-step)
-    (x-of-lift-0001b-hollow-wide-01 ?o - hollow-wide-01 ?s - x-step)
-    (y-of-lift-0001b-hollow-wide-01 ?o - hollow-wide-01 ?s - y-step)
-    (z-of-lift-0001b-hollow-wide-01 ?o - hollow-wide-01 ?s - z-step)
-    (x-of-put-down-lift-0001b-hollow-wide-01 ?o - hollow-wide-01 ?s - x-step)
-    (y-of-put-down-lift-0001b-hollow-wide-01 ?o - hollow-wide-01 ?s - y-step)
-    (z-of-put-down-lift-0001b-hollow-wide-01 ?o - hollow-wide-01 ?s - z-step)
-    (x-of-lift-0001d-solid-low-narrow-11 ?o - solid-low-narrow-11 ?s - x-step)
-    (y-of-lift-0001d-solid-low-narrow-11 ?o - solid-low-narrow-11 ?s - y-step)
-    (z-of-lift-0001d-solid-low-narrow-11 ?o - solid-low-narrow-11 ?s - z-step)
-    (x-of-put-down-lift-0001d-solid-low-narrow-11 ?o - solid-low-narrow-11 ?s - x-step)
-    (y-of-put-down-lift-0001d-solid-low-narrow-11 ?o - solid-low-narrow-11 ?s - y-step)
-    (z-of-put-down-lift-0001d-solid-low-narrow-11 ?o - solid-low-narrow-11 ?s - z-step)
-    (x-of-lift-0100-any-tall-narrow-10 ?o - any-tall-narrow-10 ?s - x-step)
-    (y-of-lift-0100-any-tall-narrow-10 ?o - any-tall-narrow-10 ?s - y-step)
-    (z-of-lift-0100-any-tall-narrow-10 ?o - any-tall-narrow-10 ?s - z-step)
-    (x-of-put-down-lift-0100-any-tall-narrow-10 ?o - any-tall-narrow-10 ?s - x-step)
-    (y-of-put-down-lift-0100-any-tall-narrow-10 ?o - any-tall-narrow-10 ?s - y-step)
-    (z-of-put-down-lift-0100-any-tall-narrow-10 ?o - any-tall-narrow-10 ?s - z-step)
-    (x-of-lift-0100-solid-low-narrow-11 ?o - solid-low-narrow-11 ?s - x-step)
-    (y-of-lift-0100-solid-low-narrow-11 ?o - solid-low-narrow-11 ?s - y-step)
-    (z-of-lift-0100-solid-low-narrow-11 ?o - solid-low-narrow-11 ?s - z-step)
-    (x-of-put-down-lift-0100-solid-low-narrow-11 ?o - solid-low-narrow-11 ?s - x-step)
-    (y-of-put-down-lift-0100-solid-low-narrow-11 ?o - solid-low-narrow-11 ?s - y-step)
-    (z-of-put-down-lift-0100-solid-low-narrow-11 ?o - solid-low-narrow-11 ?s - z-step)
-    (x-of-lift-0100b-hollow-wide-01 ?o - hollow-wide-01 ?s - x-step)
-    (y-of-lift-0100b-hollow-wide-01 ?o - hollow-wide-01 ?s - y-step)
-    (z-of-lift-0100b-hollow-wide-01 ?o - hollow-wide-01 ?s - z-step)
-    (x-of-put-down-lift-0100b-hollow-wide-01 ?o - hollow-wide-01 ?s - x-step)
-    (y-of-put-down-lift-0100b-hollow-wide-01 ?o - hollow-wide-01 ?s - y-step)
-    (z-of-put-down-lift-0100b-hollow-wide-01 ?o - hollow-wide-01 ?s - z-step)
-    (x-of-lift-0100c-any-tall-narrow-10 ?o - any-tall-narrow-10 ?s - x-step)
-    (y-of-lift-0100c-any-tall-narrow-10 ?o - any-tall-narrow-10 ?s - y-step)
-    (z-of-lift-0100c-any-tall-narrow-10 ?o - any-tall-narrow-10 ?s - z-step)
-    (x-of-put-down-lift-0100c-any-tall-narrow-10 ?o - any-tall-narrow-10 ?s - x-step)
-    (y-of-put-down-lift-0100c-any-tall-narrow-10 ?o - any-tall-narrow-10 ?s - y-step)
-    (z-of-put-down-lift-0100c-any-tall-narrow-10 ?o - any-tall-narrow-10 ?s - z-step)
-    (x-of-lift-0100d-solid-low-narrow-11 ?o - solid-low-narrow-11 ?s - x-step)
-    (y-of-lift-0100d-solid-low-narrow-11 ?o - solid-low-narrow-11 ?s - y-step)
-    (z-of-lift-0100d-solid-low-narrow-11 ?o - solid-low-narrow-11 ?s - z-step)
-    (x-of-put-down-lift-0100d-solid-low-narrow-11 ?o - solid-low-narrow-11 ?s - x-step)
-    (y-of-put-down-lift-0100d-solid-low-narrow-11 ?o - solid-low-narrow-11 ?s - y-step)
-    (z-of-put-down-lift-0100d-solid-low-narrow-11 ?o - solid-low-narrow-11 ?s - z-step)
-    (x-of-lift-0101-solid-low-narrow-11 ?o - solid-low-narrow-11 ?s - x-step)
-    (y-of-lift-0101-solid-low-narrow-11 ?o - solid-low-narrow-11 ?s - y-step)
-    (z-of-lift-0101-solid-low-narrow-11 ?o - solid-low-narrow-11 ?s - z-step)
-    (x-of-put-down-lift-0101-solid-low-narrow-11 ?o - solid-low-narrow-11 ?s - x-step)
-    (y-of-put-down-lift-0101-solid-low-narrow-11 ?o - solid-low-narrow-11 ?s - y-step)
-    (z-of-put-down-lift-0101-solid-low-narrow-11 ?o - solid-low-narrow-11 ?s - z-step)
-    (x-of-lift-0101a-hollow-wide-01 ?o - hollow-wide-01 ?s - x-step)
-    (y-of-lift-0101a-hollow-wide-01 ?o - hollow-wide-01 ?s - y-step)
-    (z-of-lift-0101a-hollow-wide-01 ?o - hollow-wide-01 ?s - z-step)
-    (x-of-put-down-lift-0101a-hollow-wide-01 ?o - hollow-wide-01 ?s - x-step)
-    (y-of-put-down-lift-0101a-hollow-wide-01 ?o - hollow-wide-01 ?s - y-step)
-    (z-of-put-down-lift-0101a-hollow-wide-01 ?o - hollow-wide-01 ?s - z-step)
-    (x-of-lift-0101b-any-tall-narrow-10 ?o - any-tall-narrow-10 ?s - x-step)
-    (y-of-lift-0101b-any-tall-narrow-10 ?o - any-tall-narrow-10 ?s - y-step)
-    (z-of-lift-0101b-any-tall-narrow-10 ?o - any-tall-narrow-10 ?s - z-step)
-    (x-of-put-down-lift-0101b-any-tall-narrow-10 ?o - any-tall-narrow-10 ?s - x-step)
-    (y-of-put-down-lift-0101b-any-tall-narrow-10 ?o - any-tall-narrow-10 ?s - y-step)
-    (z-of-put-down-lift-0101b-any-tall-narrow-10 ?o - any-tall-narrow-10 ?s - z-step)
-    (x-of-lift-0101c-solid-low-narrow-11 ?o - solid-low-narrow-11 ?s - x-step)
-    (y-of-lift-0101c-solid-low-narrow-11 ?o - solid-low-narrow-11 ?s - y-step)
-    (z-of-lift-0101c-solid-low-narrow-11 ?o - solid-low-narrow-11 ?s - z-step)
-    (x-of-put-down-lift-0101c-solid-low-narrow-11 ?o - solid-low-narrow-11 ?s - x-step)
-    (y-of-put-down-lift-0101c-solid-low-narrow-11 ?o - solid-low-narrow-11 ?s - y-step)
-    (z-of-put-down-lift-0101c-solid-low-narrow-11 ?o - solid-low-narrow-11 ?s - z-step)
-    (x-of-lift-1000-hollow-wide-01 ?o - hollow-wide-01 ?s - x-step)
-    (y-of-lift-1000-hollow-wide-01 ?o - hollow-wide-01 ?s - y-step)
-    (z-of-lift-1000-hollow-wide-01 ?o - hollow-wide-01 ?s - z-step)
-    (x-of-put-down-lift-1000-hollow-wide-01 ?o - hollow-wide-01 ?s - x-step)
-    (y-of-put-down-lift-1000-hollow-wide-01 ?o - hollow-wide-01 ?s - y-step)
-    (z-of-put-down-lift-1000-hollow-wide-01 ?o - hollow-wide-01 ?s - z-step)
-    (x-of-lift-1000-solid-low-narrow-11 ?o - solid-low-narrow-11 ?s - x-step)
-    (y-of-lift-1000-solid-low-narrow-11 ?o - solid-low-narrow-11 ?s - y-step)
-    (z-of-lift-1000-solid-low-narrow-11 ?o - solid-low-narrow-11 ?s - z-step)
-    (x-of-put-down-lift-1000-solid-low-narrow-11 ?o - solid-low-narrow-11 ?s - x-step)
-    (y-of-put-down-lift-1000-solid-low-narrow-11 ?o - solid-low-narrow-11 ?s - y-step)
-    (z-of-put-down-lift-1000-solid-low-narrow-11 ?o - solid-low-narrow-11 ?s - z-step)
-    (x-of-lift-1000a-hollow-wide-01 ?o - hollow-wide-01 ?s - x-step)
-    (y-of-lift-1000a-hollow-wide-01 ?o - hollow-wide-01 ?s - y-step)
-    (z-of-lift-1000a-hollow-wide-01 ?o - hollow-wide-01 ?s - z-step)
-    (x-of-put-down-lift-1000a-hollow-wide-01 ?o - hollow-wide-01 ?s - x-step)
-    (y-of-put-down-lift-1000a-hollow-wide-01 ?o - hollow-wide-01 ?s - y-step)
-    (z-of-put-down-lift-1000a-hollow-wide-01 ?o - hollow-wide-01 ?s - z-step)
-    (x-of-lift-1000b-any-tall-narrow-10 ?o - any-tall-narrow-10 ?s - x-step)
-    (y-of-lift-1000b-any-tall-narrow-10 ?o - any-tall-narrow-10 ?s - y-step)
-    (z-of-lift-1000b-any-tall-narrow-10 ?o - any-tall-narrow-10 ?s - z-step)
-    (x-of-put-down-lift-1000b-any-tall-narrow-10 ?o - any-tall-narrow-10 ?s - x-step)
-    (y-of-put-down-lift-1000b-any-tall-narrow-10 ?o - any-tall-narrow-10 ?s - y-step)
-    (z-of-put-down-lift-1000b-any-tall-narrow-10 ?o - any-tall-narrow-10 ?s - z-step)
-    (x-of-lift-1001-solid-low-narrow-11 ?o - solid-low-narrow-11 ?s - x-step)
-    (y-of-lift-1001-solid-low-narrow-11 ?o - solid-low-narrow-11 ?s - y-step)
-    (z-of-lift-1001-solid-low-narrow-11 ?o - solid-low-narrow-11 ?s - z-step)
-    (x-of-put-down-lift-1001-solid-low-narrow-11 ?o - solid-low-narrow-11 ?s - x-step)
-    (y-of-put-down-lift-1001-solid-low-narrow-11 ?o - solid-low-narrow-11 ?s - y-step)
-    (z-of-put-down-lift-1001-solid-low-narrow-11 ?o - solid-low-narrow-11 ?s - z-step)
-    (x-of-lift-1001a-hollow-wide-01 ?o - hollow-wide-01 ?s - x-step)
-    (y-of-lift-1001a-hollow-wide-01 ?o - hollow-wide-01 ?s - y-step)
-    (z-of-lift-1001a-hollow-wide-01 ?o - hollow-wide-01 ?s - z-step)
-    (x-of-put-down-lift-1001a-hollow-wide-01 ?o - hollow-wide-01 ?s - x-step)
-    (y-of-put-down-lift-1001a-hollow-wide-01 ?o - hollow-wide-01 ?s - y-step)
-    (z-of-put-down-lift-1001a-hollow-wide-01 ?o - hollow-wide-01 ?s - z-step)
-    (x-of-lift-1001b-any-tall-narrow-10 ?o - any-tall-narrow-10 ?s - x-step)
-    (y-of-lift-1001b-any-tall-narrow-10 ?o - any-tall-narrow-10 ?s - y-step)
-    (z-of-lift-1001b-any-tall-narrow-10 ?o - any-tall-narrow-10 ?s - z-step)
-    (x-of-put-down-lift-1001b-any-tall-narrow-10 ?o - any-tall-narrow-10 ?s - x-step)
-    (y-of-put-down-lift-1001b-any-tall-narrow-10 ?o - any-tall-narrow-10 ?s - y-step)
-    (z-of-put-down-lift-1001b-any-tall-narrow-10 ?o - any-tall-narrow-10 ?s - z-step)
-    (x-of-lift-1001c-solid-low-narrow-11 ?o - solid-low-narrow-11 ?s - x-step)
-    (y-of-lift-1001c-solid-low-narrow-11 ?o - solid-low-narrow-11 ?s - y-step)
-    (z-of-lift-1001c-solid-low-narrow-11 ?o - solid-low-narrow-11 ?s - z-step)
-    (x-of-put-down-lift-1001c-solid-low-narrow-11 ?o - solid-low-narrow-11 ?s - x-step)
-    (y-of-put-down-lift-1001c-solid-low-narrow-11 ?o - solid-low-narrow-11 ?s - y-step)
-    (z-of-put-down-lift-1001c-solid-low-narrow-11 ?o - solid-low-narrow-11 ?s - z-step)
-    (x-of-lift-1100-any-tall-narrow-10 ?o - any-tall-narrow-10 ?s - x-step)
-    (y-of-lift-1100-any-tall-narrow-10 ?o - any-tall-narrow-10 ?s - y-step)
-    (z-of-lift-1100-any-tall-narrow-10 ?o - any-tall-narrow-10 ?s - z-step)
-    (x-of-put-down-lift-1100-any-tall-narrow-10 ?o - any-tall-narrow-10 ?s - x-step)
-    (y-of-put-down-lift-1100-any-tall-narrow-10 ?o - any-tall-narrow-10 ?s - y-step)
-    (z-of-put-down-lift-1100-any-tall-narrow-10 ?o - any-tall-narrow-10 ?s - z-step)
-    (x-of-lift-1100-solid-00 ?o - solid-00 ?s - x-step)
-    (y-of-lift-1100-solid-00 ?o - solid-00 ?s - y-step)
-    (z-of-lift-1100-solid-00 ?o - solid-00 ?s - z-step)
-    (x-of-put-down-lift-1100-solid-00 ?o - solid-00 ?s - x-step)
-    (y-of-put-down-lift-1100-solid-00 ?o - solid-00 ?s - y-step)
-    (z-of-put-down-lift-1100-solid-00 ?o - solid-00 ?s - z-step)
-    (x-of-lift-1100-solid-low-narrow-11 ?o - solid-low-narrow-11 ?s - x-step)
-    (y-of-lift-1100-solid-low-narrow-11 ?o - solid-low-narrow-11 ?s - y-step)
-    (z-of-lift-1100-solid-low-narrow-11 ?o - solid-low-narrow-11 ?s - z-step)
-    (x-of-put-down-lift-1100-solid-low-narrow-11 ?o - solid-low-narrow-11 ?s - x-step)
-    (y-of-put-down-lift-1100-solid-low-narrow-11 ?o - solid-low-narrow-11 ?s - y-step)
-    (z-of-put-down-lift-1100-solid-low-narrow-11 ?o - solid-low-narrow-11 ?s - z-step)
-    (x-of-lift-1100a-hollow-wide-01 ?o - hollow-wide-01 ?s - x-step)
-    (y-of-lift-1100a-hollow-wide-01 ?o - hollow-wide-01 ?s - y-step)
-    (z-of-lift-1100a-hollow-wide-01 ?o - hollow-wide-01 ?s - z-step)
-    (x-of-put-down-lift-1100a-hollow-wide-01 ?o - hollow-wide-01 ?s - x-step)
-    (y-of-put-down-lift-1100a-hollow-wide-01 ?o - hollow-wide-01 ?s - y-step)
-    (z-of-put-down-lift-1100a-hollow-wide-01 ?o - hollow-wide-01 ?s - z-step)
-    (x-of-lift-1100b-any-tall-narrow-10 ?o - any-tall-narrow-10 ?s - x-step)
-    (y-of-lift-1100b-any-tall-narrow-10 ?o - any-tall-narrow-10 ?s - y-step)
-    (z-of-lift-1100b-any-tall-narrow-10 ?o - any-tall-narrow-10 ?s - z-step)
-    (x-of-put-down-lift-1100b-any-tall-narrow-10 ?o - any-tall-narrow-10 ?s - x-step)
-    (y-of-put-down-lift-1100b-any-tall-narrow-10 ?o - any-tall-narrow-10 ?s - y-step)
-    (z-of-put-down-lift-1100b-any-tall-narrow-10 ?o - any-tall-narrow-10 ?s - z-step)
-    (x-of-lift-1100c-solid-low-narrow-11 ?o - solid-low-narrow-11 ?s - x-step)
-    (y-of-lift-1100c-solid-low-narrow-11 ?o - solid-low-narrow-11 ?s - y-step)
-    (z-of-lift-1100c-solid-low-narrow-11 ?o - solid-low-narrow-11 ?s - z-step)
-    (x-of-put-down-lift-1100c-solid-low-narrow-11 ?o - solid-low-narrow-11 ?s - x-step)
-    (y-of-put-down-lift-1100c-solid-low-narrow-11 ?o - solid-low-narrow-11 ?s - y-step)
-    (z-of-put-down-lift-1100c-solid-low-narrow-11 ?o - solid-low-narrow-11 ?s - z-step)
-    (x-of-lift-1101-solid-low-narrow-11 ?o - solid-low-narrow-11 ?s - x-step)
-    (y-of-lift-1101-solid-low-narrow-11 ?o - solid-low-narrow-11 ?s - y-step)
-    (z-of-lift-1101-solid-low-narrow-11 ?o - solid-low-narrow-11 ?s - z-step)
-    (x-of-put-down-lift-1101-solid-low-narrow-11 ?o - solid-low-narrow-11 ?s - x-step)
-    (y-of-put-down-lift-1101-solid-low-narrow-11 ?o - solid-low-narrow-11 ?s - y-step)
-    (z-of-put-down-lift-1101-solid-low-narrow-11 ?o - solid-low-narrow-11 ?s - z-step)
-    (x-of-lift-1101a-hollow-wide-01 ?o - hollow-wide-01 ?s - x-step)
-    (y-of-lift-1101a-hollow-wide-01 ?o - hollow-wide-01 ?s - y-step)
-    (z-of-lift-1101a-hollow-wide-01 ?o - hollow-wide-01 ?s - z-step)
-    (x-of-put-down-lift-1101a-hollow-wide-01 ?o - hollow-wide-01 ?s - x-step)
-    (y-of-put-down-lift-1101a-hollow-wide-01 ?o - hollow-wide-01 ?s - y-step)
-    (z-of-put-down-lift-1101a-hollow-wide-01 ?o - hollow-wide-01 ?s - z-step)
-    (x-of-lift-1101b-any-tall-narrow-10 ?o - any-tall-narrow-10 ?s - x-step)
-    (y-of-lift-1101b-any-tall-narrow-10 ?o - any-tall-narrow-10 ?s - y-step)
-    (z-of-lift-1101b-any-tall-narrow-10 ?o - any-tall-narrow-10 ?s - z-step)
-    (x-of-put-down-lift-1101b-any-tall-narrow-10 ?o - any-tall-narrow-10 ?s - x-step)
-    (y-of-put-down-lift-1101b-any-tall-narrow-10 ?o - any-tall-narrow-10 ?s - y-step)
-    (z-of-put-down-lift-1101b-any-tall-narrow-10 ?o - any-tall-narrow-10 ?s - z-step)
-    (x-of-lift-1101c-solid-low-narrow-11 ?o - solid-low-narrow-11 ?s - x-step)
-    (y-of-lift-1101c-solid-low-narrow-11 ?o - solid-low-narrow-11 ?s - y-step)
-    (z-of-lift-1101c-solid-low-narrow-11 ?o - solid-low-narrow-11 ?s - z-step)
-    (x-of-put-down-lift-1101c-solid-low-narrow-11 ?o - solid-low-narrow-11 ?s - x-step)
-    (y-of-put-down-lift-1101c-solid-low-narrow-11 ?o - solid-low-narrow-11 ?s - y-step)
-    (z-of-put-down-lift-1101c-solid-low-narrow-11 ?o - solid-low-narrow-11 ?s - z-step)
-    (x-of-place-forward-1010c-any-tall-narrow-10 ?o - any-tall-narrow-10 ?s - x-step)
-    (y-of-place-forward-1010c-any-tall-narrow-10 ?o - any-tall-narrow-10 ?s - y-step)
-    (x-of-place-forward-right-1010-solid-low-narrow-11 ?o - solid-low-narrow-11 ?s - x-step)
-    (y-of-place-forward-right-1010-solid-low-narrow-11 ?o - solid-low-narrow-11 ?s - y-step)
-    (x-of-place-right-0000-hollow-wide-01 ?o - hollow-wide-01 ?s - x-step)
-    (y-of-place-right-0000-hollow-wide-01 ?o - hollow-wide-01 ?s - y-step)
-    (x-of-pull-0100-any-tall-narrow-10 ?o - any-tall-narrow-10 ?s - x-step)
-    (y-of-pull-0100-any-tall-narrow-10 ?o - any-tall-narrow-10 ?s - y-step)
-    (x-of-pull-0100a-solid-00 ?o - solid-00 ?s - x-step)
-    (y-of-pull-0100a-solid-00 ?o - solid-00 ?s - y-step)
-    (x-of-pull-0110-solid-low-narrow-11 ?o - solid-low-narrow-11 ?s - x-step)
-    (y-of-pull-0110-solid-low-narrow-11 ?o - solid-low-narrow-11 ?s - y-step)
-    (x-of-pull-0110a-solid-00 ?o - solid-00 ?s - x-step)
-    (y-of-pull-0110a-solid-00 ?o - solid-00 ?s - y-step)
-    (x-of-pull-0111-hollow-wide-01 ?o - hollow-wide-01 ?s - x-step)
-    (y-of-pull-0111-hollow-wide-01 ?o - hollow-wide-01 ?s - y-step)
-    (x-of-pull-0111-solid-low-narrow-11 ?o - solid-low-narrow-11 ?s - x-step)
-    (y-of-pull-0111-solid-low-narrow-11 ?o - solid-low-narrow-11 ?s - y-step)
-    (x-of-pull-0111a-solid-00 ?o - solid-00 ?s - x-step)
-    (y-of-pull-0111a-solid-00 ?o - solid-00 ?s - y-step)
-    (x-of-pull-0111c-any-tall-narrow-10 ?o - any-tall-narrow-10 ?s - x-step)
-    (y-of-pull-0111c-any-tall-narrow-10 ?o - any-tall-narrow-10 ?s - y-step)
-    (x-of-pull-left-0101-solid-00 ?o - solid-00 ?s - x-step)
-    (y-of-pull-left-0101-solid-00 ?o - solid-00 ?s - y-step)
-    (x-of-pull-left-0101b-any-tall-narrow-10 ?o - any-tall-narrow-10 ?s - x-step)
-    (y-of-pull-left-0101b-any-tall-narrow-10 ?o - any-tall-narrow-10 ?s - y-step)
-    (x-of-pull-left-0111b-hollow-wide-01 ?o - hollow-wide-01 ?s - x-step)
-    (y-of-pull-left-0111b-hollow-wide-01 ?o - hollow-wide-01 ?s - y-step)
-    (x-of-pull-left-1101-solid-00 ?o - solid-00 ?s - x-step)
-    (y-of-pull-left-1101-solid-00 ?o - solid-00 ?s - y-step)
-    (x-of-pull-left-1111a-solid-00 ?o - solid-00 ?s - x-step)
-    (y-of-pull-left-1111a-solid-00 ?o - solid-00 ?s - y-step)
-    (x-of-pull-right-0000a-solid-00 ?o - solid-00 ?s - x-step)
-    (y-of-pull-right-0000a-solid-00 ?o - solid-00 ?s - y-step)
-    (x-of-pull-right-0110-hollow-wide-01 ?o - hollow-wide-01 ?s - x-step)
-    (y-of-pull-right-0110-hollow-wide-01 ?o - hollow-wide-01 ?s - y-step)
-    (x-of-pull-right-0110c-any-tall-narrow-10 ?o - any-tall-narrow-10 ?s - x-step)
-    (y-of-pull-right-0110c-any-tall-narrow-10 ?o - any-tall-narrow-10 ?s - y-step)
-    (x-of-pull-right-1010a-solid-00 ?o - solid-00 ?s - x-step)
-    (y-of-pull-right-1010a-solid-00 ?o - solid-00 ?s - y-step)
-    (x-of-pull-right-1110b-hollow-wide-01 ?o - hollow-wide-01 ?s - x-step)
-    (y-of-pull-right-1110b-hollow-wide-01 ?o - hollow-wide-01 ?s - y-step)
-    (x-of-push-forward-0001c-any-tall-narrow-10 ?o - any-tall-narrow-10 ?s - x-step)
-    (y-of-push-forward-0001c-any-tall-narrow-10 ?o - any-tall-narrow-10 ?s - y-step)
-    (x-of-push-forward-1011-solid-00 ?o - solid-00 ?s - x-step)
-    (y-of-push-forward-1011-solid-00 ?o - solid-00 ?s - y-step)
-    (x-of-push-forward-1011-solid-low-narrow-11 ?o - solid-low-narrow-11 ?s - x-step)
-    (y-of-push-forward-1011-solid-low-narrow-11 ?o - solid-low-narrow-11 ?s - y-step)
-    (x-of-push-forward-1011a-solid-00 ?o - solid-00 ?s - x-step)
-    (y-of-push-forward-1011a-solid-00 ?o - solid-00 ?s - y-step)
-    (x-of-push-forward-1011c-any-tall-narrow-10 ?o - any-tall-narrow-10 ?s - x-step)
-    (y-of-push-forward-1011c-any-tall-narrow-10 ?o - any-tall-narrow-10 ?s - y-step)
-    (x-of-push-forward-left-0001a-solid-00 ?o - solid-00 ?s - x-step)
-    (y-of-push-forward-left-0001a-solid-00 ?o - solid-00 ?s - y-step)
-    (x-of-push-forward-left-1001-solid-00 ?o - solid-00 ?s - x-step)
-    (y-of-push-forward-left-1001-solid-00 ?o - solid-00 ?s - y-step)
-    (x-of-push-forward-left-1011b-hollow-wide-01 ?o - hollow-wide-01 ?s - x-step)
-    (y-of-push-forward-left-1011b-hollow-wide-01 ?o - hollow-wide-01 ?s - y-step)
-    (x-of-push-forward-left-1111b-any-tall-narrow-10 ?o - any-tall-narrow-10 ?s - x-step)
-    (y-of-push-forward-left-1111b-any-tall-narrow-10 ?o - any-tall-narrow-10 ?s - y-step)
-    (x-of-push-forward-right-0010a-solid-00 ?o - solid-00 ?s - x-step)
-    (y-of-push-forward-right-0010a-solid-00 ?o - solid-00 ?s - y-step)
-    (x-of-push-forward-right-0010b-hollow-wide-01 ?o - hollow-wide-01 ?s - x-step)
-    (y-of-push-forward-right-0010b-hollow-wide-01 ?o - hollow-wide-01 ?s - y-step)
-    (x-of-push-forward-right-0010c-any-tall-narrow-10 ?o - any-tall-narrow-10 ?s - x-step)
-    (y-of-push-forward-right-0010c-any-tall-narrow-10 ?o - any-tall-narrow-10 ?s - y-step)
-    (x-of-push-forward-right-1010-any-tall-narrow-10 ?o - any-tall-narrow-10 ?s - x-step)
-    (y-of-push-forward-right-1010-any-tall-narrow-10 ?o - any-tall-narrow-10 ?s - y-step)
-    (x-of-push-forward-right-1101-solid-low-narrow-11 ?o - solid-low-narrow-11 ?s - x-step)
-    (y-of-push-forward-right-1101-solid-low-narrow-11 ?o - solid-low-narrow-11 ?s - y-step)
-    (x-of-push-left-0011-solid-low-narrow-11 ?o - solid-low-narrow-11 ?s - x-step)
-    (y-of-push-left-0011-solid-low-narrow-11 ?o - solid-low-narrow-11 ?s - y-step)
-    (x-of-push-left-0011a-solid-00 ?o - solid-00 ?s - x-step)
-    (y-of-push-left-0011a-solid-00 ?o - solid-00 ?s - y-step)
-    (x-of-push-left-0011b-hollow-wide-01 ?o - hollow-wide-01 ?s - x-step)
-    (y-of-push-left-0011b-hollow-wide-01 ?o - hollow-wide-01 ?s - y-step)
-    (x-of-push-left-0011c-any-tall-narrow-10 ?o - any-tall-narrow-10 ?s - x-step)
-    (y-of-push-left-0011c-any-tall-narrow-10 ?o - any-tall-narrow-10 ?s - y-step)
-    (x-of-push-left-1110a-solid-00 ?o - solid-00 ?s - x-step)
-    (y-of-push-left-1110a-solid-00 ?o - solid-00 ?s - y-step)
-    (x-of-push-left-1111-hollow-wide-01 ?o - hollow-wide-01 ?s - x-step)
-    (y-of-push-left-1111-hollow-wide-01 ?o - hollow-wide-01 ?s - y-step)
-    (x-of-push-left-1111-solid-low-narrow-11 ?o - solid-low-narrow-11 ?s - x-step)
-    (y-of-push-left-1111-solid-low-narrow-11 ?o - solid-low-narrow-11 ?s - y-step)
-    (x-of-push-right-0000-any-tall-narrow-10 ?o - any-tall-narrow-10 ?s - x-step)
-    (y-of-push-right-0000-any-tall-narrow-10 ?o - any-tall-narrow-10 ?s - y-step)
-    (x-of-push-right-0000c-any-tall-narrow-10 ?o - any-tall-narrow-10 ?s - x-step)
-    (y-of-push-right-0000c-any-tall-narrow-10 ?o - any-tall-narrow-10 ?s - y-step)
-    (x-of-push-right-0010d-solid-low-narrow-11 ?o - solid-low-narrow-11 ?s - x-step)
-    (y-of-push-right-0010d-solid-low-narrow-11 ?o - solid-low-narrow-11 ?s - y-step)
-    (x-of-push-right-0100b-hollow-wide-01 ?o - hollow-wide-01 ?s - x-step)
-    (y-of-push-right-0100b-hollow-wide-01 ?o - hollow-wide-01 ?s - y-step)
-    (x-of-push-right-0110b-hollow-wide-01 ?o - hollow-wide-01 ?s - x-step)
-    (y-of-push-right-0110b-hollow-wide-01 ?o - hollow-wide-01 ?s - y-step)
-    (x-of-push-right-1000-hollow-wide-01 ?o - hollow-wide-01 ?s - x-step)
-    (y-of-push-right-1000-hollow-wide-01 ?o - hollow-wide-01 ?s - y-step)
-    (x-of-push-right-1000-solid-00 ?o - solid-00 ?s - x-step)
-    (y-of-push-right-1000-solid-00 ?o - solid-00 ?s - y-step)
-    (x-of-push-right-1010-hollow-wide-01 ?o - hollow-wide-01 ?s - x-step)
-    (y-of-push-right-1010-hollow-wide-01 ?o - hollow-wide-01 ?s - y-step)
-    (x-of-push-right-1010b-hollow-wide-01 ?o - hollow-wide-01 ?s - x-step)
-    (y-of-push-right-1010b-hollow-wide-01 ?o - hollow-wide-01 ?s - y-step)
-    (x-of-push-right-1100-solid-00 ?o - solid-00 ?s - x-step)
-    (y-of-push-right-1100-solid-00 ?o - solid-00 ?s - y-step)
-    (x-of-push-right-1100a-hollow-wide-01 ?o - hollow-wide-01 ?s - x-step)
-    (y-of-push-right-1100a-hollow-wide-01 ?o - hollow-wide-01 ?s - y-step)
-    (x-of-push-right-1110-any-tall-narrow-10 ?o - any-tall-narrow-10 ?s - x-step)
-    (y-of-push-right-1110-any-tall-narrow-10 ?o - any-tall-narrow-10 ?s - y-step)
-    (x-of-push-right-1110-solid-low-narrow-11 ?o - solid-low-narrow-11 ?s - x-step)
-    (y-of-push-right-1110-solid-low-narrow-11 ?o - solid-low-narrow-11 ?s - y-step)
-    (x-of-stay-1101b-any-tall-narrow-10 ?o - any-tall-narrow-10 ?s - x-step)
-    (y-of-stay-1101b-any-tall-narrow-10 ?o - any-tall-narrow-10 ?s - y-step))
+    (can ?m - move ?o - movable)
+    (x-of ?m - move ?o - movable ?s - x-step)
+    (y-of ?m - move ?o - movable ?s - y-step)
+    (z-of ?m - move ?o - movable ?s - z-step))
 
   (:functions
     (total-cost) - number
@@ -673,31 +140,15 @@
   ; It turned the object by over 15 degrees in 6 of 30 rehearsals.
   ; What it promises for an object stands in the problem.
   (:action lift-0000-any-tall-narrow-10
-    :parameters (?o - any-tall-narrow-10 ?s - x-step ?x ?to-x - x-cell)
-    :precondition (and (ready) (hand-empty) (at-x ?o ?x) (x-of-lift-0000-any-tall-narrow-10 ?o ?s) (x-leads ?s ?x ?to-x))
-    :effect (and (not (ready)) (moving-lift-0000-any-tall-narrow-10-y ?o) (not (hand-empty)) (not (done ?o)) (not (at-x ?o ?x)) (at-x ?o ?to-x) (increase (total-cost) (cost-of-lift-0000-any-tall-narrow-10 ?o))))
-  (:action finish-lift-0000-any-tall-narrow-10-y
-    :parameters (?o - any-tall-narrow-10 ?s - y-step ?y ?to-y - y-cell)
-    :precondition (and (moving-lift-0000-any-tall-narrow-10-y ?o) (at-y ?o ?y) (y-of-lift-0000-any-tall-narrow-10 ?o ?s) (y-leads ?s ?y ?to-y))
-    :effect (and (not (moving-lift-0000-any-tall-narrow-10-y ?o)) (moving-lift-0000-any-tall-narrow-10-z ?o) (not (at-y ?o ?y)) (at-y ?o ?to-y) (increase (total-cost) 0)))
-  (:action finish-lift-0000-any-tall-narrow-10-z
-    :parameters (?o - any-tall-narrow-10 ?s - z-step ?z ?to-z - z-cell)
-    :precondition (and (moving-lift-0000-any-tall-narrow-10-z ?o) (at-z ?o ?z) (z-of-lift-0000-any-tall-narrow-10 ?o ?s) (z-leads ?s ?z ?to-z))
-    :effect (and (not (moving-lift-0000-any-tall-narrow-10-z ?o)) (ready) (held-by-lift-0000-any-tall-narrow-10 ?o) (not (at-z ?o ?z)) (at-z ?o ?to-z) (increase (total-cost) 0)))
+    :parameters (?o - any-tall-narrow-10)
+    :precondition (and (ready) (hand-empty) (can a-lift-0000-any-tall-narrow-10 ?o))
+    :effect (and (not (ready)) (moving-z a-lift-0000-any-tall-narrow-10 ?o) (not (hand-empty)) (held a-lift-0000-any-tall-narrow-10 ?o) (not (done ?o)) (increase (total-cost) (cost-of-lift-0000-any-tall-narrow-10 ?o))))
 
   ; Put down what lift-0000-any-tall-narrow-10 lifted.
   (:action put-down-lift-0000-any-tall-narrow-10
-    :parameters (?o - any-tall-narrow-10 ?s - x-step ?x ?to-x - x-cell)
-    :precondition (and (ready) (held-by-lift-0000-any-tall-narrow-10 ?o) (at-x ?o ?x) (x-of-put-down-lift-0000-any-tall-narrow-10 ?o ?s) (x-leads ?s ?x ?to-x))
-    :effect (and (not (ready)) (moving-put-down-lift-0000-any-tall-narrow-10-y ?o) (not (held-by-lift-0000-any-tall-narrow-10 ?o)) (not (done ?o)) (not (at-x ?o ?x)) (at-x ?o ?to-x) (increase (total-cost) 0)))
-  (:action finish-put-down-lift-0000-any-tall-narrow-10-y
-    :parameters (?o - any-tall-narrow-10 ?s - y-step ?y ?to-y - y-cell)
-    :precondition (and (moving-put-down-lift-0000-any-tall-narrow-10-y ?o) (at-y ?o ?y) (y-of-put-down-lift-0000-any-tall-narrow-10 ?o ?s) (y-leads ?s ?y ?to-y))
-    :effect (and (not (moving-put-down-lift-0000-any-tall-narrow-10-y ?o)) (moving-put-down-lift-0000-any-tall-narrow-10-z ?o) (not (at-y ?o ?y)) (at-y ?o ?to-y) (increase (total-cost) 0)))
-  (:action finish-put-down-lift-0000-any-tall-narrow-10-z
-    :parameters (?o - any-tall-narrow-10 ?s - z-step ?z ?to-z - z-cell)
-    :precondition (and (moving-put-down-lift-0000-any-tall-narrow-10-z ?o) (at-z ?o ?z) (z-of-put-down-lift-0000-any-tall-narrow-10 ?o ?s) (z-leads ?s ?z ?to-z))
-    :effect (and (not (moving-put-down-lift-0000-any-tall-narrow-10-z ?o)) (ready) (hand-empty) (not (at-z ?o ?z)) (at-z ?o ?to-z) (increase (total-cost) 0)))
+    :parameters (?o - any-tall-narrow-10)
+    :precondition (and (ready) (held a-lift-0000-any-tall-narrow-10 ?o))
+    :effect (and (not (ready)) (moving-z a-put-down-lift-0000-any-tall-narrow-10 ?o) (not (held a-lift-0000-any-tall-narrow-10 ?o)) (hand-empty) (not (done ?o)) (increase (total-cost) 0)))
 
   ; Primitive 0000 on category 01 (hollow-wide-01); ends held in 29 of 35 rehearsals (83%).
   ; Effect (0.7, -101.7, 257.3) mm, spread (8, 20.2, 18) mm; 27 of 35 rehearsals as promised: cost 29.
@@ -706,31 +157,15 @@
   ; It turned the object by over 15 degrees in 10 of 35 rehearsals.
   ; What it promises for an object stands in the problem.
   (:action lift-0000-hollow-wide-01
-    :parameters (?o - hollow-wide-01 ?s - x-step ?x ?to-x - x-cell)
-    :precondition (and (ready) (hand-empty) (at-x ?o ?x) (x-of-lift-0000-hollow-wide-01 ?o ?s) (x-leads ?s ?x ?to-x))
-    :effect (and (not (ready)) (moving-lift-0000-hollow-wide-01-y ?o) (not (hand-empty)) (not (done ?o)) (not (at-x ?o ?x)) (at-x ?o ?to-x) (increase (total-cost) (cost-of-lift-0000-hollow-wide-01 ?o))))
-  (:action finish-lift-0000-hollow-wide-01-y
-    :parameters (?o - hollow-wide-01 ?s - y-step ?y ?to-y - y-cell)
-    :precondition (and (moving-lift-0000-hollow-wide-01-y ?o) (at-y ?o ?y) (y-of-lift-0000-hollow-wide-01 ?o ?s) (y-leads ?s ?y ?to-y))
-    :effect (and (not (moving-lift-0000-hollow-wide-01-y ?o)) (moving-lift-0000-hollow-wide-01-z ?o) (not (at-y ?o ?y)) (at-y ?o ?to-y) (increase (total-cost) 0)))
-  (:action finish-lift-0000-hollow-wide-01-z
-    :parameters (?o - hollow-wide-01 ?s - z-step ?z ?to-z - z-cell)
-    :precondition (and (moving-lift-0000-hollow-wide-01-z ?o) (at-z ?o ?z) (z-of-lift-0000-hollow-wide-01 ?o ?s) (z-leads ?s ?z ?to-z))
-    :effect (and (not (moving-lift-0000-hollow-wide-01-z ?o)) (ready) (held-by-lift-0000-hollow-wide-01 ?o) (not (at-z ?o ?z)) (at-z ?o ?to-z) (increase (total-cost) 0)))
+    :parameters (?o - hollow-wide-01)
+    :precondition (and (ready) (hand-empty) (can a-lift-0000-hollow-wide-01 ?o))
+    :effect (and (not (ready)) (moving-z a-lift-0000-hollow-wide-01 ?o) (not (hand-empty)) (held a-lift-0000-hollow-wide-01 ?o) (not (done ?o)) (increase (total-cost) (cost-of-lift-0000-hollow-wide-01 ?o))))
 
   ; Put down what lift-0000-hollow-wide-01 lifted.
   (:action put-down-lift-0000-hollow-wide-01
-    :parameters (?o - hollow-wide-01 ?s - x-step ?x ?to-x - x-cell)
-    :precondition (and (ready) (held-by-lift-0000-hollow-wide-01 ?o) (at-x ?o ?x) (x-of-put-down-lift-0000-hollow-wide-01 ?o ?s) (x-leads ?s ?x ?to-x))
-    :effect (and (not (ready)) (moving-put-down-lift-0000-hollow-wide-01-y ?o) (not (held-by-lift-0000-hollow-wide-01 ?o)) (not (done ?o)) (not (at-x ?o ?x)) (at-x ?o ?to-x) (increase (total-cost) 0)))
-  (:action finish-put-down-lift-0000-hollow-wide-01-y
-    :parameters (?o - hollow-wide-01 ?s - y-step ?y ?to-y - y-cell)
-    :precondition (and (moving-put-down-lift-0000-hollow-wide-01-y ?o) (at-y ?o ?y) (y-of-put-down-lift-0000-hollow-wide-01 ?o ?s) (y-leads ?s ?y ?to-y))
-    :effect (and (not (moving-put-down-lift-0000-hollow-wide-01-y ?o)) (moving-put-down-lift-0000-hollow-wide-01-z ?o) (not (at-y ?o ?y)) (at-y ?o ?to-y) (increase (total-cost) 0)))
-  (:action finish-put-down-lift-0000-hollow-wide-01-z
-    :parameters (?o - hollow-wide-01 ?s - z-step ?z ?to-z - z-cell)
-    :precondition (and (moving-put-down-lift-0000-hollow-wide-01-z ?o) (at-z ?o ?z) (z-of-put-down-lift-0000-hollow-wide-01 ?o ?s) (z-leads ?s ?z ?to-z))
-    :effect (and (not (moving-put-down-lift-0000-hollow-wide-01-z ?o)) (ready) (hand-empty) (not (at-z ?o ?z)) (at-z ?o ?to-z) (increase (total-cost) 0)))
+    :parameters (?o - hollow-wide-01)
+    :precondition (and (ready) (held a-lift-0000-hollow-wide-01 ?o))
+    :effect (and (not (ready)) (moving-z a-put-down-lift-0000-hollow-wide-01 ?o) (not (held a-lift-0000-hollow-wide-01 ?o)) (hand-empty) (not (done ?o)) (increase (total-cost) 0)))
 
   ; Primitive 0000 on category 01 (hollow-wide-01); ends held in 35 of 35 rehearsals (100%).
   ; Effect (-32.4, -56, 230) mm, spread (6.4, 10.1, 8.7) mm; 35 of 35 rehearsals as promised: cost 4.
@@ -738,31 +173,15 @@
   ; 0.2191
   ; What it promises for an object stands in the problem.
   (:action lift-0000b-hollow-wide-01
-    :parameters (?o - hollow-wide-01 ?s - x-step ?x ?to-x - x-cell)
-    :precondition (and (ready) (hand-empty) (at-x ?o ?x) (x-of-lift-0000b-hollow-wide-01 ?o ?s) (x-leads ?s ?x ?to-x))
-    :effect (and (not (ready)) (moving-lift-0000b-hollow-wide-01-y ?o) (not (hand-empty)) (not (done ?o)) (not (at-x ?o ?x)) (at-x ?o ?to-x) (increase (total-cost) (cost-of-lift-0000b-hollow-wide-01 ?o))))
-  (:action finish-lift-0000b-hollow-wide-01-y
-    :parameters (?o - hollow-wide-01 ?s - y-step ?y ?to-y - y-cell)
-    :precondition (and (moving-lift-0000b-hollow-wide-01-y ?o) (at-y ?o ?y) (y-of-lift-0000b-hollow-wide-01 ?o ?s) (y-leads ?s ?y ?to-y))
-    :effect (and (not (moving-lift-0000b-hollow-wide-01-y ?o)) (moving-lift-0000b-hollow-wide-01-z ?o) (not (at-y ?o ?y)) (at-y ?o ?to-y) (increase (total-cost) 0)))
-  (:action finish-lift-0000b-hollow-wide-01-z
-    :parameters (?o - hollow-wide-01 ?s - z-step ?z ?to-z - z-cell)
-    :precondition (and (moving-lift-0000b-hollow-wide-01-z ?o) (at-z ?o ?z) (z-of-lift-0000b-hollow-wide-01 ?o ?s) (z-leads ?s ?z ?to-z))
-    :effect (and (not (moving-lift-0000b-hollow-wide-01-z ?o)) (ready) (held-by-lift-0000b-hollow-wide-01 ?o) (not (at-z ?o ?z)) (at-z ?o ?to-z) (increase (total-cost) 0)))
+    :parameters (?o - hollow-wide-01)
+    :precondition (and (ready) (hand-empty) (can a-lift-0000b-hollow-wide-01 ?o))
+    :effect (and (not (ready)) (moving-z a-lift-0000b-hollow-wide-01 ?o) (not (hand-empty)) (held a-lift-0000b-hollow-wide-01 ?o) (not (done ?o)) (increase (total-cost) (cost-of-lift-0000b-hollow-wide-01 ?o))))
 
   ; Put down what lift-0000b-hollow-wide-01 lifted.
   (:action put-down-lift-0000b-hollow-wide-01
-    :parameters (?o - hollow-wide-01 ?s - x-step ?x ?to-x - x-cell)
-    :precondition (and (ready) (held-by-lift-0000b-hollow-wide-01 ?o) (at-x ?o ?x) (x-of-put-down-lift-0000b-hollow-wide-01 ?o ?s) (x-leads ?s ?x ?to-x))
-    :effect (and (not (ready)) (moving-put-down-lift-0000b-hollow-wide-01-y ?o) (not (held-by-lift-0000b-hollow-wide-01 ?o)) (not (done ?o)) (not (at-x ?o ?x)) (at-x ?o ?to-x) (increase (total-cost) 0)))
-  (:action finish-put-down-lift-0000b-hollow-wide-01-y
-    :parameters (?o - hollow-wide-01 ?s - y-step ?y ?to-y - y-cell)
-    :precondition (and (moving-put-down-lift-0000b-hollow-wide-01-y ?o) (at-y ?o ?y) (y-of-put-down-lift-0000b-hollow-wide-01 ?o ?s) (y-leads ?s ?y ?to-y))
-    :effect (and (not (moving-put-down-lift-0000b-hollow-wide-01-y ?o)) (moving-put-down-lift-0000b-hollow-wide-01-z ?o) (not (at-y ?o ?y)) (at-y ?o ?to-y) (increase (total-cost) 0)))
-  (:action finish-put-down-lift-0000b-hollow-wide-01-z
-    :parameters (?o - hollow-wide-01 ?s - z-step ?z ?to-z - z-cell)
-    :precondition (and (moving-put-down-lift-0000b-hollow-wide-01-z ?o) (at-z ?o ?z) (z-of-put-down-lift-0000b-hollow-wide-01 ?o ?s) (z-leads ?s ?z ?to-z))
-    :effect (and (not (moving-put-down-lift-0000b-hollow-wide-01-z ?o)) (ready) (hand-empty) (not (at-z ?o ?z)) (at-z ?o ?to-z) (increase (total-cost) 0)))
+    :parameters (?o - hollow-wide-01)
+    :precondition (and (ready) (held a-lift-0000b-hollow-wide-01 ?o))
+    :effect (and (not (ready)) (moving-z a-put-down-lift-0000b-hollow-wide-01 ?o) (not (held a-lift-0000b-hollow-wide-01 ?o)) (hand-empty) (not (done ?o)) (increase (total-cost) 0)))
 
   ; Primitive 0000 on category 10 (any-tall-narrow-10); ends held in 27 of 30 rehearsals (90%).
   ; Effect (-11.6, -33.5, 230.4) mm, spread (2.2, 0.5, 3.6) mm; 27 of 30 rehearsals as promised: cost 14.
@@ -770,31 +189,15 @@
   ; 0.3102
   ; What it promises for an object stands in the problem.
   (:action lift-0000c-any-tall-narrow-10
-    :parameters (?o - any-tall-narrow-10 ?s - x-step ?x ?to-x - x-cell)
-    :precondition (and (ready) (hand-empty) (at-x ?o ?x) (x-of-lift-0000c-any-tall-narrow-10 ?o ?s) (x-leads ?s ?x ?to-x))
-    :effect (and (not (ready)) (moving-lift-0000c-any-tall-narrow-10-y ?o) (not (hand-empty)) (not (done ?o)) (not (at-x ?o ?x)) (at-x ?o ?to-x) (increase (total-cost) (cost-of-lift-0000c-any-tall-narrow-10 ?o))))
-  (:action finish-lift-0000c-any-tall-narrow-10-y
-    :parameters (?o - any-tall-narrow-10 ?s - y-step ?y ?to-y - y-cell)
-    :precondition (and (moving-lift-0000c-any-tall-narrow-10-y ?o) (at-y ?o ?y) (y-of-lift-0000c-any-tall-narrow-10 ?o ?s) (y-leads ?s ?y ?to-y))
-    :effect (and (not (moving-lift-0000c-any-tall-narrow-10-y ?o)) (moving-lift-0000c-any-tall-narrow-10-z ?o) (not (at-y ?o ?y)) (at-y ?o ?to-y) (increase (total-cost) 0)))
-  (:action finish-lift-0000c-any-tall-narrow-10-z
-    :parameters (?o - any-tall-narrow-10 ?s - z-step ?z ?to-z - z-cell)
-    :precondition (and (moving-lift-0000c-any-tall-narrow-10-z ?o) (at-z ?o ?z) (z-of-lift-0000c-any-tall-narrow-10 ?o ?s) (z-leads ?s ?z ?to-z))
-    :effect (and (not (moving-lift-0000c-any-tall-narrow-10-z ?o)) (ready) (held-by-lift-0000c-any-tall-narrow-10 ?o) (not (at-z ?o ?z)) (at-z ?o ?to-z) (increase (total-cost) 0)))
+    :parameters (?o - any-tall-narrow-10)
+    :precondition (and (ready) (hand-empty) (can a-lift-0000c-any-tall-narrow-10 ?o))
+    :effect (and (not (ready)) (moving-z a-lift-0000c-any-tall-narrow-10 ?o) (not (hand-empty)) (held a-lift-0000c-any-tall-narrow-10 ?o) (not (done ?o)) (increase (total-cost) (cost-of-lift-0000c-any-tall-narrow-10 ?o))))
 
   ; Put down what lift-0000c-any-tall-narrow-10 lifted.
   (:action put-down-lift-0000c-any-tall-narrow-10
-    :parameters (?o - any-tall-narrow-10 ?s - x-step ?x ?to-x - x-cell)
-    :precondition (and (ready) (held-by-lift-0000c-any-tall-narrow-10 ?o) (at-x ?o ?x) (x-of-put-down-lift-0000c-any-tall-narrow-10 ?o ?s) (x-leads ?s ?x ?to-x))
-    :effect (and (not (ready)) (moving-put-down-lift-0000c-any-tall-narrow-10-y ?o) (not (held-by-lift-0000c-any-tall-narrow-10 ?o)) (not (done ?o)) (not (at-x ?o ?x)) (at-x ?o ?to-x) (increase (total-cost) 0)))
-  (:action finish-put-down-lift-0000c-any-tall-narrow-10-y
-    :parameters (?o - any-tall-narrow-10 ?s - y-step ?y ?to-y - y-cell)
-    :precondition (and (moving-put-down-lift-0000c-any-tall-narrow-10-y ?o) (at-y ?o ?y) (y-of-put-down-lift-0000c-any-tall-narrow-10 ?o ?s) (y-leads ?s ?y ?to-y))
-    :effect (and (not (moving-put-down-lift-0000c-any-tall-narrow-10-y ?o)) (moving-put-down-lift-0000c-any-tall-narrow-10-z ?o) (not (at-y ?o ?y)) (at-y ?o ?to-y) (increase (total-cost) 0)))
-  (:action finish-put-down-lift-0000c-any-tall-narrow-10-z
-    :parameters (?o - any-tall-narrow-10 ?s - z-step ?z ?to-z - z-cell)
-    :precondition (and (moving-put-down-lift-0000c-any-tall-narrow-10-z ?o) (at-z ?o ?z) (z-of-put-down-lift-0000c-any-tall-narrow-10 ?o ?s) (z-leads ?s ?z ?to-z))
-    :effect (and (not (moving-put-down-lift-0000c-any-tall-narrow-10-z ?o)) (ready) (hand-empty) (not (at-z ?o ?z)) (at-z ?o ?to-z) (increase (total-cost) 0)))
+    :parameters (?o - any-tall-narrow-10)
+    :precondition (and (ready) (held a-lift-0000c-any-tall-narrow-10 ?o))
+    :effect (and (not (ready)) (moving-z a-put-down-lift-0000c-any-tall-narrow-10 ?o) (not (held a-lift-0000c-any-tall-narrow-10 ?o)) (hand-empty) (not (done ?o)) (increase (total-cost) 0)))
 
   ; Primitive 0000 on category 11 (solid-low-narrow-11); ends held in 30 of 30 rehearsals (100%).
   ; Effect (-31, -36.8, 250.7) mm, spread (1.7, 0.9, 2.9) mm; 30 of 30 rehearsals as promised: cost 4.
@@ -802,31 +205,15 @@
   ; 0.1014
   ; What it promises for an object stands in the problem.
   (:action lift-0000d-solid-low-narrow-11
-    :parameters (?o - solid-low-narrow-11 ?s - x-step ?x ?to-x - x-cell)
-    :precondition (and (ready) (hand-empty) (at-x ?o ?x) (x-of-lift-0000d-solid-low-narrow-11 ?o ?s) (x-leads ?s ?x ?to-x))
-    :effect (and (not (ready)) (moving-lift-0000d-solid-low-narrow-11-y ?o) (not (hand-empty)) (not (done ?o)) (not (at-x ?o ?x)) (at-x ?o ?to-x) (increase (total-cost) (cost-of-lift-0000d-solid-low-narrow-11 ?o))))
-  (:action finish-lift-0000d-solid-low-narrow-11-y
-    :parameters (?o - solid-low-narrow-11 ?s - y-step ?y ?to-y - y-cell)
-    :precondition (and (moving-lift-0000d-solid-low-narrow-11-y ?o) (at-y ?o ?y) (y-of-lift-0000d-solid-low-narrow-11 ?o ?s) (y-leads ?s ?y ?to-y))
-    :effect (and (not (moving-lift-0000d-solid-low-narrow-11-y ?o)) (moving-lift-0000d-solid-low-narrow-11-z ?o) (not (at-y ?o ?y)) (at-y ?o ?to-y) (increase (total-cost) 0)))
-  (:action finish-lift-0000d-solid-low-narrow-11-z
-    :parameters (?o - solid-low-narrow-11 ?s - z-step ?z ?to-z - z-cell)
-    :precondition (and (moving-lift-0000d-solid-low-narrow-11-z ?o) (at-z ?o ?z) (z-of-lift-0000d-solid-low-narrow-11 ?o ?s) (z-leads ?s ?z ?to-z))
-    :effect (and (not (moving-lift-0000d-solid-low-narrow-11-z ?o)) (ready) (held-by-lift-0000d-solid-low-narrow-11 ?o) (not (at-z ?o ?z)) (at-z ?o ?to-z) (increase (total-cost) 0)))
+    :parameters (?o - solid-low-narrow-11)
+    :precondition (and (ready) (hand-empty) (can a-lift-0000d-solid-low-narrow-11 ?o))
+    :effect (and (not (ready)) (moving-z a-lift-0000d-solid-low-narrow-11 ?o) (not (hand-empty)) (held a-lift-0000d-solid-low-narrow-11 ?o) (not (done ?o)) (increase (total-cost) (cost-of-lift-0000d-solid-low-narrow-11 ?o))))
 
   ; Put down what lift-0000d-solid-low-narrow-11 lifted.
   (:action put-down-lift-0000d-solid-low-narrow-11
-    :parameters (?o - solid-low-narrow-11 ?s - x-step ?x ?to-x - x-cell)
-    :precondition (and (ready) (held-by-lift-0000d-solid-low-narrow-11 ?o) (at-x ?o ?x) (x-of-put-down-lift-0000d-solid-low-narrow-11 ?o ?s) (x-leads ?s ?x ?to-x))
-    :effect (and (not (ready)) (moving-put-down-lift-0000d-solid-low-narrow-11-y ?o) (not (held-by-lift-0000d-solid-low-narrow-11 ?o)) (not (done ?o)) (not (at-x ?o ?x)) (at-x ?o ?to-x) (increase (total-cost) 0)))
-  (:action finish-put-down-lift-0000d-solid-low-narrow-11-y
-    :parameters (?o - solid-low-narrow-11 ?s - y-step ?y ?to-y - y-cell)
-    :precondition (and (moving-put-down-lift-0000d-solid-low-narrow-11-y ?o) (at-y ?o ?y) (y-of-put-down-lift-0000d-solid-low-narrow-11 ?o ?s) (y-leads ?s ?y ?to-y))
-    :effect (and (not (moving-put-down-lift-0000d-solid-low-narrow-11-y ?o)) (moving-put-down-lift-0000d-solid-low-narrow-11-z ?o) (not (at-y ?o ?y)) (at-y ?o ?to-y) (increase (total-cost) 0)))
-  (:action finish-put-down-lift-0000d-solid-low-narrow-11-z
-    :parameters (?o - solid-low-narrow-11 ?s - z-step ?z ?to-z - z-cell)
-    :precondition (and (moving-put-down-lift-0000d-solid-low-narrow-11-z ?o) (at-z ?o ?z) (z-of-put-down-lift-0000d-solid-low-narrow-11 ?o ?s) (z-leads ?s ?z ?to-z))
-    :effect (and (not (moving-put-down-lift-0000d-solid-low-narrow-11-z ?o)) (ready) (hand-empty) (not (at-z ?o ?z)) (at-z ?o ?to-z) (increase (total-cost) 0)))
+    :parameters (?o - solid-low-narrow-11)
+    :precondition (and (ready) (held a-lift-0000d-solid-low-narrow-11 ?o))
+    :effect (and (not (ready)) (moving-z a-put-down-lift-0000d-solid-low-narrow-11 ?o) (not (held a-lift-0000d-solid-low-narrow-11 ?o)) (hand-empty) (not (done ?o)) (increase (total-cost) 0)))
 
   ; Primitive 0001 on category 01 (hollow-wide-01); ends held in 33 of 35 rehearsals (94%).
   ; Effect (-18.5, 17, 197.5) mm, spread (4.2, 9.6, 1) mm; 33 of 35 rehearsals as promised: cost 9.
@@ -835,31 +222,15 @@
   ; It turned the object by over 15 degrees in 3 of 35 rehearsals.
   ; What it promises for an object stands in the problem.
   (:action lift-0001b-hollow-wide-01
-    :parameters (?o - hollow-wide-01 ?s - x-step ?x ?to-x - x-cell)
-    :precondition (and (ready) (hand-empty) (at-x ?o ?x) (x-of-lift-0001b-hollow-wide-01 ?o ?s) (x-leads ?s ?x ?to-x))
-    :effect (and (not (ready)) (moving-lift-0001b-hollow-wide-01-y ?o) (not (hand-empty)) (not (done ?o)) (not (at-x ?o ?x)) (at-x ?o ?to-x) (increase (total-cost) (cost-of-lift-0001b-hollow-wide-01 ?o))))
-  (:action finish-lift-0001b-hollow-wide-01-y
-    :parameters (?o - hollow-wide-01 ?s - y-step ?y ?to-y - y-cell)
-    :precondition (and (moving-lift-0001b-hollow-wide-01-y ?o) (at-y ?o ?y) (y-of-lift-0001b-hollow-wide-01 ?o ?s) (y-leads ?s ?y ?to-y))
-    :effect (and (not (moving-lift-0001b-hollow-wide-01-y ?o)) (moving-lift-0001b-hollow-wide-01-z ?o) (not (at-y ?o ?y)) (at-y ?o ?to-y) (increase (total-cost) 0)))
-  (:action finish-lift-0001b-hollow-wide-01-z
-    :parameters (?o - hollow-wide-01 ?s - z-step ?z ?to-z - z-cell)
-    :precondition (and (moving-lift-0001b-hollow-wide-01-z ?o) (at-z ?o ?z) (z-of-lift-0001b-hollow-wide-01 ?o ?s) (z-leads ?s ?z ?to-z))
-    :effect (and (not (moving-lift-0001b-hollow-wide-01-z ?o)) (ready) (held-by-lift-0001b-hollow-wide-01 ?o) (not (at-z ?o ?z)) (at-z ?o ?to-z) (increase (total-cost) 0)))
+    :parameters (?o - hollow-wide-01)
+    :precondition (and (ready) (hand-empty) (can a-lift-0001b-hollow-wide-01 ?o))
+    :effect (and (not (ready)) (moving-z a-lift-0001b-hollow-wide-01 ?o) (not (hand-empty)) (held a-lift-0001b-hollow-wide-01 ?o) (not (done ?o)) (increase (total-cost) (cost-of-lift-0001b-hollow-wide-01 ?o))))
 
   ; Put down what lift-0001b-hollow-wide-01 lifted.
   (:action put-down-lift-0001b-hollow-wide-01
-    :parameters (?o - hollow-wide-01 ?s - x-step ?x ?to-x - x-cell)
-    :precondition (and (ready) (held-by-lift-0001b-hollow-wide-01 ?o) (at-x ?o ?x) (x-of-put-down-lift-0001b-hollow-wide-01 ?o ?s) (x-leads ?s ?x ?to-x))
-    :effect (and (not (ready)) (moving-put-down-lift-0001b-hollow-wide-01-y ?o) (not (held-by-lift-0001b-hollow-wide-01 ?o)) (not (done ?o)) (not (at-x ?o ?x)) (at-x ?o ?to-x) (increase (total-cost) 0)))
-  (:action finish-put-down-lift-0001b-hollow-wide-01-y
-    :parameters (?o - hollow-wide-01 ?s - y-step ?y ?to-y - y-cell)
-    :precondition (and (moving-put-down-lift-0001b-hollow-wide-01-y ?o) (at-y ?o ?y) (y-of-put-down-lift-0001b-hollow-wide-01 ?o ?s) (y-leads ?s ?y ?to-y))
-    :effect (and (not (moving-put-down-lift-0001b-hollow-wide-01-y ?o)) (moving-put-down-lift-0001b-hollow-wide-01-z ?o) (not (at-y ?o ?y)) (at-y ?o ?to-y) (increase (total-cost) 0)))
-  (:action finish-put-down-lift-0001b-hollow-wide-01-z
-    :parameters (?o - hollow-wide-01 ?s - z-step ?z ?to-z - z-cell)
-    :precondition (and (moving-put-down-lift-0001b-hollow-wide-01-z ?o) (at-z ?o ?z) (z-of-put-down-lift-0001b-hollow-wide-01 ?o ?s) (z-leads ?s ?z ?to-z))
-    :effect (and (not (moving-put-down-lift-0001b-hollow-wide-01-z ?o)) (ready) (hand-empty) (not (at-z ?o ?z)) (at-z ?o ?to-z) (increase (total-cost) 0)))
+    :parameters (?o - hollow-wide-01)
+    :precondition (and (ready) (held a-lift-0001b-hollow-wide-01 ?o))
+    :effect (and (not (ready)) (moving-z a-put-down-lift-0001b-hollow-wide-01 ?o) (not (held a-lift-0001b-hollow-wide-01 ?o)) (hand-empty) (not (done ?o)) (increase (total-cost) 0)))
 
   ; Primitive 0001 on category 11 (solid-low-narrow-11); ends held in 30 of 30 rehearsals (100%).
   ; Effect (5.4, -50.5, 199.7) mm, spread (1, 0.9, 0.5) mm; 30 of 30 rehearsals as promised: cost 4.
@@ -867,31 +238,15 @@
   ; 0.1007
   ; What it promises for an object stands in the problem.
   (:action lift-0001d-solid-low-narrow-11
-    :parameters (?o - solid-low-narrow-11 ?s - x-step ?x ?to-x - x-cell)
-    :precondition (and (ready) (hand-empty) (at-x ?o ?x) (x-of-lift-0001d-solid-low-narrow-11 ?o ?s) (x-leads ?s ?x ?to-x))
-    :effect (and (not (ready)) (moving-lift-0001d-solid-low-narrow-11-y ?o) (not (hand-empty)) (not (done ?o)) (not (at-x ?o ?x)) (at-x ?o ?to-x) (increase (total-cost) (cost-of-lift-0001d-solid-low-narrow-11 ?o))))
-  (:action finish-lift-0001d-solid-low-narrow-11-y
-    :parameters (?o - solid-low-narrow-11 ?s - y-step ?y ?to-y - y-cell)
-    :precondition (and (moving-lift-0001d-solid-low-narrow-11-y ?o) (at-y ?o ?y) (y-of-lift-0001d-solid-low-narrow-11 ?o ?s) (y-leads ?s ?y ?to-y))
-    :effect (and (not (moving-lift-0001d-solid-low-narrow-11-y ?o)) (moving-lift-0001d-solid-low-narrow-11-z ?o) (not (at-y ?o ?y)) (at-y ?o ?to-y) (increase (total-cost) 0)))
-  (:action finish-lift-0001d-solid-low-narrow-11-z
-    :parameters (?o - solid-low-narrow-11 ?s - z-step ?z ?to-z - z-cell)
-    :precondition (and (moving-lift-0001d-solid-low-narrow-11-z ?o) (at-z ?o ?z) (z-of-lift-0001d-solid-low-narrow-11 ?o ?s) (z-leads ?s ?z ?to-z))
-    :effect (and (not (moving-lift-0001d-solid-low-narrow-11-z ?o)) (ready) (held-by-lift-0001d-solid-low-narrow-11 ?o) (not (at-z ?o ?z)) (at-z ?o ?to-z) (increase (total-cost) 0)))
+    :parameters (?o - solid-low-narrow-11)
+    :precondition (and (ready) (hand-empty) (can a-lift-0001d-solid-low-narrow-11 ?o))
+    :effect (and (not (ready)) (moving-z a-lift-0001d-solid-low-narrow-11 ?o) (not (hand-empty)) (held a-lift-0001d-solid-low-narrow-11 ?o) (not (done ?o)) (increase (total-cost) (cost-of-lift-0001d-solid-low-narrow-11 ?o))))
 
   ; Put down what lift-0001d-solid-low-narrow-11 lifted.
   (:action put-down-lift-0001d-solid-low-narrow-11
-    :parameters (?o - solid-low-narrow-11 ?s - x-step ?x ?to-x - x-cell)
-    :precondition (and (ready) (held-by-lift-0001d-solid-low-narrow-11 ?o) (at-x ?o ?x) (x-of-put-down-lift-0001d-solid-low-narrow-11 ?o ?s) (x-leads ?s ?x ?to-x))
-    :effect (and (not (ready)) (moving-put-down-lift-0001d-solid-low-narrow-11-y ?o) (not (held-by-lift-0001d-solid-low-narrow-11 ?o)) (not (done ?o)) (not (at-x ?o ?x)) (at-x ?o ?to-x) (increase (total-cost) 0)))
-  (:action finish-put-down-lift-0001d-solid-low-narrow-11-y
-    :parameters (?o - solid-low-narrow-11 ?s - y-step ?y ?to-y - y-cell)
-    :precondition (and (moving-put-down-lift-0001d-solid-low-narrow-11-y ?o) (at-y ?o ?y) (y-of-put-down-lift-0001d-solid-low-narrow-11 ?o ?s) (y-leads ?s ?y ?to-y))
-    :effect (and (not (moving-put-down-lift-0001d-solid-low-narrow-11-y ?o)) (moving-put-down-lift-0001d-solid-low-narrow-11-z ?o) (not (at-y ?o ?y)) (at-y ?o ?to-y) (increase (total-cost) 0)))
-  (:action finish-put-down-lift-0001d-solid-low-narrow-11-z
-    :parameters (?o - solid-low-narrow-11 ?s - z-step ?z ?to-z - z-cell)
-    :precondition (and (moving-put-down-lift-0001d-solid-low-narrow-11-z ?o) (at-z ?o ?z) (z-of-put-down-lift-0001d-solid-low-narrow-11 ?o ?s) (z-leads ?s ?z ?to-z))
-    :effect (and (not (moving-put-down-lift-0001d-solid-low-narrow-11-z ?o)) (ready) (hand-empty) (not (at-z ?o ?z)) (at-z ?o ?to-z) (increase (total-cost) 0)))
+    :parameters (?o - solid-low-narrow-11)
+    :precondition (and (ready) (held a-lift-0001d-solid-low-narrow-11 ?o))
+    :effect (and (not (ready)) (moving-z a-put-down-lift-0001d-solid-low-narrow-11 ?o) (not (held a-lift-0001d-solid-low-narrow-11 ?o)) (hand-empty) (not (done ?o)) (increase (total-cost) 0)))
 
   ; Primitive 0100 on category 10 (any-tall-narrow-10); ends held in 19 of 30 rehearsals (63%).
   ; Effect (-81.7, -33.9, 200.8) mm, spread (2.6, 1.3, 1.2) mm; 19 of 30 rehearsals as promised: cost 48.
@@ -900,31 +255,15 @@
   ; It turned the object by over 15 degrees in 5 of 30 rehearsals.
   ; What it promises for an object stands in the problem.
   (:action lift-0100-any-tall-narrow-10
-    :parameters (?o - any-tall-narrow-10 ?s - x-step ?x ?to-x - x-cell)
-    :precondition (and (ready) (hand-empty) (at-x ?o ?x) (x-of-lift-0100-any-tall-narrow-10 ?o ?s) (x-leads ?s ?x ?to-x))
-    :effect (and (not (ready)) (moving-lift-0100-any-tall-narrow-10-y ?o) (not (hand-empty)) (not (done ?o)) (not (at-x ?o ?x)) (at-x ?o ?to-x) (increase (total-cost) (cost-of-lift-0100-any-tall-narrow-10 ?o))))
-  (:action finish-lift-0100-any-tall-narrow-10-y
-    :parameters (?o - any-tall-narrow-10 ?s - y-step ?y ?to-y - y-cell)
-    :precondition (and (moving-lift-0100-any-tall-narrow-10-y ?o) (at-y ?o ?y) (y-of-lift-0100-any-tall-narrow-10 ?o ?s) (y-leads ?s ?y ?to-y))
-    :effect (and (not (moving-lift-0100-any-tall-narrow-10-y ?o)) (moving-lift-0100-any-tall-narrow-10-z ?o) (not (at-y ?o ?y)) (at-y ?o ?to-y) (increase (total-cost) 0)))
-  (:action finish-lift-0100-any-tall-narrow-10-z
-    :parameters (?o - any-tall-narrow-10 ?s - z-step ?z ?to-z - z-cell)
-    :precondition (and (moving-lift-0100-any-tall-narrow-10-z ?o) (at-z ?o ?z) (z-of-lift-0100-any-tall-narrow-10 ?o ?s) (z-leads ?s ?z ?to-z))
-    :effect (and (not (moving-lift-0100-any-tall-narrow-10-z ?o)) (ready) (held-by-lift-0100-any-tall-narrow-10 ?o) (not (at-z ?o ?z)) (at-z ?o ?to-z) (increase (total-cost) 0)))
+    :parameters (?o - any-tall-narrow-10)
+    :precondition (and (ready) (hand-empty) (can a-lift-0100-any-tall-narrow-10 ?o))
+    :effect (and (not (ready)) (moving-z a-lift-0100-any-tall-narrow-10 ?o) (not (hand-empty)) (held a-lift-0100-any-tall-narrow-10 ?o) (not (done ?o)) (increase (total-cost) (cost-of-lift-0100-any-tall-narrow-10 ?o))))
 
   ; Put down what lift-0100-any-tall-narrow-10 lifted.
   (:action put-down-lift-0100-any-tall-narrow-10
-    :parameters (?o - any-tall-narrow-10 ?s - x-step ?x ?to-x - x-cell)
-    :precondition (and (ready) (held-by-lift-0100-any-tall-narrow-10 ?o) (at-x ?o ?x) (x-of-put-down-lift-0100-any-tall-narrow-10 ?o ?s) (x-leads ?s ?x ?to-x))
-    :effect (and (not (ready)) (moving-put-down-lift-0100-any-tall-narrow-10-y ?o) (not (held-by-lift-0100-any-tall-narrow-10 ?o)) (not (done ?o)) (not (at-x ?o ?x)) (at-x ?o ?to-x) (increase (total-cost) 0)))
-  (:action finish-put-down-lift-0100-any-tall-narrow-10-y
-    :parameters (?o - any-tall-narrow-10 ?s - y-step ?y ?to-y - y-cell)
-    :precondition (and (moving-put-down-lift-0100-any-tall-narrow-10-y ?o) (at-y ?o ?y) (y-of-put-down-lift-0100-any-tall-narrow-10 ?o ?s) (y-leads ?s ?y ?to-y))
-    :effect (and (not (moving-put-down-lift-0100-any-tall-narrow-10-y ?o)) (moving-put-down-lift-0100-any-tall-narrow-10-z ?o) (not (at-y ?o ?y)) (at-y ?o ?to-y) (increase (total-cost) 0)))
-  (:action finish-put-down-lift-0100-any-tall-narrow-10-z
-    :parameters (?o - any-tall-narrow-10 ?s - z-step ?z ?to-z - z-cell)
-    :precondition (and (moving-put-down-lift-0100-any-tall-narrow-10-z ?o) (at-z ?o ?z) (z-of-put-down-lift-0100-any-tall-narrow-10 ?o ?s) (z-leads ?s ?z ?to-z))
-    :effect (and (not (moving-put-down-lift-0100-any-tall-narrow-10-z ?o)) (ready) (hand-empty) (not (at-z ?o ?z)) (at-z ?o ?to-z) (increase (total-cost) 0)))
+    :parameters (?o - any-tall-narrow-10)
+    :precondition (and (ready) (held a-lift-0100-any-tall-narrow-10 ?o))
+    :effect (and (not (ready)) (moving-z a-put-down-lift-0100-any-tall-narrow-10 ?o) (not (held a-lift-0100-any-tall-narrow-10 ?o)) (hand-empty) (not (done ?o)) (increase (total-cost) 0)))
 
   ; Primitive 0100 on category 11 (solid-low-narrow-11); ends held in 29 of 30 rehearsals (97%).
   ; Effect (-75.4, -38.5, 199.3) mm, spread (2.2, 2.5, 1.2) mm; 29 of 30 rehearsals as promised: cost 7.
@@ -933,31 +272,15 @@
   ; It turned the object by over 15 degrees in 5 of 30 rehearsals.
   ; What it promises for an object stands in the problem.
   (:action lift-0100-solid-low-narrow-11
-    :parameters (?o - solid-low-narrow-11 ?s - x-step ?x ?to-x - x-cell)
-    :precondition (and (ready) (hand-empty) (at-x ?o ?x) (x-of-lift-0100-solid-low-narrow-11 ?o ?s) (x-leads ?s ?x ?to-x))
-    :effect (and (not (ready)) (moving-lift-0100-solid-low-narrow-11-y ?o) (not (hand-empty)) (not (done ?o)) (not (at-x ?o ?x)) (at-x ?o ?to-x) (increase (total-cost) (cost-of-lift-0100-solid-low-narrow-11 ?o))))
-  (:action finish-lift-0100-solid-low-narrow-11-y
-    :parameters (?o - solid-low-narrow-11 ?s - y-step ?y ?to-y - y-cell)
-    :precondition (and (moving-lift-0100-solid-low-narrow-11-y ?o) (at-y ?o ?y) (y-of-lift-0100-solid-low-narrow-11 ?o ?s) (y-leads ?s ?y ?to-y))
-    :effect (and (not (moving-lift-0100-solid-low-narrow-11-y ?o)) (moving-lift-0100-solid-low-narrow-11-z ?o) (not (at-y ?o ?y)) (at-y ?o ?to-y) (increase (total-cost) 0)))
-  (:action finish-lift-0100-solid-low-narrow-11-z
-    :parameters (?o - solid-low-narrow-11 ?s - z-step ?z ?to-z - z-cell)
-    :precondition (and (moving-lift-0100-solid-low-narrow-11-z ?o) (at-z ?o ?z) (z-of-lift-0100-solid-low-narrow-11 ?o ?s) (z-leads ?s ?z ?to-z))
-    :effect (and (not (moving-lift-0100-solid-low-narrow-11-z ?o)) (ready) (held-by-lift-0100-solid-low-narrow-11 ?o) (not (at-z ?o ?z)) (at-z ?o ?to-z) (increase (total-cost) 0)))
+    :parameters (?o - solid-low-narrow-11)
+    :precondition (and (ready) (hand-empty) (can a-lift-0100-solid-low-narrow-11 ?o))
+    :effect (and (not (ready)) (moving-z a-lift-0100-solid-low-narrow-11 ?o) (not (hand-empty)) (held a-lift-0100-solid-low-narrow-11 ?o) (not (done ?o)) (increase (total-cost) (cost-of-lift-0100-solid-low-narrow-11 ?o))))
 
   ; Put down what lift-0100-solid-low-narrow-11 lifted.
   (:action put-down-lift-0100-solid-low-narrow-11
-    :parameters (?o - solid-low-narrow-11 ?s - x-step ?x ?to-x - x-cell)
-    :precondition (and (ready) (held-by-lift-0100-solid-low-narrow-11 ?o) (at-x ?o ?x) (x-of-put-down-lift-0100-solid-low-narrow-11 ?o ?s) (x-leads ?s ?x ?to-x))
-    :effect (and (not (ready)) (moving-put-down-lift-0100-solid-low-narrow-11-y ?o) (not (held-by-lift-0100-solid-low-narrow-11 ?o)) (not (done ?o)) (not (at-x ?o ?x)) (at-x ?o ?to-x) (increase (total-cost) 0)))
-  (:action finish-put-down-lift-0100-solid-low-narrow-11-y
-    :parameters (?o - solid-low-narrow-11 ?s - y-step ?y ?to-y - y-cell)
-    :precondition (and (moving-put-down-lift-0100-solid-low-narrow-11-y ?o) (at-y ?o ?y) (y-of-put-down-lift-0100-solid-low-narrow-11 ?o ?s) (y-leads ?s ?y ?to-y))
-    :effect (and (not (moving-put-down-lift-0100-solid-low-narrow-11-y ?o)) (moving-put-down-lift-0100-solid-low-narrow-11-z ?o) (not (at-y ?o ?y)) (at-y ?o ?to-y) (increase (total-cost) 0)))
-  (:action finish-put-down-lift-0100-solid-low-narrow-11-z
-    :parameters (?o - solid-low-narrow-11 ?s - z-step ?z ?to-z - z-cell)
-    :precondition (and (moving-put-down-lift-0100-solid-low-narrow-11-z ?o) (at-z ?o ?z) (z-of-put-down-lift-0100-solid-low-narrow-11 ?o ?s) (z-leads ?s ?z ?to-z))
-    :effect (and (not (moving-put-down-lift-0100-solid-low-narrow-11-z ?o)) (ready) (hand-empty) (not (at-z ?o ?z)) (at-z ?o ?to-z) (increase (total-cost) 0)))
+    :parameters (?o - solid-low-narrow-11)
+    :precondition (and (ready) (held a-lift-0100-solid-low-narrow-11 ?o))
+    :effect (and (not (ready)) (moving-z a-put-down-lift-0100-solid-low-narrow-11 ?o) (not (held a-lift-0100-solid-low-narrow-11 ?o)) (hand-empty) (not (done ?o)) (increase (total-cost) 0)))
 
   ; Primitive 0100 on category 01 (hollow-wide-01); ends held in 14 of 35 rehearsals (40%).
   ; Effect (-26.2, -53.3, 198.9) mm, spread (10.2, 42.9, 2.9) mm; 10 of 35 rehearsals as promised: cost 122.
@@ -966,31 +289,15 @@
   ; It turned the object by over 15 degrees in 4 of 35 rehearsals.
   ; What it promises for an object stands in the problem.
   (:action lift-0100b-hollow-wide-01
-    :parameters (?o - hollow-wide-01 ?s - x-step ?x ?to-x - x-cell)
-    :precondition (and (ready) (hand-empty) (at-x ?o ?x) (x-of-lift-0100b-hollow-wide-01 ?o ?s) (x-leads ?s ?x ?to-x))
-    :effect (and (not (ready)) (moving-lift-0100b-hollow-wide-01-y ?o) (not (hand-empty)) (not (done ?o)) (not (at-x ?o ?x)) (at-x ?o ?to-x) (increase (total-cost) (cost-of-lift-0100b-hollow-wide-01 ?o))))
-  (:action finish-lift-0100b-hollow-wide-01-y
-    :parameters (?o - hollow-wide-01 ?s - y-step ?y ?to-y - y-cell)
-    :precondition (and (moving-lift-0100b-hollow-wide-01-y ?o) (at-y ?o ?y) (y-of-lift-0100b-hollow-wide-01 ?o ?s) (y-leads ?s ?y ?to-y))
-    :effect (and (not (moving-lift-0100b-hollow-wide-01-y ?o)) (moving-lift-0100b-hollow-wide-01-z ?o) (not (at-y ?o ?y)) (at-y ?o ?to-y) (increase (total-cost) 0)))
-  (:action finish-lift-0100b-hollow-wide-01-z
-    :parameters (?o - hollow-wide-01 ?s - z-step ?z ?to-z - z-cell)
-    :precondition (and (moving-lift-0100b-hollow-wide-01-z ?o) (at-z ?o ?z) (z-of-lift-0100b-hollow-wide-01 ?o ?s) (z-leads ?s ?z ?to-z))
-    :effect (and (not (moving-lift-0100b-hollow-wide-01-z ?o)) (ready) (held-by-lift-0100b-hollow-wide-01 ?o) (not (at-z ?o ?z)) (at-z ?o ?to-z) (increase (total-cost) 0)))
+    :parameters (?o - hollow-wide-01)
+    :precondition (and (ready) (hand-empty) (can a-lift-0100b-hollow-wide-01 ?o))
+    :effect (and (not (ready)) (moving-z a-lift-0100b-hollow-wide-01 ?o) (not (hand-empty)) (held a-lift-0100b-hollow-wide-01 ?o) (not (done ?o)) (increase (total-cost) (cost-of-lift-0100b-hollow-wide-01 ?o))))
 
   ; Put down what lift-0100b-hollow-wide-01 lifted.
   (:action put-down-lift-0100b-hollow-wide-01
-    :parameters (?o - hollow-wide-01 ?s - x-step ?x ?to-x - x-cell)
-    :precondition (and (ready) (held-by-lift-0100b-hollow-wide-01 ?o) (at-x ?o ?x) (x-of-put-down-lift-0100b-hollow-wide-01 ?o ?s) (x-leads ?s ?x ?to-x))
-    :effect (and (not (ready)) (moving-put-down-lift-0100b-hollow-wide-01-y ?o) (not (held-by-lift-0100b-hollow-wide-01 ?o)) (not (done ?o)) (not (at-x ?o ?x)) (at-x ?o ?to-x) (increase (total-cost) 0)))
-  (:action finish-put-down-lift-0100b-hollow-wide-01-y
-    :parameters (?o - hollow-wide-01 ?s - y-step ?y ?to-y - y-cell)
-    :precondition (and (moving-put-down-lift-0100b-hollow-wide-01-y ?o) (at-y ?o ?y) (y-of-put-down-lift-0100b-hollow-wide-01 ?o ?s) (y-leads ?s ?y ?to-y))
-    :effect (and (not (moving-put-down-lift-0100b-hollow-wide-01-y ?o)) (moving-put-down-lift-0100b-hollow-wide-01-z ?o) (not (at-y ?o ?y)) (at-y ?o ?to-y) (increase (total-cost) 0)))
-  (:action finish-put-down-lift-0100b-hollow-wide-01-z
-    :parameters (?o - hollow-wide-01 ?s - z-step ?z ?to-z - z-cell)
-    :precondition (and (moving-put-down-lift-0100b-hollow-wide-01-z ?o) (at-z ?o ?z) (z-of-put-down-lift-0100b-hollow-wide-01 ?o ?s) (z-leads ?s ?z ?to-z))
-    :effect (and (not (moving-put-down-lift-0100b-hollow-wide-01-z ?o)) (ready) (hand-empty) (not (at-z ?o ?z)) (at-z ?o ?to-z) (increase (total-cost) 0)))
+    :parameters (?o - hollow-wide-01)
+    :precondition (and (ready) (held a-lift-0100b-hollow-wide-01 ?o))
+    :effect (and (not (ready)) (moving-z a-put-down-lift-0100b-hollow-wide-01 ?o) (not (held a-lift-0100b-hollow-wide-01 ?o)) (hand-empty) (not (done ?o)) (increase (total-cost) 0)))
 
   ; Primitive 0100 on category 10 (any-tall-narrow-10); ends held in 30 of 30 rehearsals (100%).
   ; Effect (-55.1, -49.4, 200.1) mm, spread (1.6, 0.8, 0.6) mm; 30 of 30 rehearsals as promised: cost 4.
@@ -998,31 +305,15 @@
   ; 0.1898
   ; What it promises for an object stands in the problem.
   (:action lift-0100c-any-tall-narrow-10
-    :parameters (?o - any-tall-narrow-10 ?s - x-step ?x ?to-x - x-cell)
-    :precondition (and (ready) (hand-empty) (at-x ?o ?x) (x-of-lift-0100c-any-tall-narrow-10 ?o ?s) (x-leads ?s ?x ?to-x))
-    :effect (and (not (ready)) (moving-lift-0100c-any-tall-narrow-10-y ?o) (not (hand-empty)) (not (done ?o)) (not (at-x ?o ?x)) (at-x ?o ?to-x) (increase (total-cost) (cost-of-lift-0100c-any-tall-narrow-10 ?o))))
-  (:action finish-lift-0100c-any-tall-narrow-10-y
-    :parameters (?o - any-tall-narrow-10 ?s - y-step ?y ?to-y - y-cell)
-    :precondition (and (moving-lift-0100c-any-tall-narrow-10-y ?o) (at-y ?o ?y) (y-of-lift-0100c-any-tall-narrow-10 ?o ?s) (y-leads ?s ?y ?to-y))
-    :effect (and (not (moving-lift-0100c-any-tall-narrow-10-y ?o)) (moving-lift-0100c-any-tall-narrow-10-z ?o) (not (at-y ?o ?y)) (at-y ?o ?to-y) (increase (total-cost) 0)))
-  (:action finish-lift-0100c-any-tall-narrow-10-z
-    :parameters (?o - any-tall-narrow-10 ?s - z-step ?z ?to-z - z-cell)
-    :precondition (and (moving-lift-0100c-any-tall-narrow-10-z ?o) (at-z ?o ?z) (z-of-lift-0100c-any-tall-narrow-10 ?o ?s) (z-leads ?s ?z ?to-z))
-    :effect (and (not (moving-lift-0100c-any-tall-narrow-10-z ?o)) (ready) (held-by-lift-0100c-any-tall-narrow-10 ?o) (not (at-z ?o ?z)) (at-z ?o ?to-z) (increase (total-cost) 0)))
+    :parameters (?o - any-tall-narrow-10)
+    :precondition (and (ready) (hand-empty) (can a-lift-0100c-any-tall-narrow-10 ?o))
+    :effect (and (not (ready)) (moving-z a-lift-0100c-any-tall-narrow-10 ?o) (not (hand-empty)) (held a-lift-0100c-any-tall-narrow-10 ?o) (not (done ?o)) (increase (total-cost) (cost-of-lift-0100c-any-tall-narrow-10 ?o))))
 
   ; Put down what lift-0100c-any-tall-narrow-10 lifted.
   (:action put-down-lift-0100c-any-tall-narrow-10
-    :parameters (?o - any-tall-narrow-10 ?s - x-step ?x ?to-x - x-cell)
-    :precondition (and (ready) (held-by-lift-0100c-any-tall-narrow-10 ?o) (at-x ?o ?x) (x-of-put-down-lift-0100c-any-tall-narrow-10 ?o ?s) (x-leads ?s ?x ?to-x))
-    :effect (and (not (ready)) (moving-put-down-lift-0100c-any-tall-narrow-10-y ?o) (not (held-by-lift-0100c-any-tall-narrow-10 ?o)) (not (done ?o)) (not (at-x ?o ?x)) (at-x ?o ?to-x) (increase (total-cost) 0)))
-  (:action finish-put-down-lift-0100c-any-tall-narrow-10-y
-    :parameters (?o - any-tall-narrow-10 ?s - y-step ?y ?to-y - y-cell)
-    :precondition (and (moving-put-down-lift-0100c-any-tall-narrow-10-y ?o) (at-y ?o ?y) (y-of-put-down-lift-0100c-any-tall-narrow-10 ?o ?s) (y-leads ?s ?y ?to-y))
-    :effect (and (not (moving-put-down-lift-0100c-any-tall-narrow-10-y ?o)) (moving-put-down-lift-0100c-any-tall-narrow-10-z ?o) (not (at-y ?o ?y)) (at-y ?o ?to-y) (increase (total-cost) 0)))
-  (:action finish-put-down-lift-0100c-any-tall-narrow-10-z
-    :parameters (?o - any-tall-narrow-10 ?s - z-step ?z ?to-z - z-cell)
-    :precondition (and (moving-put-down-lift-0100c-any-tall-narrow-10-z ?o) (at-z ?o ?z) (z-of-put-down-lift-0100c-any-tall-narrow-10 ?o ?s) (z-leads ?s ?z ?to-z))
-    :effect (and (not (moving-put-down-lift-0100c-any-tall-narrow-10-z ?o)) (ready) (hand-empty) (not (at-z ?o ?z)) (at-z ?o ?to-z) (increase (total-cost) 0)))
+    :parameters (?o - any-tall-narrow-10)
+    :precondition (and (ready) (held a-lift-0100c-any-tall-narrow-10 ?o))
+    :effect (and (not (ready)) (moving-z a-put-down-lift-0100c-any-tall-narrow-10 ?o) (not (held a-lift-0100c-any-tall-narrow-10 ?o)) (hand-empty) (not (done ?o)) (increase (total-cost) 0)))
 
   ; Primitive 0100 on category 11 (solid-low-narrow-11); ends held in 30 of 30 rehearsals (100%).
   ; Effect (-58.6, 46.9, 200.8) mm, spread (0.2, 0.8, 2.6) mm; 30 of 30 rehearsals as promised: cost 4.
@@ -1030,31 +321,15 @@
   ; 0.3505
   ; What it promises for an object stands in the problem.
   (:action lift-0100d-solid-low-narrow-11
-    :parameters (?o - solid-low-narrow-11 ?s - x-step ?x ?to-x - x-cell)
-    :precondition (and (ready) (hand-empty) (at-x ?o ?x) (x-of-lift-0100d-solid-low-narrow-11 ?o ?s) (x-leads ?s ?x ?to-x))
-    :effect (and (not (ready)) (moving-lift-0100d-solid-low-narrow-11-y ?o) (not (hand-empty)) (not (done ?o)) (not (at-x ?o ?x)) (at-x ?o ?to-x) (increase (total-cost) (cost-of-lift-0100d-solid-low-narrow-11 ?o))))
-  (:action finish-lift-0100d-solid-low-narrow-11-y
-    :parameters (?o - solid-low-narrow-11 ?s - y-step ?y ?to-y - y-cell)
-    :precondition (and (moving-lift-0100d-solid-low-narrow-11-y ?o) (at-y ?o ?y) (y-of-lift-0100d-solid-low-narrow-11 ?o ?s) (y-leads ?s ?y ?to-y))
-    :effect (and (not (moving-lift-0100d-solid-low-narrow-11-y ?o)) (moving-lift-0100d-solid-low-narrow-11-z ?o) (not (at-y ?o ?y)) (at-y ?o ?to-y) (increase (total-cost) 0)))
-  (:action finish-lift-0100d-solid-low-narrow-11-z
-    :parameters (?o - solid-low-narrow-11 ?s - z-step ?z ?to-z - z-cell)
-    :precondition (and (moving-lift-0100d-solid-low-narrow-11-z ?o) (at-z ?o ?z) (z-of-lift-0100d-solid-low-narrow-11 ?o ?s) (z-leads ?s ?z ?to-z))
-    :effect (and (not (moving-lift-0100d-solid-low-narrow-11-z ?o)) (ready) (held-by-lift-0100d-solid-low-narrow-11 ?o) (not (at-z ?o ?z)) (at-z ?o ?to-z) (increase (total-cost) 0)))
+    :parameters (?o - solid-low-narrow-11)
+    :precondition (and (ready) (hand-empty) (can a-lift-0100d-solid-low-narrow-11 ?o))
+    :effect (and (not (ready)) (moving-z a-lift-0100d-solid-low-narrow-11 ?o) (not (hand-empty)) (held a-lift-0100d-solid-low-narrow-11 ?o) (not (done ?o)) (increase (total-cost) (cost-of-lift-0100d-solid-low-narrow-11 ?o))))
 
   ; Put down what lift-0100d-solid-low-narrow-11 lifted.
   (:action put-down-lift-0100d-solid-low-narrow-11
-    :parameters (?o - solid-low-narrow-11 ?s - x-step ?x ?to-x - x-cell)
-    :precondition (and (ready) (held-by-lift-0100d-solid-low-narrow-11 ?o) (at-x ?o ?x) (x-of-put-down-lift-0100d-solid-low-narrow-11 ?o ?s) (x-leads ?s ?x ?to-x))
-    :effect (and (not (ready)) (moving-put-down-lift-0100d-solid-low-narrow-11-y ?o) (not (held-by-lift-0100d-solid-low-narrow-11 ?o)) (not (done ?o)) (not (at-x ?o ?x)) (at-x ?o ?to-x) (increase (total-cost) 0)))
-  (:action finish-put-down-lift-0100d-solid-low-narrow-11-y
-    :parameters (?o - solid-low-narrow-11 ?s - y-step ?y ?to-y - y-cell)
-    :precondition (and (moving-put-down-lift-0100d-solid-low-narrow-11-y ?o) (at-y ?o ?y) (y-of-put-down-lift-0100d-solid-low-narrow-11 ?o ?s) (y-leads ?s ?y ?to-y))
-    :effect (and (not (moving-put-down-lift-0100d-solid-low-narrow-11-y ?o)) (moving-put-down-lift-0100d-solid-low-narrow-11-z ?o) (not (at-y ?o ?y)) (at-y ?o ?to-y) (increase (total-cost) 0)))
-  (:action finish-put-down-lift-0100d-solid-low-narrow-11-z
-    :parameters (?o - solid-low-narrow-11 ?s - z-step ?z ?to-z - z-cell)
-    :precondition (and (moving-put-down-lift-0100d-solid-low-narrow-11-z ?o) (at-z ?o ?z) (z-of-put-down-lift-0100d-solid-low-narrow-11 ?o ?s) (z-leads ?s ?z ?to-z))
-    :effect (and (not (moving-put-down-lift-0100d-solid-low-narrow-11-z ?o)) (ready) (hand-empty) (not (at-z ?o ?z)) (at-z ?o ?to-z) (increase (total-cost) 0)))
+    :parameters (?o - solid-low-narrow-11)
+    :precondition (and (ready) (held a-lift-0100d-solid-low-narrow-11 ?o))
+    :effect (and (not (ready)) (moving-z a-put-down-lift-0100d-solid-low-narrow-11 ?o) (not (held a-lift-0100d-solid-low-narrow-11 ?o)) (hand-empty) (not (done ?o)) (increase (total-cost) 0)))
 
   ; Primitive 0101 on category 11 (solid-low-narrow-11); ends held in 30 of 30 rehearsals (100%).
   ; Effect (-35, 35.3, 252.5) mm, spread (0.1, 0.6, 4) mm; 30 of 30 rehearsals as promised: cost 4.
@@ -1062,31 +337,15 @@
   ; 0.1013
   ; What it promises for an object stands in the problem.
   (:action lift-0101-solid-low-narrow-11
-    :parameters (?o - solid-low-narrow-11 ?s - x-step ?x ?to-x - x-cell)
-    :precondition (and (ready) (hand-empty) (at-x ?o ?x) (x-of-lift-0101-solid-low-narrow-11 ?o ?s) (x-leads ?s ?x ?to-x))
-    :effect (and (not (ready)) (moving-lift-0101-solid-low-narrow-11-y ?o) (not (hand-empty)) (not (done ?o)) (not (at-x ?o ?x)) (at-x ?o ?to-x) (increase (total-cost) (cost-of-lift-0101-solid-low-narrow-11 ?o))))
-  (:action finish-lift-0101-solid-low-narrow-11-y
-    :parameters (?o - solid-low-narrow-11 ?s - y-step ?y ?to-y - y-cell)
-    :precondition (and (moving-lift-0101-solid-low-narrow-11-y ?o) (at-y ?o ?y) (y-of-lift-0101-solid-low-narrow-11 ?o ?s) (y-leads ?s ?y ?to-y))
-    :effect (and (not (moving-lift-0101-solid-low-narrow-11-y ?o)) (moving-lift-0101-solid-low-narrow-11-z ?o) (not (at-y ?o ?y)) (at-y ?o ?to-y) (increase (total-cost) 0)))
-  (:action finish-lift-0101-solid-low-narrow-11-z
-    :parameters (?o - solid-low-narrow-11 ?s - z-step ?z ?to-z - z-cell)
-    :precondition (and (moving-lift-0101-solid-low-narrow-11-z ?o) (at-z ?o ?z) (z-of-lift-0101-solid-low-narrow-11 ?o ?s) (z-leads ?s ?z ?to-z))
-    :effect (and (not (moving-lift-0101-solid-low-narrow-11-z ?o)) (ready) (held-by-lift-0101-solid-low-narrow-11 ?o) (not (at-z ?o ?z)) (at-z ?o ?to-z) (increase (total-cost) 0)))
+    :parameters (?o - solid-low-narrow-11)
+    :precondition (and (ready) (hand-empty) (can a-lift-0101-solid-low-narrow-11 ?o))
+    :effect (and (not (ready)) (moving-z a-lift-0101-solid-low-narrow-11 ?o) (not (hand-empty)) (held a-lift-0101-solid-low-narrow-11 ?o) (not (done ?o)) (increase (total-cost) (cost-of-lift-0101-solid-low-narrow-11 ?o))))
 
   ; Put down what lift-0101-solid-low-narrow-11 lifted.
   (:action put-down-lift-0101-solid-low-narrow-11
-    :parameters (?o - solid-low-narrow-11 ?s - x-step ?x ?to-x - x-cell)
-    :precondition (and (ready) (held-by-lift-0101-solid-low-narrow-11 ?o) (at-x ?o ?x) (x-of-put-down-lift-0101-solid-low-narrow-11 ?o ?s) (x-leads ?s ?x ?to-x))
-    :effect (and (not (ready)) (moving-put-down-lift-0101-solid-low-narrow-11-y ?o) (not (held-by-lift-0101-solid-low-narrow-11 ?o)) (not (done ?o)) (not (at-x ?o ?x)) (at-x ?o ?to-x) (increase (total-cost) 0)))
-  (:action finish-put-down-lift-0101-solid-low-narrow-11-y
-    :parameters (?o - solid-low-narrow-11 ?s - y-step ?y ?to-y - y-cell)
-    :precondition (and (moving-put-down-lift-0101-solid-low-narrow-11-y ?o) (at-y ?o ?y) (y-of-put-down-lift-0101-solid-low-narrow-11 ?o ?s) (y-leads ?s ?y ?to-y))
-    :effect (and (not (moving-put-down-lift-0101-solid-low-narrow-11-y ?o)) (moving-put-down-lift-0101-solid-low-narrow-11-z ?o) (not (at-y ?o ?y)) (at-y ?o ?to-y) (increase (total-cost) 0)))
-  (:action finish-put-down-lift-0101-solid-low-narrow-11-z
-    :parameters (?o - solid-low-narrow-11 ?s - z-step ?z ?to-z - z-cell)
-    :precondition (and (moving-put-down-lift-0101-solid-low-narrow-11-z ?o) (at-z ?o ?z) (z-of-put-down-lift-0101-solid-low-narrow-11 ?o ?s) (z-leads ?s ?z ?to-z))
-    :effect (and (not (moving-put-down-lift-0101-solid-low-narrow-11-z ?o)) (ready) (hand-empty) (not (at-z ?o ?z)) (at-z ?o ?to-z) (increase (total-cost) 0)))
+    :parameters (?o - solid-low-narrow-11)
+    :precondition (and (ready) (held a-lift-0101-solid-low-narrow-11 ?o))
+    :effect (and (not (ready)) (moving-z a-put-down-lift-0101-solid-low-narrow-11 ?o) (not (held a-lift-0101-solid-low-narrow-11 ?o)) (hand-empty) (not (done ?o)) (increase (total-cost) 0)))
 
   ; Primitive 0101 on category 01 (hollow-wide-01); ends held in 35 of 35 rehearsals (100%).
   ; Effect (-24.7, 43.6, 248.4) mm, spread (1.7, 9.8, 7.7) mm; 35 of 35 rehearsals as promised: cost 4.
@@ -1094,31 +353,15 @@
   ; 0.4820
   ; What it promises for an object stands in the problem.
   (:action lift-0101a-hollow-wide-01
-    :parameters (?o - hollow-wide-01 ?s - x-step ?x ?to-x - x-cell)
-    :precondition (and (ready) (hand-empty) (at-x ?o ?x) (x-of-lift-0101a-hollow-wide-01 ?o ?s) (x-leads ?s ?x ?to-x))
-    :effect (and (not (ready)) (moving-lift-0101a-hollow-wide-01-y ?o) (not (hand-empty)) (not (done ?o)) (not (at-x ?o ?x)) (at-x ?o ?to-x) (increase (total-cost) (cost-of-lift-0101a-hollow-wide-01 ?o))))
-  (:action finish-lift-0101a-hollow-wide-01-y
-    :parameters (?o - hollow-wide-01 ?s - y-step ?y ?to-y - y-cell)
-    :precondition (and (moving-lift-0101a-hollow-wide-01-y ?o) (at-y ?o ?y) (y-of-lift-0101a-hollow-wide-01 ?o ?s) (y-leads ?s ?y ?to-y))
-    :effect (and (not (moving-lift-0101a-hollow-wide-01-y ?o)) (moving-lift-0101a-hollow-wide-01-z ?o) (not (at-y ?o ?y)) (at-y ?o ?to-y) (increase (total-cost) 0)))
-  (:action finish-lift-0101a-hollow-wide-01-z
-    :parameters (?o - hollow-wide-01 ?s - z-step ?z ?to-z - z-cell)
-    :precondition (and (moving-lift-0101a-hollow-wide-01-z ?o) (at-z ?o ?z) (z-of-lift-0101a-hollow-wide-01 ?o ?s) (z-leads ?s ?z ?to-z))
-    :effect (and (not (moving-lift-0101a-hollow-wide-01-z ?o)) (ready) (held-by-lift-0101a-hollow-wide-01 ?o) (not (at-z ?o ?z)) (at-z ?o ?to-z) (increase (total-cost) 0)))
+    :parameters (?o - hollow-wide-01)
+    :precondition (and (ready) (hand-empty) (can a-lift-0101a-hollow-wide-01 ?o))
+    :effect (and (not (ready)) (moving-z a-lift-0101a-hollow-wide-01 ?o) (not (hand-empty)) (held a-lift-0101a-hollow-wide-01 ?o) (not (done ?o)) (increase (total-cost) (cost-of-lift-0101a-hollow-wide-01 ?o))))
 
   ; Put down what lift-0101a-hollow-wide-01 lifted.
   (:action put-down-lift-0101a-hollow-wide-01
-    :parameters (?o - hollow-wide-01 ?s - x-step ?x ?to-x - x-cell)
-    :precondition (and (ready) (held-by-lift-0101a-hollow-wide-01 ?o) (at-x ?o ?x) (x-of-put-down-lift-0101a-hollow-wide-01 ?o ?s) (x-leads ?s ?x ?to-x))
-    :effect (and (not (ready)) (moving-put-down-lift-0101a-hollow-wide-01-y ?o) (not (held-by-lift-0101a-hollow-wide-01 ?o)) (not (done ?o)) (not (at-x ?o ?x)) (at-x ?o ?to-x) (increase (total-cost) 0)))
-  (:action finish-put-down-lift-0101a-hollow-wide-01-y
-    :parameters (?o - hollow-wide-01 ?s - y-step ?y ?to-y - y-cell)
-    :precondition (and (moving-put-down-lift-0101a-hollow-wide-01-y ?o) (at-y ?o ?y) (y-of-put-down-lift-0101a-hollow-wide-01 ?o ?s) (y-leads ?s ?y ?to-y))
-    :effect (and (not (moving-put-down-lift-0101a-hollow-wide-01-y ?o)) (moving-put-down-lift-0101a-hollow-wide-01-z ?o) (not (at-y ?o ?y)) (at-y ?o ?to-y) (increase (total-cost) 0)))
-  (:action finish-put-down-lift-0101a-hollow-wide-01-z
-    :parameters (?o - hollow-wide-01 ?s - z-step ?z ?to-z - z-cell)
-    :precondition (and (moving-put-down-lift-0101a-hollow-wide-01-z ?o) (at-z ?o ?z) (z-of-put-down-lift-0101a-hollow-wide-01 ?o ?s) (z-leads ?s ?z ?to-z))
-    :effect (and (not (moving-put-down-lift-0101a-hollow-wide-01-z ?o)) (ready) (hand-empty) (not (at-z ?o ?z)) (at-z ?o ?to-z) (increase (total-cost) 0)))
+    :parameters (?o - hollow-wide-01)
+    :precondition (and (ready) (held a-lift-0101a-hollow-wide-01 ?o))
+    :effect (and (not (ready)) (moving-z a-put-down-lift-0101a-hollow-wide-01 ?o) (not (held a-lift-0101a-hollow-wide-01 ?o)) (hand-empty) (not (done ?o)) (increase (total-cost) 0)))
 
   ; Primitive 0101 on category 10 (any-tall-narrow-10); ends held in 27 of 30 rehearsals (90%).
   ; Effect (-41.4, 38.2, 200.1) mm, spread (6, 7.2, 0.3) mm; 27 of 30 rehearsals as promised: cost 14.
@@ -1126,31 +369,15 @@
   ; 0.3369
   ; What it promises for an object stands in the problem.
   (:action lift-0101b-any-tall-narrow-10
-    :parameters (?o - any-tall-narrow-10 ?s - x-step ?x ?to-x - x-cell)
-    :precondition (and (ready) (hand-empty) (at-x ?o ?x) (x-of-lift-0101b-any-tall-narrow-10 ?o ?s) (x-leads ?s ?x ?to-x))
-    :effect (and (not (ready)) (moving-lift-0101b-any-tall-narrow-10-y ?o) (not (hand-empty)) (not (done ?o)) (not (at-x ?o ?x)) (at-x ?o ?to-x) (increase (total-cost) (cost-of-lift-0101b-any-tall-narrow-10 ?o))))
-  (:action finish-lift-0101b-any-tall-narrow-10-y
-    :parameters (?o - any-tall-narrow-10 ?s - y-step ?y ?to-y - y-cell)
-    :precondition (and (moving-lift-0101b-any-tall-narrow-10-y ?o) (at-y ?o ?y) (y-of-lift-0101b-any-tall-narrow-10 ?o ?s) (y-leads ?s ?y ?to-y))
-    :effect (and (not (moving-lift-0101b-any-tall-narrow-10-y ?o)) (moving-lift-0101b-any-tall-narrow-10-z ?o) (not (at-y ?o ?y)) (at-y ?o ?to-y) (increase (total-cost) 0)))
-  (:action finish-lift-0101b-any-tall-narrow-10-z
-    :parameters (?o - any-tall-narrow-10 ?s - z-step ?z ?to-z - z-cell)
-    :precondition (and (moving-lift-0101b-any-tall-narrow-10-z ?o) (at-z ?o ?z) (z-of-lift-0101b-any-tall-narrow-10 ?o ?s) (z-leads ?s ?z ?to-z))
-    :effect (and (not (moving-lift-0101b-any-tall-narrow-10-z ?o)) (ready) (held-by-lift-0101b-any-tall-narrow-10 ?o) (not (at-z ?o ?z)) (at-z ?o ?to-z) (increase (total-cost) 0)))
+    :parameters (?o - any-tall-narrow-10)
+    :precondition (and (ready) (hand-empty) (can a-lift-0101b-any-tall-narrow-10 ?o))
+    :effect (and (not (ready)) (moving-z a-lift-0101b-any-tall-narrow-10 ?o) (not (hand-empty)) (held a-lift-0101b-any-tall-narrow-10 ?o) (not (done ?o)) (increase (total-cost) (cost-of-lift-0101b-any-tall-narrow-10 ?o))))
 
   ; Put down what lift-0101b-any-tall-narrow-10 lifted.
   (:action put-down-lift-0101b-any-tall-narrow-10
-    :parameters (?o - any-tall-narrow-10 ?s - x-step ?x ?to-x - x-cell)
-    :precondition (and (ready) (held-by-lift-0101b-any-tall-narrow-10 ?o) (at-x ?o ?x) (x-of-put-down-lift-0101b-any-tall-narrow-10 ?o ?s) (x-leads ?s ?x ?to-x))
-    :effect (and (not (ready)) (moving-put-down-lift-0101b-any-tall-narrow-10-y ?o) (not (held-by-lift-0101b-any-tall-narrow-10 ?o)) (not (done ?o)) (not (at-x ?o ?x)) (at-x ?o ?to-x) (increase (total-cost) 0)))
-  (:action finish-put-down-lift-0101b-any-tall-narrow-10-y
-    :parameters (?o - any-tall-narrow-10 ?s - y-step ?y ?to-y - y-cell)
-    :precondition (and (moving-put-down-lift-0101b-any-tall-narrow-10-y ?o) (at-y ?o ?y) (y-of-put-down-lift-0101b-any-tall-narrow-10 ?o ?s) (y-leads ?s ?y ?to-y))
-    :effect (and (not (moving-put-down-lift-0101b-any-tall-narrow-10-y ?o)) (moving-put-down-lift-0101b-any-tall-narrow-10-z ?o) (not (at-y ?o ?y)) (at-y ?o ?to-y) (increase (total-cost) 0)))
-  (:action finish-put-down-lift-0101b-any-tall-narrow-10-z
-    :parameters (?o - any-tall-narrow-10 ?s - z-step ?z ?to-z - z-cell)
-    :precondition (and (moving-put-down-lift-0101b-any-tall-narrow-10-z ?o) (at-z ?o ?z) (z-of-put-down-lift-0101b-any-tall-narrow-10 ?o ?s) (z-leads ?s ?z ?to-z))
-    :effect (and (not (moving-put-down-lift-0101b-any-tall-narrow-10-z ?o)) (ready) (hand-empty) (not (at-z ?o ?z)) (at-z ?o ?to-z) (increase (total-cost) 0)))
+    :parameters (?o - any-tall-narrow-10)
+    :precondition (and (ready) (held a-lift-0101b-any-tall-narrow-10 ?o))
+    :effect (and (not (ready)) (moving-z a-put-down-lift-0101b-any-tall-narrow-10 ?o) (not (held a-lift-0101b-any-tall-narrow-10 ?o)) (hand-empty) (not (done ?o)) (increase (total-cost) 0)))
 
   ; Primitive 0101 on category 11 (solid-low-narrow-11); ends held in 30 of 30 rehearsals (100%).
   ; Effect (-52.8, -51.3, 202.9) mm, spread (0.4, 0.6, 2.9) mm; 30 of 30 rehearsals as promised: cost 4.
@@ -1158,31 +385,15 @@
   ; 0.4181
   ; What it promises for an object stands in the problem.
   (:action lift-0101c-solid-low-narrow-11
-    :parameters (?o - solid-low-narrow-11 ?s - x-step ?x ?to-x - x-cell)
-    :precondition (and (ready) (hand-empty) (at-x ?o ?x) (x-of-lift-0101c-solid-low-narrow-11 ?o ?s) (x-leads ?s ?x ?to-x))
-    :effect (and (not (ready)) (moving-lift-0101c-solid-low-narrow-11-y ?o) (not (hand-empty)) (not (done ?o)) (not (at-x ?o ?x)) (at-x ?o ?to-x) (increase (total-cost) (cost-of-lift-0101c-solid-low-narrow-11 ?o))))
-  (:action finish-lift-0101c-solid-low-narrow-11-y
-    :parameters (?o - solid-low-narrow-11 ?s - y-step ?y ?to-y - y-cell)
-    :precondition (and (moving-lift-0101c-solid-low-narrow-11-y ?o) (at-y ?o ?y) (y-of-lift-0101c-solid-low-narrow-11 ?o ?s) (y-leads ?s ?y ?to-y))
-    :effect (and (not (moving-lift-0101c-solid-low-narrow-11-y ?o)) (moving-lift-0101c-solid-low-narrow-11-z ?o) (not (at-y ?o ?y)) (at-y ?o ?to-y) (increase (total-cost) 0)))
-  (:action finish-lift-0101c-solid-low-narrow-11-z
-    :parameters (?o - solid-low-narrow-11 ?s - z-step ?z ?to-z - z-cell)
-    :precondition (and (moving-lift-0101c-solid-low-narrow-11-z ?o) (at-z ?o ?z) (z-of-lift-0101c-solid-low-narrow-11 ?o ?s) (z-leads ?s ?z ?to-z))
-    :effect (and (not (moving-lift-0101c-solid-low-narrow-11-z ?o)) (ready) (held-by-lift-0101c-solid-low-narrow-11 ?o) (not (at-z ?o ?z)) (at-z ?o ?to-z) (increase (total-cost) 0)))
+    :parameters (?o - solid-low-narrow-11)
+    :precondition (and (ready) (hand-empty) (can a-lift-0101c-solid-low-narrow-11 ?o))
+    :effect (and (not (ready)) (moving-z a-lift-0101c-solid-low-narrow-11 ?o) (not (hand-empty)) (held a-lift-0101c-solid-low-narrow-11 ?o) (not (done ?o)) (increase (total-cost) (cost-of-lift-0101c-solid-low-narrow-11 ?o))))
 
   ; Put down what lift-0101c-solid-low-narrow-11 lifted.
   (:action put-down-lift-0101c-solid-low-narrow-11
-    :parameters (?o - solid-low-narrow-11 ?s - x-step ?x ?to-x - x-cell)
-    :precondition (and (ready) (held-by-lift-0101c-solid-low-narrow-11 ?o) (at-x ?o ?x) (x-of-put-down-lift-0101c-solid-low-narrow-11 ?o ?s) (x-leads ?s ?x ?to-x))
-    :effect (and (not (ready)) (moving-put-down-lift-0101c-solid-low-narrow-11-y ?o) (not (held-by-lift-0101c-solid-low-narrow-11 ?o)) (not (done ?o)) (not (at-x ?o ?x)) (at-x ?o ?to-x) (increase (total-cost) 0)))
-  (:action finish-put-down-lift-0101c-solid-low-narrow-11-y
-    :parameters (?o - solid-low-narrow-11 ?s - y-step ?y ?to-y - y-cell)
-    :precondition (and (moving-put-down-lift-0101c-solid-low-narrow-11-y ?o) (at-y ?o ?y) (y-of-put-down-lift-0101c-solid-low-narrow-11 ?o ?s) (y-leads ?s ?y ?to-y))
-    :effect (and (not (moving-put-down-lift-0101c-solid-low-narrow-11-y ?o)) (moving-put-down-lift-0101c-solid-low-narrow-11-z ?o) (not (at-y ?o ?y)) (at-y ?o ?to-y) (increase (total-cost) 0)))
-  (:action finish-put-down-lift-0101c-solid-low-narrow-11-z
-    :parameters (?o - solid-low-narrow-11 ?s - z-step ?z ?to-z - z-cell)
-    :precondition (and (moving-put-down-lift-0101c-solid-low-narrow-11-z ?o) (at-z ?o ?z) (z-of-put-down-lift-0101c-solid-low-narrow-11 ?o ?s) (z-leads ?s ?z ?to-z))
-    :effect (and (not (moving-put-down-lift-0101c-solid-low-narrow-11-z ?o)) (ready) (hand-empty) (not (at-z ?o ?z)) (at-z ?o ?to-z) (increase (total-cost) 0)))
+    :parameters (?o - solid-low-narrow-11)
+    :precondition (and (ready) (held a-lift-0101c-solid-low-narrow-11 ?o))
+    :effect (and (not (ready)) (moving-z a-put-down-lift-0101c-solid-low-narrow-11 ?o) (not (held a-lift-0101c-solid-low-narrow-11 ?o)) (hand-empty) (not (done ?o)) (increase (total-cost) 0)))
 
   ; Primitive 1000 on category 01 (hollow-wide-01); ends held in 31 of 35 rehearsals (89%).
   ; Effect (46.3, -40.5, 198.1) mm, spread (13.7, 8.5, 5.6) mm; 30 of 35 rehearsals as promised: cost 19.
@@ -1191,31 +402,15 @@
   ; It turned the object by over 15 degrees in 12 of 35 rehearsals.
   ; What it promises for an object stands in the problem.
   (:action lift-1000-hollow-wide-01
-    :parameters (?o - hollow-wide-01 ?s - x-step ?x ?to-x - x-cell)
-    :precondition (and (ready) (hand-empty) (at-x ?o ?x) (x-of-lift-1000-hollow-wide-01 ?o ?s) (x-leads ?s ?x ?to-x))
-    :effect (and (not (ready)) (moving-lift-1000-hollow-wide-01-y ?o) (not (hand-empty)) (not (done ?o)) (not (at-x ?o ?x)) (at-x ?o ?to-x) (increase (total-cost) (cost-of-lift-1000-hollow-wide-01 ?o))))
-  (:action finish-lift-1000-hollow-wide-01-y
-    :parameters (?o - hollow-wide-01 ?s - y-step ?y ?to-y - y-cell)
-    :precondition (and (moving-lift-1000-hollow-wide-01-y ?o) (at-y ?o ?y) (y-of-lift-1000-hollow-wide-01 ?o ?s) (y-leads ?s ?y ?to-y))
-    :effect (and (not (moving-lift-1000-hollow-wide-01-y ?o)) (moving-lift-1000-hollow-wide-01-z ?o) (not (at-y ?o ?y)) (at-y ?o ?to-y) (increase (total-cost) 0)))
-  (:action finish-lift-1000-hollow-wide-01-z
-    :parameters (?o - hollow-wide-01 ?s - z-step ?z ?to-z - z-cell)
-    :precondition (and (moving-lift-1000-hollow-wide-01-z ?o) (at-z ?o ?z) (z-of-lift-1000-hollow-wide-01 ?o ?s) (z-leads ?s ?z ?to-z))
-    :effect (and (not (moving-lift-1000-hollow-wide-01-z ?o)) (ready) (held-by-lift-1000-hollow-wide-01 ?o) (not (at-z ?o ?z)) (at-z ?o ?to-z) (increase (total-cost) 0)))
+    :parameters (?o - hollow-wide-01)
+    :precondition (and (ready) (hand-empty) (can a-lift-1000-hollow-wide-01 ?o))
+    :effect (and (not (ready)) (moving-z a-lift-1000-hollow-wide-01 ?o) (not (hand-empty)) (held a-lift-1000-hollow-wide-01 ?o) (not (done ?o)) (increase (total-cost) (cost-of-lift-1000-hollow-wide-01 ?o))))
 
   ; Put down what lift-1000-hollow-wide-01 lifted.
   (:action put-down-lift-1000-hollow-wide-01
-    :parameters (?o - hollow-wide-01 ?s - x-step ?x ?to-x - x-cell)
-    :precondition (and (ready) (held-by-lift-1000-hollow-wide-01 ?o) (at-x ?o ?x) (x-of-put-down-lift-1000-hollow-wide-01 ?o ?s) (x-leads ?s ?x ?to-x))
-    :effect (and (not (ready)) (moving-put-down-lift-1000-hollow-wide-01-y ?o) (not (held-by-lift-1000-hollow-wide-01 ?o)) (not (done ?o)) (not (at-x ?o ?x)) (at-x ?o ?to-x) (increase (total-cost) 0)))
-  (:action finish-put-down-lift-1000-hollow-wide-01-y
-    :parameters (?o - hollow-wide-01 ?s - y-step ?y ?to-y - y-cell)
-    :precondition (and (moving-put-down-lift-1000-hollow-wide-01-y ?o) (at-y ?o ?y) (y-of-put-down-lift-1000-hollow-wide-01 ?o ?s) (y-leads ?s ?y ?to-y))
-    :effect (and (not (moving-put-down-lift-1000-hollow-wide-01-y ?o)) (moving-put-down-lift-1000-hollow-wide-01-z ?o) (not (at-y ?o ?y)) (at-y ?o ?to-y) (increase (total-cost) 0)))
-  (:action finish-put-down-lift-1000-hollow-wide-01-z
-    :parameters (?o - hollow-wide-01 ?s - z-step ?z ?to-z - z-cell)
-    :precondition (and (moving-put-down-lift-1000-hollow-wide-01-z ?o) (at-z ?o ?z) (z-of-put-down-lift-1000-hollow-wide-01 ?o ?s) (z-leads ?s ?z ?to-z))
-    :effect (and (not (moving-put-down-lift-1000-hollow-wide-01-z ?o)) (ready) (hand-empty) (not (at-z ?o ?z)) (at-z ?o ?to-z) (increase (total-cost) 0)))
+    :parameters (?o - hollow-wide-01)
+    :precondition (and (ready) (held a-lift-1000-hollow-wide-01 ?o))
+    :effect (and (not (ready)) (moving-z a-put-down-lift-1000-hollow-wide-01 ?o) (not (held a-lift-1000-hollow-wide-01 ?o)) (hand-empty) (not (done ?o)) (increase (total-cost) 0)))
 
   ; Primitive 1000 on category 11 (solid-low-narrow-11); ends held in 30 of 30 rehearsals (100%).
   ; Effect (65.7, 30.8, 200) mm, spread (4.4, 1.5, 0.8) mm; 30 of 30 rehearsals as promised: cost 4.
@@ -1223,31 +418,15 @@
   ; 0.2445
   ; What it promises for an object stands in the problem.
   (:action lift-1000-solid-low-narrow-11
-    :parameters (?o - solid-low-narrow-11 ?s - x-step ?x ?to-x - x-cell)
-    :precondition (and (ready) (hand-empty) (at-x ?o ?x) (x-of-lift-1000-solid-low-narrow-11 ?o ?s) (x-leads ?s ?x ?to-x))
-    :effect (and (not (ready)) (moving-lift-1000-solid-low-narrow-11-y ?o) (not (hand-empty)) (not (done ?o)) (not (at-x ?o ?x)) (at-x ?o ?to-x) (increase (total-cost) (cost-of-lift-1000-solid-low-narrow-11 ?o))))
-  (:action finish-lift-1000-solid-low-narrow-11-y
-    :parameters (?o - solid-low-narrow-11 ?s - y-step ?y ?to-y - y-cell)
-    :precondition (and (moving-lift-1000-solid-low-narrow-11-y ?o) (at-y ?o ?y) (y-of-lift-1000-solid-low-narrow-11 ?o ?s) (y-leads ?s ?y ?to-y))
-    :effect (and (not (moving-lift-1000-solid-low-narrow-11-y ?o)) (moving-lift-1000-solid-low-narrow-11-z ?o) (not (at-y ?o ?y)) (at-y ?o ?to-y) (increase (total-cost) 0)))
-  (:action finish-lift-1000-solid-low-narrow-11-z
-    :parameters (?o - solid-low-narrow-11 ?s - z-step ?z ?to-z - z-cell)
-    :precondition (and (moving-lift-1000-solid-low-narrow-11-z ?o) (at-z ?o ?z) (z-of-lift-1000-solid-low-narrow-11 ?o ?s) (z-leads ?s ?z ?to-z))
-    :effect (and (not (moving-lift-1000-solid-low-narrow-11-z ?o)) (ready) (held-by-lift-1000-solid-low-narrow-11 ?o) (not (at-z ?o ?z)) (at-z ?o ?to-z) (increase (total-cost) 0)))
+    :parameters (?o - solid-low-narrow-11)
+    :precondition (and (ready) (hand-empty) (can a-lift-1000-solid-low-narrow-11 ?o))
+    :effect (and (not (ready)) (moving-z a-lift-1000-solid-low-narrow-11 ?o) (not (hand-empty)) (held a-lift-1000-solid-low-narrow-11 ?o) (not (done ?o)) (increase (total-cost) (cost-of-lift-1000-solid-low-narrow-11 ?o))))
 
   ; Put down what lift-1000-solid-low-narrow-11 lifted.
   (:action put-down-lift-1000-solid-low-narrow-11
-    :parameters (?o - solid-low-narrow-11 ?s - x-step ?x ?to-x - x-cell)
-    :precondition (and (ready) (held-by-lift-1000-solid-low-narrow-11 ?o) (at-x ?o ?x) (x-of-put-down-lift-1000-solid-low-narrow-11 ?o ?s) (x-leads ?s ?x ?to-x))
-    :effect (and (not (ready)) (moving-put-down-lift-1000-solid-low-narrow-11-y ?o) (not (held-by-lift-1000-solid-low-narrow-11 ?o)) (not (done ?o)) (not (at-x ?o ?x)) (at-x ?o ?to-x) (increase (total-cost) 0)))
-  (:action finish-put-down-lift-1000-solid-low-narrow-11-y
-    :parameters (?o - solid-low-narrow-11 ?s - y-step ?y ?to-y - y-cell)
-    :precondition (and (moving-put-down-lift-1000-solid-low-narrow-11-y ?o) (at-y ?o ?y) (y-of-put-down-lift-1000-solid-low-narrow-11 ?o ?s) (y-leads ?s ?y ?to-y))
-    :effect (and (not (moving-put-down-lift-1000-solid-low-narrow-11-y ?o)) (moving-put-down-lift-1000-solid-low-narrow-11-z ?o) (not (at-y ?o ?y)) (at-y ?o ?to-y) (increase (total-cost) 0)))
-  (:action finish-put-down-lift-1000-solid-low-narrow-11-z
-    :parameters (?o - solid-low-narrow-11 ?s - z-step ?z ?to-z - z-cell)
-    :precondition (and (moving-put-down-lift-1000-solid-low-narrow-11-z ?o) (at-z ?o ?z) (z-of-put-down-lift-1000-solid-low-narrow-11 ?o ?s) (z-leads ?s ?z ?to-z))
-    :effect (and (not (moving-put-down-lift-1000-solid-low-narrow-11-z ?o)) (ready) (hand-empty) (not (at-z ?o ?z)) (at-z ?o ?to-z) (increase (total-cost) 0)))
+    :parameters (?o - solid-low-narrow-11)
+    :precondition (and (ready) (held a-lift-1000-solid-low-narrow-11 ?o))
+    :effect (and (not (ready)) (moving-z a-put-down-lift-1000-solid-low-narrow-11 ?o) (not (held a-lift-1000-solid-low-narrow-11 ?o)) (hand-empty) (not (done ?o)) (increase (total-cost) 0)))
 
   ; Primitive 1000 on category 01 (hollow-wide-01); ends held in 35 of 35 rehearsals (100%).
   ; Effect (49.5, -114.5, 215.8) mm, spread (2.9, 10.3, 7.8) mm; 35 of 35 rehearsals as promised: cost 4.
@@ -1255,31 +434,15 @@
   ; 0.4443
   ; What it promises for an object stands in the problem.
   (:action lift-1000a-hollow-wide-01
-    :parameters (?o - hollow-wide-01 ?s - x-step ?x ?to-x - x-cell)
-    :precondition (and (ready) (hand-empty) (at-x ?o ?x) (x-of-lift-1000a-hollow-wide-01 ?o ?s) (x-leads ?s ?x ?to-x))
-    :effect (and (not (ready)) (moving-lift-1000a-hollow-wide-01-y ?o) (not (hand-empty)) (not (done ?o)) (not (at-x ?o ?x)) (at-x ?o ?to-x) (increase (total-cost) (cost-of-lift-1000a-hollow-wide-01 ?o))))
-  (:action finish-lift-1000a-hollow-wide-01-y
-    :parameters (?o - hollow-wide-01 ?s - y-step ?y ?to-y - y-cell)
-    :precondition (and (moving-lift-1000a-hollow-wide-01-y ?o) (at-y ?o ?y) (y-of-lift-1000a-hollow-wide-01 ?o ?s) (y-leads ?s ?y ?to-y))
-    :effect (and (not (moving-lift-1000a-hollow-wide-01-y ?o)) (moving-lift-1000a-hollow-wide-01-z ?o) (not (at-y ?o ?y)) (at-y ?o ?to-y) (increase (total-cost) 0)))
-  (:action finish-lift-1000a-hollow-wide-01-z
-    :parameters (?o - hollow-wide-01 ?s - z-step ?z ?to-z - z-cell)
-    :precondition (and (moving-lift-1000a-hollow-wide-01-z ?o) (at-z ?o ?z) (z-of-lift-1000a-hollow-wide-01 ?o ?s) (z-leads ?s ?z ?to-z))
-    :effect (and (not (moving-lift-1000a-hollow-wide-01-z ?o)) (ready) (held-by-lift-1000a-hollow-wide-01 ?o) (not (at-z ?o ?z)) (at-z ?o ?to-z) (increase (total-cost) 0)))
+    :parameters (?o - hollow-wide-01)
+    :precondition (and (ready) (hand-empty) (can a-lift-1000a-hollow-wide-01 ?o))
+    :effect (and (not (ready)) (moving-z a-lift-1000a-hollow-wide-01 ?o) (not (hand-empty)) (held a-lift-1000a-hollow-wide-01 ?o) (not (done ?o)) (increase (total-cost) (cost-of-lift-1000a-hollow-wide-01 ?o))))
 
   ; Put down what lift-1000a-hollow-wide-01 lifted.
   (:action put-down-lift-1000a-hollow-wide-01
-    :parameters (?o - hollow-wide-01 ?s - x-step ?x ?to-x - x-cell)
-    :precondition (and (ready) (held-by-lift-1000a-hollow-wide-01 ?o) (at-x ?o ?x) (x-of-put-down-lift-1000a-hollow-wide-01 ?o ?s) (x-leads ?s ?x ?to-x))
-    :effect (and (not (ready)) (moving-put-down-lift-1000a-hollow-wide-01-y ?o) (not (held-by-lift-1000a-hollow-wide-01 ?o)) (not (done ?o)) (not (at-x ?o ?x)) (at-x ?o ?to-x) (increase (total-cost) 0)))
-  (:action finish-put-down-lift-1000a-hollow-wide-01-y
-    :parameters (?o - hollow-wide-01 ?s - y-step ?y ?to-y - y-cell)
-    :precondition (and (moving-put-down-lift-1000a-hollow-wide-01-y ?o) (at-y ?o ?y) (y-of-put-down-lift-1000a-hollow-wide-01 ?o ?s) (y-leads ?s ?y ?to-y))
-    :effect (and (not (moving-put-down-lift-1000a-hollow-wide-01-y ?o)) (moving-put-down-lift-1000a-hollow-wide-01-z ?o) (not (at-y ?o ?y)) (at-y ?o ?to-y) (increase (total-cost) 0)))
-  (:action finish-put-down-lift-1000a-hollow-wide-01-z
-    :parameters (?o - hollow-wide-01 ?s - z-step ?z ?to-z - z-cell)
-    :precondition (and (moving-put-down-lift-1000a-hollow-wide-01-z ?o) (at-z ?o ?z) (z-of-put-down-lift-1000a-hollow-wide-01 ?o ?s) (z-leads ?s ?z ?to-z))
-    :effect (and (not (moving-put-down-lift-1000a-hollow-wide-01-z ?o)) (ready) (hand-empty) (not (at-z ?o ?z)) (at-z ?o ?to-z) (increase (total-cost) 0)))
+    :parameters (?o - hollow-wide-01)
+    :precondition (and (ready) (held a-lift-1000a-hollow-wide-01 ?o))
+    :effect (and (not (ready)) (moving-z a-put-down-lift-1000a-hollow-wide-01 ?o) (not (held a-lift-1000a-hollow-wide-01 ?o)) (hand-empty) (not (done ?o)) (increase (total-cost) 0)))
 
   ; Primitive 1000 on category 10 (any-tall-narrow-10); ends held in 30 of 30 rehearsals (100%).
   ; Effect (33.3, -47, 200.3) mm, spread (7.3, 0.7, 0.5) mm; 30 of 30 rehearsals as promised: cost 4.
@@ -1287,31 +450,15 @@
   ; 0.1195
   ; What it promises for an object stands in the problem.
   (:action lift-1000b-any-tall-narrow-10
-    :parameters (?o - any-tall-narrow-10 ?s - x-step ?x ?to-x - x-cell)
-    :precondition (and (ready) (hand-empty) (at-x ?o ?x) (x-of-lift-1000b-any-tall-narrow-10 ?o ?s) (x-leads ?s ?x ?to-x))
-    :effect (and (not (ready)) (moving-lift-1000b-any-tall-narrow-10-y ?o) (not (hand-empty)) (not (done ?o)) (not (at-x ?o ?x)) (at-x ?o ?to-x) (increase (total-cost) (cost-of-lift-1000b-any-tall-narrow-10 ?o))))
-  (:action finish-lift-1000b-any-tall-narrow-10-y
-    :parameters (?o - any-tall-narrow-10 ?s - y-step ?y ?to-y - y-cell)
-    :precondition (and (moving-lift-1000b-any-tall-narrow-10-y ?o) (at-y ?o ?y) (y-of-lift-1000b-any-tall-narrow-10 ?o ?s) (y-leads ?s ?y ?to-y))
-    :effect (and (not (moving-lift-1000b-any-tall-narrow-10-y ?o)) (moving-lift-1000b-any-tall-narrow-10-z ?o) (not (at-y ?o ?y)) (at-y ?o ?to-y) (increase (total-cost) 0)))
-  (:action finish-lift-1000b-any-tall-narrow-10-z
-    :parameters (?o - any-tall-narrow-10 ?s - z-step ?z ?to-z - z-cell)
-    :precondition (and (moving-lift-1000b-any-tall-narrow-10-z ?o) (at-z ?o ?z) (z-of-lift-1000b-any-tall-narrow-10 ?o ?s) (z-leads ?s ?z ?to-z))
-    :effect (and (not (moving-lift-1000b-any-tall-narrow-10-z ?o)) (ready) (held-by-lift-1000b-any-tall-narrow-10 ?o) (not (at-z ?o ?z)) (at-z ?o ?to-z) (increase (total-cost) 0)))
+    :parameters (?o - any-tall-narrow-10)
+    :precondition (and (ready) (hand-empty) (can a-lift-1000b-any-tall-narrow-10 ?o))
+    :effect (and (not (ready)) (moving-z a-lift-1000b-any-tall-narrow-10 ?o) (not (hand-empty)) (held a-lift-1000b-any-tall-narrow-10 ?o) (not (done ?o)) (increase (total-cost) (cost-of-lift-1000b-any-tall-narrow-10 ?o))))
 
   ; Put down what lift-1000b-any-tall-narrow-10 lifted.
   (:action put-down-lift-1000b-any-tall-narrow-10
-    :parameters (?o - any-tall-narrow-10 ?s - x-step ?x ?to-x - x-cell)
-    :precondition (and (ready) (held-by-lift-1000b-any-tall-narrow-10 ?o) (at-x ?o ?x) (x-of-put-down-lift-1000b-any-tall-narrow-10 ?o ?s) (x-leads ?s ?x ?to-x))
-    :effect (and (not (ready)) (moving-put-down-lift-1000b-any-tall-narrow-10-y ?o) (not (held-by-lift-1000b-any-tall-narrow-10 ?o)) (not (done ?o)) (not (at-x ?o ?x)) (at-x ?o ?to-x) (increase (total-cost) 0)))
-  (:action finish-put-down-lift-1000b-any-tall-narrow-10-y
-    :parameters (?o - any-tall-narrow-10 ?s - y-step ?y ?to-y - y-cell)
-    :precondition (and (moving-put-down-lift-1000b-any-tall-narrow-10-y ?o) (at-y ?o ?y) (y-of-put-down-lift-1000b-any-tall-narrow-10 ?o ?s) (y-leads ?s ?y ?to-y))
-    :effect (and (not (moving-put-down-lift-1000b-any-tall-narrow-10-y ?o)) (moving-put-down-lift-1000b-any-tall-narrow-10-z ?o) (not (at-y ?o ?y)) (at-y ?o ?to-y) (increase (total-cost) 0)))
-  (:action finish-put-down-lift-1000b-any-tall-narrow-10-z
-    :parameters (?o - any-tall-narrow-10 ?s - z-step ?z ?to-z - z-cell)
-    :precondition (and (moving-put-down-lift-1000b-any-tall-narrow-10-z ?o) (at-z ?o ?z) (z-of-put-down-lift-1000b-any-tall-narrow-10 ?o ?s) (z-leads ?s ?z ?to-z))
-    :effect (and (not (moving-put-down-lift-1000b-any-tall-narrow-10-z ?o)) (ready) (hand-empty) (not (at-z ?o ?z)) (at-z ?o ?to-z) (increase (total-cost) 0)))
+    :parameters (?o - any-tall-narrow-10)
+    :precondition (and (ready) (held a-lift-1000b-any-tall-narrow-10 ?o))
+    :effect (and (not (ready)) (moving-z a-put-down-lift-1000b-any-tall-narrow-10 ?o) (not (held a-lift-1000b-any-tall-narrow-10 ?o)) (hand-empty) (not (done ?o)) (increase (total-cost) 0)))
 
   ; Primitive 1001 on category 11 (solid-low-narrow-11); ends held in 30 of 30 rehearsals (100%).
   ; Effect (65.5, -14.6, 245.6) mm, spread (1, 1, 7.2) mm; 30 of 30 rehearsals as promised: cost 4.
@@ -1319,31 +466,15 @@
   ; 0.3111
   ; What it promises for an object stands in the problem.
   (:action lift-1001-solid-low-narrow-11
-    :parameters (?o - solid-low-narrow-11 ?s - x-step ?x ?to-x - x-cell)
-    :precondition (and (ready) (hand-empty) (at-x ?o ?x) (x-of-lift-1001-solid-low-narrow-11 ?o ?s) (x-leads ?s ?x ?to-x))
-    :effect (and (not (ready)) (moving-lift-1001-solid-low-narrow-11-y ?o) (not (hand-empty)) (not (done ?o)) (not (at-x ?o ?x)) (at-x ?o ?to-x) (increase (total-cost) (cost-of-lift-1001-solid-low-narrow-11 ?o))))
-  (:action finish-lift-1001-solid-low-narrow-11-y
-    :parameters (?o - solid-low-narrow-11 ?s - y-step ?y ?to-y - y-cell)
-    :precondition (and (moving-lift-1001-solid-low-narrow-11-y ?o) (at-y ?o ?y) (y-of-lift-1001-solid-low-narrow-11 ?o ?s) (y-leads ?s ?y ?to-y))
-    :effect (and (not (moving-lift-1001-solid-low-narrow-11-y ?o)) (moving-lift-1001-solid-low-narrow-11-z ?o) (not (at-y ?o ?y)) (at-y ?o ?to-y) (increase (total-cost) 0)))
-  (:action finish-lift-1001-solid-low-narrow-11-z
-    :parameters (?o - solid-low-narrow-11 ?s - z-step ?z ?to-z - z-cell)
-    :precondition (and (moving-lift-1001-solid-low-narrow-11-z ?o) (at-z ?o ?z) (z-of-lift-1001-solid-low-narrow-11 ?o ?s) (z-leads ?s ?z ?to-z))
-    :effect (and (not (moving-lift-1001-solid-low-narrow-11-z ?o)) (ready) (held-by-lift-1001-solid-low-narrow-11 ?o) (not (at-z ?o ?z)) (at-z ?o ?to-z) (increase (total-cost) 0)))
+    :parameters (?o - solid-low-narrow-11)
+    :precondition (and (ready) (hand-empty) (can a-lift-1001-solid-low-narrow-11 ?o))
+    :effect (and (not (ready)) (moving-z a-lift-1001-solid-low-narrow-11 ?o) (not (hand-empty)) (held a-lift-1001-solid-low-narrow-11 ?o) (not (done ?o)) (increase (total-cost) (cost-of-lift-1001-solid-low-narrow-11 ?o))))
 
   ; Put down what lift-1001-solid-low-narrow-11 lifted.
   (:action put-down-lift-1001-solid-low-narrow-11
-    :parameters (?o - solid-low-narrow-11 ?s - x-step ?x ?to-x - x-cell)
-    :precondition (and (ready) (held-by-lift-1001-solid-low-narrow-11 ?o) (at-x ?o ?x) (x-of-put-down-lift-1001-solid-low-narrow-11 ?o ?s) (x-leads ?s ?x ?to-x))
-    :effect (and (not (ready)) (moving-put-down-lift-1001-solid-low-narrow-11-y ?o) (not (held-by-lift-1001-solid-low-narrow-11 ?o)) (not (done ?o)) (not (at-x ?o ?x)) (at-x ?o ?to-x) (increase (total-cost) 0)))
-  (:action finish-put-down-lift-1001-solid-low-narrow-11-y
-    :parameters (?o - solid-low-narrow-11 ?s - y-step ?y ?to-y - y-cell)
-    :precondition (and (moving-put-down-lift-1001-solid-low-narrow-11-y ?o) (at-y ?o ?y) (y-of-put-down-lift-1001-solid-low-narrow-11 ?o ?s) (y-leads ?s ?y ?to-y))
-    :effect (and (not (moving-put-down-lift-1001-solid-low-narrow-11-y ?o)) (moving-put-down-lift-1001-solid-low-narrow-11-z ?o) (not (at-y ?o ?y)) (at-y ?o ?to-y) (increase (total-cost) 0)))
-  (:action finish-put-down-lift-1001-solid-low-narrow-11-z
-    :parameters (?o - solid-low-narrow-11 ?s - z-step ?z ?to-z - z-cell)
-    :precondition (and (moving-put-down-lift-1001-solid-low-narrow-11-z ?o) (at-z ?o ?z) (z-of-put-down-lift-1001-solid-low-narrow-11 ?o ?s) (z-leads ?s ?z ?to-z))
-    :effect (and (not (moving-put-down-lift-1001-solid-low-narrow-11-z ?o)) (ready) (hand-empty) (not (at-z ?o ?z)) (at-z ?o ?to-z) (increase (total-cost) 0)))
+    :parameters (?o - solid-low-narrow-11)
+    :precondition (and (ready) (held a-lift-1001-solid-low-narrow-11 ?o))
+    :effect (and (not (ready)) (moving-z a-put-down-lift-1001-solid-low-narrow-11 ?o) (not (held a-lift-1001-solid-low-narrow-11 ?o)) (hand-empty) (not (done ?o)) (increase (total-cost) 0)))
 
   ; Primitive 1001 on category 01 (hollow-wide-01); ends held in 35 of 35 rehearsals (100%).
   ; Effect (46.2, 60.1, 247.2) mm, spread (5.2, 9.9, 9) mm; 35 of 35 rehearsals as promised: cost 4.
@@ -1352,31 +483,15 @@
   ; It turned the object by over 15 degrees in 8 of 35 rehearsals.
   ; What it promises for an object stands in the problem.
   (:action lift-1001a-hollow-wide-01
-    :parameters (?o - hollow-wide-01 ?s - x-step ?x ?to-x - x-cell)
-    :precondition (and (ready) (hand-empty) (at-x ?o ?x) (x-of-lift-1001a-hollow-wide-01 ?o ?s) (x-leads ?s ?x ?to-x))
-    :effect (and (not (ready)) (moving-lift-1001a-hollow-wide-01-y ?o) (not (hand-empty)) (not (done ?o)) (not (at-x ?o ?x)) (at-x ?o ?to-x) (increase (total-cost) (cost-of-lift-1001a-hollow-wide-01 ?o))))
-  (:action finish-lift-1001a-hollow-wide-01-y
-    :parameters (?o - hollow-wide-01 ?s - y-step ?y ?to-y - y-cell)
-    :precondition (and (moving-lift-1001a-hollow-wide-01-y ?o) (at-y ?o ?y) (y-of-lift-1001a-hollow-wide-01 ?o ?s) (y-leads ?s ?y ?to-y))
-    :effect (and (not (moving-lift-1001a-hollow-wide-01-y ?o)) (moving-lift-1001a-hollow-wide-01-z ?o) (not (at-y ?o ?y)) (at-y ?o ?to-y) (increase (total-cost) 0)))
-  (:action finish-lift-1001a-hollow-wide-01-z
-    :parameters (?o - hollow-wide-01 ?s - z-step ?z ?to-z - z-cell)
-    :precondition (and (moving-lift-1001a-hollow-wide-01-z ?o) (at-z ?o ?z) (z-of-lift-1001a-hollow-wide-01 ?o ?s) (z-leads ?s ?z ?to-z))
-    :effect (and (not (moving-lift-1001a-hollow-wide-01-z ?o)) (ready) (held-by-lift-1001a-hollow-wide-01 ?o) (not (at-z ?o ?z)) (at-z ?o ?to-z) (increase (total-cost) 0)))
+    :parameters (?o - hollow-wide-01)
+    :precondition (and (ready) (hand-empty) (can a-lift-1001a-hollow-wide-01 ?o))
+    :effect (and (not (ready)) (moving-z a-lift-1001a-hollow-wide-01 ?o) (not (hand-empty)) (held a-lift-1001a-hollow-wide-01 ?o) (not (done ?o)) (increase (total-cost) (cost-of-lift-1001a-hollow-wide-01 ?o))))
 
   ; Put down what lift-1001a-hollow-wide-01 lifted.
   (:action put-down-lift-1001a-hollow-wide-01
-    :parameters (?o - hollow-wide-01 ?s - x-step ?x ?to-x - x-cell)
-    :precondition (and (ready) (held-by-lift-1001a-hollow-wide-01 ?o) (at-x ?o ?x) (x-of-put-down-lift-1001a-hollow-wide-01 ?o ?s) (x-leads ?s ?x ?to-x))
-    :effect (and (not (ready)) (moving-put-down-lift-1001a-hollow-wide-01-y ?o) (not (held-by-lift-1001a-hollow-wide-01 ?o)) (not (done ?o)) (not (at-x ?o ?x)) (at-x ?o ?to-x) (increase (total-cost) 0)))
-  (:action finish-put-down-lift-1001a-hollow-wide-01-y
-    :parameters (?o - hollow-wide-01 ?s - y-step ?y ?to-y - y-cell)
-    :precondition (and (moving-put-down-lift-1001a-hollow-wide-01-y ?o) (at-y ?o ?y) (y-of-put-down-lift-1001a-hollow-wide-01 ?o ?s) (y-leads ?s ?y ?to-y))
-    :effect (and (not (moving-put-down-lift-1001a-hollow-wide-01-y ?o)) (moving-put-down-lift-1001a-hollow-wide-01-z ?o) (not (at-y ?o ?y)) (at-y ?o ?to-y) (increase (total-cost) 0)))
-  (:action finish-put-down-lift-1001a-hollow-wide-01-z
-    :parameters (?o - hollow-wide-01 ?s - z-step ?z ?to-z - z-cell)
-    :precondition (and (moving-put-down-lift-1001a-hollow-wide-01-z ?o) (at-z ?o ?z) (z-of-put-down-lift-1001a-hollow-wide-01 ?o ?s) (z-leads ?s ?z ?to-z))
-    :effect (and (not (moving-put-down-lift-1001a-hollow-wide-01-z ?o)) (ready) (hand-empty) (not (at-z ?o ?z)) (at-z ?o ?to-z) (increase (total-cost) 0)))
+    :parameters (?o - hollow-wide-01)
+    :precondition (and (ready) (held a-lift-1001a-hollow-wide-01 ?o))
+    :effect (and (not (ready)) (moving-z a-put-down-lift-1001a-hollow-wide-01 ?o) (not (held a-lift-1001a-hollow-wide-01 ?o)) (hand-empty) (not (done ?o)) (increase (total-cost) 0)))
 
   ; Primitive 1001 on category 10 (any-tall-narrow-10); ends held in 30 of 30 rehearsals (100%).
   ; Effect (61.2, 24.4, 207.6) mm, spread (2.4, 1, 3.6) mm; 30 of 30 rehearsals as promised: cost 4.
@@ -1384,31 +499,15 @@
   ; 0.0458
   ; What it promises for an object stands in the problem.
   (:action lift-1001b-any-tall-narrow-10
-    :parameters (?o - any-tall-narrow-10 ?s - x-step ?x ?to-x - x-cell)
-    :precondition (and (ready) (hand-empty) (at-x ?o ?x) (x-of-lift-1001b-any-tall-narrow-10 ?o ?s) (x-leads ?s ?x ?to-x))
-    :effect (and (not (ready)) (moving-lift-1001b-any-tall-narrow-10-y ?o) (not (hand-empty)) (not (done ?o)) (not (at-x ?o ?x)) (at-x ?o ?to-x) (increase (total-cost) (cost-of-lift-1001b-any-tall-narrow-10 ?o))))
-  (:action finish-lift-1001b-any-tall-narrow-10-y
-    :parameters (?o - any-tall-narrow-10 ?s - y-step ?y ?to-y - y-cell)
-    :precondition (and (moving-lift-1001b-any-tall-narrow-10-y ?o) (at-y ?o ?y) (y-of-lift-1001b-any-tall-narrow-10 ?o ?s) (y-leads ?s ?y ?to-y))
-    :effect (and (not (moving-lift-1001b-any-tall-narrow-10-y ?o)) (moving-lift-1001b-any-tall-narrow-10-z ?o) (not (at-y ?o ?y)) (at-y ?o ?to-y) (increase (total-cost) 0)))
-  (:action finish-lift-1001b-any-tall-narrow-10-z
-    :parameters (?o - any-tall-narrow-10 ?s - z-step ?z ?to-z - z-cell)
-    :precondition (and (moving-lift-1001b-any-tall-narrow-10-z ?o) (at-z ?o ?z) (z-of-lift-1001b-any-tall-narrow-10 ?o ?s) (z-leads ?s ?z ?to-z))
-    :effect (and (not (moving-lift-1001b-any-tall-narrow-10-z ?o)) (ready) (held-by-lift-1001b-any-tall-narrow-10 ?o) (not (at-z ?o ?z)) (at-z ?o ?to-z) (increase (total-cost) 0)))
+    :parameters (?o - any-tall-narrow-10)
+    :precondition (and (ready) (hand-empty) (can a-lift-1001b-any-tall-narrow-10 ?o))
+    :effect (and (not (ready)) (moving-z a-lift-1001b-any-tall-narrow-10 ?o) (not (hand-empty)) (held a-lift-1001b-any-tall-narrow-10 ?o) (not (done ?o)) (increase (total-cost) (cost-of-lift-1001b-any-tall-narrow-10 ?o))))
 
   ; Put down what lift-1001b-any-tall-narrow-10 lifted.
   (:action put-down-lift-1001b-any-tall-narrow-10
-    :parameters (?o - any-tall-narrow-10 ?s - x-step ?x ?to-x - x-cell)
-    :precondition (and (ready) (held-by-lift-1001b-any-tall-narrow-10 ?o) (at-x ?o ?x) (x-of-put-down-lift-1001b-any-tall-narrow-10 ?o ?s) (x-leads ?s ?x ?to-x))
-    :effect (and (not (ready)) (moving-put-down-lift-1001b-any-tall-narrow-10-y ?o) (not (held-by-lift-1001b-any-tall-narrow-10 ?o)) (not (done ?o)) (not (at-x ?o ?x)) (at-x ?o ?to-x) (increase (total-cost) 0)))
-  (:action finish-put-down-lift-1001b-any-tall-narrow-10-y
-    :parameters (?o - any-tall-narrow-10 ?s - y-step ?y ?to-y - y-cell)
-    :precondition (and (moving-put-down-lift-1001b-any-tall-narrow-10-y ?o) (at-y ?o ?y) (y-of-put-down-lift-1001b-any-tall-narrow-10 ?o ?s) (y-leads ?s ?y ?to-y))
-    :effect (and (not (moving-put-down-lift-1001b-any-tall-narrow-10-y ?o)) (moving-put-down-lift-1001b-any-tall-narrow-10-z ?o) (not (at-y ?o ?y)) (at-y ?o ?to-y) (increase (total-cost) 0)))
-  (:action finish-put-down-lift-1001b-any-tall-narrow-10-z
-    :parameters (?o - any-tall-narrow-10 ?s - z-step ?z ?to-z - z-cell)
-    :precondition (and (moving-put-down-lift-1001b-any-tall-narrow-10-z ?o) (at-z ?o ?z) (z-of-put-down-lift-1001b-any-tall-narrow-10 ?o ?s) (z-leads ?s ?z ?to-z))
-    :effect (and (not (moving-put-down-lift-1001b-any-tall-narrow-10-z ?o)) (ready) (hand-empty) (not (at-z ?o ?z)) (at-z ?o ?to-z) (increase (total-cost) 0)))
+    :parameters (?o - any-tall-narrow-10)
+    :precondition (and (ready) (held a-lift-1001b-any-tall-narrow-10 ?o))
+    :effect (and (not (ready)) (moving-z a-put-down-lift-1001b-any-tall-narrow-10 ?o) (not (held a-lift-1001b-any-tall-narrow-10 ?o)) (hand-empty) (not (done ?o)) (increase (total-cost) 0)))
 
   ; Primitive 1001 on category 11 (solid-low-narrow-11); ends held in 30 of 30 rehearsals (100%).
   ; Effect (48.5, -52.3, 240.5) mm, spread (0.9, 0.9, 1) mm; 30 of 30 rehearsals as promised: cost 4.
@@ -1416,31 +515,15 @@
   ; 0.2726
   ; What it promises for an object stands in the problem.
   (:action lift-1001c-solid-low-narrow-11
-    :parameters (?o - solid-low-narrow-11 ?s - x-step ?x ?to-x - x-cell)
-    :precondition (and (ready) (hand-empty) (at-x ?o ?x) (x-of-lift-1001c-solid-low-narrow-11 ?o ?s) (x-leads ?s ?x ?to-x))
-    :effect (and (not (ready)) (moving-lift-1001c-solid-low-narrow-11-y ?o) (not (hand-empty)) (not (done ?o)) (not (at-x ?o ?x)) (at-x ?o ?to-x) (increase (total-cost) (cost-of-lift-1001c-solid-low-narrow-11 ?o))))
-  (:action finish-lift-1001c-solid-low-narrow-11-y
-    :parameters (?o - solid-low-narrow-11 ?s - y-step ?y ?to-y - y-cell)
-    :precondition (and (moving-lift-1001c-solid-low-narrow-11-y ?o) (at-y ?o ?y) (y-of-lift-1001c-solid-low-narrow-11 ?o ?s) (y-leads ?s ?y ?to-y))
-    :effect (and (not (moving-lift-1001c-solid-low-narrow-11-y ?o)) (moving-lift-1001c-solid-low-narrow-11-z ?o) (not (at-y ?o ?y)) (at-y ?o ?to-y) (increase (total-cost) 0)))
-  (:action finish-lift-1001c-solid-low-narrow-11-z
-    :parameters (?o - solid-low-narrow-11 ?s - z-step ?z ?to-z - z-cell)
-    :precondition (and (moving-lift-1001c-solid-low-narrow-11-z ?o) (at-z ?o ?z) (z-of-lift-1001c-solid-low-narrow-11 ?o ?s) (z-leads ?s ?z ?to-z))
-    :effect (and (not (moving-lift-1001c-solid-low-narrow-11-z ?o)) (ready) (held-by-lift-1001c-solid-low-narrow-11 ?o) (not (at-z ?o ?z)) (at-z ?o ?to-z) (increase (total-cost) 0)))
+    :parameters (?o - solid-low-narrow-11)
+    :precondition (and (ready) (hand-empty) (can a-lift-1001c-solid-low-narrow-11 ?o))
+    :effect (and (not (ready)) (moving-z a-lift-1001c-solid-low-narrow-11 ?o) (not (hand-empty)) (held a-lift-1001c-solid-low-narrow-11 ?o) (not (done ?o)) (increase (total-cost) (cost-of-lift-1001c-solid-low-narrow-11 ?o))))
 
   ; Put down what lift-1001c-solid-low-narrow-11 lifted.
   (:action put-down-lift-1001c-solid-low-narrow-11
-    :parameters (?o - solid-low-narrow-11 ?s - x-step ?x ?to-x - x-cell)
-    :precondition (and (ready) (held-by-lift-1001c-solid-low-narrow-11 ?o) (at-x ?o ?x) (x-of-put-down-lift-1001c-solid-low-narrow-11 ?o ?s) (x-leads ?s ?x ?to-x))
-    :effect (and (not (ready)) (moving-put-down-lift-1001c-solid-low-narrow-11-y ?o) (not (held-by-lift-1001c-solid-low-narrow-11 ?o)) (not (done ?o)) (not (at-x ?o ?x)) (at-x ?o ?to-x) (increase (total-cost) 0)))
-  (:action finish-put-down-lift-1001c-solid-low-narrow-11-y
-    :parameters (?o - solid-low-narrow-11 ?s - y-step ?y ?to-y - y-cell)
-    :precondition (and (moving-put-down-lift-1001c-solid-low-narrow-11-y ?o) (at-y ?o ?y) (y-of-put-down-lift-1001c-solid-low-narrow-11 ?o ?s) (y-leads ?s ?y ?to-y))
-    :effect (and (not (moving-put-down-lift-1001c-solid-low-narrow-11-y ?o)) (moving-put-down-lift-1001c-solid-low-narrow-11-z ?o) (not (at-y ?o ?y)) (at-y ?o ?to-y) (increase (total-cost) 0)))
-  (:action finish-put-down-lift-1001c-solid-low-narrow-11-z
-    :parameters (?o - solid-low-narrow-11 ?s - z-step ?z ?to-z - z-cell)
-    :precondition (and (moving-put-down-lift-1001c-solid-low-narrow-11-z ?o) (at-z ?o ?z) (z-of-put-down-lift-1001c-solid-low-narrow-11 ?o ?s) (z-leads ?s ?z ?to-z))
-    :effect (and (not (moving-put-down-lift-1001c-solid-low-narrow-11-z ?o)) (ready) (hand-empty) (not (at-z ?o ?z)) (at-z ?o ?to-z) (increase (total-cost) 0)))
+    :parameters (?o - solid-low-narrow-11)
+    :precondition (and (ready) (held a-lift-1001c-solid-low-narrow-11 ?o))
+    :effect (and (not (ready)) (moving-z a-put-down-lift-1001c-solid-low-narrow-11 ?o) (not (held a-lift-1001c-solid-low-narrow-11 ?o)) (hand-empty) (not (done ?o)) (increase (total-cost) 0)))
 
   ; Primitive 1100 on category 10 (any-tall-narrow-10); ends held in 30 of 30 rehearsals (100%).
   ; Effect (-26.1, 23.4, 201.5) mm, spread (1, 1.3, 1.6) mm; 30 of 30 rehearsals as promised: cost 4.
@@ -1448,31 +531,15 @@
   ; 0.1462
   ; What it promises for an object stands in the problem.
   (:action lift-1100-any-tall-narrow-10
-    :parameters (?o - any-tall-narrow-10 ?s - x-step ?x ?to-x - x-cell)
-    :precondition (and (ready) (hand-empty) (at-x ?o ?x) (x-of-lift-1100-any-tall-narrow-10 ?o ?s) (x-leads ?s ?x ?to-x))
-    :effect (and (not (ready)) (moving-lift-1100-any-tall-narrow-10-y ?o) (not (hand-empty)) (not (done ?o)) (not (at-x ?o ?x)) (at-x ?o ?to-x) (increase (total-cost) (cost-of-lift-1100-any-tall-narrow-10 ?o))))
-  (:action finish-lift-1100-any-tall-narrow-10-y
-    :parameters (?o - any-tall-narrow-10 ?s - y-step ?y ?to-y - y-cell)
-    :precondition (and (moving-lift-1100-any-tall-narrow-10-y ?o) (at-y ?o ?y) (y-of-lift-1100-any-tall-narrow-10 ?o ?s) (y-leads ?s ?y ?to-y))
-    :effect (and (not (moving-lift-1100-any-tall-narrow-10-y ?o)) (moving-lift-1100-any-tall-narrow-10-z ?o) (not (at-y ?o ?y)) (at-y ?o ?to-y) (increase (total-cost) 0)))
-  (:action finish-lift-1100-any-tall-narrow-10-z
-    :parameters (?o - any-tall-narrow-10 ?s - z-step ?z ?to-z - z-cell)
-    :precondition (and (moving-lift-1100-any-tall-narrow-10-z ?o) (at-z ?o ?z) (z-of-lift-1100-any-tall-narrow-10 ?o ?s) (z-leads ?s ?z ?to-z))
-    :effect (and (not (moving-lift-1100-any-tall-narrow-10-z ?o)) (ready) (held-by-lift-1100-any-tall-narrow-10 ?o) (not (at-z ?o ?z)) (at-z ?o ?to-z) (increase (total-cost) 0)))
+    :parameters (?o - any-tall-narrow-10)
+    :precondition (and (ready) (hand-empty) (can a-lift-1100-any-tall-narrow-10 ?o))
+    :effect (and (not (ready)) (moving-z a-lift-1100-any-tall-narrow-10 ?o) (not (hand-empty)) (held a-lift-1100-any-tall-narrow-10 ?o) (not (done ?o)) (increase (total-cost) (cost-of-lift-1100-any-tall-narrow-10 ?o))))
 
   ; Put down what lift-1100-any-tall-narrow-10 lifted.
   (:action put-down-lift-1100-any-tall-narrow-10
-    :parameters (?o - any-tall-narrow-10 ?s - x-step ?x ?to-x - x-cell)
-    :precondition (and (ready) (held-by-lift-1100-any-tall-narrow-10 ?o) (at-x ?o ?x) (x-of-put-down-lift-1100-any-tall-narrow-10 ?o ?s) (x-leads ?s ?x ?to-x))
-    :effect (and (not (ready)) (moving-put-down-lift-1100-any-tall-narrow-10-y ?o) (not (held-by-lift-1100-any-tall-narrow-10 ?o)) (not (done ?o)) (not (at-x ?o ?x)) (at-x ?o ?to-x) (increase (total-cost) 0)))
-  (:action finish-put-down-lift-1100-any-tall-narrow-10-y
-    :parameters (?o - any-tall-narrow-10 ?s - y-step ?y ?to-y - y-cell)
-    :precondition (and (moving-put-down-lift-1100-any-tall-narrow-10-y ?o) (at-y ?o ?y) (y-of-put-down-lift-1100-any-tall-narrow-10 ?o ?s) (y-leads ?s ?y ?to-y))
-    :effect (and (not (moving-put-down-lift-1100-any-tall-narrow-10-y ?o)) (moving-put-down-lift-1100-any-tall-narrow-10-z ?o) (not (at-y ?o ?y)) (at-y ?o ?to-y) (increase (total-cost) 0)))
-  (:action finish-put-down-lift-1100-any-tall-narrow-10-z
-    :parameters (?o - any-tall-narrow-10 ?s - z-step ?z ?to-z - z-cell)
-    :precondition (and (moving-put-down-lift-1100-any-tall-narrow-10-z ?o) (at-z ?o ?z) (z-of-put-down-lift-1100-any-tall-narrow-10 ?o ?s) (z-leads ?s ?z ?to-z))
-    :effect (and (not (moving-put-down-lift-1100-any-tall-narrow-10-z ?o)) (ready) (hand-empty) (not (at-z ?o ?z)) (at-z ?o ?to-z) (increase (total-cost) 0)))
+    :parameters (?o - any-tall-narrow-10)
+    :precondition (and (ready) (held a-lift-1100-any-tall-narrow-10 ?o))
+    :effect (and (not (ready)) (moving-z a-put-down-lift-1100-any-tall-narrow-10 ?o) (not (held a-lift-1100-any-tall-narrow-10 ?o)) (hand-empty) (not (done ?o)) (increase (total-cost) 0)))
 
   ; Primitive 1100 on category 00 (solid-00); ends held in 8 of 32 rehearsals (25%).
   ; Effect (-26.1, 23.8, 201.7) mm, spread (0.4, 0.5, 1.3) mm; 8 of 32 rehearsals as promised: cost 134.
@@ -1480,31 +547,15 @@
   ; 0.1462
   ; What it promises for an object stands in the problem.
   (:action lift-1100-solid-00
-    :parameters (?o - solid-00 ?s - x-step ?x ?to-x - x-cell)
-    :precondition (and (ready) (hand-empty) (at-x ?o ?x) (x-of-lift-1100-solid-00 ?o ?s) (x-leads ?s ?x ?to-x))
-    :effect (and (not (ready)) (moving-lift-1100-solid-00-y ?o) (not (hand-empty)) (not (done ?o)) (not (at-x ?o ?x)) (at-x ?o ?to-x) (increase (total-cost) (cost-of-lift-1100-solid-00 ?o))))
-  (:action finish-lift-1100-solid-00-y
-    :parameters (?o - solid-00 ?s - y-step ?y ?to-y - y-cell)
-    :precondition (and (moving-lift-1100-solid-00-y ?o) (at-y ?o ?y) (y-of-lift-1100-solid-00 ?o ?s) (y-leads ?s ?y ?to-y))
-    :effect (and (not (moving-lift-1100-solid-00-y ?o)) (moving-lift-1100-solid-00-z ?o) (not (at-y ?o ?y)) (at-y ?o ?to-y) (increase (total-cost) 0)))
-  (:action finish-lift-1100-solid-00-z
-    :parameters (?o - solid-00 ?s - z-step ?z ?to-z - z-cell)
-    :precondition (and (moving-lift-1100-solid-00-z ?o) (at-z ?o ?z) (z-of-lift-1100-solid-00 ?o ?s) (z-leads ?s ?z ?to-z))
-    :effect (and (not (moving-lift-1100-solid-00-z ?o)) (ready) (held-by-lift-1100-solid-00 ?o) (not (at-z ?o ?z)) (at-z ?o ?to-z) (increase (total-cost) 0)))
+    :parameters (?o - solid-00)
+    :precondition (and (ready) (hand-empty) (can a-lift-1100-solid-00 ?o))
+    :effect (and (not (ready)) (moving-z a-lift-1100-solid-00 ?o) (not (hand-empty)) (held a-lift-1100-solid-00 ?o) (not (done ?o)) (increase (total-cost) (cost-of-lift-1100-solid-00 ?o))))
 
   ; Put down what lift-1100-solid-00 lifted.
   (:action put-down-lift-1100-solid-00
-    :parameters (?o - solid-00 ?s - x-step ?x ?to-x - x-cell)
-    :precondition (and (ready) (held-by-lift-1100-solid-00 ?o) (at-x ?o ?x) (x-of-put-down-lift-1100-solid-00 ?o ?s) (x-leads ?s ?x ?to-x))
-    :effect (and (not (ready)) (moving-put-down-lift-1100-solid-00-y ?o) (not (held-by-lift-1100-solid-00 ?o)) (not (done ?o)) (not (at-x ?o ?x)) (at-x ?o ?to-x) (increase (total-cost) 0)))
-  (:action finish-put-down-lift-1100-solid-00-y
-    :parameters (?o - solid-00 ?s - y-step ?y ?to-y - y-cell)
-    :precondition (and (moving-put-down-lift-1100-solid-00-y ?o) (at-y ?o ?y) (y-of-put-down-lift-1100-solid-00 ?o ?s) (y-leads ?s ?y ?to-y))
-    :effect (and (not (moving-put-down-lift-1100-solid-00-y ?o)) (moving-put-down-lift-1100-solid-00-z ?o) (not (at-y ?o ?y)) (at-y ?o ?to-y) (increase (total-cost) 0)))
-  (:action finish-put-down-lift-1100-solid-00-z
-    :parameters (?o - solid-00 ?s - z-step ?z ?to-z - z-cell)
-    :precondition (and (moving-put-down-lift-1100-solid-00-z ?o) (at-z ?o ?z) (z-of-put-down-lift-1100-solid-00 ?o ?s) (z-leads ?s ?z ?to-z))
-    :effect (and (not (moving-put-down-lift-1100-solid-00-z ?o)) (ready) (hand-empty) (not (at-z ?o ?z)) (at-z ?o ?to-z) (increase (total-cost) 0)))
+    :parameters (?o - solid-00)
+    :precondition (and (ready) (held a-lift-1100-solid-00 ?o))
+    :effect (and (not (ready)) (moving-z a-put-down-lift-1100-solid-00 ?o) (not (held a-lift-1100-solid-00 ?o)) (hand-empty) (not (done ?o)) (increase (total-cost) 0)))
 
   ; Primitive 1100 on category 11 (solid-low-narrow-11); ends held in 30 of 30 rehearsals (100%).
   ; Effect (-26.7, 21.8, 200.7) mm, spread (1.1, 1.9, 1.5) mm; 30 of 30 rehearsals as promised: cost 4.
@@ -1512,31 +563,15 @@
   ; 0.1462
   ; What it promises for an object stands in the problem.
   (:action lift-1100-solid-low-narrow-11
-    :parameters (?o - solid-low-narrow-11 ?s - x-step ?x ?to-x - x-cell)
-    :precondition (and (ready) (hand-empty) (at-x ?o ?x) (x-of-lift-1100-solid-low-narrow-11 ?o ?s) (x-leads ?s ?x ?to-x))
-    :effect (and (not (ready)) (moving-lift-1100-solid-low-narrow-11-y ?o) (not (hand-empty)) (not (done ?o)) (not (at-x ?o ?x)) (at-x ?o ?to-x) (increase (total-cost) (cost-of-lift-1100-solid-low-narrow-11 ?o))))
-  (:action finish-lift-1100-solid-low-narrow-11-y
-    :parameters (?o - solid-low-narrow-11 ?s - y-step ?y ?to-y - y-cell)
-    :precondition (and (moving-lift-1100-solid-low-narrow-11-y ?o) (at-y ?o ?y) (y-of-lift-1100-solid-low-narrow-11 ?o ?s) (y-leads ?s ?y ?to-y))
-    :effect (and (not (moving-lift-1100-solid-low-narrow-11-y ?o)) (moving-lift-1100-solid-low-narrow-11-z ?o) (not (at-y ?o ?y)) (at-y ?o ?to-y) (increase (total-cost) 0)))
-  (:action finish-lift-1100-solid-low-narrow-11-z
-    :parameters (?o - solid-low-narrow-11 ?s - z-step ?z ?to-z - z-cell)
-    :precondition (and (moving-lift-1100-solid-low-narrow-11-z ?o) (at-z ?o ?z) (z-of-lift-1100-solid-low-narrow-11 ?o ?s) (z-leads ?s ?z ?to-z))
-    :effect (and (not (moving-lift-1100-solid-low-narrow-11-z ?o)) (ready) (held-by-lift-1100-solid-low-narrow-11 ?o) (not (at-z ?o ?z)) (at-z ?o ?to-z) (increase (total-cost) 0)))
+    :parameters (?o - solid-low-narrow-11)
+    :precondition (and (ready) (hand-empty) (can a-lift-1100-solid-low-narrow-11 ?o))
+    :effect (and (not (ready)) (moving-z a-lift-1100-solid-low-narrow-11 ?o) (not (hand-empty)) (held a-lift-1100-solid-low-narrow-11 ?o) (not (done ?o)) (increase (total-cost) (cost-of-lift-1100-solid-low-narrow-11 ?o))))
 
   ; Put down what lift-1100-solid-low-narrow-11 lifted.
   (:action put-down-lift-1100-solid-low-narrow-11
-    :parameters (?o - solid-low-narrow-11 ?s - x-step ?x ?to-x - x-cell)
-    :precondition (and (ready) (held-by-lift-1100-solid-low-narrow-11 ?o) (at-x ?o ?x) (x-of-put-down-lift-1100-solid-low-narrow-11 ?o ?s) (x-leads ?s ?x ?to-x))
-    :effect (and (not (ready)) (moving-put-down-lift-1100-solid-low-narrow-11-y ?o) (not (held-by-lift-1100-solid-low-narrow-11 ?o)) (not (done ?o)) (not (at-x ?o ?x)) (at-x ?o ?to-x) (increase (total-cost) 0)))
-  (:action finish-put-down-lift-1100-solid-low-narrow-11-y
-    :parameters (?o - solid-low-narrow-11 ?s - y-step ?y ?to-y - y-cell)
-    :precondition (and (moving-put-down-lift-1100-solid-low-narrow-11-y ?o) (at-y ?o ?y) (y-of-put-down-lift-1100-solid-low-narrow-11 ?o ?s) (y-leads ?s ?y ?to-y))
-    :effect (and (not (moving-put-down-lift-1100-solid-low-narrow-11-y ?o)) (moving-put-down-lift-1100-solid-low-narrow-11-z ?o) (not (at-y ?o ?y)) (at-y ?o ?to-y) (increase (total-cost) 0)))
-  (:action finish-put-down-lift-1100-solid-low-narrow-11-z
-    :parameters (?o - solid-low-narrow-11 ?s - z-step ?z ?to-z - z-cell)
-    :precondition (and (moving-put-down-lift-1100-solid-low-narrow-11-z ?o) (at-z ?o ?z) (z-of-put-down-lift-1100-solid-low-narrow-11 ?o ?s) (z-leads ?s ?z ?to-z))
-    :effect (and (not (moving-put-down-lift-1100-solid-low-narrow-11-z ?o)) (ready) (hand-empty) (not (at-z ?o ?z)) (at-z ?o ?to-z) (increase (total-cost) 0)))
+    :parameters (?o - solid-low-narrow-11)
+    :precondition (and (ready) (held a-lift-1100-solid-low-narrow-11 ?o))
+    :effect (and (not (ready)) (moving-z a-put-down-lift-1100-solid-low-narrow-11 ?o) (not (held a-lift-1100-solid-low-narrow-11 ?o)) (hand-empty) (not (done ?o)) (increase (total-cost) 0)))
 
   ; Primitive 1100 on category 01 (hollow-wide-01); ends held in 14 of 35 rehearsals (40%).
   ; Effect (-6.2, -32.5, 202) mm, spread (11.8, 33, 2.9) mm; 10 of 35 rehearsals as promised: cost 122.
@@ -1544,31 +579,15 @@
   ; 0.2912
   ; What it promises for an object stands in the problem.
   (:action lift-1100a-hollow-wide-01
-    :parameters (?o - hollow-wide-01 ?s - x-step ?x ?to-x - x-cell)
-    :precondition (and (ready) (hand-empty) (at-x ?o ?x) (x-of-lift-1100a-hollow-wide-01 ?o ?s) (x-leads ?s ?x ?to-x))
-    :effect (and (not (ready)) (moving-lift-1100a-hollow-wide-01-y ?o) (not (hand-empty)) (not (done ?o)) (not (at-x ?o ?x)) (at-x ?o ?to-x) (increase (total-cost) (cost-of-lift-1100a-hollow-wide-01 ?o))))
-  (:action finish-lift-1100a-hollow-wide-01-y
-    :parameters (?o - hollow-wide-01 ?s - y-step ?y ?to-y - y-cell)
-    :precondition (and (moving-lift-1100a-hollow-wide-01-y ?o) (at-y ?o ?y) (y-of-lift-1100a-hollow-wide-01 ?o ?s) (y-leads ?s ?y ?to-y))
-    :effect (and (not (moving-lift-1100a-hollow-wide-01-y ?o)) (moving-lift-1100a-hollow-wide-01-z ?o) (not (at-y ?o ?y)) (at-y ?o ?to-y) (increase (total-cost) 0)))
-  (:action finish-lift-1100a-hollow-wide-01-z
-    :parameters (?o - hollow-wide-01 ?s - z-step ?z ?to-z - z-cell)
-    :precondition (and (moving-lift-1100a-hollow-wide-01-z ?o) (at-z ?o ?z) (z-of-lift-1100a-hollow-wide-01 ?o ?s) (z-leads ?s ?z ?to-z))
-    :effect (and (not (moving-lift-1100a-hollow-wide-01-z ?o)) (ready) (held-by-lift-1100a-hollow-wide-01 ?o) (not (at-z ?o ?z)) (at-z ?o ?to-z) (increase (total-cost) 0)))
+    :parameters (?o - hollow-wide-01)
+    :precondition (and (ready) (hand-empty) (can a-lift-1100a-hollow-wide-01 ?o))
+    :effect (and (not (ready)) (moving-z a-lift-1100a-hollow-wide-01 ?o) (not (hand-empty)) (held a-lift-1100a-hollow-wide-01 ?o) (not (done ?o)) (increase (total-cost) (cost-of-lift-1100a-hollow-wide-01 ?o))))
 
   ; Put down what lift-1100a-hollow-wide-01 lifted.
   (:action put-down-lift-1100a-hollow-wide-01
-    :parameters (?o - hollow-wide-01 ?s - x-step ?x ?to-x - x-cell)
-    :precondition (and (ready) (held-by-lift-1100a-hollow-wide-01 ?o) (at-x ?o ?x) (x-of-put-down-lift-1100a-hollow-wide-01 ?o ?s) (x-leads ?s ?x ?to-x))
-    :effect (and (not (ready)) (moving-put-down-lift-1100a-hollow-wide-01-y ?o) (not (held-by-lift-1100a-hollow-wide-01 ?o)) (not (done ?o)) (not (at-x ?o ?x)) (at-x ?o ?to-x) (increase (total-cost) 0)))
-  (:action finish-put-down-lift-1100a-hollow-wide-01-y
-    :parameters (?o - hollow-wide-01 ?s - y-step ?y ?to-y - y-cell)
-    :precondition (and (moving-put-down-lift-1100a-hollow-wide-01-y ?o) (at-y ?o ?y) (y-of-put-down-lift-1100a-hollow-wide-01 ?o ?s) (y-leads ?s ?y ?to-y))
-    :effect (and (not (moving-put-down-lift-1100a-hollow-wide-01-y ?o)) (moving-put-down-lift-1100a-hollow-wide-01-z ?o) (not (at-y ?o ?y)) (at-y ?o ?to-y) (increase (total-cost) 0)))
-  (:action finish-put-down-lift-1100a-hollow-wide-01-z
-    :parameters (?o - hollow-wide-01 ?s - z-step ?z ?to-z - z-cell)
-    :precondition (and (moving-put-down-lift-1100a-hollow-wide-01-z ?o) (at-z ?o ?z) (z-of-put-down-lift-1100a-hollow-wide-01 ?o ?s) (z-leads ?s ?z ?to-z))
-    :effect (and (not (moving-put-down-lift-1100a-hollow-wide-01-z ?o)) (ready) (hand-empty) (not (at-z ?o ?z)) (at-z ?o ?to-z) (increase (total-cost) 0)))
+    :parameters (?o - hollow-wide-01)
+    :precondition (and (ready) (held a-lift-1100a-hollow-wide-01 ?o))
+    :effect (and (not (ready)) (moving-z a-put-down-lift-1100a-hollow-wide-01 ?o) (not (held a-lift-1100a-hollow-wide-01 ?o)) (hand-empty) (not (done ?o)) (increase (total-cost) 0)))
 
   ; Primitive 1100 on category 10 (any-tall-narrow-10); ends held in 30 of 30 rehearsals (100%).
   ; Effect (12.2, 46.9, 226.4) mm, spread (0.3, 0.5, 7.8) mm; 30 of 30 rehearsals as promised: cost 4.
@@ -1576,31 +595,15 @@
   ; 0.2696
   ; What it promises for an object stands in the problem.
   (:action lift-1100b-any-tall-narrow-10
-    :parameters (?o - any-tall-narrow-10 ?s - x-step ?x ?to-x - x-cell)
-    :precondition (and (ready) (hand-empty) (at-x ?o ?x) (x-of-lift-1100b-any-tall-narrow-10 ?o ?s) (x-leads ?s ?x ?to-x))
-    :effect (and (not (ready)) (moving-lift-1100b-any-tall-narrow-10-y ?o) (not (hand-empty)) (not (done ?o)) (not (at-x ?o ?x)) (at-x ?o ?to-x) (increase (total-cost) (cost-of-lift-1100b-any-tall-narrow-10 ?o))))
-  (:action finish-lift-1100b-any-tall-narrow-10-y
-    :parameters (?o - any-tall-narrow-10 ?s - y-step ?y ?to-y - y-cell)
-    :precondition (and (moving-lift-1100b-any-tall-narrow-10-y ?o) (at-y ?o ?y) (y-of-lift-1100b-any-tall-narrow-10 ?o ?s) (y-leads ?s ?y ?to-y))
-    :effect (and (not (moving-lift-1100b-any-tall-narrow-10-y ?o)) (moving-lift-1100b-any-tall-narrow-10-z ?o) (not (at-y ?o ?y)) (at-y ?o ?to-y) (increase (total-cost) 0)))
-  (:action finish-lift-1100b-any-tall-narrow-10-z
-    :parameters (?o - any-tall-narrow-10 ?s - z-step ?z ?to-z - z-cell)
-    :precondition (and (moving-lift-1100b-any-tall-narrow-10-z ?o) (at-z ?o ?z) (z-of-lift-1100b-any-tall-narrow-10 ?o ?s) (z-leads ?s ?z ?to-z))
-    :effect (and (not (moving-lift-1100b-any-tall-narrow-10-z ?o)) (ready) (held-by-lift-1100b-any-tall-narrow-10 ?o) (not (at-z ?o ?z)) (at-z ?o ?to-z) (increase (total-cost) 0)))
+    :parameters (?o - any-tall-narrow-10)
+    :precondition (and (ready) (hand-empty) (can a-lift-1100b-any-tall-narrow-10 ?o))
+    :effect (and (not (ready)) (moving-z a-lift-1100b-any-tall-narrow-10 ?o) (not (hand-empty)) (held a-lift-1100b-any-tall-narrow-10 ?o) (not (done ?o)) (increase (total-cost) (cost-of-lift-1100b-any-tall-narrow-10 ?o))))
 
   ; Put down what lift-1100b-any-tall-narrow-10 lifted.
   (:action put-down-lift-1100b-any-tall-narrow-10
-    :parameters (?o - any-tall-narrow-10 ?s - x-step ?x ?to-x - x-cell)
-    :precondition (and (ready) (held-by-lift-1100b-any-tall-narrow-10 ?o) (at-x ?o ?x) (x-of-put-down-lift-1100b-any-tall-narrow-10 ?o ?s) (x-leads ?s ?x ?to-x))
-    :effect (and (not (ready)) (moving-put-down-lift-1100b-any-tall-narrow-10-y ?o) (not (held-by-lift-1100b-any-tall-narrow-10 ?o)) (not (done ?o)) (not (at-x ?o ?x)) (at-x ?o ?to-x) (increase (total-cost) 0)))
-  (:action finish-put-down-lift-1100b-any-tall-narrow-10-y
-    :parameters (?o - any-tall-narrow-10 ?s - y-step ?y ?to-y - y-cell)
-    :precondition (and (moving-put-down-lift-1100b-any-tall-narrow-10-y ?o) (at-y ?o ?y) (y-of-put-down-lift-1100b-any-tall-narrow-10 ?o ?s) (y-leads ?s ?y ?to-y))
-    :effect (and (not (moving-put-down-lift-1100b-any-tall-narrow-10-y ?o)) (moving-put-down-lift-1100b-any-tall-narrow-10-z ?o) (not (at-y ?o ?y)) (at-y ?o ?to-y) (increase (total-cost) 0)))
-  (:action finish-put-down-lift-1100b-any-tall-narrow-10-z
-    :parameters (?o - any-tall-narrow-10 ?s - z-step ?z ?to-z - z-cell)
-    :precondition (and (moving-put-down-lift-1100b-any-tall-narrow-10-z ?o) (at-z ?o ?z) (z-of-put-down-lift-1100b-any-tall-narrow-10 ?o ?s) (z-leads ?s ?z ?to-z))
-    :effect (and (not (moving-put-down-lift-1100b-any-tall-narrow-10-z ?o)) (ready) (hand-empty) (not (at-z ?o ?z)) (at-z ?o ?to-z) (increase (total-cost) 0)))
+    :parameters (?o - any-tall-narrow-10)
+    :precondition (and (ready) (held a-lift-1100b-any-tall-narrow-10 ?o))
+    :effect (and (not (ready)) (moving-z a-put-down-lift-1100b-any-tall-narrow-10 ?o) (not (held a-lift-1100b-any-tall-narrow-10 ?o)) (hand-empty) (not (done ?o)) (increase (total-cost) 0)))
 
   ; Primitive 1100 on category 11 (solid-low-narrow-11); ends held in 30 of 30 rehearsals (100%).
   ; Effect (-6.6, 29.9, 241.3) mm, spread (0.6, 0.7, 6.2) mm; 30 of 30 rehearsals as promised: cost 4.
@@ -1608,31 +611,15 @@
   ; 0.1828
   ; What it promises for an object stands in the problem.
   (:action lift-1100c-solid-low-narrow-11
-    :parameters (?o - solid-low-narrow-11 ?s - x-step ?x ?to-x - x-cell)
-    :precondition (and (ready) (hand-empty) (at-x ?o ?x) (x-of-lift-1100c-solid-low-narrow-11 ?o ?s) (x-leads ?s ?x ?to-x))
-    :effect (and (not (ready)) (moving-lift-1100c-solid-low-narrow-11-y ?o) (not (hand-empty)) (not (done ?o)) (not (at-x ?o ?x)) (at-x ?o ?to-x) (increase (total-cost) (cost-of-lift-1100c-solid-low-narrow-11 ?o))))
-  (:action finish-lift-1100c-solid-low-narrow-11-y
-    :parameters (?o - solid-low-narrow-11 ?s - y-step ?y ?to-y - y-cell)
-    :precondition (and (moving-lift-1100c-solid-low-narrow-11-y ?o) (at-y ?o ?y) (y-of-lift-1100c-solid-low-narrow-11 ?o ?s) (y-leads ?s ?y ?to-y))
-    :effect (and (not (moving-lift-1100c-solid-low-narrow-11-y ?o)) (moving-lift-1100c-solid-low-narrow-11-z ?o) (not (at-y ?o ?y)) (at-y ?o ?to-y) (increase (total-cost) 0)))
-  (:action finish-lift-1100c-solid-low-narrow-11-z
-    :parameters (?o - solid-low-narrow-11 ?s - z-step ?z ?to-z - z-cell)
-    :precondition (and (moving-lift-1100c-solid-low-narrow-11-z ?o) (at-z ?o ?z) (z-of-lift-1100c-solid-low-narrow-11 ?o ?s) (z-leads ?s ?z ?to-z))
-    :effect (and (not (moving-lift-1100c-solid-low-narrow-11-z ?o)) (ready) (held-by-lift-1100c-solid-low-narrow-11 ?o) (not (at-z ?o ?z)) (at-z ?o ?to-z) (increase (total-cost) 0)))
+    :parameters (?o - solid-low-narrow-11)
+    :precondition (and (ready) (hand-empty) (can a-lift-1100c-solid-low-narrow-11 ?o))
+    :effect (and (not (ready)) (moving-z a-lift-1100c-solid-low-narrow-11 ?o) (not (hand-empty)) (held a-lift-1100c-solid-low-narrow-11 ?o) (not (done ?o)) (increase (total-cost) (cost-of-lift-1100c-solid-low-narrow-11 ?o))))
 
   ; Put down what lift-1100c-solid-low-narrow-11 lifted.
   (:action put-down-lift-1100c-solid-low-narrow-11
-    :parameters (?o - solid-low-narrow-11 ?s - x-step ?x ?to-x - x-cell)
-    :precondition (and (ready) (held-by-lift-1100c-solid-low-narrow-11 ?o) (at-x ?o ?x) (x-of-put-down-lift-1100c-solid-low-narrow-11 ?o ?s) (x-leads ?s ?x ?to-x))
-    :effect (and (not (ready)) (moving-put-down-lift-1100c-solid-low-narrow-11-y ?o) (not (held-by-lift-1100c-solid-low-narrow-11 ?o)) (not (done ?o)) (not (at-x ?o ?x)) (at-x ?o ?to-x) (increase (total-cost) 0)))
-  (:action finish-put-down-lift-1100c-solid-low-narrow-11-y
-    :parameters (?o - solid-low-narrow-11 ?s - y-step ?y ?to-y - y-cell)
-    :precondition (and (moving-put-down-lift-1100c-solid-low-narrow-11-y ?o) (at-y ?o ?y) (y-of-put-down-lift-1100c-solid-low-narrow-11 ?o ?s) (y-leads ?s ?y ?to-y))
-    :effect (and (not (moving-put-down-lift-1100c-solid-low-narrow-11-y ?o)) (moving-put-down-lift-1100c-solid-low-narrow-11-z ?o) (not (at-y ?o ?y)) (at-y ?o ?to-y) (increase (total-cost) 0)))
-  (:action finish-put-down-lift-1100c-solid-low-narrow-11-z
-    :parameters (?o - solid-low-narrow-11 ?s - z-step ?z ?to-z - z-cell)
-    :precondition (and (moving-put-down-lift-1100c-solid-low-narrow-11-z ?o) (at-z ?o ?z) (z-of-put-down-lift-1100c-solid-low-narrow-11 ?o ?s) (z-leads ?s ?z ?to-z))
-    :effect (and (not (moving-put-down-lift-1100c-solid-low-narrow-11-z ?o)) (ready) (hand-empty) (not (at-z ?o ?z)) (at-z ?o ?to-z) (increase (total-cost) 0)))
+    :parameters (?o - solid-low-narrow-11)
+    :precondition (and (ready) (held a-lift-1100c-solid-low-narrow-11 ?o))
+    :effect (and (not (ready)) (moving-z a-put-down-lift-1100c-solid-low-narrow-11 ?o) (not (held a-lift-1100c-solid-low-narrow-11 ?o)) (hand-empty) (not (done ?o)) (increase (total-cost) 0)))
 
   ; Primitive 1101 on category 11 (solid-low-narrow-11); ends held in 27 of 30 rehearsals (90%).
   ; Effect (39.9, 19.1, 248.8) mm, spread (1.3, 1.7, 6.6) mm; 27 of 30 rehearsals as promised: cost 14.
@@ -1640,31 +627,15 @@
   ; 0.3088
   ; What it promises for an object stands in the problem.
   (:action lift-1101-solid-low-narrow-11
-    :parameters (?o - solid-low-narrow-11 ?s - x-step ?x ?to-x - x-cell)
-    :precondition (and (ready) (hand-empty) (at-x ?o ?x) (x-of-lift-1101-solid-low-narrow-11 ?o ?s) (x-leads ?s ?x ?to-x))
-    :effect (and (not (ready)) (moving-lift-1101-solid-low-narrow-11-y ?o) (not (hand-empty)) (not (done ?o)) (not (at-x ?o ?x)) (at-x ?o ?to-x) (increase (total-cost) (cost-of-lift-1101-solid-low-narrow-11 ?o))))
-  (:action finish-lift-1101-solid-low-narrow-11-y
-    :parameters (?o - solid-low-narrow-11 ?s - y-step ?y ?to-y - y-cell)
-    :precondition (and (moving-lift-1101-solid-low-narrow-11-y ?o) (at-y ?o ?y) (y-of-lift-1101-solid-low-narrow-11 ?o ?s) (y-leads ?s ?y ?to-y))
-    :effect (and (not (moving-lift-1101-solid-low-narrow-11-y ?o)) (moving-lift-1101-solid-low-narrow-11-z ?o) (not (at-y ?o ?y)) (at-y ?o ?to-y) (increase (total-cost) 0)))
-  (:action finish-lift-1101-solid-low-narrow-11-z
-    :parameters (?o - solid-low-narrow-11 ?s - z-step ?z ?to-z - z-cell)
-    :precondition (and (moving-lift-1101-solid-low-narrow-11-z ?o) (at-z ?o ?z) (z-of-lift-1101-solid-low-narrow-11 ?o ?s) (z-leads ?s ?z ?to-z))
-    :effect (and (not (moving-lift-1101-solid-low-narrow-11-z ?o)) (ready) (held-by-lift-1101-solid-low-narrow-11 ?o) (not (at-z ?o ?z)) (at-z ?o ?to-z) (increase (total-cost) 0)))
+    :parameters (?o - solid-low-narrow-11)
+    :precondition (and (ready) (hand-empty) (can a-lift-1101-solid-low-narrow-11 ?o))
+    :effect (and (not (ready)) (moving-z a-lift-1101-solid-low-narrow-11 ?o) (not (hand-empty)) (held a-lift-1101-solid-low-narrow-11 ?o) (not (done ?o)) (increase (total-cost) (cost-of-lift-1101-solid-low-narrow-11 ?o))))
 
   ; Put down what lift-1101-solid-low-narrow-11 lifted.
   (:action put-down-lift-1101-solid-low-narrow-11
-    :parameters (?o - solid-low-narrow-11 ?s - x-step ?x ?to-x - x-cell)
-    :precondition (and (ready) (held-by-lift-1101-solid-low-narrow-11 ?o) (at-x ?o ?x) (x-of-put-down-lift-1101-solid-low-narrow-11 ?o ?s) (x-leads ?s ?x ?to-x))
-    :effect (and (not (ready)) (moving-put-down-lift-1101-solid-low-narrow-11-y ?o) (not (held-by-lift-1101-solid-low-narrow-11 ?o)) (not (done ?o)) (not (at-x ?o ?x)) (at-x ?o ?to-x) (increase (total-cost) 0)))
-  (:action finish-put-down-lift-1101-solid-low-narrow-11-y
-    :parameters (?o - solid-low-narrow-11 ?s - y-step ?y ?to-y - y-cell)
-    :precondition (and (moving-put-down-lift-1101-solid-low-narrow-11-y ?o) (at-y ?o ?y) (y-of-put-down-lift-1101-solid-low-narrow-11 ?o ?s) (y-leads ?s ?y ?to-y))
-    :effect (and (not (moving-put-down-lift-1101-solid-low-narrow-11-y ?o)) (moving-put-down-lift-1101-solid-low-narrow-11-z ?o) (not (at-y ?o ?y)) (at-y ?o ?to-y) (increase (total-cost) 0)))
-  (:action finish-put-down-lift-1101-solid-low-narrow-11-z
-    :parameters (?o - solid-low-narrow-11 ?s - z-step ?z ?to-z - z-cell)
-    :precondition (and (moving-put-down-lift-1101-solid-low-narrow-11-z ?o) (at-z ?o ?z) (z-of-put-down-lift-1101-solid-low-narrow-11 ?o ?s) (z-leads ?s ?z ?to-z))
-    :effect (and (not (moving-put-down-lift-1101-solid-low-narrow-11-z ?o)) (ready) (hand-empty) (not (at-z ?o ?z)) (at-z ?o ?to-z) (increase (total-cost) 0)))
+    :parameters (?o - solid-low-narrow-11)
+    :precondition (and (ready) (held a-lift-1101-solid-low-narrow-11 ?o))
+    :effect (and (not (ready)) (moving-z a-put-down-lift-1101-solid-low-narrow-11 ?o) (not (held a-lift-1101-solid-low-narrow-11 ?o)) (hand-empty) (not (done ?o)) (increase (total-cost) 0)))
 
   ; Primitive 1101 on category 01 (hollow-wide-01); ends held in 35 of 35 rehearsals (100%).
   ; Effect (40, 43.1, 198.1) mm, spread (3.2, 9.7, 2.3) mm; 35 of 35 rehearsals as promised: cost 4.
@@ -1672,31 +643,15 @@
   ; 0.0066
   ; What it promises for an object stands in the problem.
   (:action lift-1101a-hollow-wide-01
-    :parameters (?o - hollow-wide-01 ?s - x-step ?x ?to-x - x-cell)
-    :precondition (and (ready) (hand-empty) (at-x ?o ?x) (x-of-lift-1101a-hollow-wide-01 ?o ?s) (x-leads ?s ?x ?to-x))
-    :effect (and (not (ready)) (moving-lift-1101a-hollow-wide-01-y ?o) (not (hand-empty)) (not (done ?o)) (not (at-x ?o ?x)) (at-x ?o ?to-x) (increase (total-cost) (cost-of-lift-1101a-hollow-wide-01 ?o))))
-  (:action finish-lift-1101a-hollow-wide-01-y
-    :parameters (?o - hollow-wide-01 ?s - y-step ?y ?to-y - y-cell)
-    :precondition (and (moving-lift-1101a-hollow-wide-01-y ?o) (at-y ?o ?y) (y-of-lift-1101a-hollow-wide-01 ?o ?s) (y-leads ?s ?y ?to-y))
-    :effect (and (not (moving-lift-1101a-hollow-wide-01-y ?o)) (moving-lift-1101a-hollow-wide-01-z ?o) (not (at-y ?o ?y)) (at-y ?o ?to-y) (increase (total-cost) 0)))
-  (:action finish-lift-1101a-hollow-wide-01-z
-    :parameters (?o - hollow-wide-01 ?s - z-step ?z ?to-z - z-cell)
-    :precondition (and (moving-lift-1101a-hollow-wide-01-z ?o) (at-z ?o ?z) (z-of-lift-1101a-hollow-wide-01 ?o ?s) (z-leads ?s ?z ?to-z))
-    :effect (and (not (moving-lift-1101a-hollow-wide-01-z ?o)) (ready) (held-by-lift-1101a-hollow-wide-01 ?o) (not (at-z ?o ?z)) (at-z ?o ?to-z) (increase (total-cost) 0)))
+    :parameters (?o - hollow-wide-01)
+    :precondition (and (ready) (hand-empty) (can a-lift-1101a-hollow-wide-01 ?o))
+    :effect (and (not (ready)) (moving-z a-lift-1101a-hollow-wide-01 ?o) (not (hand-empty)) (held a-lift-1101a-hollow-wide-01 ?o) (not (done ?o)) (increase (total-cost) (cost-of-lift-1101a-hollow-wide-01 ?o))))
 
   ; Put down what lift-1101a-hollow-wide-01 lifted.
   (:action put-down-lift-1101a-hollow-wide-01
-    :parameters (?o - hollow-wide-01 ?s - x-step ?x ?to-x - x-cell)
-    :precondition (and (ready) (held-by-lift-1101a-hollow-wide-01 ?o) (at-x ?o ?x) (x-of-put-down-lift-1101a-hollow-wide-01 ?o ?s) (x-leads ?s ?x ?to-x))
-    :effect (and (not (ready)) (moving-put-down-lift-1101a-hollow-wide-01-y ?o) (not (held-by-lift-1101a-hollow-wide-01 ?o)) (not (done ?o)) (not (at-x ?o ?x)) (at-x ?o ?to-x) (increase (total-cost) 0)))
-  (:action finish-put-down-lift-1101a-hollow-wide-01-y
-    :parameters (?o - hollow-wide-01 ?s - y-step ?y ?to-y - y-cell)
-    :precondition (and (moving-put-down-lift-1101a-hollow-wide-01-y ?o) (at-y ?o ?y) (y-of-put-down-lift-1101a-hollow-wide-01 ?o ?s) (y-leads ?s ?y ?to-y))
-    :effect (and (not (moving-put-down-lift-1101a-hollow-wide-01-y ?o)) (moving-put-down-lift-1101a-hollow-wide-01-z ?o) (not (at-y ?o ?y)) (at-y ?o ?to-y) (increase (total-cost) 0)))
-  (:action finish-put-down-lift-1101a-hollow-wide-01-z
-    :parameters (?o - hollow-wide-01 ?s - z-step ?z ?to-z - z-cell)
-    :precondition (and (moving-put-down-lift-1101a-hollow-wide-01-z ?o) (at-z ?o ?z) (z-of-put-down-lift-1101a-hollow-wide-01 ?o ?s) (z-leads ?s ?z ?to-z))
-    :effect (and (not (moving-put-down-lift-1101a-hollow-wide-01-z ?o)) (ready) (hand-empty) (not (at-z ?o ?z)) (at-z ?o ?to-z) (increase (total-cost) 0)))
+    :parameters (?o - hollow-wide-01)
+    :precondition (and (ready) (held a-lift-1101a-hollow-wide-01 ?o))
+    :effect (and (not (ready)) (moving-z a-put-down-lift-1101a-hollow-wide-01 ?o) (not (held a-lift-1101a-hollow-wide-01 ?o)) (hand-empty) (not (done ?o)) (increase (total-cost) 0)))
 
   ; Primitive 1101 on category 10 (any-tall-narrow-10); ends held in 23 of 30 rehearsals (77%).
   ; Effect (13.2, 3.2, 200) mm, spread (3.2, 0.8, 0.5) mm; 23 of 30 rehearsals as promised: cost 30.
@@ -1705,31 +660,15 @@
   ; It turned the object by over 15 degrees in 1 of 30 rehearsals.
   ; What it promises for an object stands in the problem.
   (:action lift-1101b-any-tall-narrow-10
-    :parameters (?o - any-tall-narrow-10 ?s - x-step ?x ?to-x - x-cell)
-    :precondition (and (ready) (hand-empty) (at-x ?o ?x) (x-of-lift-1101b-any-tall-narrow-10 ?o ?s) (x-leads ?s ?x ?to-x))
-    :effect (and (not (ready)) (moving-lift-1101b-any-tall-narrow-10-y ?o) (not (hand-empty)) (not (done ?o)) (not (at-x ?o ?x)) (at-x ?o ?to-x) (increase (total-cost) (cost-of-lift-1101b-any-tall-narrow-10 ?o))))
-  (:action finish-lift-1101b-any-tall-narrow-10-y
-    :parameters (?o - any-tall-narrow-10 ?s - y-step ?y ?to-y - y-cell)
-    :precondition (and (moving-lift-1101b-any-tall-narrow-10-y ?o) (at-y ?o ?y) (y-of-lift-1101b-any-tall-narrow-10 ?o ?s) (y-leads ?s ?y ?to-y))
-    :effect (and (not (moving-lift-1101b-any-tall-narrow-10-y ?o)) (moving-lift-1101b-any-tall-narrow-10-z ?o) (not (at-y ?o ?y)) (at-y ?o ?to-y) (increase (total-cost) 0)))
-  (:action finish-lift-1101b-any-tall-narrow-10-z
-    :parameters (?o - any-tall-narrow-10 ?s - z-step ?z ?to-z - z-cell)
-    :precondition (and (moving-lift-1101b-any-tall-narrow-10-z ?o) (at-z ?o ?z) (z-of-lift-1101b-any-tall-narrow-10 ?o ?s) (z-leads ?s ?z ?to-z))
-    :effect (and (not (moving-lift-1101b-any-tall-narrow-10-z ?o)) (ready) (held-by-lift-1101b-any-tall-narrow-10 ?o) (not (at-z ?o ?z)) (at-z ?o ?to-z) (increase (total-cost) 0)))
+    :parameters (?o - any-tall-narrow-10)
+    :precondition (and (ready) (hand-empty) (can a-lift-1101b-any-tall-narrow-10 ?o))
+    :effect (and (not (ready)) (moving-z a-lift-1101b-any-tall-narrow-10 ?o) (not (hand-empty)) (held a-lift-1101b-any-tall-narrow-10 ?o) (not (done ?o)) (increase (total-cost) (cost-of-lift-1101b-any-tall-narrow-10 ?o))))
 
   ; Put down what lift-1101b-any-tall-narrow-10 lifted.
   (:action put-down-lift-1101b-any-tall-narrow-10
-    :parameters (?o - any-tall-narrow-10 ?s - x-step ?x ?to-x - x-cell)
-    :precondition (and (ready) (held-by-lift-1101b-any-tall-narrow-10 ?o) (at-x ?o ?x) (x-of-put-down-lift-1101b-any-tall-narrow-10 ?o ?s) (x-leads ?s ?x ?to-x))
-    :effect (and (not (ready)) (moving-put-down-lift-1101b-any-tall-narrow-10-y ?o) (not (held-by-lift-1101b-any-tall-narrow-10 ?o)) (not (done ?o)) (not (at-x ?o ?x)) (at-x ?o ?to-x) (increase (total-cost) 0)))
-  (:action finish-put-down-lift-1101b-any-tall-narrow-10-y
-    :parameters (?o - any-tall-narrow-10 ?s - y-step ?y ?to-y - y-cell)
-    :precondition (and (moving-put-down-lift-1101b-any-tall-narrow-10-y ?o) (at-y ?o ?y) (y-of-put-down-lift-1101b-any-tall-narrow-10 ?o ?s) (y-leads ?s ?y ?to-y))
-    :effect (and (not (moving-put-down-lift-1101b-any-tall-narrow-10-y ?o)) (moving-put-down-lift-1101b-any-tall-narrow-10-z ?o) (not (at-y ?o ?y)) (at-y ?o ?to-y) (increase (total-cost) 0)))
-  (:action finish-put-down-lift-1101b-any-tall-narrow-10-z
-    :parameters (?o - any-tall-narrow-10 ?s - z-step ?z ?to-z - z-cell)
-    :precondition (and (moving-put-down-lift-1101b-any-tall-narrow-10-z ?o) (at-z ?o ?z) (z-of-put-down-lift-1101b-any-tall-narrow-10 ?o ?s) (z-leads ?s ?z ?to-z))
-    :effect (and (not (moving-put-down-lift-1101b-any-tall-narrow-10-z ?o)) (ready) (hand-empty) (not (at-z ?o ?z)) (at-z ?o ?to-z) (increase (total-cost) 0)))
+    :parameters (?o - any-tall-narrow-10)
+    :precondition (and (ready) (held a-lift-1101b-any-tall-narrow-10 ?o))
+    :effect (and (not (ready)) (moving-z a-put-down-lift-1101b-any-tall-narrow-10 ?o) (not (held a-lift-1101b-any-tall-narrow-10 ?o)) (hand-empty) (not (done ?o)) (increase (total-cost) 0)))
 
   ; Primitive 1101 on category 11 (solid-low-narrow-11); ends held in 30 of 30 rehearsals (100%).
   ; Effect (9.8, -2.8, 199.9) mm, spread (3.2, 1, 0.4) mm; 30 of 30 rehearsals as promised: cost 4.
@@ -1737,31 +676,15 @@
   ; 0.0062
   ; What it promises for an object stands in the problem.
   (:action lift-1101c-solid-low-narrow-11
-    :parameters (?o - solid-low-narrow-11 ?s - x-step ?x ?to-x - x-cell)
-    :precondition (and (ready) (hand-empty) (at-x ?o ?x) (x-of-lift-1101c-solid-low-narrow-11 ?o ?s) (x-leads ?s ?x ?to-x))
-    :effect (and (not (ready)) (moving-lift-1101c-solid-low-narrow-11-y ?o) (not (hand-empty)) (not (done ?o)) (not (at-x ?o ?x)) (at-x ?o ?to-x) (increase (total-cost) (cost-of-lift-1101c-solid-low-narrow-11 ?o))))
-  (:action finish-lift-1101c-solid-low-narrow-11-y
-    :parameters (?o - solid-low-narrow-11 ?s - y-step ?y ?to-y - y-cell)
-    :precondition (and (moving-lift-1101c-solid-low-narrow-11-y ?o) (at-y ?o ?y) (y-of-lift-1101c-solid-low-narrow-11 ?o ?s) (y-leads ?s ?y ?to-y))
-    :effect (and (not (moving-lift-1101c-solid-low-narrow-11-y ?o)) (moving-lift-1101c-solid-low-narrow-11-z ?o) (not (at-y ?o ?y)) (at-y ?o ?to-y) (increase (total-cost) 0)))
-  (:action finish-lift-1101c-solid-low-narrow-11-z
-    :parameters (?o - solid-low-narrow-11 ?s - z-step ?z ?to-z - z-cell)
-    :precondition (and (moving-lift-1101c-solid-low-narrow-11-z ?o) (at-z ?o ?z) (z-of-lift-1101c-solid-low-narrow-11 ?o ?s) (z-leads ?s ?z ?to-z))
-    :effect (and (not (moving-lift-1101c-solid-low-narrow-11-z ?o)) (ready) (held-by-lift-1101c-solid-low-narrow-11 ?o) (not (at-z ?o ?z)) (at-z ?o ?to-z) (increase (total-cost) 0)))
+    :parameters (?o - solid-low-narrow-11)
+    :precondition (and (ready) (hand-empty) (can a-lift-1101c-solid-low-narrow-11 ?o))
+    :effect (and (not (ready)) (moving-z a-lift-1101c-solid-low-narrow-11 ?o) (not (hand-empty)) (held a-lift-1101c-solid-low-narrow-11 ?o) (not (done ?o)) (increase (total-cost) (cost-of-lift-1101c-solid-low-narrow-11 ?o))))
 
   ; Put down what lift-1101c-solid-low-narrow-11 lifted.
   (:action put-down-lift-1101c-solid-low-narrow-11
-    :parameters (?o - solid-low-narrow-11 ?s - x-step ?x ?to-x - x-cell)
-    :precondition (and (ready) (held-by-lift-1101c-solid-low-narrow-11 ?o) (at-x ?o ?x) (x-of-put-down-lift-1101c-solid-low-narrow-11 ?o ?s) (x-leads ?s ?x ?to-x))
-    :effect (and (not (ready)) (moving-put-down-lift-1101c-solid-low-narrow-11-y ?o) (not (held-by-lift-1101c-solid-low-narrow-11 ?o)) (not (done ?o)) (not (at-x ?o ?x)) (at-x ?o ?to-x) (increase (total-cost) 0)))
-  (:action finish-put-down-lift-1101c-solid-low-narrow-11-y
-    :parameters (?o - solid-low-narrow-11 ?s - y-step ?y ?to-y - y-cell)
-    :precondition (and (moving-put-down-lift-1101c-solid-low-narrow-11-y ?o) (at-y ?o ?y) (y-of-put-down-lift-1101c-solid-low-narrow-11 ?o ?s) (y-leads ?s ?y ?to-y))
-    :effect (and (not (moving-put-down-lift-1101c-solid-low-narrow-11-y ?o)) (moving-put-down-lift-1101c-solid-low-narrow-11-z ?o) (not (at-y ?o ?y)) (at-y ?o ?to-y) (increase (total-cost) 0)))
-  (:action finish-put-down-lift-1101c-solid-low-narrow-11-z
-    :parameters (?o - solid-low-narrow-11 ?s - z-step ?z ?to-z - z-cell)
-    :precondition (and (moving-put-down-lift-1101c-solid-low-narrow-11-z ?o) (at-z ?o ?z) (z-of-put-down-lift-1101c-solid-low-narrow-11 ?o ?s) (z-leads ?s ?z ?to-z))
-    :effect (and (not (moving-put-down-lift-1101c-solid-low-narrow-11-z ?o)) (ready) (hand-empty) (not (at-z ?o ?z)) (at-z ?o ?to-z) (increase (total-cost) 0)))
+    :parameters (?o - solid-low-narrow-11)
+    :precondition (and (ready) (held a-lift-1101c-solid-low-narrow-11 ?o))
+    :effect (and (not (ready)) (moving-z a-put-down-lift-1101c-solid-low-narrow-11 ?o) (not (held a-lift-1101c-solid-low-narrow-11 ?o)) (hand-empty) (not (done ?o)) (increase (total-cost) 0)))
 
   ; Primitive 1010 on category 10 (any-tall-narrow-10); ends at rest in 30 of 30 rehearsals (100%).
   ; Effect (54.8, -0.3, 0) mm, spread (3.5, 5.1, 0) mm; 30 of 30 rehearsals as promised: cost 4.
@@ -1769,13 +692,9 @@
   ; 0.6377
   ; What it promises for an object stands in the problem.
   (:action place-forward-1010c-any-tall-narrow-10
-    :parameters (?o - any-tall-narrow-10 ?s - x-step ?x ?to-x - x-cell)
-    :precondition (and (ready) (hand-empty) (at-x ?o ?x) (x-of-place-forward-1010c-any-tall-narrow-10 ?o ?s) (x-leads ?s ?x ?to-x))
-    :effect (and (not (ready)) (moving-place-forward-1010c-any-tall-narrow-10-y ?o) (not (done ?o)) (not (at-x ?o ?x)) (at-x ?o ?to-x) (increase (total-cost) (cost-of-place-forward-1010c-any-tall-narrow-10 ?o))))
-  (:action finish-place-forward-1010c-any-tall-narrow-10-y
-    :parameters (?o - any-tall-narrow-10 ?s - y-step ?y ?to-y - y-cell)
-    :precondition (and (moving-place-forward-1010c-any-tall-narrow-10-y ?o) (at-y ?o ?y) (y-of-place-forward-1010c-any-tall-narrow-10 ?o ?s) (y-leads ?s ?y ?to-y))
-    :effect (and (not (moving-place-forward-1010c-any-tall-narrow-10-y ?o)) (ready) (not (at-y ?o ?y)) (at-y ?o ?to-y) (increase (total-cost) 0)))
+    :parameters (?o - any-tall-narrow-10)
+    :precondition (and (ready) (hand-empty) (can a-place-forward-1010c-any-tall-narrow-10 ?o))
+    :effect (and (not (ready)) (moving-x a-place-forward-1010c-any-tall-narrow-10 ?o) (not (done ?o)) (increase (total-cost) (cost-of-place-forward-1010c-any-tall-narrow-10 ?o))))
 
   ; Primitive 1010 on category 11 (solid-low-narrow-11); ends at rest in 30 of 30 rehearsals (100%).
   ; Effect (58, -42.5, 0) mm, spread (0.9, 0.9, 0) mm; 30 of 30 rehearsals as promised: cost 4.
@@ -1783,13 +702,9 @@
   ; 0.8040
   ; What it promises for an object stands in the problem.
   (:action place-forward-right-1010-solid-low-narrow-11
-    :parameters (?o - solid-low-narrow-11 ?s - x-step ?x ?to-x - x-cell)
-    :precondition (and (ready) (hand-empty) (at-x ?o ?x) (x-of-place-forward-right-1010-solid-low-narrow-11 ?o ?s) (x-leads ?s ?x ?to-x))
-    :effect (and (not (ready)) (moving-place-forward-right-1010-solid-low-narrow-11-y ?o) (not (done ?o)) (not (at-x ?o ?x)) (at-x ?o ?to-x) (increase (total-cost) (cost-of-place-forward-right-1010-solid-low-narrow-11 ?o))))
-  (:action finish-place-forward-right-1010-solid-low-narrow-11-y
-    :parameters (?o - solid-low-narrow-11 ?s - y-step ?y ?to-y - y-cell)
-    :precondition (and (moving-place-forward-right-1010-solid-low-narrow-11-y ?o) (at-y ?o ?y) (y-of-place-forward-right-1010-solid-low-narrow-11 ?o ?s) (y-leads ?s ?y ?to-y))
-    :effect (and (not (moving-place-forward-right-1010-solid-low-narrow-11-y ?o)) (ready) (not (at-y ?o ?y)) (at-y ?o ?to-y) (increase (total-cost) 0)))
+    :parameters (?o - solid-low-narrow-11)
+    :precondition (and (ready) (hand-empty) (can a-place-forward-right-1010-solid-low-narrow-11 ?o))
+    :effect (and (not (ready)) (moving-x a-place-forward-right-1010-solid-low-narrow-11 ?o) (not (done ?o)) (increase (total-cost) (cost-of-place-forward-right-1010-solid-low-narrow-11 ?o))))
 
   ; Primitive 0000 on category 01 (hollow-wide-01); ends at rest in 6 of 35 rehearsals (17%).
   ; Effect (1.7, -56.1, 0) mm, spread (6.6, 16.7, 0) mm; 6 of 35 rehearsals as promised: cost 168.
@@ -1798,13 +713,9 @@
   ; It turned the object by over 15 degrees in 10 of 35 rehearsals.
   ; What it promises for an object stands in the problem.
   (:action place-right-0000-hollow-wide-01
-    :parameters (?o - hollow-wide-01 ?s - x-step ?x ?to-x - x-cell)
-    :precondition (and (ready) (hand-empty) (at-x ?o ?x) (x-of-place-right-0000-hollow-wide-01 ?o ?s) (x-leads ?s ?x ?to-x))
-    :effect (and (not (ready)) (moving-place-right-0000-hollow-wide-01-y ?o) (not (done ?o)) (not (at-x ?o ?x)) (at-x ?o ?to-x) (increase (total-cost) (cost-of-place-right-0000-hollow-wide-01 ?o))))
-  (:action finish-place-right-0000-hollow-wide-01-y
-    :parameters (?o - hollow-wide-01 ?s - y-step ?y ?to-y - y-cell)
-    :precondition (and (moving-place-right-0000-hollow-wide-01-y ?o) (at-y ?o ?y) (y-of-place-right-0000-hollow-wide-01 ?o ?s) (y-leads ?s ?y ?to-y))
-    :effect (and (not (moving-place-right-0000-hollow-wide-01-y ?o)) (ready) (not (at-y ?o ?y)) (at-y ?o ?to-y) (increase (total-cost) 0)))
+    :parameters (?o - hollow-wide-01)
+    :precondition (and (ready) (hand-empty) (can a-place-right-0000-hollow-wide-01 ?o))
+    :effect (and (not (ready)) (moving-x a-place-right-0000-hollow-wide-01 ?o) (not (done ?o)) (increase (total-cost) (cost-of-place-right-0000-hollow-wide-01 ?o))))
 
   ; Primitive 0100 on category 10 (any-tall-narrow-10); ends at rest in 10 of 30 rehearsals (33%).
   ; Effect (-52.7, -8.1, 0) mm, spread (21.3, 31.9, 0) mm; 9 of 30 rehearsals as promised: cost 117.
@@ -1813,13 +724,9 @@
   ; It turned the object by over 15 degrees in 5 of 30 rehearsals.
   ; What it promises for an object stands in the problem.
   (:action pull-0100-any-tall-narrow-10
-    :parameters (?o - any-tall-narrow-10 ?s - x-step ?x ?to-x - x-cell)
-    :precondition (and (ready) (hand-empty) (at-x ?o ?x) (x-of-pull-0100-any-tall-narrow-10 ?o ?s) (x-leads ?s ?x ?to-x))
-    :effect (and (not (ready)) (moving-pull-0100-any-tall-narrow-10-y ?o) (not (done ?o)) (not (at-x ?o ?x)) (at-x ?o ?to-x) (increase (total-cost) (cost-of-pull-0100-any-tall-narrow-10 ?o))))
-  (:action finish-pull-0100-any-tall-narrow-10-y
-    :parameters (?o - any-tall-narrow-10 ?s - y-step ?y ?to-y - y-cell)
-    :precondition (and (moving-pull-0100-any-tall-narrow-10-y ?o) (at-y ?o ?y) (y-of-pull-0100-any-tall-narrow-10 ?o ?s) (y-leads ?s ?y ?to-y))
-    :effect (and (not (moving-pull-0100-any-tall-narrow-10-y ?o)) (ready) (not (at-y ?o ?y)) (at-y ?o ?to-y) (increase (total-cost) 0)))
+    :parameters (?o - any-tall-narrow-10)
+    :precondition (and (ready) (hand-empty) (can a-pull-0100-any-tall-narrow-10 ?o))
+    :effect (and (not (ready)) (moving-x a-pull-0100-any-tall-narrow-10 ?o) (not (done ?o)) (increase (total-cost) (cost-of-pull-0100-any-tall-narrow-10 ?o))))
 
   ; Primitive 0100 on category 00 (solid-00); ends at rest in 32 of 32 rehearsals (100%).
   ; Effect (-80.6, -29.1, 0) mm, spread (16.3, 15.9, 0) mm; 29 of 32 rehearsals as promised: cost 14.
@@ -1827,13 +734,9 @@
   ; 0.2288
   ; What it promises for an object stands in the problem.
   (:action pull-0100a-solid-00
-    :parameters (?o - solid-00 ?s - x-step ?x ?to-x - x-cell)
-    :precondition (and (ready) (hand-empty) (at-x ?o ?x) (x-of-pull-0100a-solid-00 ?o ?s) (x-leads ?s ?x ?to-x))
-    :effect (and (not (ready)) (moving-pull-0100a-solid-00-y ?o) (not (done ?o)) (not (at-x ?o ?x)) (at-x ?o ?to-x) (increase (total-cost) (cost-of-pull-0100a-solid-00 ?o))))
-  (:action finish-pull-0100a-solid-00-y
-    :parameters (?o - solid-00 ?s - y-step ?y ?to-y - y-cell)
-    :precondition (and (moving-pull-0100a-solid-00-y ?o) (at-y ?o ?y) (y-of-pull-0100a-solid-00 ?o ?s) (y-leads ?s ?y ?to-y))
-    :effect (and (not (moving-pull-0100a-solid-00-y ?o)) (ready) (not (at-y ?o ?y)) (at-y ?o ?to-y) (increase (total-cost) 0)))
+    :parameters (?o - solid-00)
+    :precondition (and (ready) (hand-empty) (can a-pull-0100a-solid-00 ?o))
+    :effect (and (not (ready)) (moving-x a-pull-0100a-solid-00 ?o) (not (done ?o)) (increase (total-cost) (cost-of-pull-0100a-solid-00 ?o))))
 
   ; Primitive 0110 on category 11 (solid-low-narrow-11); ends at rest in 30 of 30 rehearsals (100%).
   ; Effect (-42.7, -5.1, 0) mm, spread (0.1, 0.3, 0) mm; 30 of 30 rehearsals as promised: cost 4.
@@ -1841,13 +744,9 @@
   ; 0.9263
   ; What it promises for an object stands in the problem.
   (:action pull-0110-solid-low-narrow-11
-    :parameters (?o - solid-low-narrow-11 ?s - x-step ?x ?to-x - x-cell)
-    :precondition (and (ready) (hand-empty) (at-x ?o ?x) (x-of-pull-0110-solid-low-narrow-11 ?o ?s) (x-leads ?s ?x ?to-x))
-    :effect (and (not (ready)) (moving-pull-0110-solid-low-narrow-11-y ?o) (not (done ?o)) (not (at-x ?o ?x)) (at-x ?o ?to-x) (increase (total-cost) (cost-of-pull-0110-solid-low-narrow-11 ?o))))
-  (:action finish-pull-0110-solid-low-narrow-11-y
-    :parameters (?o - solid-low-narrow-11 ?s - y-step ?y ?to-y - y-cell)
-    :precondition (and (moving-pull-0110-solid-low-narrow-11-y ?o) (at-y ?o ?y) (y-of-pull-0110-solid-low-narrow-11 ?o ?s) (y-leads ?s ?y ?to-y))
-    :effect (and (not (moving-pull-0110-solid-low-narrow-11-y ?o)) (ready) (not (at-y ?o ?y)) (at-y ?o ?to-y) (increase (total-cost) 0)))
+    :parameters (?o - solid-low-narrow-11)
+    :precondition (and (ready) (hand-empty) (can a-pull-0110-solid-low-narrow-11 ?o))
+    :effect (and (not (ready)) (moving-x a-pull-0110-solid-low-narrow-11 ?o) (not (done ?o)) (increase (total-cost) (cost-of-pull-0110-solid-low-narrow-11 ?o))))
 
   ; Primitive 0110 on category 00 (solid-00); ends at rest in 32 of 32 rehearsals (100%).
   ; Effect (-23.3, -4.9, 0) mm, spread (17.9, 8.2, 0) mm; 32 of 32 rehearsals as promised: cost 4.
@@ -1856,13 +755,9 @@
   ; It turned the object by over 15 degrees in 8 of 32 rehearsals.
   ; What it promises for an object stands in the problem.
   (:action pull-0110a-solid-00
-    :parameters (?o - solid-00 ?s - x-step ?x ?to-x - x-cell)
-    :precondition (and (ready) (hand-empty) (at-x ?o ?x) (x-of-pull-0110a-solid-00 ?o ?s) (x-leads ?s ?x ?to-x))
-    :effect (and (not (ready)) (moving-pull-0110a-solid-00-y ?o) (not (done ?o)) (not (at-x ?o ?x)) (at-x ?o ?to-x) (increase (total-cost) (cost-of-pull-0110a-solid-00 ?o))))
-  (:action finish-pull-0110a-solid-00-y
-    :parameters (?o - solid-00 ?s - y-step ?y ?to-y - y-cell)
-    :precondition (and (moving-pull-0110a-solid-00-y ?o) (at-y ?o ?y) (y-of-pull-0110a-solid-00 ?o ?s) (y-leads ?s ?y ?to-y))
-    :effect (and (not (moving-pull-0110a-solid-00-y ?o)) (ready) (not (at-y ?o ?y)) (at-y ?o ?to-y) (increase (total-cost) 0)))
+    :parameters (?o - solid-00)
+    :precondition (and (ready) (hand-empty) (can a-pull-0110a-solid-00 ?o))
+    :effect (and (not (ready)) (moving-x a-pull-0110a-solid-00 ?o) (not (done ?o)) (increase (total-cost) (cost-of-pull-0110a-solid-00 ?o))))
 
   ; Primitive 0111 on category 01 (hollow-wide-01); ends at rest in 35 of 35 rehearsals (100%).
   ; Effect (-89.3, 17.3, 0) mm, spread (45.8, 17.4, 0) mm; 26 of 35 rehearsals as promised: cost 33.
@@ -1871,13 +766,9 @@
   ; It turned the object by over 15 degrees in 8 of 35 rehearsals.
   ; What it promises for an object stands in the problem.
   (:action pull-0111-hollow-wide-01
-    :parameters (?o - hollow-wide-01 ?s - x-step ?x ?to-x - x-cell)
-    :precondition (and (ready) (hand-empty) (at-x ?o ?x) (x-of-pull-0111-hollow-wide-01 ?o ?s) (x-leads ?s ?x ?to-x))
-    :effect (and (not (ready)) (moving-pull-0111-hollow-wide-01-y ?o) (not (done ?o)) (not (at-x ?o ?x)) (at-x ?o ?to-x) (increase (total-cost) (cost-of-pull-0111-hollow-wide-01 ?o))))
-  (:action finish-pull-0111-hollow-wide-01-y
-    :parameters (?o - hollow-wide-01 ?s - y-step ?y ?to-y - y-cell)
-    :precondition (and (moving-pull-0111-hollow-wide-01-y ?o) (at-y ?o ?y) (y-of-pull-0111-hollow-wide-01 ?o ?s) (y-leads ?s ?y ?to-y))
-    :effect (and (not (moving-pull-0111-hollow-wide-01-y ?o)) (ready) (not (at-y ?o ?y)) (at-y ?o ?to-y) (increase (total-cost) 0)))
+    :parameters (?o - hollow-wide-01)
+    :precondition (and (ready) (hand-empty) (can a-pull-0111-hollow-wide-01 ?o))
+    :effect (and (not (ready)) (moving-x a-pull-0111-hollow-wide-01 ?o) (not (done ?o)) (increase (total-cost) (cost-of-pull-0111-hollow-wide-01 ?o))))
 
   ; Primitive 0111 on category 11 (solid-low-narrow-11); ends at rest in 30 of 30 rehearsals (100%).
   ; Effect (-99.1, 39.4, 0) mm, spread (3, 14.3, 0) mm; 29 of 30 rehearsals as promised: cost 7.
@@ -1885,13 +776,9 @@
   ; 0.6990
   ; What it promises for an object stands in the problem.
   (:action pull-0111-solid-low-narrow-11
-    :parameters (?o - solid-low-narrow-11 ?s - x-step ?x ?to-x - x-cell)
-    :precondition (and (ready) (hand-empty) (at-x ?o ?x) (x-of-pull-0111-solid-low-narrow-11 ?o ?s) (x-leads ?s ?x ?to-x))
-    :effect (and (not (ready)) (moving-pull-0111-solid-low-narrow-11-y ?o) (not (done ?o)) (not (at-x ?o ?x)) (at-x ?o ?to-x) (increase (total-cost) (cost-of-pull-0111-solid-low-narrow-11 ?o))))
-  (:action finish-pull-0111-solid-low-narrow-11-y
-    :parameters (?o - solid-low-narrow-11 ?s - y-step ?y ?to-y - y-cell)
-    :precondition (and (moving-pull-0111-solid-low-narrow-11-y ?o) (at-y ?o ?y) (y-of-pull-0111-solid-low-narrow-11 ?o ?s) (y-leads ?s ?y ?to-y))
-    :effect (and (not (moving-pull-0111-solid-low-narrow-11-y ?o)) (ready) (not (at-y ?o ?y)) (at-y ?o ?to-y) (increase (total-cost) 0)))
+    :parameters (?o - solid-low-narrow-11)
+    :precondition (and (ready) (hand-empty) (can a-pull-0111-solid-low-narrow-11 ?o))
+    :effect (and (not (ready)) (moving-x a-pull-0111-solid-low-narrow-11 ?o) (not (done ?o)) (increase (total-cost) (cost-of-pull-0111-solid-low-narrow-11 ?o))))
 
   ; Primitive 0111 on category 00 (solid-00); ends at rest in 32 of 32 rehearsals (100%).
   ; Effect (-60.2, 9.8, 0) mm, spread (17.4, 13.3, 0) mm; 32 of 32 rehearsals as promised: cost 4.
@@ -1899,13 +786,9 @@
   ; 0.8375
   ; What it promises for an object stands in the problem.
   (:action pull-0111a-solid-00
-    :parameters (?o - solid-00 ?s - x-step ?x ?to-x - x-cell)
-    :precondition (and (ready) (hand-empty) (at-x ?o ?x) (x-of-pull-0111a-solid-00 ?o ?s) (x-leads ?s ?x ?to-x))
-    :effect (and (not (ready)) (moving-pull-0111a-solid-00-y ?o) (not (done ?o)) (not (at-x ?o ?x)) (at-x ?o ?to-x) (increase (total-cost) (cost-of-pull-0111a-solid-00 ?o))))
-  (:action finish-pull-0111a-solid-00-y
-    :parameters (?o - solid-00 ?s - y-step ?y ?to-y - y-cell)
-    :precondition (and (moving-pull-0111a-solid-00-y ?o) (at-y ?o ?y) (y-of-pull-0111a-solid-00 ?o ?s) (y-leads ?s ?y ?to-y))
-    :effect (and (not (moving-pull-0111a-solid-00-y ?o)) (ready) (not (at-y ?o ?y)) (at-y ?o ?to-y) (increase (total-cost) 0)))
+    :parameters (?o - solid-00)
+    :precondition (and (ready) (hand-empty) (can a-pull-0111a-solid-00 ?o))
+    :effect (and (not (ready)) (moving-x a-pull-0111a-solid-00 ?o) (not (done ?o)) (increase (total-cost) (cost-of-pull-0111a-solid-00 ?o))))
 
   ; Primitive 0111 on category 10 (any-tall-narrow-10); ends at rest in 28 of 30 rehearsals (93%).
   ; Effect (-79.4, 27.3, 0) mm, spread (3.4, 14, 0) mm; 28 of 30 rehearsals as promised: cost 11.
@@ -1914,13 +797,9 @@
   ; It turned the object by over 15 degrees in 2 of 30 rehearsals.
   ; What it promises for an object stands in the problem.
   (:action pull-0111c-any-tall-narrow-10
-    :parameters (?o - any-tall-narrow-10 ?s - x-step ?x ?to-x - x-cell)
-    :precondition (and (ready) (hand-empty) (at-x ?o ?x) (x-of-pull-0111c-any-tall-narrow-10 ?o ?s) (x-leads ?s ?x ?to-x))
-    :effect (and (not (ready)) (moving-pull-0111c-any-tall-narrow-10-y ?o) (not (done ?o)) (not (at-x ?o ?x)) (at-x ?o ?to-x) (increase (total-cost) (cost-of-pull-0111c-any-tall-narrow-10 ?o))))
-  (:action finish-pull-0111c-any-tall-narrow-10-y
-    :parameters (?o - any-tall-narrow-10 ?s - y-step ?y ?to-y - y-cell)
-    :precondition (and (moving-pull-0111c-any-tall-narrow-10-y ?o) (at-y ?o ?y) (y-of-pull-0111c-any-tall-narrow-10 ?o ?s) (y-leads ?s ?y ?to-y))
-    :effect (and (not (moving-pull-0111c-any-tall-narrow-10-y ?o)) (ready) (not (at-y ?o ?y)) (at-y ?o ?to-y) (increase (total-cost) 0)))
+    :parameters (?o - any-tall-narrow-10)
+    :precondition (and (ready) (hand-empty) (can a-pull-0111c-any-tall-narrow-10 ?o))
+    :effect (and (not (ready)) (moving-x a-pull-0111c-any-tall-narrow-10 ?o) (not (done ?o)) (increase (total-cost) (cost-of-pull-0111c-any-tall-narrow-10 ?o))))
 
   ; Primitive 0101 on category 00 (solid-00); ends at rest in 32 of 32 rehearsals (100%).
   ; Effect (-10.6, 20, 0) mm, spread (11.3, 29.8, 0) mm; 31 of 32 rehearsals as promised: cost 7.
@@ -1928,13 +807,9 @@
   ; 0.1013
   ; What it promises for an object stands in the problem.
   (:action pull-left-0101-solid-00
-    :parameters (?o - solid-00 ?s - x-step ?x ?to-x - x-cell)
-    :precondition (and (ready) (hand-empty) (at-x ?o ?x) (x-of-pull-left-0101-solid-00 ?o ?s) (x-leads ?s ?x ?to-x))
-    :effect (and (not (ready)) (moving-pull-left-0101-solid-00-y ?o) (not (done ?o)) (not (at-x ?o ?x)) (at-x ?o ?to-x) (increase (total-cost) (cost-of-pull-left-0101-solid-00 ?o))))
-  (:action finish-pull-left-0101-solid-00-y
-    :parameters (?o - solid-00 ?s - y-step ?y ?to-y - y-cell)
-    :precondition (and (moving-pull-left-0101-solid-00-y ?o) (at-y ?o ?y) (y-of-pull-left-0101-solid-00 ?o ?s) (y-leads ?s ?y ?to-y))
-    :effect (and (not (moving-pull-left-0101-solid-00-y ?o)) (ready) (not (at-y ?o ?y)) (at-y ?o ?to-y) (increase (total-cost) 0)))
+    :parameters (?o - solid-00)
+    :precondition (and (ready) (hand-empty) (can a-pull-left-0101-solid-00 ?o))
+    :effect (and (not (ready)) (moving-x a-pull-left-0101-solid-00 ?o) (not (done ?o)) (increase (total-cost) (cost-of-pull-left-0101-solid-00 ?o))))
 
   ; Primitive 0101 on category 10 (any-tall-narrow-10); ends at rest in 3 of 30 rehearsals (10%).
   ; Effect (-12.4, 9.8, 0) mm, spread (4.1, 5.5, 0) mm; 3 of 30 rehearsals as promised: cost 209.
@@ -1942,13 +817,9 @@
   ; 0.3369
   ; What it promises for an object stands in the problem.
   (:action pull-left-0101b-any-tall-narrow-10
-    :parameters (?o - any-tall-narrow-10 ?s - x-step ?x ?to-x - x-cell)
-    :precondition (and (ready) (hand-empty) (at-x ?o ?x) (x-of-pull-left-0101b-any-tall-narrow-10 ?o ?s) (x-leads ?s ?x ?to-x))
-    :effect (and (not (ready)) (moving-pull-left-0101b-any-tall-narrow-10-y ?o) (not (done ?o)) (not (at-x ?o ?x)) (at-x ?o ?to-x) (increase (total-cost) (cost-of-pull-left-0101b-any-tall-narrow-10 ?o))))
-  (:action finish-pull-left-0101b-any-tall-narrow-10-y
-    :parameters (?o - any-tall-narrow-10 ?s - y-step ?y ?to-y - y-cell)
-    :precondition (and (moving-pull-left-0101b-any-tall-narrow-10-y ?o) (at-y ?o ?y) (y-of-pull-left-0101b-any-tall-narrow-10 ?o ?s) (y-leads ?s ?y ?to-y))
-    :effect (and (not (moving-pull-left-0101b-any-tall-narrow-10-y ?o)) (ready) (not (at-y ?o ?y)) (at-y ?o ?to-y) (increase (total-cost) 0)))
+    :parameters (?o - any-tall-narrow-10)
+    :precondition (and (ready) (hand-empty) (can a-pull-left-0101b-any-tall-narrow-10 ?o))
+    :effect (and (not (ready)) (moving-x a-pull-left-0101b-any-tall-narrow-10 ?o) (not (done ?o)) (increase (total-cost) (cost-of-pull-left-0101b-any-tall-narrow-10 ?o))))
 
   ; Primitive 0111 on category 01 (hollow-wide-01); ends at rest in 35 of 35 rehearsals (100%).
   ; Effect (-47.6, 67.9, 0) mm, spread (6.7, 9.3, 0) mm; 35 of 35 rehearsals as promised: cost 4.
@@ -1957,13 +828,9 @@
   ; It turned the object by over 15 degrees in 1 of 35 rehearsals.
   ; What it promises for an object stands in the problem.
   (:action pull-left-0111b-hollow-wide-01
-    :parameters (?o - hollow-wide-01 ?s - x-step ?x ?to-x - x-cell)
-    :precondition (and (ready) (hand-empty) (at-x ?o ?x) (x-of-pull-left-0111b-hollow-wide-01 ?o ?s) (x-leads ?s ?x ?to-x))
-    :effect (and (not (ready)) (moving-pull-left-0111b-hollow-wide-01-y ?o) (not (done ?o)) (not (at-x ?o ?x)) (at-x ?o ?to-x) (increase (total-cost) (cost-of-pull-left-0111b-hollow-wide-01 ?o))))
-  (:action finish-pull-left-0111b-hollow-wide-01-y
-    :parameters (?o - hollow-wide-01 ?s - y-step ?y ?to-y - y-cell)
-    :precondition (and (moving-pull-left-0111b-hollow-wide-01-y ?o) (at-y ?o ?y) (y-of-pull-left-0111b-hollow-wide-01 ?o ?s) (y-leads ?s ?y ?to-y))
-    :effect (and (not (moving-pull-left-0111b-hollow-wide-01-y ?o)) (ready) (not (at-y ?o ?y)) (at-y ?o ?to-y) (increase (total-cost) 0)))
+    :parameters (?o - hollow-wide-01)
+    :precondition (and (ready) (hand-empty) (can a-pull-left-0111b-hollow-wide-01 ?o))
+    :effect (and (not (ready)) (moving-x a-pull-left-0111b-hollow-wide-01 ?o) (not (done ?o)) (increase (total-cost) (cost-of-pull-left-0111b-hollow-wide-01 ?o))))
 
   ; Primitive 1101 on category 00 (solid-00); ends at rest in 32 of 32 rehearsals (100%).
   ; Effect (-24.2, 44.1, 0) mm, spread (14.1, 43, 0) mm; 24 of 32 rehearsals as promised: cost 32.
@@ -1971,13 +838,9 @@
   ; 0.3088
   ; What it promises for an object stands in the problem.
   (:action pull-left-1101-solid-00
-    :parameters (?o - solid-00 ?s - x-step ?x ?to-x - x-cell)
-    :precondition (and (ready) (hand-empty) (at-x ?o ?x) (x-of-pull-left-1101-solid-00 ?o ?s) (x-leads ?s ?x ?to-x))
-    :effect (and (not (ready)) (moving-pull-left-1101-solid-00-y ?o) (not (done ?o)) (not (at-x ?o ?x)) (at-x ?o ?to-x) (increase (total-cost) (cost-of-pull-left-1101-solid-00 ?o))))
-  (:action finish-pull-left-1101-solid-00-y
-    :parameters (?o - solid-00 ?s - y-step ?y ?to-y - y-cell)
-    :precondition (and (moving-pull-left-1101-solid-00-y ?o) (at-y ?o ?y) (y-of-pull-left-1101-solid-00 ?o ?s) (y-leads ?s ?y ?to-y))
-    :effect (and (not (moving-pull-left-1101-solid-00-y ?o)) (ready) (not (at-y ?o ?y)) (at-y ?o ?to-y) (increase (total-cost) 0)))
+    :parameters (?o - solid-00)
+    :precondition (and (ready) (hand-empty) (can a-pull-left-1101-solid-00 ?o))
+    :effect (and (not (ready)) (moving-x a-pull-left-1101-solid-00 ?o) (not (done ?o)) (increase (total-cost) (cost-of-pull-left-1101-solid-00 ?o))))
 
   ; Primitive 1111 on category 00 (solid-00); ends at rest in 32 of 32 rehearsals (100%).
   ; Effect (-16.5, 15.1, 0) mm, spread (11.5, 13.8, 0) mm; 32 of 32 rehearsals as promised: cost 4.
@@ -1986,13 +849,9 @@
   ; It turned the object by over 15 degrees in 2 of 32 rehearsals.
   ; What it promises for an object stands in the problem.
   (:action pull-left-1111a-solid-00
-    :parameters (?o - solid-00 ?s - x-step ?x ?to-x - x-cell)
-    :precondition (and (ready) (hand-empty) (at-x ?o ?x) (x-of-pull-left-1111a-solid-00 ?o ?s) (x-leads ?s ?x ?to-x))
-    :effect (and (not (ready)) (moving-pull-left-1111a-solid-00-y ?o) (not (done ?o)) (not (at-x ?o ?x)) (at-x ?o ?to-x) (increase (total-cost) (cost-of-pull-left-1111a-solid-00 ?o))))
-  (:action finish-pull-left-1111a-solid-00-y
-    :parameters (?o - solid-00 ?s - y-step ?y ?to-y - y-cell)
-    :precondition (and (moving-pull-left-1111a-solid-00-y ?o) (at-y ?o ?y) (y-of-pull-left-1111a-solid-00 ?o ?s) (y-leads ?s ?y ?to-y))
-    :effect (and (not (moving-pull-left-1111a-solid-00-y ?o)) (ready) (not (at-y ?o ?y)) (at-y ?o ?to-y) (increase (total-cost) 0)))
+    :parameters (?o - solid-00)
+    :precondition (and (ready) (hand-empty) (can a-pull-left-1111a-solid-00 ?o))
+    :effect (and (not (ready)) (moving-x a-pull-left-1111a-solid-00 ?o) (not (done ?o)) (increase (total-cost) (cost-of-pull-left-1111a-solid-00 ?o))))
 
   ; Primitive 0000 on category 00 (solid-00); ends at rest in 30 of 32 rehearsals (94%).
   ; Effect (-24.5, -41.8, 0) mm, spread (12.2, 38.1, 0) mm; 27 of 32 rehearsals as promised: cost 20.
@@ -2001,13 +860,9 @@
   ; It turned the object by over 15 degrees in 2 of 32 rehearsals.
   ; What it promises for an object stands in the problem.
   (:action pull-right-0000a-solid-00
-    :parameters (?o - solid-00 ?s - x-step ?x ?to-x - x-cell)
-    :precondition (and (ready) (hand-empty) (at-x ?o ?x) (x-of-pull-right-0000a-solid-00 ?o ?s) (x-leads ?s ?x ?to-x))
-    :effect (and (not (ready)) (moving-pull-right-0000a-solid-00-y ?o) (not (done ?o)) (not (at-x ?o ?x)) (at-x ?o ?to-x) (increase (total-cost) (cost-of-pull-right-0000a-solid-00 ?o))))
-  (:action finish-pull-right-0000a-solid-00-y
-    :parameters (?o - solid-00 ?s - y-step ?y ?to-y - y-cell)
-    :precondition (and (moving-pull-right-0000a-solid-00-y ?o) (at-y ?o ?y) (y-of-pull-right-0000a-solid-00 ?o ?s) (y-leads ?s ?y ?to-y))
-    :effect (and (not (moving-pull-right-0000a-solid-00-y ?o)) (ready) (not (at-y ?o ?y)) (at-y ?o ?to-y) (increase (total-cost) 0)))
+    :parameters (?o - solid-00)
+    :precondition (and (ready) (hand-empty) (can a-pull-right-0000a-solid-00 ?o))
+    :effect (and (not (ready)) (moving-x a-pull-right-0000a-solid-00 ?o) (not (done ?o)) (increase (total-cost) (cost-of-pull-right-0000a-solid-00 ?o))))
 
   ; Primitive 0110 on category 01 (hollow-wide-01); ends at rest in 35 of 35 rehearsals (100%).
   ; Effect (-35.4, -56.1, 0) mm, spread (18.4, 30.2, 0) mm; 29 of 35 rehearsals as promised: cost 22.
@@ -2016,13 +871,9 @@
   ; It turned the object by over 15 degrees in 1 of 35 rehearsals.
   ; What it promises for an object stands in the problem.
   (:action pull-right-0110-hollow-wide-01
-    :parameters (?o - hollow-wide-01 ?s - x-step ?x ?to-x - x-cell)
-    :precondition (and (ready) (hand-empty) (at-x ?o ?x) (x-of-pull-right-0110-hollow-wide-01 ?o ?s) (x-leads ?s ?x ?to-x))
-    :effect (and (not (ready)) (moving-pull-right-0110-hollow-wide-01-y ?o) (not (done ?o)) (not (at-x ?o ?x)) (at-x ?o ?to-x) (increase (total-cost) (cost-of-pull-right-0110-hollow-wide-01 ?o))))
-  (:action finish-pull-right-0110-hollow-wide-01-y
-    :parameters (?o - hollow-wide-01 ?s - y-step ?y ?to-y - y-cell)
-    :precondition (and (moving-pull-right-0110-hollow-wide-01-y ?o) (at-y ?o ?y) (y-of-pull-right-0110-hollow-wide-01 ?o ?s) (y-leads ?s ?y ?to-y))
-    :effect (and (not (moving-pull-right-0110-hollow-wide-01-y ?o)) (ready) (not (at-y ?o ?y)) (at-y ?o ?to-y) (increase (total-cost) 0)))
+    :parameters (?o - hollow-wide-01)
+    :precondition (and (ready) (hand-empty) (can a-pull-right-0110-hollow-wide-01 ?o))
+    :effect (and (not (ready)) (moving-x a-pull-right-0110-hollow-wide-01 ?o) (not (done ?o)) (increase (total-cost) (cost-of-pull-right-0110-hollow-wide-01 ?o))))
 
   ; Primitive 0110 on category 10 (any-tall-narrow-10); ends at rest in 30 of 30 rehearsals (100%).
   ; Effect (-39.3, -32.9, 0) mm, spread (2.8, 2.3, 0) mm; 30 of 30 rehearsals as promised: cost 4.
@@ -2030,13 +881,9 @@
   ; 0.7406
   ; What it promises for an object stands in the problem.
   (:action pull-right-0110c-any-tall-narrow-10
-    :parameters (?o - any-tall-narrow-10 ?s - x-step ?x ?to-x - x-cell)
-    :precondition (and (ready) (hand-empty) (at-x ?o ?x) (x-of-pull-right-0110c-any-tall-narrow-10 ?o ?s) (x-leads ?s ?x ?to-x))
-    :effect (and (not (ready)) (moving-pull-right-0110c-any-tall-narrow-10-y ?o) (not (done ?o)) (not (at-x ?o ?x)) (at-x ?o ?to-x) (increase (total-cost) (cost-of-pull-right-0110c-any-tall-narrow-10 ?o))))
-  (:action finish-pull-right-0110c-any-tall-narrow-10-y
-    :parameters (?o - any-tall-narrow-10 ?s - y-step ?y ?to-y - y-cell)
-    :precondition (and (moving-pull-right-0110c-any-tall-narrow-10-y ?o) (at-y ?o ?y) (y-of-pull-right-0110c-any-tall-narrow-10 ?o ?s) (y-leads ?s ?y ?to-y))
-    :effect (and (not (moving-pull-right-0110c-any-tall-narrow-10-y ?o)) (ready) (not (at-y ?o ?y)) (at-y ?o ?to-y) (increase (total-cost) 0)))
+    :parameters (?o - any-tall-narrow-10)
+    :precondition (and (ready) (hand-empty) (can a-pull-right-0110c-any-tall-narrow-10 ?o))
+    :effect (and (not (ready)) (moving-x a-pull-right-0110c-any-tall-narrow-10 ?o) (not (done ?o)) (increase (total-cost) (cost-of-pull-right-0110c-any-tall-narrow-10 ?o))))
 
   ; Primitive 1010 on category 00 (solid-00); ends at rest in 32 of 32 rehearsals (100%).
   ; Effect (-9.9, -11.6, 0) mm, spread (6.8, 12.2, 0) mm; 32 of 32 rehearsals as promised: cost 4.
@@ -2045,13 +892,9 @@
   ; It turned the object by over 15 degrees in 2 of 32 rehearsals.
   ; What it promises for an object stands in the problem.
   (:action pull-right-1010a-solid-00
-    :parameters (?o - solid-00 ?s - x-step ?x ?to-x - x-cell)
-    :precondition (and (ready) (hand-empty) (at-x ?o ?x) (x-of-pull-right-1010a-solid-00 ?o ?s) (x-leads ?s ?x ?to-x))
-    :effect (and (not (ready)) (moving-pull-right-1010a-solid-00-y ?o) (not (done ?o)) (not (at-x ?o ?x)) (at-x ?o ?to-x) (increase (total-cost) (cost-of-pull-right-1010a-solid-00 ?o))))
-  (:action finish-pull-right-1010a-solid-00-y
-    :parameters (?o - solid-00 ?s - y-step ?y ?to-y - y-cell)
-    :precondition (and (moving-pull-right-1010a-solid-00-y ?o) (at-y ?o ?y) (y-of-pull-right-1010a-solid-00 ?o ?s) (y-leads ?s ?y ?to-y))
-    :effect (and (not (moving-pull-right-1010a-solid-00-y ?o)) (ready) (not (at-y ?o ?y)) (at-y ?o ?to-y) (increase (total-cost) 0)))
+    :parameters (?o - solid-00)
+    :precondition (and (ready) (hand-empty) (can a-pull-right-1010a-solid-00 ?o))
+    :effect (and (not (ready)) (moving-x a-pull-right-1010a-solid-00 ?o) (not (done ?o)) (increase (total-cost) (cost-of-pull-right-1010a-solid-00 ?o))))
 
   ; Primitive 1110 on category 01 (hollow-wide-01); ends at rest in 35 of 35 rehearsals (100%).
   ; Effect (-33.2, -18.8, 0) mm, spread (3.6, 0.2, 0) mm; 35 of 35 rehearsals as promised: cost 4.
@@ -2059,13 +902,9 @@
   ; 0.6213
   ; What it promises for an object stands in the problem.
   (:action pull-right-1110b-hollow-wide-01
-    :parameters (?o - hollow-wide-01 ?s - x-step ?x ?to-x - x-cell)
-    :precondition (and (ready) (hand-empty) (at-x ?o ?x) (x-of-pull-right-1110b-hollow-wide-01 ?o ?s) (x-leads ?s ?x ?to-x))
-    :effect (and (not (ready)) (moving-pull-right-1110b-hollow-wide-01-y ?o) (not (done ?o)) (not (at-x ?o ?x)) (at-x ?o ?to-x) (increase (total-cost) (cost-of-pull-right-1110b-hollow-wide-01 ?o))))
-  (:action finish-pull-right-1110b-hollow-wide-01-y
-    :parameters (?o - hollow-wide-01 ?s - y-step ?y ?to-y - y-cell)
-    :precondition (and (moving-pull-right-1110b-hollow-wide-01-y ?o) (at-y ?o ?y) (y-of-pull-right-1110b-hollow-wide-01 ?o ?s) (y-leads ?s ?y ?to-y))
-    :effect (and (not (moving-pull-right-1110b-hollow-wide-01-y ?o)) (ready) (not (at-y ?o ?y)) (at-y ?o ?to-y) (increase (total-cost) 0)))
+    :parameters (?o - hollow-wide-01)
+    :precondition (and (ready) (hand-empty) (can a-pull-right-1110b-hollow-wide-01 ?o))
+    :effect (and (not (ready)) (moving-x a-pull-right-1110b-hollow-wide-01 ?o) (not (done ?o)) (increase (total-cost) (cost-of-pull-right-1110b-hollow-wide-01 ?o))))
 
   ; Primitive 0001 on category 10 (any-tall-narrow-10); ends at rest in 28 of 30 rehearsals (93%).
   ; Effect (18.7, -6.7, 0) mm, spread (20.4, 22.7, 0) mm; 26 of 30 rehearsals as promised: cost 18.
@@ -2074,13 +913,9 @@
   ; It turned the object by over 15 degrees in 2 of 30 rehearsals.
   ; What it promises for an object stands in the problem.
   (:action push-forward-0001c-any-tall-narrow-10
-    :parameters (?o - any-tall-narrow-10 ?s - x-step ?x ?to-x - x-cell)
-    :precondition (and (ready) (hand-empty) (at-x ?o ?x) (x-of-push-forward-0001c-any-tall-narrow-10 ?o ?s) (x-leads ?s ?x ?to-x))
-    :effect (and (not (ready)) (moving-push-forward-0001c-any-tall-narrow-10-y ?o) (not (done ?o)) (not (at-x ?o ?x)) (at-x ?o ?to-x) (increase (total-cost) (cost-of-push-forward-0001c-any-tall-narrow-10 ?o))))
-  (:action finish-push-forward-0001c-any-tall-narrow-10-y
-    :parameters (?o - any-tall-narrow-10 ?s - y-step ?y ?to-y - y-cell)
-    :precondition (and (moving-push-forward-0001c-any-tall-narrow-10-y ?o) (at-y ?o ?y) (y-of-push-forward-0001c-any-tall-narrow-10 ?o ?s) (y-leads ?s ?y ?to-y))
-    :effect (and (not (moving-push-forward-0001c-any-tall-narrow-10-y ?o)) (ready) (not (at-y ?o ?y)) (at-y ?o ?to-y) (increase (total-cost) 0)))
+    :parameters (?o - any-tall-narrow-10)
+    :precondition (and (ready) (hand-empty) (can a-push-forward-0001c-any-tall-narrow-10 ?o))
+    :effect (and (not (ready)) (moving-x a-push-forward-0001c-any-tall-narrow-10 ?o) (not (done ?o)) (increase (total-cost) (cost-of-push-forward-0001c-any-tall-narrow-10 ?o))))
 
   ; Primitive 1011 on category 00 (solid-00); ends at rest in 31 of 32 rehearsals (97%).
   ; Effect (65.8, 16.5, 0) mm, spread (27.3, 10.4, 0) mm; 26 of 32 rehearsals as promised: cost 24.
@@ -2089,13 +924,9 @@
   ; It turned the object by over 15 degrees in 1 of 32 rehearsals.
   ; What it promises for an object stands in the problem.
   (:action push-forward-1011-solid-00
-    :parameters (?o - solid-00 ?s - x-step ?x ?to-x - x-cell)
-    :precondition (and (ready) (hand-empty) (at-x ?o ?x) (x-of-push-forward-1011-solid-00 ?o ?s) (x-leads ?s ?x ?to-x))
-    :effect (and (not (ready)) (moving-push-forward-1011-solid-00-y ?o) (not (done ?o)) (not (at-x ?o ?x)) (at-x ?o ?to-x) (increase (total-cost) (cost-of-push-forward-1011-solid-00 ?o))))
-  (:action finish-push-forward-1011-solid-00-y
-    :parameters (?o - solid-00 ?s - y-step ?y ?to-y - y-cell)
-    :precondition (and (moving-push-forward-1011-solid-00-y ?o) (at-y ?o ?y) (y-of-push-forward-1011-solid-00 ?o ?s) (y-leads ?s ?y ?to-y))
-    :effect (and (not (moving-push-forward-1011-solid-00-y ?o)) (ready) (not (at-y ?o ?y)) (at-y ?o ?to-y) (increase (total-cost) 0)))
+    :parameters (?o - solid-00)
+    :precondition (and (ready) (hand-empty) (can a-push-forward-1011-solid-00 ?o))
+    :effect (and (not (ready)) (moving-x a-push-forward-1011-solid-00 ?o) (not (done ?o)) (increase (total-cost) (cost-of-push-forward-1011-solid-00 ?o))))
 
   ; Primitive 1011 on category 11 (solid-low-narrow-11); ends at rest in 30 of 30 rehearsals (100%).
   ; Effect (85.9, 38.7, 0) mm, spread (2.2, 18.6, 0) mm; 29 of 30 rehearsals as promised: cost 7.
@@ -2103,13 +934,9 @@
   ; 0.9783
   ; What it promises for an object stands in the problem.
   (:action push-forward-1011-solid-low-narrow-11
-    :parameters (?o - solid-low-narrow-11 ?s - x-step ?x ?to-x - x-cell)
-    :precondition (and (ready) (hand-empty) (at-x ?o ?x) (x-of-push-forward-1011-solid-low-narrow-11 ?o ?s) (x-leads ?s ?x ?to-x))
-    :effect (and (not (ready)) (moving-push-forward-1011-solid-low-narrow-11-y ?o) (not (done ?o)) (not (at-x ?o ?x)) (at-x ?o ?to-x) (increase (total-cost) (cost-of-push-forward-1011-solid-low-narrow-11 ?o))))
-  (:action finish-push-forward-1011-solid-low-narrow-11-y
-    :parameters (?o - solid-low-narrow-11 ?s - y-step ?y ?to-y - y-cell)
-    :precondition (and (moving-push-forward-1011-solid-low-narrow-11-y ?o) (at-y ?o ?y) (y-of-push-forward-1011-solid-low-narrow-11 ?o ?s) (y-leads ?s ?y ?to-y))
-    :effect (and (not (moving-push-forward-1011-solid-low-narrow-11-y ?o)) (ready) (not (at-y ?o ?y)) (at-y ?o ?to-y) (increase (total-cost) 0)))
+    :parameters (?o - solid-low-narrow-11)
+    :precondition (and (ready) (hand-empty) (can a-push-forward-1011-solid-low-narrow-11 ?o))
+    :effect (and (not (ready)) (moving-x a-push-forward-1011-solid-low-narrow-11 ?o) (not (done ?o)) (increase (total-cost) (cost-of-push-forward-1011-solid-low-narrow-11 ?o))))
 
   ; Primitive 1011 on category 00 (solid-00); ends at rest in 32 of 32 rehearsals (100%).
   ; Effect (68.4, -21.3, 0) mm, spread (33.1, 16, 0) mm; 24 of 32 rehearsals as promised: cost 32.
@@ -2117,13 +944,9 @@
   ; 0.5137
   ; What it promises for an object stands in the problem.
   (:action push-forward-1011a-solid-00
-    :parameters (?o - solid-00 ?s - x-step ?x ?to-x - x-cell)
-    :precondition (and (ready) (hand-empty) (at-x ?o ?x) (x-of-push-forward-1011a-solid-00 ?o ?s) (x-leads ?s ?x ?to-x))
-    :effect (and (not (ready)) (moving-push-forward-1011a-solid-00-y ?o) (not (done ?o)) (not (at-x ?o ?x)) (at-x ?o ?to-x) (increase (total-cost) (cost-of-push-forward-1011a-solid-00 ?o))))
-  (:action finish-push-forward-1011a-solid-00-y
-    :parameters (?o - solid-00 ?s - y-step ?y ?to-y - y-cell)
-    :precondition (and (moving-push-forward-1011a-solid-00-y ?o) (at-y ?o ?y) (y-of-push-forward-1011a-solid-00 ?o ?s) (y-leads ?s ?y ?to-y))
-    :effect (and (not (moving-push-forward-1011a-solid-00-y ?o)) (ready) (not (at-y ?o ?y)) (at-y ?o ?to-y) (increase (total-cost) 0)))
+    :parameters (?o - solid-00)
+    :precondition (and (ready) (hand-empty) (can a-push-forward-1011a-solid-00 ?o))
+    :effect (and (not (ready)) (moving-x a-push-forward-1011a-solid-00 ?o) (not (done ?o)) (increase (total-cost) (cost-of-push-forward-1011a-solid-00 ?o))))
 
   ; Primitive 1011 on category 10 (any-tall-narrow-10); ends at rest in 30 of 30 rehearsals (100%).
   ; Effect (81.8, 2.5, 0) mm, spread (14.3, 12.5, 0) mm; 29 of 30 rehearsals as promised: cost 7.
@@ -2132,13 +955,9 @@
   ; It turned the object by over 15 degrees in 2 of 30 rehearsals.
   ; What it promises for an object stands in the problem.
   (:action push-forward-1011c-any-tall-narrow-10
-    :parameters (?o - any-tall-narrow-10 ?s - x-step ?x ?to-x - x-cell)
-    :precondition (and (ready) (hand-empty) (at-x ?o ?x) (x-of-push-forward-1011c-any-tall-narrow-10 ?o ?s) (x-leads ?s ?x ?to-x))
-    :effect (and (not (ready)) (moving-push-forward-1011c-any-tall-narrow-10-y ?o) (not (done ?o)) (not (at-x ?o ?x)) (at-x ?o ?to-x) (increase (total-cost) (cost-of-push-forward-1011c-any-tall-narrow-10 ?o))))
-  (:action finish-push-forward-1011c-any-tall-narrow-10-y
-    :parameters (?o - any-tall-narrow-10 ?s - y-step ?y ?to-y - y-cell)
-    :precondition (and (moving-push-forward-1011c-any-tall-narrow-10-y ?o) (at-y ?o ?y) (y-of-push-forward-1011c-any-tall-narrow-10 ?o ?s) (y-leads ?s ?y ?to-y))
-    :effect (and (not (moving-push-forward-1011c-any-tall-narrow-10-y ?o)) (ready) (not (at-y ?o ?y)) (at-y ?o ?to-y) (increase (total-cost) 0)))
+    :parameters (?o - any-tall-narrow-10)
+    :precondition (and (ready) (hand-empty) (can a-push-forward-1011c-any-tall-narrow-10 ?o))
+    :effect (and (not (ready)) (moving-x a-push-forward-1011c-any-tall-narrow-10 ?o) (not (done ?o)) (increase (total-cost) (cost-of-push-forward-1011c-any-tall-narrow-10 ?o))))
 
   ; Primitive 0001 on category 00 (solid-00); ends at rest in 32 of 32 rehearsals (100%).
   ; Effect (15.1, 13.1, 0) mm, spread (13.1, 14.2, 0) mm; 31 of 32 rehearsals as promised: cost 7.
@@ -2146,13 +965,9 @@
   ; 0.2789
   ; What it promises for an object stands in the problem.
   (:action push-forward-left-0001a-solid-00
-    :parameters (?o - solid-00 ?s - x-step ?x ?to-x - x-cell)
-    :precondition (and (ready) (hand-empty) (at-x ?o ?x) (x-of-push-forward-left-0001a-solid-00 ?o ?s) (x-leads ?s ?x ?to-x))
-    :effect (and (not (ready)) (moving-push-forward-left-0001a-solid-00-y ?o) (not (done ?o)) (not (at-x ?o ?x)) (at-x ?o ?to-x) (increase (total-cost) (cost-of-push-forward-left-0001a-solid-00 ?o))))
-  (:action finish-push-forward-left-0001a-solid-00-y
-    :parameters (?o - solid-00 ?s - y-step ?y ?to-y - y-cell)
-    :precondition (and (moving-push-forward-left-0001a-solid-00-y ?o) (at-y ?o ?y) (y-of-push-forward-left-0001a-solid-00 ?o ?s) (y-leads ?s ?y ?to-y))
-    :effect (and (not (moving-push-forward-left-0001a-solid-00-y ?o)) (ready) (not (at-y ?o ?y)) (at-y ?o ?to-y) (increase (total-cost) 0)))
+    :parameters (?o - solid-00)
+    :precondition (and (ready) (hand-empty) (can a-push-forward-left-0001a-solid-00 ?o))
+    :effect (and (not (ready)) (moving-x a-push-forward-left-0001a-solid-00 ?o) (not (done ?o)) (increase (total-cost) (cost-of-push-forward-left-0001a-solid-00 ?o))))
 
   ; Primitive 1001 on category 00 (solid-00); ends at rest in 32 of 32 rehearsals (100%).
   ; Effect (16.2, 27.1, 0) mm, spread (9.8, 20.3, 0) mm; 32 of 32 rehearsals as promised: cost 4.
@@ -2160,13 +975,9 @@
   ; 0.3111
   ; What it promises for an object stands in the problem.
   (:action push-forward-left-1001-solid-00
-    :parameters (?o - solid-00 ?s - x-step ?x ?to-x - x-cell)
-    :precondition (and (ready) (hand-empty) (at-x ?o ?x) (x-of-push-forward-left-1001-solid-00 ?o ?s) (x-leads ?s ?x ?to-x))
-    :effect (and (not (ready)) (moving-push-forward-left-1001-solid-00-y ?o) (not (done ?o)) (not (at-x ?o ?x)) (at-x ?o ?to-x) (increase (total-cost) (cost-of-push-forward-left-1001-solid-00 ?o))))
-  (:action finish-push-forward-left-1001-solid-00-y
-    :parameters (?o - solid-00 ?s - y-step ?y ?to-y - y-cell)
-    :precondition (and (moving-push-forward-left-1001-solid-00-y ?o) (at-y ?o ?y) (y-of-push-forward-left-1001-solid-00 ?o ?s) (y-leads ?s ?y ?to-y))
-    :effect (and (not (moving-push-forward-left-1001-solid-00-y ?o)) (ready) (not (at-y ?o ?y)) (at-y ?o ?to-y) (increase (total-cost) 0)))
+    :parameters (?o - solid-00)
+    :precondition (and (ready) (hand-empty) (can a-push-forward-left-1001-solid-00 ?o))
+    :effect (and (not (ready)) (moving-x a-push-forward-left-1001-solid-00 ?o) (not (done ?o)) (increase (total-cost) (cost-of-push-forward-left-1001-solid-00 ?o))))
 
   ; Primitive 1011 on category 01 (hollow-wide-01); ends at rest in 35 of 35 rehearsals (100%).
   ; Effect (35.8, 21.2, 0) mm, spread (11.1, 3.1, 0) mm; 35 of 35 rehearsals as promised: cost 4.
@@ -2174,13 +985,9 @@
   ; 0.8781
   ; What it promises for an object stands in the problem.
   (:action push-forward-left-1011b-hollow-wide-01
-    :parameters (?o - hollow-wide-01 ?s - x-step ?x ?to-x - x-cell)
-    :precondition (and (ready) (hand-empty) (at-x ?o ?x) (x-of-push-forward-left-1011b-hollow-wide-01 ?o ?s) (x-leads ?s ?x ?to-x))
-    :effect (and (not (ready)) (moving-push-forward-left-1011b-hollow-wide-01-y ?o) (not (done ?o)) (not (at-x ?o ?x)) (at-x ?o ?to-x) (increase (total-cost) (cost-of-push-forward-left-1011b-hollow-wide-01 ?o))))
-  (:action finish-push-forward-left-1011b-hollow-wide-01-y
-    :parameters (?o - hollow-wide-01 ?s - y-step ?y ?to-y - y-cell)
-    :precondition (and (moving-push-forward-left-1011b-hollow-wide-01-y ?o) (at-y ?o ?y) (y-of-push-forward-left-1011b-hollow-wide-01 ?o ?s) (y-leads ?s ?y ?to-y))
-    :effect (and (not (moving-push-forward-left-1011b-hollow-wide-01-y ?o)) (ready) (not (at-y ?o ?y)) (at-y ?o ?to-y) (increase (total-cost) 0)))
+    :parameters (?o - hollow-wide-01)
+    :precondition (and (ready) (hand-empty) (can a-push-forward-left-1011b-hollow-wide-01 ?o))
+    :effect (and (not (ready)) (moving-x a-push-forward-left-1011b-hollow-wide-01 ?o) (not (done ?o)) (increase (total-cost) (cost-of-push-forward-left-1011b-hollow-wide-01 ?o))))
 
   ; Primitive 1111 on category 10 (any-tall-narrow-10); ends at rest in 30 of 30 rehearsals (100%).
   ; Effect (13.6, 19.2, 0) mm, spread (14.5, 19.5, 0) mm; 28 of 30 rehearsals as promised: cost 11.
@@ -2189,13 +996,9 @@
   ; It turned the object by over 15 degrees in 2 of 30 rehearsals.
   ; What it promises for an object stands in the problem.
   (:action push-forward-left-1111b-any-tall-narrow-10
-    :parameters (?o - any-tall-narrow-10 ?s - x-step ?x ?to-x - x-cell)
-    :precondition (and (ready) (hand-empty) (at-x ?o ?x) (x-of-push-forward-left-1111b-any-tall-narrow-10 ?o ?s) (x-leads ?s ?x ?to-x))
-    :effect (and (not (ready)) (moving-push-forward-left-1111b-any-tall-narrow-10-y ?o) (not (done ?o)) (not (at-x ?o ?x)) (at-x ?o ?to-x) (increase (total-cost) (cost-of-push-forward-left-1111b-any-tall-narrow-10 ?o))))
-  (:action finish-push-forward-left-1111b-any-tall-narrow-10-y
-    :parameters (?o - any-tall-narrow-10 ?s - y-step ?y ?to-y - y-cell)
-    :precondition (and (moving-push-forward-left-1111b-any-tall-narrow-10-y ?o) (at-y ?o ?y) (y-of-push-forward-left-1111b-any-tall-narrow-10 ?o ?s) (y-leads ?s ?y ?to-y))
-    :effect (and (not (moving-push-forward-left-1111b-any-tall-narrow-10-y ?o)) (ready) (not (at-y ?o ?y)) (at-y ?o ?to-y) (increase (total-cost) 0)))
+    :parameters (?o - any-tall-narrow-10)
+    :precondition (and (ready) (hand-empty) (can a-push-forward-left-1111b-any-tall-narrow-10 ?o))
+    :effect (and (not (ready)) (moving-x a-push-forward-left-1111b-any-tall-narrow-10 ?o) (not (done ?o)) (increase (total-cost) (cost-of-push-forward-left-1111b-any-tall-narrow-10 ?o))))
 
   ; Primitive 0010 on category 00 (solid-00); ends at rest in 32 of 32 rehearsals (100%).
   ; Effect (17.2, -25.6, 0) mm, spread (12.9, 14.4, 0) mm; 32 of 32 rehearsals as promised: cost 4.
@@ -2204,13 +1007,9 @@
   ; It turned the object by over 15 degrees in 1 of 32 rehearsals.
   ; What it promises for an object stands in the problem.
   (:action push-forward-right-0010a-solid-00
-    :parameters (?o - solid-00 ?s - x-step ?x ?to-x - x-cell)
-    :precondition (and (ready) (hand-empty) (at-x ?o ?x) (x-of-push-forward-right-0010a-solid-00 ?o ?s) (x-leads ?s ?x ?to-x))
-    :effect (and (not (ready)) (moving-push-forward-right-0010a-solid-00-y ?o) (not (done ?o)) (not (at-x ?o ?x)) (at-x ?o ?to-x) (increase (total-cost) (cost-of-push-forward-right-0010a-solid-00 ?o))))
-  (:action finish-push-forward-right-0010a-solid-00-y
-    :parameters (?o - solid-00 ?s - y-step ?y ?to-y - y-cell)
-    :precondition (and (moving-push-forward-right-0010a-solid-00-y ?o) (at-y ?o ?y) (y-of-push-forward-right-0010a-solid-00 ?o ?s) (y-leads ?s ?y ?to-y))
-    :effect (and (not (moving-push-forward-right-0010a-solid-00-y ?o)) (ready) (not (at-y ?o ?y)) (at-y ?o ?to-y) (increase (total-cost) 0)))
+    :parameters (?o - solid-00)
+    :precondition (and (ready) (hand-empty) (can a-push-forward-right-0010a-solid-00 ?o))
+    :effect (and (not (ready)) (moving-x a-push-forward-right-0010a-solid-00 ?o) (not (done ?o)) (increase (total-cost) (cost-of-push-forward-right-0010a-solid-00 ?o))))
 
   ; Primitive 0010 on category 01 (hollow-wide-01); ends at rest in 35 of 35 rehearsals (100%).
   ; Effect (39.5, -31.6, 0) mm, spread (5.7, 5.3, 0) mm; 35 of 35 rehearsals as promised: cost 4.
@@ -2218,13 +1017,9 @@
   ; 0.5394
   ; What it promises for an object stands in the problem.
   (:action push-forward-right-0010b-hollow-wide-01
-    :parameters (?o - hollow-wide-01 ?s - x-step ?x ?to-x - x-cell)
-    :precondition (and (ready) (hand-empty) (at-x ?o ?x) (x-of-push-forward-right-0010b-hollow-wide-01 ?o ?s) (x-leads ?s ?x ?to-x))
-    :effect (and (not (ready)) (moving-push-forward-right-0010b-hollow-wide-01-y ?o) (not (done ?o)) (not (at-x ?o ?x)) (at-x ?o ?to-x) (increase (total-cost) (cost-of-push-forward-right-0010b-hollow-wide-01 ?o))))
-  (:action finish-push-forward-right-0010b-hollow-wide-01-y
-    :parameters (?o - hollow-wide-01 ?s - y-step ?y ?to-y - y-cell)
-    :precondition (and (moving-push-forward-right-0010b-hollow-wide-01-y ?o) (at-y ?o ?y) (y-of-push-forward-right-0010b-hollow-wide-01 ?o ?s) (y-leads ?s ?y ?to-y))
-    :effect (and (not (moving-push-forward-right-0010b-hollow-wide-01-y ?o)) (ready) (not (at-y ?o ?y)) (at-y ?o ?to-y) (increase (total-cost) 0)))
+    :parameters (?o - hollow-wide-01)
+    :precondition (and (ready) (hand-empty) (can a-push-forward-right-0010b-hollow-wide-01 ?o))
+    :effect (and (not (ready)) (moving-x a-push-forward-right-0010b-hollow-wide-01 ?o) (not (done ?o)) (increase (total-cost) (cost-of-push-forward-right-0010b-hollow-wide-01 ?o))))
 
   ; Primitive 0010 on category 10 (any-tall-narrow-10); ends at rest in 30 of 30 rehearsals (100%).
   ; Effect (15.8, -29.8, 0) mm, spread (16.5, 27.6, 0) mm; 25 of 30 rehearsals as promised: cost 22.
@@ -2232,13 +1027,9 @@
   ; 0.2038
   ; What it promises for an object stands in the problem.
   (:action push-forward-right-0010c-any-tall-narrow-10
-    :parameters (?o - any-tall-narrow-10 ?s - x-step ?x ?to-x - x-cell)
-    :precondition (and (ready) (hand-empty) (at-x ?o ?x) (x-of-push-forward-right-0010c-any-tall-narrow-10 ?o ?s) (x-leads ?s ?x ?to-x))
-    :effect (and (not (ready)) (moving-push-forward-right-0010c-any-tall-narrow-10-y ?o) (not (done ?o)) (not (at-x ?o ?x)) (at-x ?o ?to-x) (increase (total-cost) (cost-of-push-forward-right-0010c-any-tall-narrow-10 ?o))))
-  (:action finish-push-forward-right-0010c-any-tall-narrow-10-y
-    :parameters (?o - any-tall-narrow-10 ?s - y-step ?y ?to-y - y-cell)
-    :precondition (and (moving-push-forward-right-0010c-any-tall-narrow-10-y ?o) (at-y ?o ?y) (y-of-push-forward-right-0010c-any-tall-narrow-10 ?o ?s) (y-leads ?s ?y ?to-y))
-    :effect (and (not (moving-push-forward-right-0010c-any-tall-narrow-10-y ?o)) (ready) (not (at-y ?o ?y)) (at-y ?o ?to-y) (increase (total-cost) 0)))
+    :parameters (?o - any-tall-narrow-10)
+    :precondition (and (ready) (hand-empty) (can a-push-forward-right-0010c-any-tall-narrow-10 ?o))
+    :effect (and (not (ready)) (moving-x a-push-forward-right-0010c-any-tall-narrow-10 ?o) (not (done ?o)) (increase (total-cost) (cost-of-push-forward-right-0010c-any-tall-narrow-10 ?o))))
 
   ; Primitive 1010 on category 10 (any-tall-narrow-10); ends at rest in 29 of 30 rehearsals (97%).
   ; Effect (27.9, -28, 0) mm, spread (26.5, 48.4, 0) mm; 17 of 30 rehearsals as promised: cost 59.
@@ -2247,13 +1038,9 @@
   ; It turned the object by over 15 degrees in 4 of 30 rehearsals.
   ; What it promises for an object stands in the problem.
   (:action push-forward-right-1010-any-tall-narrow-10
-    :parameters (?o - any-tall-narrow-10 ?s - x-step ?x ?to-x - x-cell)
-    :precondition (and (ready) (hand-empty) (at-x ?o ?x) (x-of-push-forward-right-1010-any-tall-narrow-10 ?o ?s) (x-leads ?s ?x ?to-x))
-    :effect (and (not (ready)) (moving-push-forward-right-1010-any-tall-narrow-10-y ?o) (not (done ?o)) (not (at-x ?o ?x)) (at-x ?o ?to-x) (increase (total-cost) (cost-of-push-forward-right-1010-any-tall-narrow-10 ?o))))
-  (:action finish-push-forward-right-1010-any-tall-narrow-10-y
-    :parameters (?o - any-tall-narrow-10 ?s - y-step ?y ?to-y - y-cell)
-    :precondition (and (moving-push-forward-right-1010-any-tall-narrow-10-y ?o) (at-y ?o ?y) (y-of-push-forward-right-1010-any-tall-narrow-10 ?o ?s) (y-leads ?s ?y ?to-y))
-    :effect (and (not (moving-push-forward-right-1010-any-tall-narrow-10-y ?o)) (ready) (not (at-y ?o ?y)) (at-y ?o ?to-y) (increase (total-cost) 0)))
+    :parameters (?o - any-tall-narrow-10)
+    :precondition (and (ready) (hand-empty) (can a-push-forward-right-1010-any-tall-narrow-10 ?o))
+    :effect (and (not (ready)) (moving-x a-push-forward-right-1010-any-tall-narrow-10 ?o) (not (done ?o)) (increase (total-cost) (cost-of-push-forward-right-1010-any-tall-narrow-10 ?o))))
 
   ; Primitive 1101 on category 11 (solid-low-narrow-11); ends at rest in 3 of 30 rehearsals (10%).
   ; Effect (13.2, -11.3, 0) mm, spread (16.4, 12.4, 0) mm; 3 of 30 rehearsals as promised: cost 209.
@@ -2261,13 +1048,9 @@
   ; 0.3088
   ; What it promises for an object stands in the problem.
   (:action push-forward-right-1101-solid-low-narrow-11
-    :parameters (?o - solid-low-narrow-11 ?s - x-step ?x ?to-x - x-cell)
-    :precondition (and (ready) (hand-empty) (at-x ?o ?x) (x-of-push-forward-right-1101-solid-low-narrow-11 ?o ?s) (x-leads ?s ?x ?to-x))
-    :effect (and (not (ready)) (moving-push-forward-right-1101-solid-low-narrow-11-y ?o) (not (done ?o)) (not (at-x ?o ?x)) (at-x ?o ?to-x) (increase (total-cost) (cost-of-push-forward-right-1101-solid-low-narrow-11 ?o))))
-  (:action finish-push-forward-right-1101-solid-low-narrow-11-y
-    :parameters (?o - solid-low-narrow-11 ?s - y-step ?y ?to-y - y-cell)
-    :precondition (and (moving-push-forward-right-1101-solid-low-narrow-11-y ?o) (at-y ?o ?y) (y-of-push-forward-right-1101-solid-low-narrow-11 ?o ?s) (y-leads ?s ?y ?to-y))
-    :effect (and (not (moving-push-forward-right-1101-solid-low-narrow-11-y ?o)) (ready) (not (at-y ?o ?y)) (at-y ?o ?to-y) (increase (total-cost) 0)))
+    :parameters (?o - solid-low-narrow-11)
+    :precondition (and (ready) (hand-empty) (can a-push-forward-right-1101-solid-low-narrow-11 ?o))
+    :effect (and (not (ready)) (moving-x a-push-forward-right-1101-solid-low-narrow-11 ?o) (not (done ?o)) (increase (total-cost) (cost-of-push-forward-right-1101-solid-low-narrow-11 ?o))))
 
   ; Primitive 0011 on category 11 (solid-low-narrow-11); ends at rest in 30 of 30 rehearsals (100%).
   ; Effect (-15.4, 40.4, 0) mm, spread (0.8, 0.5, 0) mm; 30 of 30 rehearsals as promised: cost 4.
@@ -2275,13 +1058,9 @@
   ; 0.8932
   ; What it promises for an object stands in the problem.
   (:action push-left-0011-solid-low-narrow-11
-    :parameters (?o - solid-low-narrow-11 ?s - x-step ?x ?to-x - x-cell)
-    :precondition (and (ready) (hand-empty) (at-x ?o ?x) (x-of-push-left-0011-solid-low-narrow-11 ?o ?s) (x-leads ?s ?x ?to-x))
-    :effect (and (not (ready)) (moving-push-left-0011-solid-low-narrow-11-y ?o) (not (done ?o)) (not (at-x ?o ?x)) (at-x ?o ?to-x) (increase (total-cost) (cost-of-push-left-0011-solid-low-narrow-11 ?o))))
-  (:action finish-push-left-0011-solid-low-narrow-11-y
-    :parameters (?o - solid-low-narrow-11 ?s - y-step ?y ?to-y - y-cell)
-    :precondition (and (moving-push-left-0011-solid-low-narrow-11-y ?o) (at-y ?o ?y) (y-of-push-left-0011-solid-low-narrow-11 ?o ?s) (y-leads ?s ?y ?to-y))
-    :effect (and (not (moving-push-left-0011-solid-low-narrow-11-y ?o)) (ready) (not (at-y ?o ?y)) (at-y ?o ?to-y) (increase (total-cost) 0)))
+    :parameters (?o - solid-low-narrow-11)
+    :precondition (and (ready) (hand-empty) (can a-push-left-0011-solid-low-narrow-11 ?o))
+    :effect (and (not (ready)) (moving-x a-push-left-0011-solid-low-narrow-11 ?o) (not (done ?o)) (increase (total-cost) (cost-of-push-left-0011-solid-low-narrow-11 ?o))))
 
   ; Primitive 0011 on category 00 (solid-00); ends at rest in 32 of 32 rehearsals (100%).
   ; Effect (10.8, 56.3, 0) mm, spread (6.4, 20.8, 0) mm; 31 of 32 rehearsals as promised: cost 7.
@@ -2289,13 +1068,9 @@
   ; 0.6082
   ; What it promises for an object stands in the problem.
   (:action push-left-0011a-solid-00
-    :parameters (?o - solid-00 ?s - x-step ?x ?to-x - x-cell)
-    :precondition (and (ready) (hand-empty) (at-x ?o ?x) (x-of-push-left-0011a-solid-00 ?o ?s) (x-leads ?s ?x ?to-x))
-    :effect (and (not (ready)) (moving-push-left-0011a-solid-00-y ?o) (not (done ?o)) (not (at-x ?o ?x)) (at-x ?o ?to-x) (increase (total-cost) (cost-of-push-left-0011a-solid-00 ?o))))
-  (:action finish-push-left-0011a-solid-00-y
-    :parameters (?o - solid-00 ?s - y-step ?y ?to-y - y-cell)
-    :precondition (and (moving-push-left-0011a-solid-00-y ?o) (at-y ?o ?y) (y-of-push-left-0011a-solid-00 ?o ?s) (y-leads ?s ?y ?to-y))
-    :effect (and (not (moving-push-left-0011a-solid-00-y ?o)) (ready) (not (at-y ?o ?y)) (at-y ?o ?to-y) (increase (total-cost) 0)))
+    :parameters (?o - solid-00)
+    :precondition (and (ready) (hand-empty) (can a-push-left-0011a-solid-00 ?o))
+    :effect (and (not (ready)) (moving-x a-push-left-0011a-solid-00 ?o) (not (done ?o)) (increase (total-cost) (cost-of-push-left-0011a-solid-00 ?o))))
 
   ; Primitive 0011 on category 01 (hollow-wide-01); ends at rest in 35 of 35 rehearsals (100%).
   ; Effect (28.5, 66.9, 0) mm, spread (5.4, 9.4, 0) mm; 35 of 35 rehearsals as promised: cost 4.
@@ -2303,13 +1078,9 @@
   ; 0.7735
   ; What it promises for an object stands in the problem.
   (:action push-left-0011b-hollow-wide-01
-    :parameters (?o - hollow-wide-01 ?s - x-step ?x ?to-x - x-cell)
-    :precondition (and (ready) (hand-empty) (at-x ?o ?x) (x-of-push-left-0011b-hollow-wide-01 ?o ?s) (x-leads ?s ?x ?to-x))
-    :effect (and (not (ready)) (moving-push-left-0011b-hollow-wide-01-y ?o) (not (done ?o)) (not (at-x ?o ?x)) (at-x ?o ?to-x) (increase (total-cost) (cost-of-push-left-0011b-hollow-wide-01 ?o))))
-  (:action finish-push-left-0011b-hollow-wide-01-y
-    :parameters (?o - hollow-wide-01 ?s - y-step ?y ?to-y - y-cell)
-    :precondition (and (moving-push-left-0011b-hollow-wide-01-y ?o) (at-y ?o ?y) (y-of-push-left-0011b-hollow-wide-01 ?o ?s) (y-leads ?s ?y ?to-y))
-    :effect (and (not (moving-push-left-0011b-hollow-wide-01-y ?o)) (ready) (not (at-y ?o ?y)) (at-y ?o ?to-y) (increase (total-cost) 0)))
+    :parameters (?o - hollow-wide-01)
+    :precondition (and (ready) (hand-empty) (can a-push-left-0011b-hollow-wide-01 ?o))
+    :effect (and (not (ready)) (moving-x a-push-left-0011b-hollow-wide-01 ?o) (not (done ?o)) (increase (total-cost) (cost-of-push-left-0011b-hollow-wide-01 ?o))))
 
   ; Primitive 0011 on category 10 (any-tall-narrow-10); ends at rest in 30 of 30 rehearsals (100%).
   ; Effect (-7.9, 27.4, 0) mm, spread (8.5, 16, 0) mm; 30 of 30 rehearsals as promised: cost 4.
@@ -2317,13 +1088,9 @@
   ; 0.6954
   ; What it promises for an object stands in the problem.
   (:action push-left-0011c-any-tall-narrow-10
-    :parameters (?o - any-tall-narrow-10 ?s - x-step ?x ?to-x - x-cell)
-    :precondition (and (ready) (hand-empty) (at-x ?o ?x) (x-of-push-left-0011c-any-tall-narrow-10 ?o ?s) (x-leads ?s ?x ?to-x))
-    :effect (and (not (ready)) (moving-push-left-0011c-any-tall-narrow-10-y ?o) (not (done ?o)) (not (at-x ?o ?x)) (at-x ?o ?to-x) (increase (total-cost) (cost-of-push-left-0011c-any-tall-narrow-10 ?o))))
-  (:action finish-push-left-0011c-any-tall-narrow-10-y
-    :parameters (?o - any-tall-narrow-10 ?s - y-step ?y ?to-y - y-cell)
-    :precondition (and (moving-push-left-0011c-any-tall-narrow-10-y ?o) (at-y ?o ?y) (y-of-push-left-0011c-any-tall-narrow-10 ?o ?s) (y-leads ?s ?y ?to-y))
-    :effect (and (not (moving-push-left-0011c-any-tall-narrow-10-y ?o)) (ready) (not (at-y ?o ?y)) (at-y ?o ?to-y) (increase (total-cost) 0)))
+    :parameters (?o - any-tall-narrow-10)
+    :precondition (and (ready) (hand-empty) (can a-push-left-0011c-any-tall-narrow-10 ?o))
+    :effect (and (not (ready)) (moving-x a-push-left-0011c-any-tall-narrow-10 ?o) (not (done ?o)) (increase (total-cost) (cost-of-push-left-0011c-any-tall-narrow-10 ?o))))
 
   ; Primitive 1110 on category 00 (solid-00); ends at rest in 32 of 32 rehearsals (100%).
   ; Effect (-2.8, 14.6, 0) mm, spread (13.7, 25.7, 0) mm; 27 of 32 rehearsals as promised: cost 20.
@@ -2332,13 +1099,9 @@
   ; It turned the object by over 15 degrees in 5 of 32 rehearsals.
   ; What it promises for an object stands in the problem.
   (:action push-left-1110a-solid-00
-    :parameters (?o - solid-00 ?s - x-step ?x ?to-x - x-cell)
-    :precondition (and (ready) (hand-empty) (at-x ?o ?x) (x-of-push-left-1110a-solid-00 ?o ?s) (x-leads ?s ?x ?to-x))
-    :effect (and (not (ready)) (moving-push-left-1110a-solid-00-y ?o) (not (done ?o)) (not (at-x ?o ?x)) (at-x ?o ?to-x) (increase (total-cost) (cost-of-push-left-1110a-solid-00 ?o))))
-  (:action finish-push-left-1110a-solid-00-y
-    :parameters (?o - solid-00 ?s - y-step ?y ?to-y - y-cell)
-    :precondition (and (moving-push-left-1110a-solid-00-y ?o) (at-y ?o ?y) (y-of-push-left-1110a-solid-00 ?o ?s) (y-leads ?s ?y ?to-y))
-    :effect (and (not (moving-push-left-1110a-solid-00-y ?o)) (ready) (not (at-y ?o ?y)) (at-y ?o ?to-y) (increase (total-cost) 0)))
+    :parameters (?o - solid-00)
+    :precondition (and (ready) (hand-empty) (can a-push-left-1110a-solid-00 ?o))
+    :effect (and (not (ready)) (moving-x a-push-left-1110a-solid-00 ?o) (not (done ?o)) (increase (total-cost) (cost-of-push-left-1110a-solid-00 ?o))))
 
   ; Primitive 1111 on category 01 (hollow-wide-01); ends at rest in 35 of 35 rehearsals (100%).
   ; Effect (-9.2, 38.2, 0) mm, spread (5.5, 25.4, 0) mm; 35 of 35 rehearsals as promised: cost 4.
@@ -2347,13 +1110,9 @@
   ; It turned the object by over 15 degrees in 1 of 35 rehearsals.
   ; What it promises for an object stands in the problem.
   (:action push-left-1111-hollow-wide-01
-    :parameters (?o - hollow-wide-01 ?s - x-step ?x ?to-x - x-cell)
-    :precondition (and (ready) (hand-empty) (at-x ?o ?x) (x-of-push-left-1111-hollow-wide-01 ?o ?s) (x-leads ?s ?x ?to-x))
-    :effect (and (not (ready)) (moving-push-left-1111-hollow-wide-01-y ?o) (not (done ?o)) (not (at-x ?o ?x)) (at-x ?o ?to-x) (increase (total-cost) (cost-of-push-left-1111-hollow-wide-01 ?o))))
-  (:action finish-push-left-1111-hollow-wide-01-y
-    :parameters (?o - hollow-wide-01 ?s - y-step ?y ?to-y - y-cell)
-    :precondition (and (moving-push-left-1111-hollow-wide-01-y ?o) (at-y ?o ?y) (y-of-push-left-1111-hollow-wide-01 ?o ?s) (y-leads ?s ?y ?to-y))
-    :effect (and (not (moving-push-left-1111-hollow-wide-01-y ?o)) (ready) (not (at-y ?o ?y)) (at-y ?o ?to-y) (increase (total-cost) 0)))
+    :parameters (?o - hollow-wide-01)
+    :precondition (and (ready) (hand-empty) (can a-push-left-1111-hollow-wide-01 ?o))
+    :effect (and (not (ready)) (moving-x a-push-left-1111-hollow-wide-01 ?o) (not (done ?o)) (increase (total-cost) (cost-of-push-left-1111-hollow-wide-01 ?o))))
 
   ; Primitive 1111 on category 11 (solid-low-narrow-11); ends at rest in 23 of 30 rehearsals (77%).
   ; Effect (-9.3, 151.7, 0) mm, spread (2, 27.3, 0) mm; 22 of 30 rehearsals as promised: cost 34.
@@ -2362,13 +1121,9 @@
   ; It turned the object by over 15 degrees in 4 of 30 rehearsals.
   ; What it promises for an object stands in the problem.
   (:action push-left-1111-solid-low-narrow-11
-    :parameters (?o - solid-low-narrow-11 ?s - x-step ?x ?to-x - x-cell)
-    :precondition (and (ready) (hand-empty) (at-x ?o ?x) (x-of-push-left-1111-solid-low-narrow-11 ?o ?s) (x-leads ?s ?x ?to-x))
-    :effect (and (not (ready)) (moving-push-left-1111-solid-low-narrow-11-y ?o) (not (done ?o)) (not (at-x ?o ?x)) (at-x ?o ?to-x) (increase (total-cost) (cost-of-push-left-1111-solid-low-narrow-11 ?o))))
-  (:action finish-push-left-1111-solid-low-narrow-11-y
-    :parameters (?o - solid-low-narrow-11 ?s - y-step ?y ?to-y - y-cell)
-    :precondition (and (moving-push-left-1111-solid-low-narrow-11-y ?o) (at-y ?o ?y) (y-of-push-left-1111-solid-low-narrow-11 ?o ?s) (y-leads ?s ?y ?to-y))
-    :effect (and (not (moving-push-left-1111-solid-low-narrow-11-y ?o)) (ready) (not (at-y ?o ?y)) (at-y ?o ?to-y) (increase (total-cost) 0)))
+    :parameters (?o - solid-low-narrow-11)
+    :precondition (and (ready) (hand-empty) (can a-push-left-1111-solid-low-narrow-11 ?o))
+    :effect (and (not (ready)) (moving-x a-push-left-1111-solid-low-narrow-11 ?o) (not (done ?o)) (increase (total-cost) (cost-of-push-left-1111-solid-low-narrow-11 ?o))))
 
   ; Primitive 0000 on category 10 (any-tall-narrow-10); ends at rest in 12 of 30 rehearsals (40%).
   ; Effect (-19.8, -61.3, 0) mm, spread (14.2, 23.3, 0) mm; 11 of 30 rehearsals as promised: cost 99.
@@ -2377,13 +1132,9 @@
   ; It turned the object by over 15 degrees in 6 of 30 rehearsals.
   ; What it promises for an object stands in the problem.
   (:action push-right-0000-any-tall-narrow-10
-    :parameters (?o - any-tall-narrow-10 ?s - x-step ?x ?to-x - x-cell)
-    :precondition (and (ready) (hand-empty) (at-x ?o ?x) (x-of-push-right-0000-any-tall-narrow-10 ?o ?s) (x-leads ?s ?x ?to-x))
-    :effect (and (not (ready)) (moving-push-right-0000-any-tall-narrow-10-y ?o) (not (done ?o)) (not (at-x ?o ?x)) (at-x ?o ?to-x) (increase (total-cost) (cost-of-push-right-0000-any-tall-narrow-10 ?o))))
-  (:action finish-push-right-0000-any-tall-narrow-10-y
-    :parameters (?o - any-tall-narrow-10 ?s - y-step ?y ?to-y - y-cell)
-    :precondition (and (moving-push-right-0000-any-tall-narrow-10-y ?o) (at-y ?o ?y) (y-of-push-right-0000-any-tall-narrow-10 ?o ?s) (y-leads ?s ?y ?to-y))
-    :effect (and (not (moving-push-right-0000-any-tall-narrow-10-y ?o)) (ready) (not (at-y ?o ?y)) (at-y ?o ?to-y) (increase (total-cost) 0)))
+    :parameters (?o - any-tall-narrow-10)
+    :precondition (and (ready) (hand-empty) (can a-push-right-0000-any-tall-narrow-10 ?o))
+    :effect (and (not (ready)) (moving-x a-push-right-0000-any-tall-narrow-10 ?o) (not (done ?o)) (increase (total-cost) (cost-of-push-right-0000-any-tall-narrow-10 ?o))))
 
   ; Primitive 0000 on category 10 (any-tall-narrow-10); ends at rest in 3 of 30 rehearsals (10%).
   ; Effect (-7.9, -41.2, 0) mm, spread (5.3, 35.6, 0) mm; 3 of 30 rehearsals as promised: cost 209.
@@ -2391,13 +1142,9 @@
   ; 0.3102
   ; What it promises for an object stands in the problem.
   (:action push-right-0000c-any-tall-narrow-10
-    :parameters (?o - any-tall-narrow-10 ?s - x-step ?x ?to-x - x-cell)
-    :precondition (and (ready) (hand-empty) (at-x ?o ?x) (x-of-push-right-0000c-any-tall-narrow-10 ?o ?s) (x-leads ?s ?x ?to-x))
-    :effect (and (not (ready)) (moving-push-right-0000c-any-tall-narrow-10-y ?o) (not (done ?o)) (not (at-x ?o ?x)) (at-x ?o ?to-x) (increase (total-cost) (cost-of-push-right-0000c-any-tall-narrow-10 ?o))))
-  (:action finish-push-right-0000c-any-tall-narrow-10-y
-    :parameters (?o - any-tall-narrow-10 ?s - y-step ?y ?to-y - y-cell)
-    :precondition (and (moving-push-right-0000c-any-tall-narrow-10-y ?o) (at-y ?o ?y) (y-of-push-right-0000c-any-tall-narrow-10 ?o ?s) (y-leads ?s ?y ?to-y))
-    :effect (and (not (moving-push-right-0000c-any-tall-narrow-10-y ?o)) (ready) (not (at-y ?o ?y)) (at-y ?o ?to-y) (increase (total-cost) 0)))
+    :parameters (?o - any-tall-narrow-10)
+    :precondition (and (ready) (hand-empty) (can a-push-right-0000c-any-tall-narrow-10 ?o))
+    :effect (and (not (ready)) (moving-x a-push-right-0000c-any-tall-narrow-10 ?o) (not (done ?o)) (increase (total-cost) (cost-of-push-right-0000c-any-tall-narrow-10 ?o))))
 
   ; Primitive 0010 on category 11 (solid-low-narrow-11); ends at rest in 27 of 30 rehearsals (90%).
   ; Effect (-19.6, -108.3, 0) mm, spread (11.8, 17.3, 0) mm; 25 of 30 rehearsals as promised: cost 22.
@@ -2406,13 +1153,9 @@
   ; It turned the object by over 15 degrees in 5 of 30 rehearsals.
   ; What it promises for an object stands in the problem.
   (:action push-right-0010d-solid-low-narrow-11
-    :parameters (?o - solid-low-narrow-11 ?s - x-step ?x ?to-x - x-cell)
-    :precondition (and (ready) (hand-empty) (at-x ?o ?x) (x-of-push-right-0010d-solid-low-narrow-11 ?o ?s) (x-leads ?s ?x ?to-x))
-    :effect (and (not (ready)) (moving-push-right-0010d-solid-low-narrow-11-y ?o) (not (done ?o)) (not (at-x ?o ?x)) (at-x ?o ?to-x) (increase (total-cost) (cost-of-push-right-0010d-solid-low-narrow-11 ?o))))
-  (:action finish-push-right-0010d-solid-low-narrow-11-y
-    :parameters (?o - solid-low-narrow-11 ?s - y-step ?y ?to-y - y-cell)
-    :precondition (and (moving-push-right-0010d-solid-low-narrow-11-y ?o) (at-y ?o ?y) (y-of-push-right-0010d-solid-low-narrow-11 ?o ?s) (y-leads ?s ?y ?to-y))
-    :effect (and (not (moving-push-right-0010d-solid-low-narrow-11-y ?o)) (ready) (not (at-y ?o ?y)) (at-y ?o ?to-y) (increase (total-cost) 0)))
+    :parameters (?o - solid-low-narrow-11)
+    :precondition (and (ready) (hand-empty) (can a-push-right-0010d-solid-low-narrow-11 ?o))
+    :effect (and (not (ready)) (moving-x a-push-right-0010d-solid-low-narrow-11 ?o) (not (done ?o)) (increase (total-cost) (cost-of-push-right-0010d-solid-low-narrow-11 ?o))))
 
   ; Primitive 0100 on category 01 (hollow-wide-01); ends at rest in 21 of 35 rehearsals (60%).
   ; Effect (-18.2, -58.4, 0) mm, spread (14.2, 30, 0) mm; 16 of 35 rehearsals as promised: cost 79.
@@ -2421,13 +1164,9 @@
   ; It turned the object by over 15 degrees in 4 of 35 rehearsals.
   ; What it promises for an object stands in the problem.
   (:action push-right-0100b-hollow-wide-01
-    :parameters (?o - hollow-wide-01 ?s - x-step ?x ?to-x - x-cell)
-    :precondition (and (ready) (hand-empty) (at-x ?o ?x) (x-of-push-right-0100b-hollow-wide-01 ?o ?s) (x-leads ?s ?x ?to-x))
-    :effect (and (not (ready)) (moving-push-right-0100b-hollow-wide-01-y ?o) (not (done ?o)) (not (at-x ?o ?x)) (at-x ?o ?to-x) (increase (total-cost) (cost-of-push-right-0100b-hollow-wide-01 ?o))))
-  (:action finish-push-right-0100b-hollow-wide-01-y
-    :parameters (?o - hollow-wide-01 ?s - y-step ?y ?to-y - y-cell)
-    :precondition (and (moving-push-right-0100b-hollow-wide-01-y ?o) (at-y ?o ?y) (y-of-push-right-0100b-hollow-wide-01 ?o ?s) (y-leads ?s ?y ?to-y))
-    :effect (and (not (moving-push-right-0100b-hollow-wide-01-y ?o)) (ready) (not (at-y ?o ?y)) (at-y ?o ?to-y) (increase (total-cost) 0)))
+    :parameters (?o - hollow-wide-01)
+    :precondition (and (ready) (hand-empty) (can a-push-right-0100b-hollow-wide-01 ?o))
+    :effect (and (not (ready)) (moving-x a-push-right-0100b-hollow-wide-01 ?o) (not (done ?o)) (increase (total-cost) (cost-of-push-right-0100b-hollow-wide-01 ?o))))
 
   ; Primitive 0110 on category 01 (hollow-wide-01); ends at rest in 35 of 35 rehearsals (100%).
   ; Effect (-42.7, -87, 0) mm, spread (11.2, 24.7, 0) mm; 31 of 35 rehearsals as promised: cost 16.
@@ -2436,13 +1175,9 @@
   ; It turned the object by over 15 degrees in 1 of 35 rehearsals.
   ; What it promises for an object stands in the problem.
   (:action push-right-0110b-hollow-wide-01
-    :parameters (?o - hollow-wide-01 ?s - x-step ?x ?to-x - x-cell)
-    :precondition (and (ready) (hand-empty) (at-x ?o ?x) (x-of-push-right-0110b-hollow-wide-01 ?o ?s) (x-leads ?s ?x ?to-x))
-    :effect (and (not (ready)) (moving-push-right-0110b-hollow-wide-01-y ?o) (not (done ?o)) (not (at-x ?o ?x)) (at-x ?o ?to-x) (increase (total-cost) (cost-of-push-right-0110b-hollow-wide-01 ?o))))
-  (:action finish-push-right-0110b-hollow-wide-01-y
-    :parameters (?o - hollow-wide-01 ?s - y-step ?y ?to-y - y-cell)
-    :precondition (and (moving-push-right-0110b-hollow-wide-01-y ?o) (at-y ?o ?y) (y-of-push-right-0110b-hollow-wide-01 ?o ?s) (y-leads ?s ?y ?to-y))
-    :effect (and (not (moving-push-right-0110b-hollow-wide-01-y ?o)) (ready) (not (at-y ?o ?y)) (at-y ?o ?to-y) (increase (total-cost) 0)))
+    :parameters (?o - hollow-wide-01)
+    :precondition (and (ready) (hand-empty) (can a-push-right-0110b-hollow-wide-01 ?o))
+    :effect (and (not (ready)) (moving-x a-push-right-0110b-hollow-wide-01 ?o) (not (done ?o)) (increase (total-cost) (cost-of-push-right-0110b-hollow-wide-01 ?o))))
 
   ; Primitive 1000 on category 01 (hollow-wide-01); ends at rest in 4 of 35 rehearsals (11%).
   ; Effect (-0.2, -15.8, 0) mm, spread (1.7, 11.7, 0) mm; 4 of 35 rehearsals as promised: cost 201.
@@ -2451,13 +1186,9 @@
   ; It turned the object by over 15 degrees in 12 of 35 rehearsals.
   ; What it promises for an object stands in the problem.
   (:action push-right-1000-hollow-wide-01
-    :parameters (?o - hollow-wide-01 ?s - x-step ?x ?to-x - x-cell)
-    :precondition (and (ready) (hand-empty) (at-x ?o ?x) (x-of-push-right-1000-hollow-wide-01 ?o ?s) (x-leads ?s ?x ?to-x))
-    :effect (and (not (ready)) (moving-push-right-1000-hollow-wide-01-y ?o) (not (done ?o)) (not (at-x ?o ?x)) (at-x ?o ?to-x) (increase (total-cost) (cost-of-push-right-1000-hollow-wide-01 ?o))))
-  (:action finish-push-right-1000-hollow-wide-01-y
-    :parameters (?o - hollow-wide-01 ?s - y-step ?y ?to-y - y-cell)
-    :precondition (and (moving-push-right-1000-hollow-wide-01-y ?o) (at-y ?o ?y) (y-of-push-right-1000-hollow-wide-01 ?o ?s) (y-leads ?s ?y ?to-y))
-    :effect (and (not (moving-push-right-1000-hollow-wide-01-y ?o)) (ready) (not (at-y ?o ?y)) (at-y ?o ?to-y) (increase (total-cost) 0)))
+    :parameters (?o - hollow-wide-01)
+    :precondition (and (ready) (hand-empty) (can a-push-right-1000-hollow-wide-01 ?o))
+    :effect (and (not (ready)) (moving-x a-push-right-1000-hollow-wide-01 ?o) (not (done ?o)) (increase (total-cost) (cost-of-push-right-1000-hollow-wide-01 ?o))))
 
   ; Primitive 1000 on category 00 (solid-00); ends at rest in 32 of 32 rehearsals (100%).
   ; Effect (-0.6, -22, 0) mm, spread (2.4, 25.1, 0) mm; 32 of 32 rehearsals as promised: cost 4.
@@ -2465,13 +1196,9 @@
   ; 0.2445
   ; What it promises for an object stands in the problem.
   (:action push-right-1000-solid-00
-    :parameters (?o - solid-00 ?s - x-step ?x ?to-x - x-cell)
-    :precondition (and (ready) (hand-empty) (at-x ?o ?x) (x-of-push-right-1000-solid-00 ?o ?s) (x-leads ?s ?x ?to-x))
-    :effect (and (not (ready)) (moving-push-right-1000-solid-00-y ?o) (not (done ?o)) (not (at-x ?o ?x)) (at-x ?o ?to-x) (increase (total-cost) (cost-of-push-right-1000-solid-00 ?o))))
-  (:action finish-push-right-1000-solid-00-y
-    :parameters (?o - solid-00 ?s - y-step ?y ?to-y - y-cell)
-    :precondition (and (moving-push-right-1000-solid-00-y ?o) (at-y ?o ?y) (y-of-push-right-1000-solid-00 ?o ?s) (y-leads ?s ?y ?to-y))
-    :effect (and (not (moving-push-right-1000-solid-00-y ?o)) (ready) (not (at-y ?o ?y)) (at-y ?o ?to-y) (increase (total-cost) 0)))
+    :parameters (?o - solid-00)
+    :precondition (and (ready) (hand-empty) (can a-push-right-1000-solid-00 ?o))
+    :effect (and (not (ready)) (moving-x a-push-right-1000-solid-00 ?o) (not (done ?o)) (increase (total-cost) (cost-of-push-right-1000-solid-00 ?o))))
 
   ; Primitive 1010 on category 01 (hollow-wide-01); ends at rest in 35 of 35 rehearsals (100%).
   ; Effect (35.4, -103.2, 0) mm, spread (11.3, 21.2, 0) mm; 33 of 35 rehearsals as promised: cost 9.
@@ -2480,13 +1207,9 @@
   ; It turned the object by over 15 degrees in 15 of 35 rehearsals.
   ; What it promises for an object stands in the problem.
   (:action push-right-1010-hollow-wide-01
-    :parameters (?o - hollow-wide-01 ?s - x-step ?x ?to-x - x-cell)
-    :precondition (and (ready) (hand-empty) (at-x ?o ?x) (x-of-push-right-1010-hollow-wide-01 ?o ?s) (x-leads ?s ?x ?to-x))
-    :effect (and (not (ready)) (moving-push-right-1010-hollow-wide-01-y ?o) (not (done ?o)) (not (at-x ?o ?x)) (at-x ?o ?to-x) (increase (total-cost) (cost-of-push-right-1010-hollow-wide-01 ?o))))
-  (:action finish-push-right-1010-hollow-wide-01-y
-    :parameters (?o - hollow-wide-01 ?s - y-step ?y ?to-y - y-cell)
-    :precondition (and (moving-push-right-1010-hollow-wide-01-y ?o) (at-y ?o ?y) (y-of-push-right-1010-hollow-wide-01 ?o ?s) (y-leads ?s ?y ?to-y))
-    :effect (and (not (moving-push-right-1010-hollow-wide-01-y ?o)) (ready) (not (at-y ?o ?y)) (at-y ?o ?to-y) (increase (total-cost) 0)))
+    :parameters (?o - hollow-wide-01)
+    :precondition (and (ready) (hand-empty) (can a-push-right-1010-hollow-wide-01 ?o))
+    :effect (and (not (ready)) (moving-x a-push-right-1010-hollow-wide-01 ?o) (not (done ?o)) (increase (total-cost) (cost-of-push-right-1010-hollow-wide-01 ?o))))
 
   ; Primitive 1010 on category 01 (hollow-wide-01); ends at rest in 35 of 35 rehearsals (100%).
   ; Effect (8.8, -69.4, 0) mm, spread (2.5, 7.6, 0) mm; 35 of 35 rehearsals as promised: cost 4.
@@ -2494,13 +1217,9 @@
   ; 1.0000
   ; What it promises for an object stands in the problem.
   (:action push-right-1010b-hollow-wide-01
-    :parameters (?o - hollow-wide-01 ?s - x-step ?x ?to-x - x-cell)
-    :precondition (and (ready) (hand-empty) (at-x ?o ?x) (x-of-push-right-1010b-hollow-wide-01 ?o ?s) (x-leads ?s ?x ?to-x))
-    :effect (and (not (ready)) (moving-push-right-1010b-hollow-wide-01-y ?o) (not (done ?o)) (not (at-x ?o ?x)) (at-x ?o ?to-x) (increase (total-cost) (cost-of-push-right-1010b-hollow-wide-01 ?o))))
-  (:action finish-push-right-1010b-hollow-wide-01-y
-    :parameters (?o - hollow-wide-01 ?s - y-step ?y ?to-y - y-cell)
-    :precondition (and (moving-push-right-1010b-hollow-wide-01-y ?o) (at-y ?o ?y) (y-of-push-right-1010b-hollow-wide-01 ?o ?s) (y-leads ?s ?y ?to-y))
-    :effect (and (not (moving-push-right-1010b-hollow-wide-01-y ?o)) (ready) (not (at-y ?o ?y)) (at-y ?o ?to-y) (increase (total-cost) 0)))
+    :parameters (?o - hollow-wide-01)
+    :precondition (and (ready) (hand-empty) (can a-push-right-1010b-hollow-wide-01 ?o))
+    :effect (and (not (ready)) (moving-x a-push-right-1010b-hollow-wide-01 ?o) (not (done ?o)) (increase (total-cost) (cost-of-push-right-1010b-hollow-wide-01 ?o))))
 
   ; Primitive 1100 on category 00 (solid-00); ends at rest in 24 of 32 rehearsals (75%).
   ; Effect (-2.4, -38.1, 0) mm, spread (3.4, 31.6, 0) mm; 23 of 32 rehearsals as promised: cost 36.
@@ -2508,13 +1227,9 @@
   ; 0.1462
   ; What it promises for an object stands in the problem.
   (:action push-right-1100-solid-00
-    :parameters (?o - solid-00 ?s - x-step ?x ?to-x - x-cell)
-    :precondition (and (ready) (hand-empty) (at-x ?o ?x) (x-of-push-right-1100-solid-00 ?o ?s) (x-leads ?s ?x ?to-x))
-    :effect (and (not (ready)) (moving-push-right-1100-solid-00-y ?o) (not (done ?o)) (not (at-x ?o ?x)) (at-x ?o ?to-x) (increase (total-cost) (cost-of-push-right-1100-solid-00 ?o))))
-  (:action finish-push-right-1100-solid-00-y
-    :parameters (?o - solid-00 ?s - y-step ?y ?to-y - y-cell)
-    :precondition (and (moving-push-right-1100-solid-00-y ?o) (at-y ?o ?y) (y-of-push-right-1100-solid-00 ?o ?s) (y-leads ?s ?y ?to-y))
-    :effect (and (not (moving-push-right-1100-solid-00-y ?o)) (ready) (not (at-y ?o ?y)) (at-y ?o ?to-y) (increase (total-cost) 0)))
+    :parameters (?o - solid-00)
+    :precondition (and (ready) (hand-empty) (can a-push-right-1100-solid-00 ?o))
+    :effect (and (not (ready)) (moving-x a-push-right-1100-solid-00 ?o) (not (done ?o)) (increase (total-cost) (cost-of-push-right-1100-solid-00 ?o))))
 
   ; Primitive 1100 on category 01 (hollow-wide-01); ends at rest in 21 of 35 rehearsals (60%).
   ; Effect (-4.6, -39.6, 0) mm, spread (5.7, 26.9, 0) mm; 21 of 35 rehearsals as promised: cost 53.
@@ -2522,13 +1237,9 @@
   ; 0.2912
   ; What it promises for an object stands in the problem.
   (:action push-right-1100a-hollow-wide-01
-    :parameters (?o - hollow-wide-01 ?s - x-step ?x ?to-x - x-cell)
-    :precondition (and (ready) (hand-empty) (at-x ?o ?x) (x-of-push-right-1100a-hollow-wide-01 ?o ?s) (x-leads ?s ?x ?to-x))
-    :effect (and (not (ready)) (moving-push-right-1100a-hollow-wide-01-y ?o) (not (done ?o)) (not (at-x ?o ?x)) (at-x ?o ?to-x) (increase (total-cost) (cost-of-push-right-1100a-hollow-wide-01 ?o))))
-  (:action finish-push-right-1100a-hollow-wide-01-y
-    :parameters (?o - hollow-wide-01 ?s - y-step ?y ?to-y - y-cell)
-    :precondition (and (moving-push-right-1100a-hollow-wide-01-y ?o) (at-y ?o ?y) (y-of-push-right-1100a-hollow-wide-01 ?o ?s) (y-leads ?s ?y ?to-y))
-    :effect (and (not (moving-push-right-1100a-hollow-wide-01-y ?o)) (ready) (not (at-y ?o ?y)) (at-y ?o ?to-y) (increase (total-cost) 0)))
+    :parameters (?o - hollow-wide-01)
+    :precondition (and (ready) (hand-empty) (can a-push-right-1100a-hollow-wide-01 ?o))
+    :effect (and (not (ready)) (moving-x a-push-right-1100a-hollow-wide-01 ?o) (not (done ?o)) (increase (total-cost) (cost-of-push-right-1100a-hollow-wide-01 ?o))))
 
   ; Primitive 1110 on category 10 (any-tall-narrow-10); ends at rest in 30 of 30 rehearsals (100%).
   ; Effect (-16.5, -46.7, 0) mm, spread (3.2, 3.8, 0) mm; 30 of 30 rehearsals as promised: cost 4.
@@ -2536,13 +1247,9 @@
   ; 0.8538
   ; What it promises for an object stands in the problem.
   (:action push-right-1110-any-tall-narrow-10
-    :parameters (?o - any-tall-narrow-10 ?s - x-step ?x ?to-x - x-cell)
-    :precondition (and (ready) (hand-empty) (at-x ?o ?x) (x-of-push-right-1110-any-tall-narrow-10 ?o ?s) (x-leads ?s ?x ?to-x))
-    :effect (and (not (ready)) (moving-push-right-1110-any-tall-narrow-10-y ?o) (not (done ?o)) (not (at-x ?o ?x)) (at-x ?o ?to-x) (increase (total-cost) (cost-of-push-right-1110-any-tall-narrow-10 ?o))))
-  (:action finish-push-right-1110-any-tall-narrow-10-y
-    :parameters (?o - any-tall-narrow-10 ?s - y-step ?y ?to-y - y-cell)
-    :precondition (and (moving-push-right-1110-any-tall-narrow-10-y ?o) (at-y ?o ?y) (y-of-push-right-1110-any-tall-narrow-10 ?o ?s) (y-leads ?s ?y ?to-y))
-    :effect (and (not (moving-push-right-1110-any-tall-narrow-10-y ?o)) (ready) (not (at-y ?o ?y)) (at-y ?o ?to-y) (increase (total-cost) 0)))
+    :parameters (?o - any-tall-narrow-10)
+    :precondition (and (ready) (hand-empty) (can a-push-right-1110-any-tall-narrow-10 ?o))
+    :effect (and (not (ready)) (moving-x a-push-right-1110-any-tall-narrow-10 ?o) (not (done ?o)) (increase (total-cost) (cost-of-push-right-1110-any-tall-narrow-10 ?o))))
 
   ; Primitive 1110 on category 11 (solid-low-narrow-11); ends at rest in 30 of 30 rehearsals (100%).
   ; Effect (-18.5, -49.8, 0) mm, spread (0, 0.3, 0) mm; 30 of 30 rehearsals as promised: cost 4.
@@ -2550,13 +1257,9 @@
   ; 0.8538
   ; What it promises for an object stands in the problem.
   (:action push-right-1110-solid-low-narrow-11
-    :parameters (?o - solid-low-narrow-11 ?s - x-step ?x ?to-x - x-cell)
-    :precondition (and (ready) (hand-empty) (at-x ?o ?x) (x-of-push-right-1110-solid-low-narrow-11 ?o ?s) (x-leads ?s ?x ?to-x))
-    :effect (and (not (ready)) (moving-push-right-1110-solid-low-narrow-11-y ?o) (not (done ?o)) (not (at-x ?o ?x)) (at-x ?o ?to-x) (increase (total-cost) (cost-of-push-right-1110-solid-low-narrow-11 ?o))))
-  (:action finish-push-right-1110-solid-low-narrow-11-y
-    :parameters (?o - solid-low-narrow-11 ?s - y-step ?y ?to-y - y-cell)
-    :precondition (and (moving-push-right-1110-solid-low-narrow-11-y ?o) (at-y ?o ?y) (y-of-push-right-1110-solid-low-narrow-11 ?o ?s) (y-leads ?s ?y ?to-y))
-    :effect (and (not (moving-push-right-1110-solid-low-narrow-11-y ?o)) (ready) (not (at-y ?o ?y)) (at-y ?o ?to-y) (increase (total-cost) 0)))
+    :parameters (?o - solid-low-narrow-11)
+    :precondition (and (ready) (hand-empty) (can a-push-right-1110-solid-low-narrow-11 ?o))
+    :effect (and (not (ready)) (moving-x a-push-right-1110-solid-low-narrow-11 ?o) (not (done ?o)) (increase (total-cost) (cost-of-push-right-1110-solid-low-narrow-11 ?o))))
 
   ; Primitive 1101 on category 10 (any-tall-narrow-10); ends at rest in 6 of 30 rehearsals (20%).
   ; Effect (-0.8, 6.6, 0) mm, spread (1.1, 14.6, 0) mm; 6 of 30 rehearsals as promised: cost 153.
@@ -2565,13 +1268,23 @@
   ; It turned the object by over 15 degrees in 1 of 30 rehearsals.
   ; What it promises for an object stands in the problem.
   (:action stay-1101b-any-tall-narrow-10
-    :parameters (?o - any-tall-narrow-10 ?s - x-step ?x ?to-x - x-cell)
-    :precondition (and (ready) (hand-empty) (at-x ?o ?x) (x-of-stay-1101b-any-tall-narrow-10 ?o ?s) (x-leads ?s ?x ?to-x))
-    :effect (and (not (ready)) (moving-stay-1101b-any-tall-narrow-10-y ?o) (not (done ?o)) (not (at-x ?o ?x)) (at-x ?o ?to-x) (increase (total-cost) (cost-of-stay-1101b-any-tall-narrow-10 ?o))))
-  (:action finish-stay-1101b-any-tall-narrow-10-y
-    :parameters (?o - any-tall-narrow-10 ?s - y-step ?y ?to-y - y-cell)
-    :precondition (and (moving-stay-1101b-any-tall-narrow-10-y ?o) (at-y ?o ?y) (y-of-stay-1101b-any-tall-narrow-10 ?o ?s) (y-leads ?s ?y ?to-y))
-    :effect (and (not (moving-stay-1101b-any-tall-narrow-10-y ?o)) (ready) (not (at-y ?o ?y)) (at-y ?o ?to-y) (increase (total-cost) 0)))
+    :parameters (?o - any-tall-narrow-10)
+    :precondition (and (ready) (hand-empty) (can a-stay-1101b-any-tall-narrow-10 ?o))
+    :effect (and (not (ready)) (moving-x a-stay-1101b-any-tall-narrow-10 ?o) (not (done ?o)) (increase (total-cost) (cost-of-stay-1101b-any-tall-narrow-10 ?o))))
+
+  ; Lead an object along an axis, by the step that the problem names for its move.
+  (:action move-z
+    :parameters (?m - move ?o - movable ?s - z-step ?from ?to - z-cell)
+    :precondition (and (moving-z ?m ?o) (at-z ?o ?from) (z-of ?m ?o ?s) (z-leads ?s ?from ?to))
+    :effect (and (not (moving-z ?m ?o)) (moving-x ?m ?o) (not (at-z ?o ?from)) (at-z ?o ?to) (increase (total-cost) 0)))
+  (:action move-x
+    :parameters (?m - move ?o - movable ?s - x-step ?from ?to - x-cell)
+    :precondition (and (moving-x ?m ?o) (at-x ?o ?from) (x-of ?m ?o ?s) (x-leads ?s ?from ?to))
+    :effect (and (not (moving-x ?m ?o)) (moving-y ?m ?o) (not (at-x ?o ?from)) (at-x ?o ?to) (increase (total-cost) 0)))
+  (:action move-y
+    :parameters (?m - move ?o - movable ?s - y-step ?from ?to - y-cell)
+    :precondition (and (moving-y ?m ?o) (at-y ?o ?from) (y-of ?m ?o ?s) (y-leads ?s ?from ?to))
+    :effect (and (not (moving-y ?m ?o)) (ready) (not (at-y ?o ?from)) (at-y ?o ?to) (increase (total-cost) 0)))
 
   ; Note that an object is within its goal region.
   (:action reach-goal

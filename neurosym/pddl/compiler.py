@@ -16,7 +16,7 @@ CELL = 0.005
 """Edge of a grid cell unless the user says otherwise [m]."""
 MAX_CELLS = 5000
 RESERVED = tuple(f"{axis}-{kind}" for kind in ("cell", "step") for axis in "xyz")
-RESERVED_PREFIXES = ("finish-", "put-down-", "reach-")
+RESERVED_PREFIXES = ("finish-", "put-down-", "reach-", "move-", "a-")
 
 
 def compile_domain(

@@ -6,19 +6,18 @@ moves the first axis and takes the `(ready)` lock, `finish-...` actions move the
 the lock back. Its ground actions add up over the axes, so it stays small on fine grids. One problem file
 serves both, and both are positive STRIPS with types and action costs. Equal groundings give equal bytes.
 Where operators promise something of its own to each object, `stepwise` reads that from the problem (see
-`own_steps`), and `operators` says what they do on average.
+`carrying` and `own_steps`), and `operators` says what they do on average.
 """
 
 from neurosym.errors import UnknownChoice
 from neurosym.grounding import Grounding
-from neurosym.pddl import own_steps
+from neurosym.pddl import carrying, own_steps
 from neurosym.pddl.grid import AXES, grid_of
 from neurosym.pddl.moves import (
     ENCODINGS,
     REACH_GOAL,
     Encoding,
     Move,
-    cost_name,
     moves_of,
     parts_of,
     shift_predicate,
@@ -44,9 +43,10 @@ _ABOUT = {
     "operators": "One action moves all axes.",
 }
 _ABOUT_OWN = {
-    "stepwise": "By which steps an operator moves an object, and what that costs, stands in the problem.",
-    "operators": "Steps and costs are those of the average object; what each does stands in the problem, and "
-    "a replay must tell if plans come true.",
+    "stepwise": "The named action begins a move, and move-z, move-x and move-y make it. By which steps, and "
+    "what it costs, stands in the problem.",
+    "operators": "One action moves all axes. Steps and costs are those of the average object; what each does "
+    "stands in the problem, and a replay must tell if plans come true.",
 }
 
 
@@ -73,6 +73,7 @@ def domain_text(grounding: Grounding, encoding: Encoding = "stepwise") -> str:
         _predicates(grounding, moves, encoding),
         _functions(grounding, moves),
         *(_action_block(move, grounding, encoding) for move in moves),
+        *([carrying.carriers()] if grounding.is_refined and encoding == "stepwise" else []),
         _reach_goal(),
         left_out(grounding),
     ]
@@ -81,18 +82,13 @@ def domain_text(grounding: Grounding, encoding: Encoding = "stepwise") -> str:
 
 def _header(grounding: Grounding, encoding: Encoding) -> str:
     grid = grid_of(grounding)
+    leads = "(x-leads x-plus-3 ?from ?to)" if grounding.is_refined else "(x-plus-3 ?from ?to)"
     about = [
-        _ABOUT[encoding],
+        (_ABOUT_OWN if grounding.is_refined else _ABOUT)[encoding],
         f"Cells of {millimetres(grounding.cell)} mm: {grid.last[0] + 1} along x, {grid.last[1] + 1} along y, "
         f"{grid.last[2] + 1} along z (counted from where an object rests).",
+        f"{leads}: ?to is 3 cells further along x than ?from, and on the table.",
     ]
-    if grounding.is_refined:
-        about += [
-            "(x-leads x-plus-3 ?from ?to): ?to is 3 cells further along x than ?from, and on the table."
-        ]
-        about += [_ABOUT_OWN[encoding]]
-    else:
-        about += ["(x-plus-3 ?from ?to): ?to is 3 cells further along x than ?from, and on the table."]
     return header(grounding, encoding, about)
 
 
@@ -101,9 +97,9 @@ def _types(grounding: Grounding) -> list[str]:
     names = " ".join(sorted(category.name for category in grounding.operators.categories))
     if not grounding.is_refined:
         return [f"  (:types\n    movable x-cell y-cell z-cell - object\n    {names} - movable)"]
-    steps = "x-step y-step z-step"
+    steps = "x-step y-step z-step move"
     types = f"  (:types\n    movable x-cell y-cell z-cell {steps} - object\n    {names} - movable)"
-    return [types, own_steps.constants(grounding)]
+    return [types, "\n".join(["  (:constants", *own_steps.constants(grounding)]) + ")"]
 
 
 def _predicates(grounding: Grounding, moves: tuple[Move, ...], encoding: Encoding) -> str:
@@ -111,14 +107,15 @@ def _predicates(grounding: Grounding, moves: tuple[Move, ...], encoding: Encodin
     lines += [f"(at-{axis} ?o - movable ?c - {axis}-cell)" for axis in AXES]
     lines += ["(goal-xy ?o - movable ?x - x-cell ?y - y-cell)", "(goal-z ?o - movable ?z - z-cell)"]
     lines += ["(done ?o - movable)"]
-    lines += held_predicates(moves)
-    has_own = grounding.is_refined
-    if encoding == "stepwise":
-        axes = {move.name: (move.all_axes if has_own else move.axes)[1:] for move in moves}
-        lines += [f"(moving-{m.name}-{AXES[axis]} ?o - {m.category})" for m in moves for axis in axes[m.name]]
-    if has_own:
-        lines += own_steps.predicates(moves)
+    if grounding.is_refined:
+        lines += carrying.predicates() if encoding == "stepwise" else held_predicates(moves)
+        lines += own_steps.predicates()
     else:
+        lines += held_predicates(moves)
+        if encoding == "stepwise":
+            lines += [
+                f"(moving-{m.name}-{AXES[axis]} ?o - {m.category})" for m in moves for axis in m.axes[1:]
+            ]
         lines += [
             f"({shift_predicate(axis, cells)} ?from ?to - {AXES[axis]}-cell)"
             for axis, cells in shifts_of(grounding)
@@ -134,13 +131,15 @@ def _functions(grounding: Grounding, moves: tuple[Move, ...]) -> str:
 
 
 def _action_block(move: Move, grounding: Grounding, encoding: Encoding) -> str:
-    has_own = grounding.is_refined
-    parts = parts_of(move, encoding, has_own=has_own)
-    actions = (_part(move, number, parts, encoding, has_own) for number in range(len(parts)))
+    if grounding.is_refined and encoding == "stepwise":
+        actions = [carrying.beginning(move)]
+    else:
+        parts = parts_of(move, encoding)
+        actions = [_part(move, number, parts, grounding) for number in range(len(parts))]
     return "\n".join([about_move(move, grounding), *actions])
 
 
-def _part(move: Move, number: int, parts: Parts, encoding: Encoding, has_own: bool) -> str:
+def _part(move: Move, number: int, parts: Parts, grounding: Grounding) -> str:
     """Print the action for one of the parts of a move."""
     name, axes = parts[number]
     before, after = _locks(move, number, parts)
@@ -152,18 +151,15 @@ def _part(move: Move, number: int, parts: Parts, encoding: Encoding, has_own: bo
     parameters = f"?o - {move.category}"
     for axis in axes:
         letter = AXES[axis]
-        found, asked = (own_steps.steps_along if has_own else _shift_along)(move, axis, encoding)
+        found, asked = (own_steps.steps_along if grounding.is_refined else _shift_along)(move, axis)
         parameters += found
         before += [f"(at-{letter} ?o ?{letter})", *asked]
         after += [f"(not (at-{letter} ?o ?{letter}))", f"(at-{letter} ?o ?to-{letter})"]
-    cost = str(move.cost if number == 0 else 0)
-    if has_own and encoding == "stepwise" and number == 0 and own_steps.has_cost(move):
-        cost = f"({cost_name(move)} ?o)"
-    after += [f"(increase (total-cost) {cost})"]
+    after += [f"(increase (total-cost) {move.cost if number == 0 else 0})"]
     return action_text(name, parameters, before, after)
 
 
-def _shift_along(move: Move, axis: int, _encoding: Encoding) -> tuple[str, list[str]]:
+def _shift_along(move: Move, axis: int) -> tuple[str, list[str]]:
     """Return the parameters by which an action moves any object along an axis, and what must hold of them."""
     letter, shift = AXES[axis], shift_predicate(axis, move.cells[axis])
     return f" ?{letter} ?to-{letter} - {letter}-cell", [f"({shift} ?{letter} ?to-{letter})"]

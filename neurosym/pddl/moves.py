@@ -21,6 +21,8 @@ PUT_DOWN = "put-down-"
 """What the name of an operator is preceded by where the object it lifted is put down again."""
 FINISH = "finish-"
 """What the names of the parts of a move after its first are preceded by."""
+MOVE = "a-"
+"""What the name of a move is preceded by where it is a constant of PDDL."""
 REACH_GOAL = "reach-goal"
 """The action, free of cost, that notes that an object is where its goal is."""
 
@@ -101,11 +103,13 @@ def parts_of(
     Args:
         move: The move.
         encoding: The encoding.
-        has_own: Whether objects have steps of their own, so that `stepwise` has an action for every axis.
+        has_own: Whether objects have steps of their own, so that `stepwise` leads them along every axis.
     """
     if encoding == "numeric":
         return ((move.name, ()),)
-    axes = move.all_axes if has_own and encoding == "stepwise" else move.axes
+    if has_own and encoding == "stepwise":
+        return ((move.name, ()), *((carrier(axis), (axis,)) for axis in carried(move)))
+    axes = move.axes
     if encoding == "operators" or len(axes) < 2:
         return ((move.name, axes),)
     others = ((f"{FINISH}{move.name}-{AXES[axis]}", (axis,)) for axis in axes[1:])
@@ -132,8 +136,23 @@ def shift_predicate(axis: int, cells: int) -> str:
     return f"{AXES[axis]}-{'plus' if cells > 0 else 'minus'}-{abs(cells)}"
 
 
+def carried(move: Move) -> tuple[int, ...]:
+    """Return the axes along which a move leads objects that have steps of their own, in order."""
+    return (0, 1) if move.kind == "rest" else (2, 0, 1)
+
+
+def carrier(axis: int) -> str:
+    """Name the action that leads objects with steps of their own along an axis."""
+    return f"move-{AXES[axis]}"
+
+
+def move_constant(move: Move) -> str:
+    """Name the constant that stands for a move, like `a-push-left-001-cube`."""
+    return f"{MOVE}{move.name}"
+
+
 def own_name(move: Move, axis: int) -> str:
-    """Name what says by how much a move leads an object along an axis, like `x-of-push-left-001-cube`."""
+    """Name the function that says by how much a move leads an object, like `x-of-push-left-001-cube`."""
     return f"{AXES[axis]}-of-{move.name}"
 
 

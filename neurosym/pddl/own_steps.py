@@ -1,15 +1,15 @@
 """What differs by object, on a grid: steps are objects of PDDL, and a problem says whose step is which.
 
 The domain stays the same for all. Its actions move an object by the step that a fact of the problem names
-for this object, this operator and this axis, and cost what a function of the problem says. All groundings
-whose operators keep their rehearsals are printed so; see `promises`.
+for this object, this move and this axis, and cost what a function of the problem says (`carrying`). All
+groundings whose operators keep their rehearsals are printed so; see `promises`.
 """
 
 from collections.abc import Iterable
 
 from neurosym.grounding import Grounding, is_lift
 from neurosym.pddl.grid import AXES, Grid
-from neurosym.pddl.moves import Encoding, Move, cost_name, moves_for, moves_of, own_name, shifts_of, step_cost
+from neurosym.pddl.moves import Move, cost_name, move_constant, moves_for, moves_of, shifts_of, step_cost
 from neurosym.pddl.printing import comment
 from neurosym.problems import Problem, SceneObject
 from neurosym.promises import is_rehearsed, promised
@@ -23,35 +23,25 @@ def step_name(axis: int, cells: int) -> str:
     return f"{AXES[axis]}-{'minus' if cells < 0 else 'plus'}-{abs(cells)}"
 
 
-def steps_along(move: Move, axis: int, encoding: Encoding) -> tuple[str, list[str]]:
-    """Return the parameters by which an action moves its object along an axis, and what must hold of them.
-
-    Args:
-        move: What the action does on average.
-        axis: 0, 1, 2 for x, y, z.
-        encoding: `stepwise`, where a fact names the step of the object, or `operators`, where the average
-            is named.
-    """
+def steps_along(move: Move, axis: int) -> tuple[str, list[str]]:
+    """Return the parameters by which `operators` moves objects along an axis, and what must hold of them."""
     letter = AXES[axis]
-    cells = f" ?{letter} ?to-{letter} - {letter}-cell"
-    if encoding == "operators":
-        return cells, [f"({letter}-leads {step_name(axis, move.cells[axis])} ?{letter} ?to-{letter})"]
-    known = f"({own_name(move, axis)} ?o ?s)"
-    return f" ?s - {letter}-step{cells}", [known, f"({letter}-leads ?s ?{letter} ?to-{letter})"]
+    leads = f"({letter}-leads {step_name(axis, move.cells[axis])} ?{letter} ?to-{letter})"
+    return f" ?{letter} ?to-{letter} - {letter}-cell", [leads]
 
 
-def constants(grounding: Grounding) -> str:
-    """Print the steps that operators make on average, which the encoding `operators` names."""
-    return "\n".join(["  (:constants", *_declared(shifts_of(grounding))]) + ")"
+def constants(grounding: Grounding) -> list[str]:
+    """List the steps that operators make on average, which the encoding `operators` names, and the moves."""
+    names = " ".join(move_constant(move) for move in moves_of(grounding))
+    return [*_declared(shifts_of(grounding)), *([f"    {names} - move"] if names else [])]
 
 
-def predicates(moves: Iterable[Move]) -> list[str]:
-    """List the predicates of steps: where each leads, and by which a move leads an object."""
-    lines = [f"({axis}-leads ?s - {axis}-step ?from ?to - {axis}-cell)" for axis in AXES]
-    return lines + [
-        f"({own_name(move, axis)} ?o - {move.category} ?s - {AXES[axis]}-step)"
-        for move in moves
-        for axis in move.all_axes
+def predicates() -> list[str]:
+    """List the predicates of steps: where each leads, which moves are for an object, and by which steps."""
+    return [
+        *(f"({axis}-leads ?s - {axis}-step ?from ?to - {axis}-cell)" for axis in AXES),
+        "(can ?m - move ?o - movable)",
+        *(f"({axis}-of ?m - move ?o - movable ?s - {axis}-step)" for axis in AXES),
     ]
 
 
@@ -99,12 +89,12 @@ def facts_of(item: SceneObject, grounding: Grounding, tolerance: float) -> list[
     lines = about(item, grounding)
     moves = moves_for(item, grounding, tolerance)
     for move in moves:
-        known = [
-            f"({own_name(move, axis)} {item.name} {step_name(axis, move.cells[axis])})"
-            for axis in move.all_axes
-        ]
-        costs = [f"(= ({cost_name(move)} {item.name}) {move.cost})"] if has_cost(move) else []
-        lines.append(" ".join([*known, *costs]))
+        of_item = f"{move_constant(move)} {item.name}"
+        steps = (f"({AXES[axis]}-of {of_item} {step_name(axis, move.cells[axis])})" for axis in move.all_axes)
+        can = (
+            [f"(can {of_item})", f"(= ({cost_name(move)} {item.name}) {move.cost})"] if has_cost(move) else []
+        )
+        lines.append(" ".join([*can, *steps]))
     left = left_alone(item, grounding, {move.name for move in moves})
     operators = promised(grounding, item, tolerance)
     values = (f"(= (cost-of-{name} {item.name}) {step_cost(operators[name], grounding)})" for name in left)

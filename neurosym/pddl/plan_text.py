@@ -16,10 +16,13 @@ from neurosym.operators import Operator
 from neurosym.pddl.grid import AXES, grid_of
 from neurosym.pddl.moves import (
     FINISH,
+    MOVE,
     PUT_DOWN,
     REACH_GOAL,
     Encoding,
     Move,
+    carrier,
+    move_constant,
     moves_for,
     moves_of,
     parts_of,
@@ -33,6 +36,7 @@ MOST_PLAN = 16 * MEGABYTE
 """Greater files are no plans [bytes]."""
 LONGEST_LINE = 10_000
 """Longer lines are no steps."""
+_CARRIERS = frozenset(carrier(axis) for axis in range(3))
 _TIME = re.compile(r"^\d+(\.\d+)?\s*:\s*")
 _DURATION = re.compile(r"\s*\[\s*\d+(\.\d+)?\s*\]$")
 
@@ -116,9 +120,10 @@ def print_ground_plan(
             )
         move, here = moves[step.object][step.operator], cells[step.object]
         for name, axes in parts_of(move, encoding, has_own=has_own):
-            words = [name, step.object]
+            is_carried = name in _CARRIERS
+            words = [name, *([move_constant(move)] if is_carried else []), step.object]
             for axis in axes:
-                words += [step_name(axis, move.cells[axis])] if has_own and encoding == "stepwise" else []
+                words += [step_name(axis, move.cells[axis])] if is_carried else []
                 words += [
                     grid.cell_name(axis, here[axis]),
                     grid.cell_name(axis, here[axis] + move.cells[axis]),
@@ -188,6 +193,9 @@ def _read_line(line: str, grounding: Grounding, problem: Problem) -> PlanStep | 
     if not re.fullmatch(r"\([^()]*\)", bare) or len(words) < 2:
         raise InvalidValue(f"{shortened(line)!r} is not of the form (operator object ...)")
     name, thing = words[:2]
+    is_carried = name in _CARRIERS and len(words) > 2
+    if is_carried:
+        name, thing = words[1].removeprefix(MOVE), words[2]
     if thing not in problem.object_names:
         raise UnknownChoice("object", thing, problem.object_names)
     if name == REACH_GOAL:
@@ -195,7 +203,7 @@ def _read_line(line: str, grounding: Grounding, problem: Problem) -> PlanStep | 
     step = PlanStep(_without_part(name), thing)
     operator = grounding.operator_named(step.base)
     _check_fit(step, operator, grounding, problem)
-    return None if name.startswith(FINISH) else step
+    return None if is_carried or name.startswith(FINISH) else step
 
 
 def _without_part(name: str) -> str:

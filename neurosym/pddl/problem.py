@@ -8,7 +8,7 @@ from neurosym.errors import InvalidValue
 from neurosym.grounding import Grounding
 from neurosym.pddl import own_steps
 from neurosym.pddl.grid import AXES, Grid, check_on_table, goal_region, grid_of
-from neurosym.pddl.moves import Encoding, shift_predicate, shifts_of
+from neurosym.pddl.moves import MOVE, PUT_DOWN, REACH_GOAL, Encoding, carrier, shift_predicate, shifts_of
 from neurosym.pddl.numeric import STEPS as NUMERIC_STEPS
 from neurosym.pddl.numeric import numeric_problem_text
 from neurosym.problems import Problem, SceneObject
@@ -73,10 +73,13 @@ def check_object(item: SceneObject, grounding: Grounding) -> None:
 
 @lru_cache(maxsize=8)
 def _words(grounding: Grounding) -> frozenset[str]:
-    """List what the domain calls its types and actions."""
+    """List what the domain calls its types, actions and constants."""
     categories = (category.name for category in grounding.operators.categories)
-    operators = (operator.name for operator in grounding.operators.operators)
-    return frozenset(("movable", "object", *categories, *operators))
+    operators = [operator.name for operator in grounding.operators.operators]
+    moves = [*operators, *(f"{PUT_DOWN}{name}" for name in operators)]
+    constants = (f"{MOVE}{name}" for name in moves)
+    carriers = (carrier(axis) for axis in range(3))
+    return frozenset(("movable", "object", "move", REACH_GOAL, *categories, *moves, *constants, *carriers))
 
 
 def _header(problem: Problem, grounding: Grounding, steps: int) -> str:

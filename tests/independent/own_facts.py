@@ -8,7 +8,7 @@ from independent.replay import PUT_DOWN, Point, Step
 
 _UNIT = Decimal("0.0001")
 _VALUE = re.compile(r"\(= \(([xyz])-of-(\S+) (\S+)\) (\d+)\)")
-_STEP = re.compile(r"\(([xyz])-of-(\S+) (\S+) [xyz]-(plus|minus)-(\d+)\)")
+_STEP = re.compile(r"\(([xyz])-of a-(\S+) (\S+) [xyz]-(plus|minus)-(\d+)\)")
 _CAN = re.compile(r"\(can-(\S+) (\S+)\)")
 _SHIFT = re.compile(r"\(assign \([xyz] \?o\) \(- \(\+ \([xyz] \?o\) \([^)]*\)\) (\d+)\)\)")
 

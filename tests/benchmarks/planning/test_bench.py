@@ -10,7 +10,7 @@ def test_glance_writes_every_figure_beside_its_limit(tmp_path, capsys):
     assert capsys.readouterr().out == ""
     found = json.loads((tmp_path / "planning.json").read_text())
     assert found["bfs_two_objects"]["limit_ms"] == 50.0
-    assert found["counting_sixteen_objects"]["limit_seconds"] == 0.2
+    assert found["counting_sixteen_objects"]["limit_seconds"] == 1.0
     assert found["counting_sixteen_objects"]["primitives"] == found["counting_sixteen_objects"]["fewest"]
     assert found["plan_process"]["limit_seconds"] == 1.0
     assert found["without_translation"]["ratio"] > 0
