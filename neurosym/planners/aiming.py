@@ -7,7 +7,6 @@ how likely they end inside, by the spreads that operators promise (see `chances`
 
 import math
 from collections.abc import Sequence
-from itertools import takewhile
 
 import msgspec
 
@@ -79,11 +78,10 @@ def _ways(
     operators = [promises[names[0][column]] for column in branching.usable(0)]
     made = [operator_for(step, problem, grounding) for step in own if not step.puts_down]
     most = DEARER * sum(step_cost(operator, grounding) for operator in made)
-    found = candidates(choices, goal, tolerance, effort)
-    near = takewhile(lambda one: len(one.moves) <= len(made) + LONGER, found)
+    near = candidates(choices, goal, tolerance, effort, moves=len(made) + LONGER, cost=most)
     ways = {
         steps: expected_success(steps, alone, grounding)
-        for steps in (_steps(one, item.name, operators) for one in near if one.cost <= most)
+        for steps in (_steps(one, item.name, operators) for one in near)
     }
     return sorted(ways, key=lambda steps: -ways[steps])[:_TRIED]
 

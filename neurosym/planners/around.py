@@ -8,7 +8,7 @@ put aside. Each way is the cheapest there is to within a cell; all together they
 
 import heapq
 import math
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, field
 from itertools import count
 
@@ -203,15 +203,18 @@ class _Search:
         others = np.zeros(0, dtype=int) if alone else np.delete(np.arange(len(here)), row)
         choices, ticket, budget = self.choices[row], count(), WORK_A_WAY
         lifts, far = np.flatnonzero(choices.held), self._far(row, goal, may_hold=held_goal is not None)
-        places, came = [here[row]], [(-1, -1)]  # where each node is; the node before it, and the move
-        cheapest = {_cell(here[row]): 0}
-        waiting = [(far(here[row]), 0, next(ticket), 0)]
+        costs, spots, apart = choices.costs.tolist(), here[others, :2], self.apart[row, others]
+        start = here[row].tolist()
+        places, came = [start], [(-1, -1)]  # where each node is; the node before it, and the move
+        cheapest = {_cell(start): 0}
+        waiting = [(far(start), 0, next(ticket), 0)]
         while waiting and budget and self.effort.spend():
             budget -= 1
             _, owed, _, node = heapq.heappop(waiting)
-            at, spent = places[node], -owed
-            if spent > cheapest[_cell(at)]:
+            spent = -owed
+            if spent > cheapest[_cell(places[node])]:
                 continue
+            at = np.array(places[node])
             if is_end(at):
                 return _traced(node, came, places)
             lifted, settled = at + choices.lifted, at + choices.settled
@@ -222,10 +225,10 @@ class _Search:
                 if len(good):
                     return _traced(node, came, places, int(good[np.argmin(choices.costs[good])]))
             possible &= choices.is_inside(settled)
-            possible &= ~_overlaps(settled[:, :2], here[others, :2], self.apart[row, others])
-            for move in np.flatnonzero(possible).tolist():
-                place, sum_of_costs = settled[move], spent + int(choices.costs[move])
-                cell = _cell(place)
+            possible &= ~_overlaps(settled[:, :2], spots, apart)
+            moves = np.flatnonzero(possible)
+            for move, place in zip(moves.tolist(), settled[moves].tolist(), strict=True):
+                sum_of_costs, cell = spent + costs[move], _cell(place)
                 if sum_of_costs < cheapest.get(cell, sum_of_costs + 1):
                     cheapest[cell] = sum_of_costs
                     estimate = sum_of_costs + far(place)  # of equal ones, the one that has come farthest
@@ -257,21 +260,21 @@ class _Search:
         return after, todo - {row} if is_done else todo, (*steps, *made)
 
 
-def _cell(place: Float[np.ndarray, "3"]) -> tuple[int, int]:
+def _cell(place: Sequence[float]) -> tuple[int, int]:
     return math.floor(place[0] / SAME + 0.5), math.floor(place[1] / SAME + 0.5)
 
 
 def _traced(
     node: int,
     came: list[tuple[int, int]],
-    places: list[Float[np.ndarray, "3"]],
+    places: list[list[float]],
     lift: int | None = None,
 ) -> _Way:
     """Follow a node back to the start, and end with a lift if there is one."""
     moves = [] if lift is None else [lift]
     rests: list[tuple[float, ...]] = []
     while node >= 0:
-        rests.append(tuple(places[node].tolist()))
+        rests.append(tuple(places[node]))
         node, move = came[node]
         moves += [move] if node >= 0 else []
     return _Way(tuple(moves[::-1]), lift is not None, tuple(rests[::-1]))
@@ -281,4 +284,5 @@ def _overlaps(
     spots: Float[np.ndarray, "k 2"], others: Float[np.ndarray, "m 2"], apart: Float[np.ndarray, "m 2"]
 ) -> Bool[np.ndarray, " k"]:
     """Say which spots an object would stand in others at."""
-    return np.asarray(np.any(np.all(np.abs(spots[:, None] - others) < apart, axis=-1), axis=-1))
+    near = np.abs(spots[:, None] - others) < apart
+    return np.asarray((near[..., 0] & near[..., 1]).any(axis=-1))

@@ -4,7 +4,7 @@ Value iteration on a grid, whose cells are so small that A* among other objects 
 """
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 
 import numpy as np
 from jaxtyping import Float
@@ -14,8 +14,8 @@ from neurosym.planners.count_vectors import Choices
 CELL = 0.005
 """Edge of a cell [m]."""
 _SWEEPS = 200
-CostToGo = Callable[[Float[np.ndarray, "3"]], float]
-"""Estimates what it costs to go on from a place."""
+CostToGo = Callable[[Sequence[float]], float]
+"""Estimates what it costs to go on from a place [m]."""
 
 
 def cost_to_go(
@@ -49,12 +49,12 @@ def cost_to_go(
         if np.array_equal(costs, before):
             break
 
-    def estimate(place: Float[np.ndarray, "3"]) -> float:
-        x, y = (round((place[axis] - low[axis]) / CELL) for axis in (0, 1))
-        if not (0 <= x < shape[0] and 0 <= y < shape[1]):
-            return 0.0
-        found = float(costs[x, y])
-        return found if math.isfinite(found) else 0.0
+    x_low, y_low = low.tolist()
+    known = np.where(np.isfinite(costs), costs, 0.0).tolist()
+
+    def estimate(place: Sequence[float]) -> float:
+        x, y = round((place[0] - x_low) / CELL), round((place[1] - y_low) / CELL)
+        return known[x][y] if 0 <= x < shape[0] and 0 <= y < shape[1] else 0.0
 
     return estimate
 

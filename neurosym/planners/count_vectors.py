@@ -48,8 +48,9 @@ class Choices:
 
     def is_inside(self, positions: Float[np.ndarray, "*n 3"]) -> Bool[np.ndarray, "*n"]:
         """Say which positions are in the object's room."""
-        low, high = self.room
-        return np.asarray(np.all((positions[..., :2] >= low) & (positions[..., :2] <= high), axis=-1))
+        (x_low, y_low), (x_high, y_high) = self.room
+        x, y = positions[..., 0], positions[..., 1]
+        return np.asarray((x >= x_low) & (x <= x_high) & (y >= y_low) & (y <= y_high))
 
     def ending_with(self, lift: int) -> "Choices":
         """Return the choices of an object that a lift has left where it leads, and that is lifted no more."""
@@ -153,7 +154,14 @@ def _ends(choices: Choices, depth: int) -> Iterator[tuple[_Ends, ...]]:
 
 
 def candidates(
-    choices: Choices, goal: Vector, tolerance: float, effort: Effort, *, at_rest: bool = False
+    choices: Choices,
+    goal: Vector,
+    tolerance: float,
+    effort: Effort,
+    *,
+    at_rest: bool = False,
+    moves: int = MOST_STEPS,
+    cost: float = math.inf,
 ) -> Iterator[Candidate]:
     """List the ways to bring an object to its goal: fewest moves first, among those the cheapest first.
 
@@ -163,13 +171,15 @@ def candidates(
         choices: What can be done to the object.
         goal: Where its centre shall come to be [m].
         tolerance: How near it must come [m].
-        effort: What may be spent.
+        effort: What may be spent; dearer ways are looked at, too.
         at_rest: Whether it may not end held.
+        moves: How many moves ways have at most.
+        cost: What they cost at most.
 
     Raises:
         TimeIsUp: If the deadline passes.
     """
-    for ends in _ends(choices, MOST_STEPS):
+    for ends in _ends(choices, min(moves, MOST_STEPS)):
         effort.spend(0)
         found: list[tuple[int, int, int]] = []  # cost, lift or -1, row
         for end in ends:
@@ -180,9 +190,11 @@ def candidates(
             rows = rows[choices.is_inside(end.places[rows]) | (end.length == 0)]
             lift = -1 if end.lift is None else end.lift
             found += [(int(end.costs[row]), lift, int(row)) for row in rows]
-        for _, lift, row in sorted(found):
+        for one_cost, lift, row in sorted(found):
             if not effort.spend():
                 return
+            if one_cost > cost:
+                continue
             if candidate := _in_order(choices, ends[0].length, row, None if lift < 0 else lift):
                 yield candidate
 
