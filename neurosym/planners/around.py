@@ -8,7 +8,7 @@ put aside. Each way is the cheapest there is to within a cell; all together they
 
 import heapq
 import math
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Hashable, Iterator, Sequence
 from dataclasses import dataclass, field
 from itertools import count
 
@@ -85,6 +85,7 @@ class _Search:
     goals: Float[np.ndarray, "M 3"] = field(init=False)
     apart: Float[np.ndarray, "M M 2"] = field(init=False)
     to_go: dict[tuple[int, bool], CostToGo] = field(default_factory=dict)
+    known: dict[Hashable, tuple[_Way | None, int]] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
         branching, names = branching_of(self.problem, self.grounding)
@@ -144,6 +145,19 @@ class _Search:
         *,
         may_hold: bool,
         alone: bool = False,
+    ) -> _Way | None:
+        """Return a way of an object to its goal, and count what finding it took; it is searched for once."""
+        case = (row, here.tobytes(), todo, may_hold, alone)
+        if case in self.known:
+            way, took = self.known[case]
+            return way if self.effort.spend(took) else None
+        before = self.effort.spent
+        way = self._search_to_goal(row, here, todo, may_hold=may_hold, alone=alone)
+        self.known[case] = (way, self.effort.spent - before)
+        return way
+
+    def _search_to_goal(
+        self, row: int, here: Float[np.ndarray, "M 3"], todo: frozenset[int], *, may_hold: bool, alone: bool
     ) -> _Way | None:
         """Search for a way of an object to its goal; one that keeps off the goals of others, if there is."""
         goal, tolerance = self.goals[row], self.problem.tolerance
