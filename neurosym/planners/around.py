@@ -1,19 +1,16 @@
 """Ways around each other: one object after another is brought to its goal, each around where the others are.
 
-A plan for one object alone may lead it through others. So each way is searched for among footprints: A* over
-where the object can come to rest, exactly, of places in one small cell only the cheapest. The order of the
-objects is searched for depth first; an object that keeps others from their goals in every order is first
-put aside. Each way is the cheapest there is to within a cell; all together they need not be.
+A plan for one object alone may lead it through others. So each way is searched for among footprints (`ways`).
+The order of the objects is searched for depth first; an object that keeps others from their goals in every
+order is first put aside. Each way is the cheapest there is to within a cell; all together they need not be.
 """
 
-import heapq
 import math
-from collections.abc import Callable, Hashable, Iterator, Sequence
+from collections.abc import Hashable, Iterator
 from dataclasses import dataclass, field
-from itertools import count
 
 import numpy as np
-from jaxtyping import Bool, Float
+from jaxtyping import Float
 
 from neurosym.grounding import Grounding
 from neurosym.pddl.moves import PUT_DOWN
@@ -25,28 +22,15 @@ from neurosym.planners.count_vectors import Choices
 from neurosym.planners.effort import Effort
 from neurosym.planners.joins import choices_of
 from neurosym.planners.result import PlanResult, PlanStatus
+from neurosym.planners.ways import HeldEnd, IsEnd, Way, cheapest_way
 from neurosym.problems import Problem
 
 WORK = 150_000
 """How many places are looked at in all."""
-WORK_A_WAY = 2_000
-"""How many places are looked at for one way; where it takes more, another order is tried."""
-SAME = 0.005
-"""Edge of a cell of which only one place is looked at [m]."""
 ASIDE = 2
 """How many objects are put aside at most."""
 
 
-@dataclass(frozen=True, slots=True)
-class _Way:
-    """A way of one object: its moves, whether it ends held, and where it rests after each move [m]."""
-
-    moves: tuple[int, ...]
-    held: bool
-    places: tuple[tuple[float, ...], ...]
-
-
-_IsEnd = Callable[[Float[np.ndarray, "3"]], bool]
 _State = tuple[Float[np.ndarray, "M 3"], frozenset[int], tuple[PlanStep, ...]]
 """Where the objects are [m], who has still to be moved, and the steps so far."""
 
@@ -85,7 +69,7 @@ class _Search:
     goals: Float[np.ndarray, "M 3"] = field(init=False)
     apart: Float[np.ndarray, "M M 2"] = field(init=False)
     to_go: dict[tuple[int, bool], CostToGo] = field(default_factory=dict)
-    known: dict[Hashable, tuple[_Way | None, int]] = field(default_factory=dict)
+    known: dict[Hashable, tuple[Way | None, int]] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
         branching, names = branching_of(self.problem, self.grounding)
@@ -145,7 +129,7 @@ class _Search:
         *,
         may_hold: bool,
         alone: bool = False,
-    ) -> _Way | None:
+    ) -> Way | None:
         """Return a way of an object to its goal, and count what finding it took; it is searched for once."""
         case = (row, here.tobytes(), todo, may_hold, alone)
         if case in self.known:
@@ -158,7 +142,7 @@ class _Search:
 
     def _search_to_goal(
         self, row: int, here: Float[np.ndarray, "M 3"], todo: frozenset[int], *, may_hold: bool, alone: bool
-    ) -> _Way | None:
+    ) -> Way | None:
         """Search for a way of an object to its goal; one that keeps off the goals of others, if there is."""
         goal, tolerance = self.goals[row], self.problem.tolerance
         others = [other for other in todo if other != row]
@@ -170,15 +154,14 @@ class _Search:
             off = np.abs(self.goals[others, :2] - place[:2])
             return is_near(place) and not bool(np.any(np.all(off < self.apart[row, others], axis=-1)))
 
-        lifts = goal if may_hold else None
         for is_end in (is_clear, is_near) if others else (is_near,):
-            if way := self._way(row, here, is_end, goal, lifts, alone=alone):
+            if way := self._way(row, here, is_end, goal, may_hold=may_hold, alone=alone):
                 return way
         return None
 
     def _out_of(
         self, path: Float[np.ndarray, "n 2"], row: int, other: int, here: Float[np.ndarray, "M 3"]
-    ) -> _Way | None:
+    ) -> Way | None:
         """Search for the cheapest way of an object out of another's path, and off everybody's goal."""
         wanted = [one for one in np.flatnonzero(np.isfinite(self.goals[:, 0])).tolist() if one != other]
 
@@ -187,7 +170,7 @@ class _Search:
             on_goals = bool(np.any(np.all(off < self.apart[other, wanted], axis=-1)))
             return not on_goals and not self._stands_on(path, row, place, other)
 
-        return self._way(other, here, is_end, None, None)
+        return self._way(other, here, is_end, None)
 
     def _stands_on(
         self, path: Float[np.ndarray, "n 2"], row: int, place: Float[np.ndarray, "3"], other: int
@@ -198,58 +181,17 @@ class _Search:
         self,
         row: int,
         here: Float[np.ndarray, "M 3"],
-        is_end: _IsEnd,
+        is_end: IsEnd,
         goal: Float[np.ndarray, "3"] | None,
-        held_goal: Float[np.ndarray, "3"] | None,
         *,
+        may_hold: bool = False,
         alone: bool = False,
-    ) -> _Way | None:
-        """Search for the cheapest way of an object to an end, by A*.
-
-        Args:
-            row: The object.
-            here: Where all objects are [m].
-            is_end: Whether an object may end at rest in a place.
-            goal: What the object is to come near to [m], if anything.
-            held_goal: The same if it may end held there.
-            alone: Whether others are not in its way.
-        """
+    ) -> Way | None:
+        """Search for the cheapest way of an object to an end, among the others unless it is alone."""
         others = np.zeros(0, dtype=int) if alone else np.delete(np.arange(len(here)), row)
-        choices, ticket, budget = self.choices[row], count(), WORK_A_WAY
-        lifts, far = np.flatnonzero(choices.held), self._far(row, goal, may_hold=held_goal is not None)
-        costs, spots, apart = choices.costs.tolist(), here[others, :2], self.apart[row, others]
-        start = here[row].tolist()
-        places, came = [start], [(-1, -1)]  # where each node is; the node before it, and the move
-        cheapest = {_cell(start): 0}
-        waiting = [(far(start), 0, next(ticket), 0)]
-        while waiting and budget and self.effort.spend():
-            budget -= 1
-            _, owed, _, node = heapq.heappop(waiting)
-            spent = -owed
-            if spent > cheapest[_cell(places[node])]:
-                continue
-            at = np.array(places[node])
-            if is_end(at):
-                return _traced(node, came, places)
-            lifted, settled = at + choices.lifted, at + choices.settled
-            possible = choices.is_inside(lifted)
-            if held_goal is not None and len(lifts):
-                misses = np.linalg.norm(lifted[lifts] - held_goal, axis=1)
-                good = lifts[(misses <= self.problem.tolerance) & possible[lifts]]
-                if len(good):
-                    return _traced(node, came, places, int(good[np.argmin(choices.costs[good])]))
-            possible &= choices.is_inside(settled)
-            possible &= ~_overlaps(settled[:, :2], spots, apart)
-            moves = np.flatnonzero(possible)
-            for move, place in zip(moves.tolist(), settled[moves].tolist(), strict=True):
-                sum_of_costs, cell = spent + costs[move], _cell(place)
-                if sum_of_costs < cheapest.get(cell, sum_of_costs + 1):
-                    cheapest[cell] = sum_of_costs
-                    estimate = sum_of_costs + far(place)  # of equal ones, the one that has come farthest
-                    heapq.heappush(waiting, (estimate, -sum_of_costs, next(ticket), len(places)))
-                    places.append(place)
-                    came.append((node, move))
-        return None
+        far, in_the_way = self._far(row, goal, may_hold=may_hold), (here[others, :2], self.apart[row, others])
+        held_end = HeldEnd(goal, self.problem.tolerance) if may_hold and goal is not None else None
+        return cheapest_way(self.choices[row], here[row], in_the_way, is_end, far, self.effort, held_end)
 
     def _far(self, row: int, goal: Float[np.ndarray, "3"] | None, *, may_hold: bool) -> CostToGo:
         """Return what it costs an object to go on to its goal."""
@@ -260,7 +202,7 @@ class _Search:
             self.to_go[row, may_hold] = cost_to_go(self.choices[row], goal, tolerance, may_hold=may_hold)
         return self.to_go[row, may_hold]
 
-    def _after(self, state: _State, row: int, way: _Way, *, is_done: bool) -> _State:
+    def _after(self, state: _State, row: int, way: Way, *, is_done: bool) -> _State:
         here, todo, steps = state
         after = here.copy()
         after[row] = way.places[-1]
@@ -272,31 +214,3 @@ class _Search:
         if way.held:
             made.pop()
         return after, todo - {row} if is_done else todo, (*steps, *made)
-
-
-def _cell(place: Sequence[float]) -> tuple[int, int]:
-    return math.floor(place[0] / SAME + 0.5), math.floor(place[1] / SAME + 0.5)
-
-
-def _traced(
-    node: int,
-    came: list[tuple[int, int]],
-    places: list[list[float]],
-    lift: int | None = None,
-) -> _Way:
-    """Follow a node back to the start, and end with a lift if there is one."""
-    moves = [] if lift is None else [lift]
-    rests: list[tuple[float, ...]] = []
-    while node >= 0:
-        rests.append(tuple(places[node]))
-        node, move = came[node]
-        moves += [move] if node >= 0 else []
-    return _Way(tuple(moves[::-1]), lift is not None, tuple(rests[::-1]))
-
-
-def _overlaps(
-    spots: Float[np.ndarray, "k 2"], others: Float[np.ndarray, "m 2"], apart: Float[np.ndarray, "m 2"]
-) -> Bool[np.ndarray, " k"]:
-    """Say which spots an object would stand in others at."""
-    near = np.abs(spots[:, None] - others) < apart
-    return np.asarray((near[..., 0] & near[..., 1]).any(axis=-1))
