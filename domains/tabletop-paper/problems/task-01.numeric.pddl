@@ -1,0 +1,33 @@
+; Problem task-01 of the learned domain tabletop, for its encoding numeric.
+; How it came about: drawn with seed 2: one random action on item-01; draw 3, earlier ones met at the start or off the table.
+; A goal is met within 50 mm; what is asked for here lies inside that
+; by as much as 10 step(s) with an object can err by rounding to 0.1 mm.
+(define (problem task-01)
+  (:domain tabletop)
+  (:objects
+    item-01 - solid-narrow-10)
+  (:init
+    (hand-empty) (= (total-cost) 0)
+    ; item-01 starts at (0.6312, -0.0864, 0.0432) m
+    (= (x item-01) 2812) (= (y item-01) 2136) (= (z item-01) 0)
+    ; What each operator promises for item-01 (features 0.06355 0.1761 0.08649 0).
+    (can-lift-100c-solid-narrow-10 item-01) (= (x-of-lift-100c-solid-narrow-10 item-01) 9393) (= (y-of-lift-100c-solid-narrow-10 item-01) 9735) (= (z-of-lift-100c-solid-narrow-10 item-01) 12232) (= (cost-of-lift-100c-solid-narrow-10 item-01) 188)
+    (= (x-of-put-down-lift-100c-solid-narrow-10 item-01) 10009) (= (y-of-put-down-lift-100c-solid-narrow-10 item-01) 9987) (= (z-of-put-down-lift-100c-solid-narrow-10 item-01) 7768)
+    (can-lift-101-solid-narrow-10 item-01) (= (x-of-lift-101-solid-narrow-10 item-01) 9817) (= (y-of-lift-101-solid-narrow-10 item-01) 9389) (= (z-of-lift-101-solid-narrow-10 item-01) 12370) (= (cost-of-lift-101-solid-narrow-10 item-01) 188)
+    (= (x-of-put-down-lift-101-solid-narrow-10 item-01) 10001) (= (y-of-put-down-lift-101-solid-narrow-10 item-01) 9987) (= (z-of-put-down-lift-101-solid-narrow-10 item-01) 7630)
+    (can-pull-110-solid-narrow-10 item-01) (= (x-of-pull-110-solid-narrow-10 item-01) 9303) (= (y-of-pull-110-solid-narrow-10 item-01) 9769) (= (cost-of-pull-110-solid-narrow-10 item-01) 15)
+    (can-pull-left-010c-solid-narrow-10 item-01) (= (x-of-pull-left-010c-solid-narrow-10 item-01) 9779) (= (y-of-pull-left-010c-solid-narrow-10 item-01) 10151) (= (cost-of-pull-left-010c-solid-narrow-10 item-01) 4)
+    (can-pull-right-100c-solid-narrow-10 item-01) (= (x-of-pull-right-100c-solid-narrow-10 item-01) 9713) (= (y-of-pull-right-100c-solid-narrow-10 item-01) 9604) (= (cost-of-pull-right-100c-solid-narrow-10 item-01) 21)
+    (can-push-forward-001-solid-narrow-10 item-01) (= (x-of-push-forward-001-solid-narrow-10 item-01) 10763) (= (y-of-push-forward-001-solid-narrow-10 item-01) 9843) (= (cost-of-push-forward-001-solid-narrow-10 item-01) 9)
+    (can-push-forward-left-000c-solid-narrow-10 item-01) (= (x-of-push-forward-left-000c-solid-narrow-10 item-01) 10282) (= (y-of-push-forward-left-000c-solid-narrow-10 item-01) 9914) (= (cost-of-push-forward-left-000c-solid-narrow-10 item-01) 58)
+    (can-push-forward-right-101-solid-narrow-10 item-01) (= (x-of-push-forward-right-101-solid-narrow-10 item-01) 10189) (= (y-of-push-forward-right-101-solid-narrow-10 item-01) 9585) (= (cost-of-push-forward-right-101-solid-narrow-10 item-01) 24)
+    (can-push-forward-right-111-solid-narrow-10 item-01) (= (x-of-push-forward-right-111-solid-narrow-10 item-01) 10224) (= (y-of-push-forward-right-111-solid-narrow-10 item-01) 9688) (= (cost-of-push-forward-right-111-solid-narrow-10 item-01) 4)
+    (can-push-left-011c-solid-narrow-10 item-01) (= (x-of-push-left-011c-solid-narrow-10 item-01) 10105) (= (y-of-push-left-011c-solid-narrow-10 item-01) 10252) (= (cost-of-push-left-011c-solid-narrow-10 item-01) 4))
+  (:goal (and
+    ; item-01 shall come to (0.6877, -0.0637, 0.0432) m, 61 mm from where it starts
+    (<= (x item-01) 3832) (>= (x item-01) 2923)
+    (<= (+ (x item-01) (y item-01)) 6385) (>= (+ (x item-01) (y item-01)) 5097)
+    (<= (y item-01) 2818) (>= (y item-01) 1909)
+    (<= (+ (y item-01) 371) (x item-01)) (<= (x item-01) (+ (y item-01) 1658))
+    (>= (z item-01) 0) (<= (z item-01) 0)))
+  (:metric minimize (total-cost)))
