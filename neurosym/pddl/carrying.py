@@ -10,23 +10,20 @@ takes them time that grows with the square of the number of predicates.
 """
 
 from neurosym.pddl.grid import AXES
-from neurosym.pddl.moves import Move, carried, carrier, cost_name, move_constant
+from neurosym.pddl.moves import CARRIED, MOVE, Move, carried, carrier, cost_name, move_constant
 from neurosym.pddl.own_steps import has_cost
 from neurosym.pddl.printing import action_text, comment
-
-_ORDER = (2, 0, 1)
-"""The axes in the order in which moves are made along them."""
 
 
 def predicates() -> list[str]:
     """List the predicates that say how far a move has come, and which lift holds an object."""
-    moving = [f"(moving-{AXES[axis]} ?m - move ?o - movable)" for axis in _ORDER]
+    moving = [f"(moving-{AXES[axis]} ?m - move ?o - movable)" for axis in CARRIED]
     return ["(held ?m - move ?o - movable)", *moving]
 
 
 def beginning(move: Move) -> str:
     """Print the action that begins a move."""
-    name, lifted = move_constant(move), f"(held a-{move.operator.name} ?o)"
+    name, lifted = move_constant(move), f"(held {MOVE}{move.operator.name} ?o)"
     begun = f"(moving-{AXES[carried(move)[0]]} {name} ?o)"
     before = ["(ready)", *([lifted] if move.kind == "put-down" else ["(hand-empty)", f"(can {name} ?o)"])]
     hand = {
@@ -42,9 +39,9 @@ def beginning(move: Move) -> str:
 def carriers() -> str:
     """Print the three actions that lead objects along the axes, in their order."""
     about = ["Lead an object along an axis, by the step that the problem names for its move."]
-    locks = [f"(moving-{AXES[axis]} ?m ?o)" for axis in _ORDER]
+    locks = [f"(moving-{AXES[axis]} ?m ?o)" for axis in CARRIED]
     blocks = [comment(about, "  ")]
-    for axis, taken, left in zip(_ORDER, locks, [*locks[1:], "(ready)"], strict=True):
+    for axis, taken, left in zip(CARRIED, locks, [*locks[1:], "(ready)"], strict=True):
         at, to = f"(at-{AXES[axis]} ?o ?from)", f"(at-{AXES[axis]} ?o ?to)"
         asked = [taken, at, f"({AXES[axis]}-of ?m ?o ?s)", f"({AXES[axis]}-leads ?s ?from ?to)"]
         parameters = f"?m - move ?o - movable ?s - {AXES[axis]}-step ?from ?to - {AXES[axis]}-cell"

@@ -23,6 +23,8 @@ FINISH = "finish-"
 """What the names of the parts of a move after its first are preceded by."""
 MOVE = "a-"
 """What the name of a move is preceded by where it is a constant of PDDL."""
+CARRIED = (2, 0, 1)
+"""The axes in the order in which objects with steps of their own are led along them."""
 REACH_GOAL = "reach-goal"
 """The action, free of cost, that notes that an object is where its goal is."""
 
@@ -138,7 +140,7 @@ def shift_predicate(axis: int, cells: int) -> str:
 
 def carried(move: Move) -> tuple[int, ...]:
     """Return the axes along which a move leads objects that have steps of their own, in order."""
-    return (0, 1) if move.kind == "rest" else (2, 0, 1)
+    return CARRIED[1:] if move.kind == "rest" else CARRIED
 
 
 def carrier(axis: int) -> str:
