@@ -5,8 +5,8 @@ the axes, so fine grids take planners long to ground. `stepwise` moves one axis 
 moves the first axis and takes the `(ready)` lock, `finish-...` actions move the others, and the last gives
 the lock back. Its ground actions add up over the axes, so it stays small on fine grids. One problem file
 serves both, and both are positive STRIPS with types and action costs. Equal groundings give equal bytes.
-Where operators promise something of its own to each object, `stepwise` reads that from the problem and has
-three actions that move all objects (see `carrying` and `own_steps`); `operators` says what they do on average.
+Where operators promise something of its own to each object, `stepwise` reads that from the problem; three
+actions then move all objects (see `carrying` and `own_steps`). `operators` says what they do on average.
 """
 
 from neurosym.errors import UnknownChoice
