@@ -177,11 +177,12 @@ class Operator(msgspec.Struct, frozen=True, forbid_unknown_fields=True, omit_def
         name: Readable name, a legal PDDL action name, unique in the table.
         category: Symbol of the category.
         primitive: Symbol of the primitive.
-        trials: How many rehearsals there were, or rows of the data.
-        modes: The outcomes seen, most frequent first.
+        trials: How many rehearsals there were on objects as the world draws them, or rows of the data.
+        modes: The outcomes seen in these, most frequent first.
         promised: How it promises to end; None for the most frequent of ending at rest upright and held.
         variant: Which of the parameters of its primitive it is performed with.
-        rehearsals: How it turned out on each of the `objects` of its category, if that is kept.
+        rehearsals: How it turned out on each of the `objects` of its category, if that is kept: first in
+            its trials, then on objects that were chosen since it was unsure what happens to them.
         objects: Features of the objects that it was rehearsed on, if they are others than those.
     """
 

@@ -21,6 +21,12 @@ from neurosym.operators import TOLERANCE, Category, Mode, Operator
 from neurosym.problems import SceneObject
 from neurosym.regression import Regression, fit
 
+LEAST_CHANCE = 0.25
+"""Operators that keep their promise more rarely with such an object are not planned with.
+
+Whether it is kept is mostly the object's doing, so that trying again does not help; and such low chances are
+estimated too high: of promises said to be kept in 10 to 25 %, 8 % were kept (`docs/planning.md`).
+"""
 LEAST_REHEARSALS = 8
 """With fewer rehearsals that ended as promised, nothing is refined."""
 _BEYOND = 0.5  # how far outside of what was rehearsed an object may be, in spreads of the features
@@ -52,6 +58,20 @@ def usable(grounding: Grounding, item: SceneObject, tolerance: float = TOLERANCE
     return _usable(grounding, item.category, item.features, tolerance)
 
 
+def why_unfit(operator: Operator, grounding: Grounding) -> str | None:
+    """Say why an operator is not planned with for an object, or return None if it is.
+
+    Args:
+        operator: An operator as it promises for the object.
+        grounding: The learned domain.
+    """
+    if reason := grounding.why_left_out(operator):
+        return reason
+    if grounding.is_refined and operator.successes < LEAST_CHANCE * operator.trials:
+        return f"keeps its promise with such objects in about {operator.successes} of {operator.trials} only"
+    return None
+
+
 def rehearsed_objects(operator: Operator, category: Category) -> tuple[tuple[float, ...], ...]:
     """Return the features of the objects that an operator was rehearsed on, in the order of its rehearsals.
 
@@ -81,6 +101,27 @@ def keeps_promises(operator: Operator, category: Category, tolerance: float) -> 
         )
     kept = iter(regression.keeps(tolerance).tolist())
     return tuple(is_kind and next(kept) for is_kind in kinds)
+
+
+def chances_of(
+    operator: Operator, category: Category, features: Float[np.ndarray, "N F"], tolerance: float = TOLERANCE
+) -> Float[np.ndarray, "N"] | None:
+    """Estimate how often an operator keeps its promise with objects of some features.
+
+    Args:
+        operator: An operator whose rehearsals are kept.
+        category: Its category.
+        features: Features of the objects.
+        tolerance: How near an outcome must come to the promise to have kept it [m].
+
+    Returns:
+        The chances; None where the rehearsals are too few to tell.
+    """
+    regression = _regression(operator, category)
+    if regression is None:
+        return None
+    scaled = (features - regression.centre) / regression.scale
+    return np.array([regression.chance(at, tolerance) for at in scaled])
 
 
 def is_rehearsed(category: Category, features: Sequence[float]) -> bool:
@@ -118,7 +159,7 @@ def _usable(
 ) -> tuple[Operator, ...]:
     live = {operator.name for operator in grounding.live}
     usual = _promised(grounding, category, features, TOLERANCE)
-    names = [name for name, op in usual.items() if name in live and grounding.why_left_out(op) is None]
+    names = [name for name, op in usual.items() if name in live and why_unfit(op, grounding) is None]
     found = _promised(grounding, category, features, tolerance)
     return tuple(found[name] for name in names)
 

@@ -16,10 +16,12 @@ from neurosym.operators import TOLERANCE
 _LENGTHS = (0.7, 1.5, 3.0, 6.0)  # over which outcomes change, in spreads of the features
 _NOISES = (0.001, 0.01, 0.1, 0.3, 1.0, 10.0)  # variance that features do not explain, of that they do
 _LIKE = 1.0  # how far objects are whose rehearsals count most, in spreads of the features
-_NEAR = (0.25, 0.5, 1.0)  # the same, where few features decide whether a promise is kept
-_DECIDING = 2  # how many features these can be
-_CLEARLY = 2.0  # how much likelier what was rehearsed must be if they decide [nats]
 _PRIOR = 2.0  # as how many rehearsals of such an object those of the whole category count
+_NEIGHBOURS = (5, 8, 16)  # how many of the nearest objects tell whether a promise is kept
+_DECIDING = 2  # how many features can decide that
+_CLEARLY = 2.0  # how much likelier what was rehearsed must be if few of them decide [nats]
+_WITHIN = 0.7  # how far objects are that count most, as a share of how far the last neighbour is
+_RATE = 0.5  # as how many neighbours all rehearsals count, where it is told whether a promise is kept
 _LEAST_SPREAD = 1e-3
 
 
@@ -39,6 +41,7 @@ class Regression:
         low: The least outcomes.
         high: The greatest.
         deciding: By what features are multiplied, to tell for which objects promises are kept.
+        neighbours: How many objects near by tell that.
         length: Over what distance outcomes change.
         weights: What each object counts in a prediction.
     """
@@ -54,6 +57,7 @@ class Regression:
     low: Float[np.ndarray, "D"]
     high: Float[np.ndarray, "D"]
     deciding: Float[np.ndarray, "F"]
+    neighbours: int
     length: float
     weights: Float[np.ndarray, "n D"]
 
@@ -67,8 +71,8 @@ class Regression:
         """Estimate how often an object of such features ends as promised, within a tolerance of it [m]."""
         kept = np.zeros(len(self.objects))
         kept[self.is_kind] = self.keeps(tolerance)
-        near = _likeness(self.objects * self.deciding, at[None] * self.deciding, 1.0)[:, 0]
-        return float((near @ kept + _PRIOR * kept.mean()) / (near.sum() + _PRIOR))
+        apart = _apart(self.objects * self.deciding, at[None] * self.deciding)
+        return float(_chances(apart, kept, self.neighbours)[0])
 
     def spreads(self, at: Float[np.ndarray, "F"]) -> Float[np.ndarray, "D"]:
         """Estimate by how much predictions for such objects miss where the promise is kept, RMS [m]."""
@@ -107,6 +111,7 @@ def fit(
     ends = slice(2, 5) if outcomes.shape[1] > 2 else slice(0, 2)
     kept = np.zeros(len(objects))
     kept[is_kind] = np.linalg.norm(left_out[:, ends], axis=1) <= TOLERANCE
+    deciding, neighbours = _deciding(objects, kept)
     return Regression(
         centre=centre,
         scale=scale,
@@ -118,7 +123,8 @@ def fit(
         deviation=deviation,
         low=outcomes.min(0),
         high=outcomes.max(0),
-        deciding=_deciding(objects, kept),
+        deciding=deciding,
+        neighbours=neighbours,
         length=length,
         weights=weights,
     )
@@ -147,8 +153,10 @@ def _most_likely(
     return found
 
 
-def _deciding(objects: Float[np.ndarray, "N F"], kept: Float[np.ndarray, "N"]) -> Float[np.ndarray, "F"]:
-    """Find the features that decide whether a promise is kept, by how likely that makes those left out.
+def _deciding(
+    objects: Float[np.ndarray, "N F"], kept: Float[np.ndarray, "N"]
+) -> tuple[Float[np.ndarray, "F"], int]:
+    """Find which features decide whether a promise is kept, by how likely that makes those left out.
 
     A hand closes over what is narrow, however long it is. All features count alike, or none if they say
     nothing, unless few of them say clearly more.
@@ -156,33 +164,57 @@ def _deciding(objects: Float[np.ndarray, "N F"], kept: Float[np.ndarray, "N"]) -
     Args:
         objects: Scaled features of all objects.
         kept: For which of them the promise was kept.
+
+    Returns:
+        By what features are multiplied, and how many of the nearest objects tell.
     """
-    metrics, rate = _metrics(objects.shape[1]), kept.mean()
-    likelihoods = []
-    for metric in metrics:
-        near = _likeness(objects * metric, objects * metric, 1.0)
-        np.fill_diagonal(near, 0.0)
-        chances = np.clip((near @ kept + _PRIOR * rate) / (near.sum(1) + _PRIOR), 1e-3, 1 - 1e-3)
-        likelihoods.append(float(np.log(np.where(kept == 1, chances, 1 - chances)).sum()))
-    likelihoods[:2] = [usual + _CLEARLY for usual in likelihoods[:2]]
-    return metrics[int(np.argmax(likelihoods))]
+    found, best = (np.ones(objects.shape[1]), _NEIGHBOURS[0]), -np.inf
+    for metric in _metrics(objects.shape[1]):
+        apart = _apart(objects * metric, objects * metric)
+        np.fill_diagonal(apart, np.inf)
+        for neighbours in _NEIGHBOURS:
+            chances = np.clip(_chances(apart, kept, neighbours), 0.01, 0.99)
+            likelihood = float(np.log(np.where(kept == 1, chances, 1 - chances)).sum())
+            likelihood += _CLEARLY if metric.all() or not metric.any() else 0.0
+            if likelihood > best:
+                found, best = (metric, neighbours), likelihood
+    return found
 
 
 @cache
 def _metrics(features: int) -> tuple[Float[np.ndarray, "F"], ...]:
-    """List by what features can be multiplied: all alike, none, and then few of them, the others by 0."""
+    """List by what features can be multiplied: all by 1, none, and then few of them, the others by 0."""
     few = [
-        np.isin(np.arange(features), chosen) / near
-        for count in range(1, _DECIDING + 1)
+        np.isin(np.arange(features), chosen).astype(float)
+        for count in range(1, min(_DECIDING, features - 1) + 1)
         for chosen in combinations(range(features), count)
-        for near in _NEAR
     ]
-    return (np.full(features, 1 / _LIKE), np.zeros(features), *few)
+    return (np.ones(features), np.zeros(features), *few)
+
+
+def _chances(
+    apart: Float[np.ndarray, "N M"], kept: Float[np.ndarray, "N"], neighbours: int
+) -> Float[np.ndarray, "M"]:
+    """Estimate by the nearest objects how often a promise is kept.
+
+    Args:
+        apart: How far each object is from those that it is estimated for; infinite if it does not count.
+        kept: For which objects the promise was kept.
+        neighbours: How many of them tell.
+    """
+    last = min(neighbours, int(np.isfinite(apart).sum(0).min(initial=len(apart)))) - 1
+    within = _WITHIN * np.maximum(np.sort(apart, axis=0)[last], 1e-6)
+    near = np.exp(-(apart**2) / (2 * within**2))
+    return np.asarray((kept @ near + _RATE * kept.mean()) / (near.sum(0) + _RATE))
 
 
 def _likeness(
     ones: Float[np.ndarray, "n F"], others: Float[np.ndarray, "m F"], length: float
 ) -> Float[np.ndarray, "n m"]:
     """Compute the squared-exponential kernel."""
-    apart = ((ones[:, None] - others[None]) ** 2).sum(-1)
-    return np.asarray(np.exp(-apart / (2 * length**2)))
+    return np.asarray(np.exp(-(_apart(ones, others) ** 2) / (2 * length**2)))
+
+
+def _apart(ones: Float[np.ndarray, "n F"], others: Float[np.ndarray, "m F"]) -> Float[np.ndarray, "n m"]:
+    """Compute how far objects are apart."""
+    return np.asarray(np.sqrt(((ones[:, None] - others[None]) ** 2).sum(-1)))

@@ -1,6 +1,7 @@
 """Promises for the object at hand: refined by rehearsals of objects like it."""
 
 import math
+import re
 
 import msgspec
 import numpy as np
@@ -10,10 +11,11 @@ import tables
 from neurosym.grounding import Grounding
 from neurosym.operators import TOLERANCE, Rehearsal
 from neurosym.pddl.plan_text import PlanStep
+from neurosym.pddl.problem import problem_text
 from neurosym.pddl.validation import validate
 from neurosym.planners import PlanStatus, plan
 from neurosym.problems import Problem, SceneObject
-from neurosym.promises import LEAST_REHEARSALS, is_rehearsed, promised, usable
+from neurosym.promises import LEAST_REHEARSALS, chances_of, is_rehearsed, promised, usable, why_unfit
 from neurosym.regression import fit
 
 AWAY = "push-away-001-block"
@@ -89,6 +91,31 @@ def test_objects_that_it_fails_with_are_left_alone():
     assert good.successes > 0.75 * good.trials
     assert bad.successes < 0.2 * bad.trials
     assert AWAY in {one.name for one in usable(learned, block(0.05))}
+
+
+def test_what_mostly_fails_with_an_object_is_not_planned_with_and_the_problem_says_why():
+    learned = rehearsed(80, cliff=0.07)
+    blocks = [block(width) for width in np.linspace(0.07, 0.075, 50).tolist()]
+    bad = next(one for one in blocks if 8 <= promised(learned, one)[AWAY].successes < 20)
+    assert AWAY not in {one.name for one in usable(learned, bad)}
+    reason = why_unfit(promised(learned, bad)[AWAY], learned)
+    assert re.fullmatch(r"keeps its promise with such objects in about \d+ of 80 only", str(reason))
+    text = problem_text(Problem("p", (bad,), {"item-01": (0.54, 0.0, 0.025)}), learned)
+    assert f"{AWAY}: {reason}." in " ".join(text.replace(";", "").split())
+    plain = tables.grounding()
+    assert why_unfit(plain.operator_named(AWAY), plain) is None
+
+
+def test_chances_are_told_for_many_objects_at_once():
+    learned = rehearsed(80, cliff=0.07)
+    operator, category = learned.operator_named(AWAY), learned.category("00")
+    features = np.array([[width, 0.05, 0.05, 0.0] for width in (0.05, 0.095)])
+    chances = chances_of(operator, category, features)
+    assert chances is not None
+    for row, one in zip(features, chances, strict=True):
+        found = promised(learned, block(row[0]))[AWAY]
+        assert found.successes == round(one * found.trials)
+    assert chances_of(tables.grounding().operator_named(AWAY), category, features) is None
 
 
 def test_nearer_tolerances_are_kept_more_rarely():

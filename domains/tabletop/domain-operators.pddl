@@ -1,7 +1,7 @@
 ; Learned domain tabletop, encoding operators. Printed by neurosym; do not edit.
 ; One action moves all axes. Steps and costs are those of the average object; what each does stands in the
 ; problem, and a replay must tell if plans come true.
-; Cells of 5 mm: 121 along x, 121 along y, 62 along z (counted from where an object rests).
+; Cells of 5 mm: 121 along x, 121 along y, 65 along z (counted from where an object rests).
 ; (x-leads x-plus-3 ?from ?to): ?to is 3 cells further along x than ?from, and on the table.
 ; After a lift the hand is full: only the put-down of that lift applies.
 ; Cost of a step: 1 + round(-100 ln((k + 1) / (n + 2))), k successes in n rehearsals.

@@ -3,8 +3,9 @@
 Once an object has been acted upon, more is known of it: the same primitive will probably do the same to it
 again, as long as it lies the same way. So during a run an object that was acted upon becomes a category of
 its own. Its operators promise the mean of what was promised before and of what was seen, each weighed by how
-sure it is; the chance of an outcome counts what came and what did not. After two failures in a row an
-operator promises what was seen in place of what did not come, and is not tried a third time the same way.
+sure it is; the chance of an outcome counts what came and what did not. After two failures in a row, or one
+that was likely, an operator promises what was seen in place of what did not come, and is not tried again the
+same way.
 """
 
 import math
@@ -19,16 +20,19 @@ from neurosym.operators import TOLERANCE, Mode, Operator, Vector, vector
 from neurosym.pddl.moves import PUT_DOWN
 from neurosym.pddl.plan_text import PlanStep
 from neurosym.problems import Problem, SceneObject
-from neurosym.promises import promised
+from neurosym.promises import LEAST_CHANCE, promised
 from neurosym.symbols import Symbol
 from neurosym.world import Outcome, OutcomeKind
 
 REPEATS = 0.014
 """By how much the same primitive on the same object differs from time to time, RMS of an axis [m]."""
-KNOWN_BEFORE = 2.0
-"""As how many trials what was known before counts beside those that were seen."""
-GIVEN_UP = 2
-"""After how many failures in a row what did not come is not hoped for again."""
+KNOWN_BEFORE = 0.5
+"""As how many trials what was known before counts beside those that were seen.
+
+Whether an operator keeps its promise is mostly the object's doing: see `docs/planning.md`, "The chance".
+"""
+OFTEN = 2
+"""How many failures in a row end all hope, and how often something is seen that is not forgotten."""
 _SUREST = 0.005  # no promise is surer than this [m]
 _OF = "-of-"
 
@@ -51,6 +55,7 @@ class Experience:
 
     grounding: Grounding
     _seen: dict[tuple[str, str], list[_Seen]] = field(default_factory=dict)
+    _forgotten: dict[tuple[str, str], list[_Seen]] = field(default_factory=dict)
 
     @property
     def says_something(self) -> bool:
@@ -58,18 +63,22 @@ class Experience:
         return bool(self._seen)
 
     def hoping_again(self, problem: Problem) -> "Experience":
-        """Forget what was seen, but for what failed on an object again and again and would so now.
+        """Forget what was seen but once, unless it failed and would mostly do so again.
+
+        What is forgotten still counts once the same is seen again.
 
         Args:
             problem: The problem as it stands now.
         """
+        every = {key: self._all(key) for key in {**self._forgotten, **self._seen}}
         kept = {
-            (item.name, operator.label): self._seen[item.name, operator.label]
+            key: every[key]
             for item in (as_it_shows(lying, self.grounding) for lying in problem.objects)
             for operator in promised(self.grounding, item, problem.tolerance).values()
-            if _is_given_up(operator, self._outcomes(item, operator), problem.tolerance)
+            if (outcomes := _as_it_lies(item, every.get(key := (item.name, operator.label), [])))
+            and (len(outcomes) >= OFTEN or _is_given_up(operator, outcomes, problem.tolerance))
         }
-        return Experience(self.grounding, kept)
+        return Experience(self.grounding, kept, {key: rows for key, rows in every.items() if key not in kept})
 
     def learn(self, step: PlanStep, outcome: Outcome) -> None:
         """Remember what a step did.
@@ -118,17 +127,25 @@ class Experience:
     def _operators_of(self, item: SceneObject, own: Symbol, tolerance: float) -> list[Operator]:
         found = []
         for operator in promised(self.grounding, item, tolerance).values():
-            outcomes = self._outcomes(item, operator)
-            changed = _after(operator, outcomes, tolerance) if outcomes else operator
+            key = (item.name, operator.label)
+            outcomes, every = (_as_it_lies(item, rows) for rows in (self._seen.get(key, []), self._all(key)))
+            changed = operator
+            if _is_given_up(operator, every, tolerance):
+                changed = _given_up(operator, every)
+            elif outcomes:
+                changed = _after(operator, outcomes, tolerance)
             found.append(
                 msgspec.structs.replace(changed, name=f"{operator.name}{_OF}{item.name}", category=own)
             )
         return found
 
-    def _outcomes(self, item: SceneObject, operator: Operator) -> list[Outcome]:
-        """List what an operator's primitive did to an object while it lay as it does now."""
-        seen = self._seen.get((item.name, operator.label), [])
-        return [one.outcome for one in seen if _angle(one.orientation, item.orientation) < STRAIGHT]
+    def _all(self, key: tuple[str, str]) -> list[_Seen]:
+        return [*self._forgotten.get(key, []), *self._seen.get(key, [])]
+
+
+def _as_it_lies(item: SceneObject, seen: list[_Seen]) -> list[Outcome]:
+    """List what was done to an object while it lay as it does now."""
+    return [one.outcome for one in seen if _angle(one.orientation, item.orientation) < STRAIGHT]
 
 
 def learned_name(step: PlanStep) -> PlanStep:
@@ -167,21 +184,25 @@ def _angle(one: tuple[float, ...], other: tuple[float, ...]) -> float:
 
 def _after(operator: Operator, outcomes: list[Outcome], tolerance: float) -> Operator:
     """Return an operator that promises what is to be believed after some outcomes."""
-    promise = operator.promise
-    if promise is None:
+    if operator.promise is None:
         return operator
-    if _is_given_up(operator, outcomes, tolerance):
-        return _given_up(operator, outcomes)
-    mode, kept = _weighed_mode(promise, outcomes, tolerance)
-    share = (KNOWN_BEFORE * operator.successes / operator.trials + sum(kept)) / (KNOWN_BEFORE + len(kept))
-    return _promising(operator, mode, share)
+    mode, kept = _weighed_mode(operator.promise, outcomes, tolerance)
+    return _promising(operator, mode, _chance(operator, kept))
+
+
+def _chance(operator: Operator, kept: list[bool]) -> float:
+    """Weigh how often a promise is kept against how often it was."""
+    return (KNOWN_BEFORE * operator.successes / operator.trials + sum(kept)) / (KNOWN_BEFORE + len(kept))
 
 
 def _is_given_up(operator: Operator, outcomes: list[Outcome], tolerance: float) -> bool:
-    """Say whether what an operator promises did not come the last times."""
-    if operator.promise is None or len(outcomes) < GIVEN_UP:
+    """Say whether what an operator promises failed the last time, and too often to be hoped for again."""
+    if operator.promise is None or not outcomes:
         return False
-    return not any(_weighed_mode(operator.promise, outcomes, tolerance)[1][-GIVEN_UP:])
+    _, kept = _weighed_mode(operator.promise, outcomes, tolerance)
+    if any(kept[-OFTEN:]):
+        return False
+    return len(kept) >= OFTEN or _chance(operator, kept) < LEAST_CHANCE
 
 
 def _weighed_mode(promise: Mode, outcomes: list[Outcome], tolerance: float) -> tuple[Mode, list[bool]]:

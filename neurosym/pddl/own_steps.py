@@ -12,7 +12,7 @@ from neurosym.pddl.grid import AXES, Grid
 from neurosym.pddl.moves import Move, cost_name, move_constant, moves_for, moves_of, shifts_of, step_cost
 from neurosym.pddl.printing import comment
 from neurosym.problems import Problem, SceneObject
-from neurosym.promises import is_rehearsed, promised
+from neurosym.promises import is_rehearsed, promised, why_unfit
 
 Step = tuple[int, int]
 """An axis, and how many cells further along it."""
@@ -127,7 +127,7 @@ def left_alone(item: SceneObject, grounding: Grounding, used: set[str]) -> dict[
     """
     of_item = promised(grounding, item)
     names = [one.name for one in grounding.live if one.category == item.category and one.name not in used]
-    return {name: grounding.why_left_out(of_item[name]) or "left out" for name in names}
+    return {name: why_unfit(of_item[name], grounding) or "left out" for name in names}
 
 
 def reasons(left: dict[str, str], about: str) -> list[str]:

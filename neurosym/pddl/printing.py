@@ -87,7 +87,7 @@ def _about_rehearsals(operator: Operator, trials: str) -> list[str]:
     """Say what is known beside the mean, where rehearsals are kept."""
     if not operator.rehearsals:
         return []
-    turned = sum(abs(row.turn) > TURNED for row in operator.rehearsals)
+    turned = sum(abs(row.turn) > TURNED for row in operator.rehearsals[: operator.trials])
     said = [f"It turned the object by over {math.degrees(TURNED):.0f} degrees in {turned} of {trials}."]
     return [*(said if turned else []), "What it promises for an object stands in the problem."]
 

@@ -108,9 +108,14 @@ def rehearse_more(
     if not scenes:
         return Improved(operator, None, 0)
     outcomes = _rehearse(shop, primitive, scenes)
-    objects = (*rehearsed_objects(operator, category), *_features(scenes))
-    rehearsals = (*operator.rehearsals, *map(rehearsal_of, outcomes))
-    improved = _tabulated(msgspec.structs.replace(operator, objects=objects, rehearsals=rehearsals))
+    known, counted = rehearsed_objects(operator, category), operator.trials
+    objects = (*known[:counted], *_features(scenes), *known[counted:])
+    rows = operator.rehearsals
+    rehearsals = (*rows[:counted], *map(rehearsal_of, outcomes), *rows[counted:])
+    improved = msgspec.structs.replace(
+        operator, objects=objects, rehearsals=rehearsals, trials=counted + len(outcomes)
+    )
+    improved = _tabulated(improved)
     return Improved(renamed(improved, category, operator.variant), None, len(scenes))
 
 
@@ -146,7 +151,10 @@ def audition_others(
     rehearsed = shop.scenes(category, len(operator.rehearsals), turn + 1)
     outcomes = _rehearse(shop, chosen, rehearsed)
     improved = msgspec.structs.replace(
-        operator, objects=_features(rehearsed), rehearsals=tuple(map(rehearsal_of, outcomes))
+        operator,
+        objects=_features(rehearsed),
+        rehearsals=tuple(map(rehearsal_of, outcomes)),
+        trials=len(outcomes),
     )
     return Improved(_tabulated(improved), chosen, spent + len(outcomes))
 
@@ -223,12 +231,12 @@ def _features(scenes: Sequence[Scene]) -> Rows:
 
 
 def _tabulated(operator: Operator) -> Operator:
-    """Sort an operator's rehearsals into modes anew."""
-    rows = operator.rehearsals
+    """Sort the rehearsals of an operator that are its trials into modes anew."""
+    rows = operator.rehearsals[: operator.trials]
     modes = sort_into_modes(
         [row.kind for row in rows],
         np.array([row.effect for row in rows]),
         np.array([row.resting_effect for row in rows]),
         np.array([row.peak_height for row in rows]),
     )
-    return msgspec.structs.replace(operator, trials=len(rows), modes=modes)
+    return msgspec.structs.replace(operator, modes=modes)

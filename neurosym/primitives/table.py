@@ -14,6 +14,7 @@ from neurosym.primitives.audition import choose
 from neurosym.primitives.averaging import average
 from neurosym.primitives.distillation import distill
 from neurosym.primitives.rehearsal import rehearse, tabulate
+from neurosym.primitives.unsure import rehearse_unsure
 from neurosym.progress import OpenBar, Progress
 from neurosym.world import WorldFactory
 
@@ -80,7 +81,9 @@ def find_operators(
     with open_bar("rehearsing") as advance:
         found = rehearse(world_factory, chosen, categorise, **options, progress=advance)
     with open_bar("telling the outcomes apart") as advance:
-        return tabulate(found, made(world_factory).feature_names, progress=advance)
+        table = tabulate(found, made(world_factory).feature_names, progress=advance)
+    with open_bar("rehearsing what is unsure") as advance:
+        return rehearse_unsure(world_factory, table, categorise, **options, progress=advance)
 
 
 def _silent(_: str) -> AbstractContextManager[Progress]:

@@ -8,7 +8,7 @@ import pytest
 from tables import grounding, problem
 
 from neurosym.execution.experience import Experience, believed_name, learned_name
-from neurosym.grounding import is_lift
+from neurosym.grounding import Grounding, is_lift
 from neurosym.pddl.plan_text import PlanStep
 from neurosym.world import Outcome, Scene
 
@@ -21,6 +21,21 @@ def outcome(effect: tuple[float, float, float], *, held: bool = False) -> Outcom
 
     down = (effect[0], effect[1], 0.0)
     return Outcome(scene((0.0, 0.0, 0.0)), scene(effect), scene(down), 0, held, False, False, effect[2])
+
+
+def with_chance(learned: Grounding, name: str, share: float) -> Grounding:
+    """Have an operator keep its promise in a share of its trials only."""
+    operators = []
+    for one in learned.operators.operators:
+        if one.name == name:
+            kept = round(share * one.trials)
+            modes = tuple(
+                msgspec.structs.replace(mode, count=kept, share=share, near_mean=kept) for mode in one.modes
+            )
+            one = msgspec.structs.replace(one, modes=modes)
+        operators.append(one)
+    table = msgspec.structs.replace(learned.operators, operators=tuple(operators))
+    return msgspec.structs.replace(learned, operators=table)
 
 
 def test_nothing_seen_changes_nothing():
@@ -96,6 +111,42 @@ def test_hoping_again_does_not_hope_for_what_failed_twice_the_same_way():
     own = learned.operator_named("push-left-000-block-of-item-01")
     assert own.successes == grounding().operator_named("push-left-000-block").successes
     assert not Experience(grounding()).hoping_again(problem()).says_something
+
+
+def test_what_fails_again_after_hoping_again_is_given_up():
+    experience = Experience(grounding())
+    for _ in range(2):
+        experience.learn(LIFT, outcome((0.0, 0.0, 0.0)))
+        experience = experience.hoping_again(problem())
+    _, learned = experience.believed(problem())
+    assert "lift-010-block-of-item-01" in learned.left_out
+
+
+def test_what_was_unlikely_before_and_failed_once_is_given_up():
+    rare = with_chance(grounding(), "lift-010-block", 0.5)
+    experience = Experience(rare)
+    experience.learn(LIFT, outcome((0.0, 0.0, 0.0)))
+    for now in (experience, experience.hoping_again(problem())):
+        assert "lift-010-block-of-item-01" in now.believed(problem())[1].left_out
+
+
+def test_what_was_seen_twice_is_not_forgotten():
+    experience = Experience(grounding())
+    for _ in range(2):
+        experience.learn(PUSH, outcome((0.0, 0.05, 0.0)))
+    before = experience.believed(problem())
+    assert experience.hoping_again(problem()).believed(problem()) == before
+
+
+def test_what_was_forgotten_does_not_stand_against_what_has_not_failed_twice():
+    experience = Experience(grounding())
+    experience.learn(LIFT, outcome((0.0, 0.0, 0.0)))
+    hoping = experience.hoping_again(problem())
+    assert hoping.believed(problem()) == (problem(), grounding())
+    hoping.learn(LIFT, outcome((0.0, 0.0, 0.2), held=True))
+    hoping.learn(LIFT, outcome((0.0, 0.0, 0.0)))
+    _, learned = hoping.believed(problem())
+    assert learned.operator_named("lift-010-block-of-item-01").successes > 0
 
 
 def test_what_came_once_is_hoped_for_as_it_came():

@@ -45,12 +45,15 @@ def test_more_rehearsals_are_added_and_sorted_into_modes_with_the_others(shop, t
     operator = pushes(table)[0]
     primitive, category = parts(table, operator)
     improved = rehearse_more(shop, operator, primitive, category, 6, turn=1)
-    now, before = improved.operator, len(operator.rehearsals)
+    now, before = improved.operator, operator.trials
     assert (improved.interactions, improved.primitive) == (6, None)
-    assert now.rehearsals[:before] == operator.rehearsals
+    assert now.rehearsals[:before] == operator.rehearsals[:before]
+    assert now.rehearsals[before + 6 :] == operator.rehearsals[before:], "those that were unsure come last"
     assert now.objects[:before] == category.objects
-    assert len(rehearsed_objects(now, category)) == len(now.rehearsals) == now.trials == before + 6
-    rows = now.rehearsals
+    assert now.objects[before + 6 :] == rehearsed_objects(operator, category)[before:]
+    assert len(rehearsed_objects(now, category)) == len(now.rehearsals) == len(operator.rehearsals) + 6
+    assert now.trials == before + 6
+    rows = now.rehearsals[: now.trials]
     columns = (np.array([getattr(row, name) for row in rows]) for name in ("effect", "resting_effect"))
     heights = np.array([row.peak_height for row in rows])
     assert now.modes == sort_into_modes([row.kind for row in rows], *columns, heights)

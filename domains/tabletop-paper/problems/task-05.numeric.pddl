@@ -11,23 +11,26 @@
     ; item-01 starts at (0.6269, 0.1197, 0.0113) m
     (= (x item-01) 2769) (= (y item-01) 4197) (= (z item-01) 0)
     ; What each operator promises for item-01 (features 0.05625 0.1067 0.02264 0).
-    (can-lift-100c-solid-narrow-10 item-01) (= (x-of-lift-100c-solid-narrow-10 item-01) 9393) (= (y-of-lift-100c-solid-narrow-10 item-01) 9735) (= (z-of-lift-100c-solid-narrow-10 item-01) 12232) (= (cost-of-lift-100c-solid-narrow-10 item-01) 188)
-    (= (x-of-put-down-lift-100c-solid-narrow-10 item-01) 10009) (= (y-of-put-down-lift-100c-solid-narrow-10 item-01) 9987) (= (z-of-put-down-lift-100c-solid-narrow-10 item-01) 7768)
-    (can-lift-101-solid-narrow-10 item-01) (= (x-of-lift-101-solid-narrow-10 item-01) 9817) (= (y-of-lift-101-solid-narrow-10 item-01) 9389) (= (z-of-lift-101-solid-narrow-10 item-01) 12370) (= (cost-of-lift-101-solid-narrow-10 item-01) 188)
-    (= (x-of-put-down-lift-101-solid-narrow-10 item-01) 10001) (= (y-of-put-down-lift-101-solid-narrow-10 item-01) 9987) (= (z-of-put-down-lift-101-solid-narrow-10 item-01) 7630)
-    (can-pull-110-solid-narrow-10 item-01) (= (x-of-pull-110-solid-narrow-10 item-01) 9229) (= (y-of-pull-110-solid-narrow-10 item-01) 9698) (= (cost-of-pull-110-solid-narrow-10 item-01) 9)
+    ; Not for item-01:
+    ; lift-100c-solid-narrow-10: keeps its promise in 2 of 37 rehearsals only.
+    ; lift-101-solid-narrow-10: keeps its promise with such objects in about 6 of 37 only.
+    (= (x-of-lift-100c-solid-narrow-10 item-01) 9433) (= (y-of-lift-100c-solid-narrow-10 item-01) 9751) (= (z-of-lift-100c-solid-narrow-10 item-01) 12200) (= (cost-of-lift-100c-solid-narrow-10 item-01) 257)
+    (= (x-of-put-down-lift-100c-solid-narrow-10 item-01) 10007) (= (y-of-put-down-lift-100c-solid-narrow-10 item-01) 9992) (= (z-of-put-down-lift-100c-solid-narrow-10 item-01) 7800)
+    (= (x-of-lift-101-solid-narrow-10 item-01) 9850) (= (y-of-lift-101-solid-narrow-10 item-01) 9494) (= (z-of-lift-101-solid-narrow-10 item-01) 12341) (= (cost-of-lift-101-solid-narrow-10 item-01) 173)
+    (= (x-of-put-down-lift-101-solid-narrow-10 item-01) 9998) (= (y-of-put-down-lift-101-solid-narrow-10 item-01) 9998) (= (z-of-put-down-lift-101-solid-narrow-10 item-01) 7659)
+    (can-pull-110-solid-narrow-10 item-01) (= (x-of-pull-110-solid-narrow-10 item-01) 9267) (= (y-of-pull-110-solid-narrow-10 item-01) 9740) (= (cost-of-pull-110-solid-narrow-10 item-01) 4)
     (can-pull-left-010c-solid-narrow-10 item-01) (= (x-of-pull-left-010c-solid-narrow-10 item-01) 9794) (= (y-of-pull-left-010c-solid-narrow-10 item-01) 10126) (= (cost-of-pull-left-010c-solid-narrow-10 item-01) 4)
-    (can-pull-right-100c-solid-narrow-10 item-01) (= (x-of-pull-right-100c-solid-narrow-10 item-01) 9738) (= (y-of-pull-right-100c-solid-narrow-10 item-01) 9623) (= (cost-of-pull-right-100c-solid-narrow-10 item-01) 63)
-    (can-push-forward-001-solid-narrow-10 item-01) (= (x-of-push-forward-001-solid-narrow-10 item-01) 10864) (= (y-of-push-forward-001-solid-narrow-10 item-01) 9725) (= (cost-of-push-forward-001-solid-narrow-10 item-01) 6)
-    (can-push-forward-left-000c-solid-narrow-10 item-01) (= (x-of-push-forward-left-000c-solid-narrow-10 item-01) 10355) (= (y-of-push-forward-left-000c-solid-narrow-10 item-01) 10304) (= (cost-of-push-forward-left-000c-solid-narrow-10 item-01) 15)
-    (can-push-forward-right-101-solid-narrow-10 item-01) (= (x-of-push-forward-right-101-solid-narrow-10 item-01) 10287) (= (y-of-push-forward-right-101-solid-narrow-10 item-01) 9620) (= (cost-of-push-forward-right-101-solid-narrow-10 item-01) 24)
+    (can-pull-right-100c-solid-narrow-10 item-01) (= (x-of-pull-right-100c-solid-narrow-10 item-01) 9756) (= (y-of-pull-right-100c-solid-narrow-10 item-01) 9626) (= (cost-of-pull-right-100c-solid-narrow-10 item-01) 12)
+    (can-push-forward-001-solid-narrow-10 item-01) (= (x-of-push-forward-001-solid-narrow-10 item-01) 10868) (= (y-of-push-forward-001-solid-narrow-10 item-01) 9817) (= (cost-of-push-forward-001-solid-narrow-10 item-01) 9)
+    (can-push-forward-left-000c-solid-narrow-10 item-01) (= (x-of-push-forward-left-000c-solid-narrow-10 item-01) 10372) (= (y-of-push-forward-left-000c-solid-narrow-10 item-01) 10282) (= (cost-of-push-forward-left-000c-solid-narrow-10 item-01) 63)
+    (can-push-forward-right-101-solid-narrow-10 item-01) (= (x-of-push-forward-right-101-solid-narrow-10 item-01) 10261) (= (y-of-push-forward-right-101-solid-narrow-10 item-01) 9627) (= (cost-of-push-forward-right-101-solid-narrow-10 item-01) 63)
     (can-push-forward-right-111-solid-narrow-10 item-01) (= (x-of-push-forward-right-111-solid-narrow-10 item-01) 10210) (= (y-of-push-forward-right-111-solid-narrow-10 item-01) 9668) (= (cost-of-push-forward-right-111-solid-narrow-10 item-01) 4)
     (can-push-left-011c-solid-narrow-10 item-01) (= (x-of-push-left-011c-solid-narrow-10 item-01) 10145) (= (y-of-push-left-011c-solid-narrow-10 item-01) 10601) (= (cost-of-push-left-011c-solid-narrow-10 item-01) 4))
   (:goal (and
     ; item-01 shall come to (0.6664, 0.0750, 0.2117) m, 209 mm from where it starts
-    (<= (x item-01) 3471) (>= (x item-01) 2857)
-    (<= (+ (x item-01) (y item-01)) 7348) (>= (+ (x item-01) (y item-01)) 6479)
-    (<= (y item-01) 4056) (>= (y item-01) 3442)
-    (<= (y item-01) (+ (x item-01) 1019)) (<= (+ (x item-01) 151) (y item-01))
-    (>= (z item-01) 2232) (<= (z item-01) 2370)))
+    (<= (x item-01) 3164) (>= (x item-01) 3165)
+    (<= (+ (x item-01) (y item-01)) 6913) (>= (+ (x item-01) (y item-01)) 6914)
+    (<= (y item-01) 3749) (>= (y item-01) 3750)
+    (<= (y item-01) (+ (x item-01) 584)) (<= (+ (x item-01) 585) (y item-01))
+    (>= (z item-01) 1) (<= (z item-01) 1)))
   (:metric minimize (total-cost)))

@@ -29,64 +29,70 @@
     (can-pull-right-110c-any-low-narrow-11 item-01) (= (x-of-pull-right-110c-any-low-narrow-11 item-01) 9431) (= (y-of-pull-right-110c-any-low-narrow-11 item-01) 9575) (= (cost-of-pull-right-110c-any-low-narrow-11 item-01) 4)
     (can-push-forward-001-any-low-narrow-11 item-01) (= (x-of-push-forward-001-any-low-narrow-11 item-01) 10950) (= (y-of-push-forward-001-any-low-narrow-11 item-01) 9732) (= (cost-of-push-forward-001-any-low-narrow-11 item-01) 4)
     (can-push-forward-001c-any-low-narrow-11 item-01) (= (x-of-push-forward-001c-any-low-narrow-11 item-01) 10849) (= (y-of-push-forward-001c-any-low-narrow-11 item-01) 10182) (= (cost-of-push-forward-001c-any-low-narrow-11 item-01) 4)
-    (can-push-forward-left-011-any-low-narrow-11 item-01) (= (x-of-push-forward-left-011-any-low-narrow-11 item-01) 10591) (= (y-of-push-forward-left-011-any-low-narrow-11 item-01) 10415) (= (cost-of-push-forward-left-011-any-low-narrow-11 item-01) 14)
+    (can-push-forward-left-011-any-low-narrow-11 item-01) (= (x-of-push-forward-left-011-any-low-narrow-11 item-01) 10549) (= (y-of-push-forward-left-011-any-low-narrow-11 item-01) 10353) (= (cost-of-push-forward-left-011-any-low-narrow-11 item-01) 4)
     (can-push-forward-right-011d-any-low-narrow-11 item-01) (= (x-of-push-forward-right-011d-any-low-narrow-11 item-01) 10283) (= (y-of-push-forward-right-011d-any-low-narrow-11 item-01) 9595) (= (cost-of-push-forward-right-011d-any-low-narrow-11 item-01) 4)
-    (can-push-left-010d-any-low-narrow-11 item-01) (= (x-of-push-left-010d-any-low-narrow-11 item-01) 9648) (= (y-of-push-left-010d-any-low-narrow-11 item-01) 11091) (= (cost-of-push-left-010d-any-low-narrow-11 item-01) 43)
-    (can-push-right-111c-any-low-narrow-11 item-01) (= (x-of-push-right-111c-any-low-narrow-11 item-01) 9606) (= (y-of-push-right-111c-any-low-narrow-11 item-01) 9190) (= (cost-of-push-right-111c-any-low-narrow-11 item-01) 14)
+    (can-push-left-010d-any-low-narrow-11 item-01) (= (x-of-push-left-010d-any-low-narrow-11 item-01) 9858) (= (y-of-push-left-010d-any-low-narrow-11 item-01) 10973) (= (cost-of-push-left-010d-any-low-narrow-11 item-01) 22)
+    (can-push-right-111c-any-low-narrow-11 item-01) (= (x-of-push-right-111c-any-low-narrow-11 item-01) 9613) (= (y-of-push-right-111c-any-low-narrow-11 item-01) 9118) (= (cost-of-push-right-111c-any-low-narrow-11 item-01) 7)
     ; item-02 starts at (0.9150, -0.1374, 0.0320) m
     (= (x item-02) 5650) (= (y item-02) 1626) (= (z item-02) 0)
     ; What each operator promises for item-02 (features 0.03417 0.07285 0.06412 0).
     ; Not for item-02:
+    ; push-forward-left-000c-solid-narrow-10: keeps its promise with such objects in about 8 of 37 only.
+    ; push-forward-right-101-solid-narrow-10: keeps its promise in 3 of 37 rehearsals only.
     ; push-left-011c-solid-narrow-10: scatters more than it moves.
-    (can-lift-100c-solid-narrow-10 item-02) (= (x-of-lift-100c-solid-narrow-10 item-02) 9393) (= (y-of-lift-100c-solid-narrow-10 item-02) 9735) (= (z-of-lift-100c-solid-narrow-10 item-02) 12232) (= (cost-of-lift-100c-solid-narrow-10 item-02) 188)
-    (= (x-of-put-down-lift-100c-solid-narrow-10 item-02) 10009) (= (y-of-put-down-lift-100c-solid-narrow-10 item-02) 9987) (= (z-of-put-down-lift-100c-solid-narrow-10 item-02) 7768)
-    (can-lift-101-solid-narrow-10 item-02) (= (x-of-lift-101-solid-narrow-10 item-02) 9817) (= (y-of-lift-101-solid-narrow-10 item-02) 9389) (= (z-of-lift-101-solid-narrow-10 item-02) 12370) (= (cost-of-lift-101-solid-narrow-10 item-02) 188)
-    (= (x-of-put-down-lift-101-solid-narrow-10 item-02) 10001) (= (y-of-put-down-lift-101-solid-narrow-10 item-02) 9987) (= (z-of-put-down-lift-101-solid-narrow-10 item-02) 7630)
-    (can-pull-110-solid-narrow-10 item-02) (= (x-of-pull-110-solid-narrow-10 item-02) 9284) (= (y-of-pull-110-solid-narrow-10 item-02) 9910) (= (cost-of-pull-110-solid-narrow-10 item-02) 24)
+    (can-lift-100c-solid-narrow-10 item-02) (= (x-of-lift-100c-solid-narrow-10 item-02) 9411) (= (y-of-lift-100c-solid-narrow-10 item-02) 9729) (= (z-of-lift-100c-solid-narrow-10 item-02) 12241) (= (cost-of-lift-100c-solid-narrow-10 item-02) 42)
+    (= (x-of-put-down-lift-100c-solid-narrow-10 item-02) 10008) (= (y-of-put-down-lift-100c-solid-narrow-10 item-02) 9986) (= (z-of-put-down-lift-100c-solid-narrow-10 item-02) 7759)
+    (can-lift-101-solid-narrow-10 item-02) (= (x-of-lift-101-solid-narrow-10 item-02) 9859) (= (y-of-lift-101-solid-narrow-10 item-02) 9490) (= (z-of-lift-101-solid-narrow-10 item-02) 12495) (= (cost-of-lift-101-solid-narrow-10 item-02) 9)
+    (= (x-of-put-down-lift-101-solid-narrow-10 item-02) 10014) (= (y-of-put-down-lift-101-solid-narrow-10 item-02) 9994) (= (z-of-put-down-lift-101-solid-narrow-10 item-02) 7505)
+    (can-pull-110-solid-narrow-10 item-02) (= (x-of-pull-110-solid-narrow-10 item-02) 9277) (= (y-of-pull-110-solid-narrow-10 item-02) 9755) (= (cost-of-pull-110-solid-narrow-10 item-02) 4)
     (can-pull-left-010c-solid-narrow-10 item-02) (= (x-of-pull-left-010c-solid-narrow-10 item-02) 9782) (= (y-of-pull-left-010c-solid-narrow-10 item-02) 10145) (= (cost-of-pull-left-010c-solid-narrow-10 item-02) 4)
-    (can-pull-right-100c-solid-narrow-10 item-02) (= (x-of-pull-right-100c-solid-narrow-10 item-02) 9732) (= (y-of-pull-right-100c-solid-narrow-10 item-02) 9627) (= (cost-of-pull-right-100c-solid-narrow-10 item-02) 42)
-    (can-push-forward-001-solid-narrow-10 item-02) (= (x-of-push-forward-001-solid-narrow-10 item-02) 10781) (= (y-of-push-forward-001-solid-narrow-10 item-02) 9866) (= (cost-of-push-forward-001-solid-narrow-10 item-02) 6)
-    (can-push-forward-left-000c-solid-narrow-10 item-02) (= (x-of-push-forward-left-000c-solid-narrow-10 item-02) 10491) (= (y-of-push-forward-left-000c-solid-narrow-10 item-02) 9902) (= (cost-of-push-forward-left-000c-solid-narrow-10 item-02) 24)
-    (can-push-forward-right-101-solid-narrow-10 item-02) (= (x-of-push-forward-right-101-solid-narrow-10 item-02) 10272) (= (y-of-push-forward-right-101-solid-narrow-10 item-02) 9520) (= (cost-of-push-forward-right-101-solid-narrow-10 item-02) 63)
+    (can-pull-right-100c-solid-narrow-10 item-02) (= (x-of-pull-right-100c-solid-narrow-10 item-02) 9515) (= (y-of-pull-right-100c-solid-narrow-10 item-02) 9699) (= (cost-of-pull-right-100c-solid-narrow-10 item-02) 128)
+    (can-push-forward-001-solid-narrow-10 item-02) (= (x-of-push-forward-001-solid-narrow-10 item-02) 10976) (= (y-of-push-forward-001-solid-narrow-10 item-02) 10172) (= (cost-of-push-forward-001-solid-narrow-10 item-02) 9)
+    (= (x-of-push-forward-left-000c-solid-narrow-10 item-02) 10319) (= (y-of-push-forward-left-000c-solid-narrow-10 item-02) 9888) (= (cost-of-push-forward-left-000c-solid-narrow-10 item-02) 148)
+    (= (x-of-push-forward-right-101-solid-narrow-10 item-02) 10142) (= (y-of-push-forward-right-101-solid-narrow-10 item-02) 9456) (= (cost-of-push-forward-right-101-solid-narrow-10 item-02) 229)
     (can-push-forward-right-111-solid-narrow-10 item-02) (= (x-of-push-forward-right-111-solid-narrow-10 item-02) 10178) (= (y-of-push-forward-right-111-solid-narrow-10 item-02) 9736) (= (cost-of-push-forward-right-111-solid-narrow-10 item-02) 4)
     (= (x-of-push-left-011c-solid-narrow-10 item-02) 10024) (= (y-of-push-left-011c-solid-narrow-10 item-02) 10047) (= (cost-of-push-left-011c-solid-narrow-10 item-02) 4)
     ; item-03 starts at (0.6233, 0.1590, 0.0266) m
     (= (x item-03) 2733) (= (y item-03) 4590) (= (z item-03) 0)
     ; What each operator promises for item-03 (features 0.1605 0.1605 0.05333 2).
     ; Not for item-03:
-    ; push-right-101-hollow-tall-wide-01: keeps its promise in 2 of 30 rehearsals only.
+    ; lift-100-hollow-tall-wide-01: keeps its promise with such objects in about 6 of 30 only.
+    ; push-right-101-hollow-tall-wide-01: keeps its promise in 1 of 30 rehearsals only.
     (can-lift-000-hollow-tall-wide-01 item-03) (= (x-of-lift-000-hollow-tall-wide-01 item-03) 9989) (= (y-of-lift-000-hollow-tall-wide-01 item-03) 11028) (= (z-of-lift-000-hollow-tall-wide-01 item-03) 12230) (= (cost-of-lift-000-hollow-tall-wide-01 item-03) 4)
     (= (x-of-put-down-lift-000-hollow-tall-wide-01 item-03) 9997) (= (y-of-put-down-lift-000-hollow-tall-wide-01 item-03) 9966) (= (z-of-put-down-lift-000-hollow-tall-wide-01 item-03) 7770)
     (can-lift-000b-hollow-tall-wide-01 item-03) (= (x-of-lift-000b-hollow-tall-wide-01 item-03) 10055) (= (y-of-lift-000b-hollow-tall-wide-01 item-03) 10455) (= (z-of-lift-000b-hollow-tall-wide-01 item-03) 12506) (= (cost-of-lift-000b-hollow-tall-wide-01 item-03) 4)
     (= (x-of-put-down-lift-000b-hollow-tall-wide-01 item-03) 10001) (= (y-of-put-down-lift-000b-hollow-tall-wide-01 item-03) 9968) (= (z-of-put-down-lift-000b-hollow-tall-wide-01 item-03) 7494)
-    (can-lift-100-hollow-tall-wide-01 item-03) (= (x-of-lift-100-hollow-tall-wide-01 item-03) 9557) (= (y-of-lift-100-hollow-tall-wide-01 item-03) 9002) (= (z-of-lift-100-hollow-tall-wide-01 item-03) 11988) (= (cost-of-lift-100-hollow-tall-wide-01 item-03) 128)
-    (= (x-of-put-down-lift-100-hollow-tall-wide-01 item-03) 9985) (= (y-of-put-down-lift-100-hollow-tall-wide-01 item-03) 9976) (= (z-of-put-down-lift-100-hollow-tall-wide-01 item-03) 8012)
+    (= (x-of-lift-100-hollow-tall-wide-01 item-03) 9654) (= (y-of-lift-100-hollow-tall-wide-01 item-03) 9030) (= (z-of-lift-100-hollow-tall-wide-01 item-03) 12009) (= (cost-of-lift-100-hollow-tall-wide-01 item-03) 153)
+    (= (x-of-put-down-lift-100-hollow-tall-wide-01 item-03) 9997) (= (y-of-put-down-lift-100-hollow-tall-wide-01 item-03) 9968) (= (z-of-put-down-lift-100-hollow-tall-wide-01 item-03) 7991)
     (can-lift-100b-hollow-tall-wide-01 item-03) (= (x-of-lift-100b-hollow-tall-wide-01 item-03) 9558) (= (y-of-lift-100b-hollow-tall-wide-01 item-03) 10778) (= (z-of-lift-100b-hollow-tall-wide-01 item-03) 11981) (= (cost-of-lift-100b-hollow-tall-wide-01 item-03) 4)
     (= (x-of-put-down-lift-100b-hollow-tall-wide-01 item-03) 10000) (= (y-of-put-down-lift-100b-hollow-tall-wide-01 item-03) 9974) (= (z-of-put-down-lift-100b-hollow-tall-wide-01 item-03) 8019)
-    (can-lift-101-hollow-tall-wide-01 item-03) (= (x-of-lift-101-hollow-tall-wide-01 item-03) 9640) (= (y-of-lift-101-hollow-tall-wide-01 item-03) 8721) (= (z-of-lift-101-hollow-tall-wide-01 item-03) 12472) (= (cost-of-lift-101-hollow-tall-wide-01 item-03) 11)
-    (= (x-of-put-down-lift-101-hollow-tall-wide-01 item-03) 10009) (= (y-of-put-down-lift-101-hollow-tall-wide-01 item-03) 9977) (= (z-of-put-down-lift-101-hollow-tall-wide-01 item-03) 7528)
+    (can-lift-101-hollow-tall-wide-01 item-03) (= (x-of-lift-101-hollow-tall-wide-01 item-03) 9638) (= (y-of-lift-101-hollow-tall-wide-01 item-03) 8719) (= (z-of-lift-101-hollow-tall-wide-01 item-03) 12469) (= (cost-of-lift-101-hollow-tall-wide-01 item-03) 7)
+    (= (x-of-put-down-lift-101-hollow-tall-wide-01 item-03) 10008) (= (y-of-put-down-lift-101-hollow-tall-wide-01 item-03) 9979) (= (z-of-put-down-lift-101-hollow-tall-wide-01 item-03) 7531)
     (can-lift-101a-hollow-tall-wide-01 item-03) (= (x-of-lift-101a-hollow-tall-wide-01 item-03) 10010) (= (y-of-lift-101a-hollow-tall-wide-01 item-03) 9206) (= (z-of-lift-101a-hollow-tall-wide-01 item-03) 12008) (= (cost-of-lift-101a-hollow-tall-wide-01 item-03) 4)
     (= (x-of-put-down-lift-101a-hollow-tall-wide-01 item-03) 10001) (= (y-of-put-down-lift-101a-hollow-tall-wide-01 item-03) 9963) (= (z-of-put-down-lift-101a-hollow-tall-wide-01 item-03) 7992)
     (can-pull-left-010b-hollow-tall-wide-01 item-03) (= (x-of-pull-left-010b-hollow-tall-wide-01 item-03) 9715) (= (y-of-pull-left-010b-hollow-tall-wide-01 item-03) 10247) (= (cost-of-pull-left-010b-hollow-tall-wide-01 item-03) 4)
     (can-push-forward-right-111b-hollow-tall-wide-01 item-03) (= (x-of-push-forward-right-111b-hollow-tall-wide-01 item-03) 10418) (= (y-of-push-forward-right-111b-hollow-tall-wide-01 item-03) 9662) (= (cost-of-push-forward-right-111b-hollow-tall-wide-01 item-03) 4)
     (can-push-left-011b-hollow-tall-wide-01 item-03) (= (x-of-push-left-011b-hollow-tall-wide-01 item-03) 10297) (= (y-of-push-left-011b-hollow-tall-wide-01 item-03) 10736) (= (cost-of-push-left-011b-hollow-tall-wide-01 item-03) 4)
     (can-push-right-001b-hollow-tall-wide-01 item-03) (= (x-of-push-right-001b-hollow-tall-wide-01 item-03) 10124) (= (y-of-push-right-001b-hollow-tall-wide-01 item-03) 9069) (= (cost-of-push-right-001b-hollow-tall-wide-01 item-03) 4)
-    (can-push-right-100-hollow-tall-wide-01 item-03) (= (x-of-push-right-100-hollow-tall-wide-01 item-03) 10006) (= (y-of-push-right-100-hollow-tall-wide-01 item-03) 9630) (= (cost-of-push-right-100-hollow-tall-wide-01 item-03) 91)
-    (= (x-of-push-right-101-hollow-tall-wide-01 item-03) 10086) (= (y-of-push-right-101-hollow-tall-wide-01 item-03) 9085) (= (cost-of-push-right-101-hollow-tall-wide-01 item-03) 238)
+    (can-push-right-100-hollow-tall-wide-01 item-03) (= (x-of-push-right-100-hollow-tall-wide-01 item-03) 9974) (= (y-of-push-right-100-hollow-tall-wide-01 item-03) 9669) (= (cost-of-push-right-100-hollow-tall-wide-01 item-03) 48)
+    (= (x-of-push-right-101-hollow-tall-wide-01 item-03) 10161) (= (y-of-push-right-101-hollow-tall-wide-01 item-03) 9227) (= (cost-of-push-right-101-hollow-tall-wide-01 item-03) 278)
     (can-push-right-110b-hollow-tall-wide-01 item-03) (= (x-of-push-right-110b-hollow-tall-wide-01 item-03) 9629) (= (y-of-push-right-110b-hollow-tall-wide-01 item-03) 9175) (= (cost-of-push-right-110b-hollow-tall-wide-01 item-03) 4)
     ; item-04 starts at (0.8022, 0.0325, 0.0114) m
     (= (x item-04) 4522) (= (y item-04) 3325) (= (z item-04) 0)
     ; What each operator promises for item-04 (features 0.03701 0.142 0.02288 0).
-    (can-lift-100c-solid-narrow-10 item-04) (= (x-of-lift-100c-solid-narrow-10 item-04) 9393) (= (y-of-lift-100c-solid-narrow-10 item-04) 9735) (= (z-of-lift-100c-solid-narrow-10 item-04) 12232) (= (cost-of-lift-100c-solid-narrow-10 item-04) 188)
-    (= (x-of-put-down-lift-100c-solid-narrow-10 item-04) 10009) (= (y-of-put-down-lift-100c-solid-narrow-10 item-04) 9987) (= (z-of-put-down-lift-100c-solid-narrow-10 item-04) 7768)
-    (can-lift-101-solid-narrow-10 item-04) (= (x-of-lift-101-solid-narrow-10 item-04) 9817) (= (y-of-lift-101-solid-narrow-10 item-04) 9389) (= (z-of-lift-101-solid-narrow-10 item-04) 12370) (= (cost-of-lift-101-solid-narrow-10 item-04) 188)
-    (= (x-of-put-down-lift-101-solid-narrow-10 item-04) 10001) (= (y-of-put-down-lift-101-solid-narrow-10 item-04) 9987) (= (z-of-put-down-lift-101-solid-narrow-10 item-04) 7630)
-    (can-pull-110-solid-narrow-10 item-04) (= (x-of-pull-110-solid-narrow-10 item-04) 9299) (= (y-of-pull-110-solid-narrow-10 item-04) 9988) (= (cost-of-pull-110-solid-narrow-10 item-04) 6)
+    ; Not for item-04:
+    ; lift-100c-solid-narrow-10: keeps its promise in 1 of 37 rehearsals only.
+    ; lift-101-solid-narrow-10: keeps its promise in 1 of 37 rehearsals only.
+    (= (x-of-lift-100c-solid-narrow-10 item-04) 9404) (= (y-of-lift-100c-solid-narrow-10 item-04) 9739) (= (z-of-lift-100c-solid-narrow-10 item-04) 12209) (= (cost-of-lift-100c-solid-narrow-10 item-04) 298)
+    (= (x-of-put-down-lift-100c-solid-narrow-10 item-04) 10006) (= (y-of-put-down-lift-100c-solid-narrow-10 item-04) 9989) (= (z-of-put-down-lift-100c-solid-narrow-10 item-04) 7791)
+    (= (x-of-lift-101-solid-narrow-10 item-04) 9845) (= (y-of-lift-101-solid-narrow-10 item-04) 9474) (= (z-of-lift-101-solid-narrow-10 item-04) 12423) (= (cost-of-lift-101-solid-narrow-10 item-04) 298)
+    (= (x-of-put-down-lift-101-solid-narrow-10 item-04) 10006) (= (y-of-put-down-lift-101-solid-narrow-10 item-04) 9996) (= (z-of-put-down-lift-101-solid-narrow-10 item-04) 7577)
+    (can-pull-110-solid-narrow-10 item-04) (= (x-of-pull-110-solid-narrow-10 item-04) 9292) (= (y-of-pull-110-solid-narrow-10 item-04) 9823) (= (cost-of-pull-110-solid-narrow-10 item-04) 4)
     (can-pull-left-010c-solid-narrow-10 item-04) (= (x-of-pull-left-010c-solid-narrow-10 item-04) 9789) (= (y-of-pull-left-010c-solid-narrow-10 item-04) 10133) (= (cost-of-pull-left-010c-solid-narrow-10 item-04) 4)
-    (can-pull-right-100c-solid-narrow-10 item-04) (= (x-of-pull-right-100c-solid-narrow-10 item-04) 9746) (= (y-of-pull-right-100c-solid-narrow-10 item-04) 9610) (= (cost-of-pull-right-100c-solid-narrow-10 item-04) 63)
-    (can-push-forward-001-solid-narrow-10 item-04) (= (x-of-push-forward-001-solid-narrow-10 item-04) 10884) (= (y-of-push-forward-001-solid-narrow-10 item-04) 9875) (= (cost-of-push-forward-001-solid-narrow-10 item-04) 6)
-    (can-push-forward-left-000c-solid-narrow-10 item-04) (= (x-of-push-forward-left-000c-solid-narrow-10 item-04) 10420) (= (y-of-push-forward-left-000c-solid-narrow-10 item-04) 10146) (= (cost-of-push-forward-left-000c-solid-narrow-10 item-04) 18)
-    (can-push-forward-right-101-solid-narrow-10 item-04) (= (x-of-push-forward-right-101-solid-narrow-10 item-04) 10371) (= (y-of-push-forward-right-101-solid-narrow-10 item-04) 9401) (= (cost-of-push-forward-right-101-solid-narrow-10 item-04) 12)
+    (can-pull-right-100c-solid-narrow-10 item-04) (= (x-of-pull-right-100c-solid-narrow-10 item-04) 9739) (= (y-of-pull-right-100c-solid-narrow-10 item-04) 9571) (= (cost-of-pull-right-100c-solid-narrow-10 item-04) 21)
+    (can-push-forward-001-solid-narrow-10 item-04) (= (x-of-push-forward-001-solid-narrow-10 item-04) 10899) (= (y-of-push-forward-001-solid-narrow-10 item-04) 9791) (= (cost-of-push-forward-001-solid-narrow-10 item-04) 9)
+    (can-push-forward-left-000c-solid-narrow-10 item-04) (= (x-of-push-forward-left-000c-solid-narrow-10 item-04) 10445) (= (y-of-push-forward-left-000c-solid-narrow-10 item-04) 10146) (= (cost-of-push-forward-left-000c-solid-narrow-10 item-04) 9)
+    (can-push-forward-right-101-solid-narrow-10 item-04) (= (x-of-push-forward-right-101-solid-narrow-10 item-04) 10360) (= (y-of-push-forward-right-101-solid-narrow-10 item-04) 9393) (= (cost-of-push-forward-right-101-solid-narrow-10 item-04) 9)
     (can-push-forward-right-111-solid-narrow-10 item-04) (= (x-of-push-forward-right-111-solid-narrow-10 item-04) 10264) (= (y-of-push-forward-right-111-solid-narrow-10 item-04) 9631) (= (cost-of-push-forward-right-111-solid-narrow-10 item-04) 4)
     (can-push-left-011c-solid-narrow-10 item-04) (= (x-of-push-left-011c-solid-narrow-10 item-04) 10077) (= (y-of-push-left-011c-solid-narrow-10 item-04) 10621) (= (cost-of-push-left-011c-solid-narrow-10 item-04) 4))
   (:goal (and

@@ -7,10 +7,10 @@ interrupted.
 
 import os
 import shutil
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from functools import partial
 from pathlib import Path
-from statistics import mean, stdev
+from statistics import mean
 from typing import Annotated, Any
 
 import tyro
@@ -23,19 +23,15 @@ from neurosym.stages.compiling import compile_stage
 from neurosym.stages.folder import DomainFolder
 from neurosym.stages.layout import MANIFEST, TABLE_FILES
 from neurosym.stages.practising import practice_of, practise_stage
-from tools.benchmarks.jobs import Job, as_text, load_jobs, machine, pack, perform, unpack
-from tools.benchmarks.planning import figures
-from tools.benchmarks.planning.jobs import SHIPPED, SIZES, blocks
-from tools.benchmarks.planning.measures import TIME_LIMIT, bench_of
-from tools.benchmarks.planning.trials import Trial, from_json, to_json, try_task
+from tools.benchmarks.jobs import as_text, load_jobs, machine, pack, perform, unpack
+from tools.benchmarks.planning.jobs import SHIPPED
+from tools.benchmarks.planning.trying import Jobs, in_percent, shares, trying
 
 RESULTS, WORK = Path("docs/results"), Path("evaluation/practice")
 RECORDS = "practice-records.zip"
 HOW = ("before", "practised", "evenly")
-TOLERANCES = (50, 20)  # [mm]
 FIRST_TASK = 200_000
 """Seed of the first task, far from those of other evaluations."""
-BLOCK = 10
 LEFT_OUT = ("plans", "problems", "runs", *TABLE_FILES[1:])
 _KEPT = ("before", "1")
 
@@ -58,17 +54,15 @@ def main(
         for how, seed in copies
     }
     perform(work / "jobs", learning, workers, lambda: None, label="practising")
-    trying = {
-        name: job
+    tried = {
+        (how, seed): trying(work / f"{how}-{seed}", f"{how}-{seed}", tasks, FIRST_TASK)
         for how, seed in copies
-        for kind in SIZES
-        for mm in TOLERANCES
-        for name, job in _jobs(work, how, seed, kind, mm, tasks).items()
     }
-    perform(work / "jobs", trying, workers, lambda: None, label="trying")
+    every = {name: job for cells in tried.values() for jobs in cells.values() for name, job in jobs.items()}
+    perform(work / "jobs", every, workers, lambda: None, label="trying")
     found = load_jobs(work / "jobs")
     pack(work / "jobs", results / RECORDS)
-    summary = summarise(found, work, copies, interactions=interactions, tasks=tasks)
+    summary = summarise(found, tried, interactions=interactions, tasks=tasks)
     write_atomically(results / "practice.json", as_text(summary))
     write_atomically(results / "practice.md", page(summary))
     say(f"wrote {results / 'practice.md'}")
@@ -107,45 +101,26 @@ def learn(domain: Path, folder: Path, how: str, seed: int, interactions: int) ->
     }
 
 
-def try_all(folder: Path, objects: int, mm: int, seeds: Sequence[int]) -> list[Any]:
-    """Try tasks drawn as the paper draws them, blindly and with replanning."""
-    bench = bench_of(folder)
-    tasks = [bench.draw(objects, seed, mm / 1000) for seed in seeds]
-    return to_json([try_task(bench.setting, task, blind=True, time_limit=TIME_LIMIT) for task in tasks])
-
-
 def summarise(
-    found: Mapping[str, Any], work: Path, copies: Sequence[tuple[str, str]], *, interactions: int, tasks: int
+    found: Mapping[str, Any], tried: Mapping[tuple[str, str], Jobs], *, interactions: int, tasks: int
 ) -> dict[str, Any]:
     """Gather shares of reached goals, and what practice was.
 
     Args:
         found: What the jobs found, by name.
-        work: The working folder.
-        copies: How each copy was treated, and its seed.
+        tried: The jobs that tried each copy, by how it was treated and its seed.
         interactions: Of practice.
         tasks: With one object, and with two.
     """
-    shares = {
-        how: {
-            f"{kind}, {mm} mm, {way}": [
-                figures.share(_trials(found, _jobs(work, how, seed, kind, mm, tasks)), way)
-                for other, seed in copies
-                if other == how
-            ]
-            for mm in TOLERANCES
-            for kind in SIZES
-            for way in ("blind", "replanned")
-        }
-        for how in HOW
-    }
     return {
         "command": "python -m tools.benchmarks.planning.practice",
         "versions": machine("numpy", "pybullet", "torch", "up-fast-downward"),
         "interactions": interactions,
         "tasks": tasks,
-        "practice": {f"{how} {seed}": found.get(f"learn-{how}-{seed}") for how, seed in copies},
-        "reached": shares,
+        "practice": {f"{how} {seed}": found.get(f"learn-{how}-{seed}") for how, seed in tried},
+        "reached": {
+            how: shares(found, [jobs for (one, _), jobs in tried.items() if one == how]) for how in HOW
+        },
     }
 
 
@@ -156,7 +131,7 @@ def page(summary: Mapping[str, Any]) -> str:
         summary: What `summarise` returned.
     """
     reached = summary["reached"]
-    rows = [[what, *(_spread(reached[how][what]) for how in HOW)] for what in reached[HOW[0]]]
+    rows = [[what, *(in_percent(reached[how][what]) for how in HOW)] for what in reached[HOW[0]]]
     told = [
         [name, *(str(entry[key]) for key in ("spent", "lessons", "replaced")), *_competence(entry)]
         for name, entry in summary["practice"].items()
@@ -175,30 +150,6 @@ def page(summary: Mapping[str, Any]) -> str:
         ),
     ]
     return "\n\n".join(sections) + "\n"
-
-
-def _jobs(work: Path, how: str, seed: str, kind: str, mm: int, tasks: int) -> dict[str, Job]:
-    return {
-        f"try-{how}-{seed}-{kind}-{mm}mm-{block.start}": partial(
-            try_all,
-            work / f"{how}-{seed}",
-            SIZES[kind],
-            mm,
-            [FIRST_TASK + number for number in block],
-        )
-        for block in blocks(tasks, BLOCK)
-    }
-
-
-def _trials(found: Mapping[str, Any], jobs: Mapping[str, Job]) -> list[Trial]:
-    return [trial for name in jobs for trial in from_json(found.get(name, []))]
-
-
-def _spread(shares: Sequence[float | None]) -> str:
-    known = [100 * share for share in shares if share is not None]
-    if not known:
-        return "-"
-    return f"{mean(known):.1f} %" + (f" ± {stdev(known):.1f}" if len(known) > 1 else "")
 
 
 def _competence(entry: Mapping[str, Any]) -> tuple[str, str]:

@@ -106,7 +106,7 @@ def kinds_of(grounding: Grounding) -> list[str] | None:
         return None
     found = set()
     for operator in rehearsed:
-        told = [kind_of(one, grounding.lift_height) for one in operator.rehearsals]
+        told = [kind_of(one, grounding.lift_height) for one in operator.rehearsals[: operator.trials]]
         found |= {kind for kind in KINDS if told.count(kind) >= LEAST_SHARE * len(told)}
     return [kind for kind in KINDS if kind in found]
 

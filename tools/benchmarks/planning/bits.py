@@ -1,0 +1,224 @@
+"""How many bits do the data carry? `python -m tools.benchmarks.planning.bits`, into docs/results/bits.*.
+
+For each seed there is one exploration. Symbols of every width are learned from it, and once more with the
+paper's choice of actions. All are tried on the same tasks, which nothing was chosen on. Goes on where it was
+interrupted.
+"""
+
+import math
+import os
+import shutil
+from collections.abc import Mapping, Sequence
+from functools import partial
+from pathlib import Path
+from statistics import mean, stdev
+from typing import Annotated, Any, NamedTuple
+
+import numpy as np
+import tyro
+
+from neurosym.commands.init import init
+from neurosym.console import say
+from neurosym.files import write_atomically
+from neurosym.grounding import Grounding
+from neurosym.markdown import markdown_table
+from neurosym.pddl.compiler import CELL
+from neurosym.stages.compiling import compile_stage
+from neurosym.stages.distilling import distill_stage
+from neurosym.stages.exploring import explore_stage
+from neurosym.stages.folder import DomainFolder
+from neurosym.stages.layout import GROUNDING, MANIFEST, WORLD
+from neurosym.stages.training import train_stage
+from tools.benchmarks.jobs import as_text, load_jobs, machine, pack, perform, unpack
+from tools.benchmarks.planning.measures import REHEARSALS
+from tools.benchmarks.planning.trying import Jobs, in_percent, shares, trying
+
+RESULTS, WORK = Path("docs/results"), Path("evaluation/bits")
+RECORDS = "bits-records.zip"
+STRATEGY, REGIME = "disagreement", "default"
+FIRST_TASK = 300_000
+"""Seed of the first task, far from those of other evaluations."""
+
+
+class Learned(NamedTuple):
+    """One way to learn from an exploration.
+
+    Attributes:
+        object_bits: Of object symbols.
+        action_bits: Of action symbols.
+        choice: Which candidates stand for a symbol.
+    """
+
+    object_bits: int
+    action_bits: int
+    choice: str = "own"
+
+    @property
+    def name(self) -> str:
+        """How it is called in tables."""
+        return f"{self.object_bits}+{self.action_bits}" + (", the paper's choice" * (self.choice != "own"))
+
+    @property
+    def slug(self) -> str:
+        """How it is called in names of files."""
+        return f"{self.object_bits}+{self.action_bits}-{self.choice}"
+
+
+EVERY = (Learned(2, 3, "lowest-error"), *(Learned(2, bits) for bits in (3, 4, 5, 6)))
+
+
+def main(
+    seeds: Annotated[int, tyro.conf.arg(help="Seeds of everything.")] = 3,
+    steps: Annotated[int, tyro.conf.arg(help="Interactions of each exploration.")] = 10_000,
+    tasks: Annotated[int, tyro.conf.arg(help="Tasks with one object, and with two.")] = 30,
+    work: Annotated[Path, tyro.conf.arg(help="Folder for what was measured.")] = WORK,
+    results: Annotated[Path, tyro.conf.arg(help="Folder for the tables.")] = RESULTS,
+    workers: Annotated[int, tyro.conf.arg(help="Jobs at once.")] = os.cpu_count() or 1,
+) -> None:
+    """Explore, learn, try, and write what came of it; a width is reported as soon as it is done."""
+    (work / "jobs").mkdir(parents=True, exist_ok=True)
+    unpack(results / RECORDS, work / "jobs")
+    exploring = {f"explore-{seed}": partial(explore, work, seed, steps) for seed in range(1, seeds + 1)}
+    perform(work / "jobs", exploring, workers, lambda: None, label="exploring")
+    tried: dict[Learned, list[Jobs]] = {}
+    for how in EVERY:
+        folders = {seed: work / f"{how.slug}-{seed}" for seed in range(1, seeds + 1)}
+        learning = {
+            f"learn-{how.slug}-{seed}": partial(learn, work, folder, how, seed)
+            for seed, folder in folders.items()
+        }
+        perform(work / "jobs", learning, workers, lambda: None, label=how.name)
+        tried[how] = [
+            trying(folder, f"{how.slug}-{seed}", tasks, FIRST_TASK) for seed, folder in folders.items()
+        ]
+        every = {name: job for of_one in tried[how] for jobs in of_one.values() for name, job in jobs.items()}
+        perform(work / "jobs", every, workers, lambda: None, label=f"{how.name}, tasks")
+        pack(work / "jobs", results / RECORDS)
+        summary = summarise(load_jobs(work / "jobs"), tried, seeds=seeds, steps=steps, tasks=tasks)
+        write_atomically(results / "bits.json", as_text(summary))
+        write_atomically(results / "bits.md", page(summary))
+    say(f"wrote {results / 'bits.md'}")
+
+
+def explored(work: Path, seed: int) -> Path:
+    """Return the folder of an exploration."""
+    return work / f"explored-{seed}"
+
+
+def explore(work: Path, seed: int, steps: int) -> int:
+    """Explore; return how many interactions there are."""
+    folder = explored(work, seed)
+    if not (folder / WORLD).exists():
+        init(folder)
+    domain = DomainFolder(folder)
+    stage = explore_stage(domain, strategy=STRATEGY, steps=steps, seed=seed, regime=REGIME, workers=1)
+    domain.perform(stage, again=False)
+    return steps
+
+
+def learn(work: Path, folder: Path, how: Learned, seed: int) -> dict[str, Any]:
+    """Learn from an exploration; what was done is not done again.
+
+    Args:
+        work: The working folder.
+        folder: Where the domain lies.
+        how: How it is learned.
+        seed: Of everything.
+
+    Returns:
+        How many operators there are, and the spread of what they do.
+    """
+    if not (folder / MANIFEST).exists():
+        shutil.copytree(explored(work, seed), folder)
+    domain = DomainFolder(folder)
+    bits = {"object_bits": how.object_bits, "action_bits": how.action_bits}
+    for stage in (
+        train_stage(domain, seed=seed, regime=REGIME, **bits),
+        distill_stage(domain, objects=REHEARSALS, seed=seed, workers=1, choice=how.choice),
+        compile_stage(domain, cell=CELL),
+    ):
+        domain.perform(stage, again=False)
+    return described(Grounding.load(folder / GROUNDING))
+
+
+def described(grounding: Grounding) -> dict[str, Any]:
+    """Count the symbols and operators of a domain, and say how exactly these do what they do.
+
+    Args:
+        grounding: The learned domain.
+    """
+    promises = [operator.promise for operator in grounding.live if operator.promise]
+    spreads = [1000 * math.hypot(*promise.scatter) for promise in promises]
+    return {
+        "categories": len(grounding.operators.categories),
+        "primitives": len(grounding.operators.symbols),
+        "operators": len(grounding.live),
+        "spread_median_mm": float(np.median(spreads)) if spreads else None,
+        "spread_p90_mm": float(np.quantile(spreads, 0.9)) if spreads else None,
+    }
+
+
+def summarise(
+    found: Mapping[str, Any], tried: Mapping[Learned, Sequence[Jobs]], *, seeds: int, steps: int, tasks: int
+) -> dict[str, Any]:
+    """Gather what was learned, and the shares of reached goals.
+
+    Args:
+        found: What the jobs found, by name.
+        tried: The jobs that tried each domain, seed by seed.
+        seeds: How many seeds.
+        steps: Interactions of each exploration.
+        tasks: With one object, and with two.
+    """
+    return {
+        "command": "python -m tools.benchmarks.planning.bits",
+        "versions": machine("numpy", "pybullet", "torch", "up-fast-downward"),
+        "seeds": seeds,
+        "steps": steps,
+        "tasks": tasks,
+        "learned": {
+            how.name: [found.get(f"learn-{how.slug}-{seed}") for seed in range(1, seeds + 1)] for how in tried
+        },
+        "reached": {how.name: shares(found, jobs) for how, jobs in tried.items()},
+    }
+
+
+def page(summary: Mapping[str, Any]) -> str:
+    """Write the tables.
+
+    Args:
+        summary: What `summarise` returned.
+    """
+    learned, reached = summary["learned"], summary["reached"]
+    names = ("categories", "primitives", "operators", "spread_median_mm", "spread_p90_mm")
+    rows = [[how, *(_spread([one[name] for one in ones]) for name in names)] for how, ones in learned.items()]
+    what = list(next(iter(reached.values())))
+    sections = [
+        "# How many bits the data carry",
+        f"`{summary['command']}` wrote this page. {summary['seeds']} seeds; from {summary['steps']} "
+        "interactions of each, chosen by disagreement, symbols of several widths were learned (bits of "
+        "objects + bits of actions), and tried with Fast Downward on the same tasks, "
+        f"{summary['tasks']} of each size for each seed, drawn as the paper draws them. *The paper's choice* "
+        "has one action for a symbol in all categories, the one with the lowest error; the others have one "
+        "for each category. Means and standard deviations of the seeds.",
+        "## What was learned",
+        markdown_table(
+            ["bits", "categories", "action symbols", "operators", "median spread [mm]", "90 % [mm]"], rows
+        ),
+        "The spread of an operator is the length of the standard deviations of what it does to its category; "
+        "what it promises for the object at hand is nearer.",
+        "## Goals reached",
+        markdown_table(
+            ["tasks", *reached], [[of, *(in_percent(cells[of]) for cells in reached.values())] for of in what]
+        ),
+    ]
+    return "\n\n".join(sections) + "\n"
+
+
+def _spread(values: Sequence[float]) -> str:
+    return f"{mean(values):.1f}" + (f" ± {stdev(values):.1f}" if len(values) > 1 else "")
+
+
+if __name__ == "__main__":
+    os.environ.setdefault("OMP_NUM_THREADS", "1")  # for the jobs, of which there are several at once
+    tyro.cli(main)

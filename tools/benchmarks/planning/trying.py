@@ -1,0 +1,78 @@
+"""Domains that are tried on the same tasks, as the benchmarks of practice and of bits do."""
+
+from collections.abc import Mapping, Sequence
+from functools import partial
+from pathlib import Path
+from statistics import mean, stdev
+from typing import Any
+
+from tools.benchmarks.jobs import Job
+from tools.benchmarks.planning import figures
+from tools.benchmarks.planning.jobs import SIZES, blocks
+from tools.benchmarks.planning.measures import TIME_LIMIT, bench_of
+from tools.benchmarks.planning.trials import from_json, to_json, try_task
+
+TOLERANCES = (50, 20)
+"""How near objects must come to their goals [mm]."""
+WAYS = ("blind", "replanned")
+BLOCK = 10
+"""Tasks in one job."""
+
+Jobs = dict[tuple[str, int], dict[str, Job]]
+"""Jobs by how many objects there are, and tolerance [mm]."""
+
+
+def trying(folder: Path, name: str, tasks: int, first: int) -> Jobs:
+    """List the jobs that try tasks in a domain.
+
+    Args:
+        folder: The domain folder.
+        name: What the domain is called in the names of jobs.
+        tasks: How many tasks of each size.
+        first: Seed of the first; the others follow.
+    """
+    return {
+        (kind, mm): {
+            f"try-{name}-{kind}-{mm}mm-{block.start}": partial(
+                try_all, folder, objects, mm, [first + number for number in block]
+            )
+            for block in blocks(tasks, BLOCK)
+        }
+        for kind, objects in SIZES.items()
+        for mm in TOLERANCES
+    }
+
+
+def try_all(folder: Path, objects: int, mm: int, seeds: Sequence[int]) -> list[Any]:
+    """Try tasks drawn as the paper draws them, blindly and with replanning."""
+    bench = bench_of(folder)
+    tasks = [bench.draw(objects, seed, mm / 1000) for seed in seeds]
+    return to_json([try_task(bench.setting, task, blind=True, time_limit=TIME_LIMIT) for task in tasks])
+
+
+def shares(found: Mapping[str, Any], jobs: Sequence[Jobs]) -> dict[str, list[float | None]]:
+    """Gather which share of the goals was reached, for several domains each.
+
+    Args:
+        found: What the jobs found, by name.
+        jobs: Those of each domain.
+    """
+    return {
+        f"{kind}, {mm} mm, {way}": [
+            figures.share(
+                [trial for name in of_one[kind, mm] for trial in from_json(found.get(name, []))], way
+            )
+            for of_one in jobs
+        ]
+        for mm in TOLERANCES
+        for kind in SIZES
+        for way in WAYS
+    }
+
+
+def in_percent(values: Sequence[float | None]) -> str:
+    """Write mean and standard deviation of shares; those that are not known are left out."""
+    known = [100 * share for share in values if share is not None]
+    if not known:
+        return "-"
+    return f"{mean(known):.1f} %" + (f" ± {stdev(known):.1f}" if len(known) > 1 else "")
