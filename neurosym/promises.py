@@ -24,8 +24,8 @@ from neurosym.regression import Regression, fit
 LEAST_CHANCE = 0.25
 """Operators that keep their promise more rarely with such an object are not planned with.
 
-Whether it is kept is mostly the object's doing, so that trying again does not help; and such low chances are
-estimated too high: of promises said to be kept in 10 to 25 %, 8 % were kept (`docs/planning.md`).
+Whether it is kept is mostly the object's doing, so that trying again does not help. Such low chances are said
+too high, too: of promises said to be kept in 10 to 25 %, 9 % were (`docs/planning.md`, "The chance").
 """
 LEAST_REHEARSALS = 8
 """With fewer rehearsals that ended as promised, nothing is refined."""

@@ -26,10 +26,11 @@ from neurosym.world import Outcome, OutcomeKind
 
 REPEATS = 0.014
 """By how much the same primitive on the same object differs from time to time, RMS of an axis [m]."""
-KNOWN_BEFORE = 0.5
+KNOWN_BEFORE, KNOWN_IN_A_CROWD = 0.5, 2.0
 """As how many trials what was known before counts beside those that were seen.
 
-Whether an operator keeps its promise is mostly the object's doing: see `docs/planning.md`, "The chance".
+Whether an operator keeps its promise is mostly the object's doing, see `docs/planning.md`, "The chance"; but
+where others were in the way it may be theirs.
 """
 OFTEN = 2
 """How many failures in a row end all hope, and how often something is seen that is not forgotten."""
@@ -187,12 +188,14 @@ def _after(operator: Operator, outcomes: list[Outcome], tolerance: float) -> Ope
     if operator.promise is None:
         return operator
     mode, kept = _weighed_mode(operator.promise, outcomes, tolerance)
-    return _promising(operator, mode, _chance(operator, kept))
+    return _promising(operator, mode, _chance(operator, outcomes, kept))
 
 
-def _chance(operator: Operator, kept: list[bool]) -> float:
+def _chance(operator: Operator, outcomes: list[Outcome], kept: list[bool]) -> float:
     """Weigh how often a promise is kept against how often it was."""
-    return (KNOWN_BEFORE * operator.successes / operator.trials + sum(kept)) / (KNOWN_BEFORE + len(kept))
+    in_a_crowd = any(outcome.touched or outcome.disturbed for outcome in outcomes)
+    known = KNOWN_IN_A_CROWD if in_a_crowd else KNOWN_BEFORE
+    return (known * operator.successes / operator.trials + sum(kept)) / (known + len(kept))
 
 
 def _is_given_up(operator: Operator, outcomes: list[Outcome], tolerance: float) -> bool:
@@ -202,7 +205,7 @@ def _is_given_up(operator: Operator, outcomes: list[Outcome], tolerance: float) 
     _, kept = _weighed_mode(operator.promise, outcomes, tolerance)
     if any(kept[-OFTEN:]):
         return False
-    return len(kept) >= OFTEN or _chance(operator, kept) < LEAST_CHANCE
+    return len(kept) >= OFTEN or _chance(operator, outcomes, kept) < LEAST_CHANCE
 
 
 def _weighed_mode(promise: Mode, outcomes: list[Outcome], tolerance: float) -> tuple[Mode, list[bool]]:

@@ -15,12 +15,16 @@ from neurosym.world import Outcome, Scene
 LIFT, PUSH = PlanStep("lift-010-block", "item-01"), PlanStep("push-left-000-block", "item-01")
 
 
-def outcome(effect: tuple[float, float, float], *, held: bool = False) -> Outcome:
+def outcome(
+    effect: tuple[float, float, float], *, held: bool = False, touched: tuple[int, ...] = ()
+) -> Outcome:
     def scene(by: tuple[float, float, float]) -> Scene:
         return Scene(np.zeros((1, 4)), np.array([by]), np.array([[0.0, 0.0, 0.0, 1.0]]))
 
     down = (effect[0], effect[1], 0.0)
-    return Outcome(scene((0.0, 0.0, 0.0)), scene(effect), scene(down), 0, held, False, False, effect[2])
+    return Outcome(
+        scene((0.0, 0.0, 0.0)), scene(effect), scene(down), 0, held, False, False, effect[2], touched
+    )
 
 
 def with_chance(learned: Grounding, name: str, share: float) -> Grounding:
@@ -128,6 +132,17 @@ def test_what_was_unlikely_before_and_failed_once_is_given_up():
     experience.learn(LIFT, outcome((0.0, 0.0, 0.0)))
     for now in (experience, experience.hoping_again(problem())):
         assert "lift-010-block-of-item-01" in now.believed(problem())[1].left_out
+
+
+def test_a_failure_says_less_where_others_were_in_the_way():
+    chances = []
+    for touched in ((), (1,)):
+        experience = Experience(grounding())
+        experience.learn(LIFT, outcome((0.0, 0.0, 0.0), touched=touched))
+        own = experience.believed(problem())[1].operator_named("lift-010-block-of-item-01")
+        chances.append(own.successes / own.trials)
+    before = grounding().operator_named("lift-010-block")
+    assert chances[0] < 0.6 * chances[1] < 0.6 * before.successes / before.trials
 
 
 def test_what_was_seen_twice_is_not_forgotten():
