@@ -32,8 +32,8 @@ KNOWN_BEFORE, KNOWN_IN_A_CROWD = 0.5, 2.0
 Whether an operator keeps its promise is mostly the object's doing, see `docs/planning.md`, "The chance"; but
 where others were in the way it may be theirs.
 """
-OFTEN = 2
-"""How many failures in a row end all hope, and how often something is seen that is not forgotten."""
+GIVEN_UP = 2
+"""After how many failures in a row what did not come is not hoped for again."""
 _SUREST = 0.005  # no promise is surer than this [m]
 _OF = "-of-"
 
@@ -64,9 +64,9 @@ class Experience:
         return bool(self._seen)
 
     def hoping_again(self, problem: Problem) -> "Experience":
-        """Forget what was seen but once, unless it failed and would mostly do so again.
+        """Forget what was seen, but for what failed and would mostly do so again.
 
-        What is forgotten still counts once the same is seen again.
+        What is forgotten still counts where it is to be given up.
 
         Args:
             problem: The problem as it stands now.
@@ -76,8 +76,8 @@ class Experience:
             key: every[key]
             for item in (as_it_shows(lying, self.grounding) for lying in problem.objects)
             for operator in promised(self.grounding, item, problem.tolerance).values()
-            if (outcomes := _as_it_lies(item, every.get(key := (item.name, operator.label), [])))
-            and (len(outcomes) >= OFTEN or _is_given_up(operator, outcomes, problem.tolerance))
+            for key in [(item.name, operator.label)]
+            if _is_given_up(operator, _as_it_lies(item, every.get(key, [])), problem.tolerance)
         }
         return Experience(self.grounding, kept, {key: rows for key, rows in every.items() if key not in kept})
 
@@ -203,9 +203,9 @@ def _is_given_up(operator: Operator, outcomes: list[Outcome], tolerance: float) 
     if operator.promise is None or not outcomes:
         return False
     _, kept = _weighed_mode(operator.promise, outcomes, tolerance)
-    if any(kept[-OFTEN:]):
+    if any(kept[-GIVEN_UP:]):
         return False
-    return len(kept) >= OFTEN or _chance(operator, outcomes, kept) < LEAST_CHANCE
+    return len(kept) >= GIVEN_UP or _chance(operator, outcomes, kept) < LEAST_CHANCE
 
 
 def _weighed_mode(promise: Mode, outcomes: list[Outcome], tolerance: float) -> tuple[Mode, list[bool]]:

@@ -145,14 +145,6 @@ def test_a_failure_says_less_where_others_were_in_the_way():
     assert chances[0] < 0.6 * chances[1] < 0.6 * before.successes / before.trials
 
 
-def test_what_was_seen_twice_is_not_forgotten():
-    experience = Experience(grounding())
-    for _ in range(2):
-        experience.learn(PUSH, outcome((0.0, 0.05, 0.0)))
-    before = experience.believed(problem())
-    assert experience.hoping_again(problem()).believed(problem()) == before
-
-
 def test_what_was_forgotten_does_not_stand_against_what_has_not_failed_twice():
     experience = Experience(grounding())
     experience.learn(LIFT, outcome((0.0, 0.0, 0.0)))
