@@ -2,7 +2,7 @@
 
 `python -m tools.benchmarks.planning.chances domains/tabletop` performs every operator of a domain on fresh
 objects of its category, and once more on each object that it left upright, from where that lies then. It
-prints the two tables (15 minutes on 2 cores).
+prints the two tables.
 """
 
 from itertools import pairwise
