@@ -41,9 +41,10 @@ if TYPE_CHECKING:
     from neurosym.primitives.rehearsal import tabulate as tabulate
     from neurosym.problems import Problem as Problem
     from neurosym.problems import SceneObject as SceneObject
+    from neurosym.table import Place as Place
+    from neurosym.table import Table as Table
     from neurosym.world import Outcome as Outcome
     from neurosym.world import Scene as Scene
-    from neurosym.world import Table as Table
     from neurosym.world import World as World
     from neurosym.worlds.check import check_world as check_world
     from neurosym.worlds.problem_drawing import draw_problem as draw_problem
@@ -68,7 +69,8 @@ _PLACES = {
     "neurosym.primitives.distillation": ("distill",),
     "neurosym.primitives.rehearsal": ("Rehearsals", "rehearse", "tabulate"),
     "neurosym.problems": ("Problem", "SceneObject"),
-    "neurosym.world": ("Outcome", "Scene", "Table", "World"),
+    "neurosym.table": ("Place", "Table"),
+    "neurosym.world": ("Outcome", "Scene", "World"),
     "neurosym.worlds.check": ("check_world",),
     "neurosym.worlds.problem_drawing": ("draw_problem",),
 }

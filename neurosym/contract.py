@@ -2,7 +2,7 @@
 
 import math
 from collections.abc import Callable
-from typing import Any, TypeVar
+from typing import Any, TypeVar, get_args
 
 import numpy as np
 
@@ -10,14 +10,17 @@ from neurosym.actions import ActionBox, box_problem
 from neurosym.errors import InvalidWorld, NeurosymError
 from neurosym.factories import told
 from neurosym.problems import LEGAL_NAME
-from neurosym.world import Outcome, Scene, Table, World
+from neurosym.table import Reference, ReferenceKind, Table
+from neurosym.world import Disturbance, Outcome, Scene, World
 
 Result = TypeVar("Result")
 
 REQUIRED = tuple(name for name in vars(World) if not name.startswith("_"))
 """What a world must have."""
-ENDINGS = ("moved", "toppled", "lost")
+ENDINGS: tuple[str, ...] = get_args(Disturbance)
 """How a bystander may be disturbed."""
+KINDS_OF_REFERENCE: tuple[str, ...] = get_args(ReferenceKind)
+"""What a world may say that its actions can be relative to."""
 
 
 def attempt(
@@ -80,6 +83,10 @@ def _check_attributes(world: object, called: str) -> None:
         raise InvalidWorld(called, f"has a table of type {type(world.table).__name__}; valid: Table")
     if not (is_number(world.lift_height) and world.lift_height > 0):
         raise InvalidWorld(called, f"has lift_height = {world.lift_height!r}; valid: a length above 0 m")
+    references = getattr(world, "references", ())
+    if not isinstance(references, tuple) or any(kind not in KINDS_OF_REFERENCE for kind in references):
+        known = ", ".join(map(repr, KINDS_OF_REFERENCE))
+        raise InvalidWorld(called, f"has references = {references!r}; valid: a tuple of {known}, or none")
     for method in ("sample_scene", "interact"):
         if not callable(getattr(world, method)):
             raise InvalidWorld(called, f"has {method} = {getattr(world, method)!r}; valid: a method")
@@ -135,7 +142,14 @@ def check_drawn(world: World, scene: object, objects: int, name: str | None = No
             raise InvalidWorld(called, f"samples an object off its table, at {position.tolist()}")
 
 
-def check_outcome(world: World, scene: Scene, target: int, outcome: object, name: str | None = None) -> None:
+def check_outcome(
+    world: World,
+    scene: Scene,
+    target: int,
+    outcome: object,
+    name: str | None = None,
+    reference: Reference | None = None,
+) -> None:
     """Raise unless something is an outcome of an interaction.
 
     Args:
@@ -144,6 +158,7 @@ def check_outcome(world: World, scene: Scene, target: int, outcome: object, name
         target: The object that it was to act upon.
         outcome: What should be one.
         name: What messages call the world, if not by its own name.
+        reference: What the action was relative to besides the target.
 
     Raises:
         InvalidWorld: If it is none.
@@ -158,9 +173,13 @@ def check_outcome(world: World, scene: Scene, target: int, outcome: object, name
             raise InvalidWorld(name, f"changes the features of an object in outcome.{moment}")
     if not _is_index(outcome.target) or outcome.target != target:
         raise InvalidWorld(name, f"gives the target {outcome.target!r} when asked to act on object {target}")
-    for flag in ("held", "toppled", "lost"):
+    if outcome.reference != reference:
+        raise InvalidWorld(name, f"gives the reference {outcome.reference!r} when asked for {reference!r}")
+    for flag in ("held", "toppled", "lost", "carried"):
         if not isinstance(getattr(outcome, flag), bool | np.bool_):
             raise InvalidWorld(name, f"gives outcome.{flag} = {getattr(outcome, flag)!r}; valid: a bool")
+    if outcome.carried and reference is None:
+        raise InvalidWorld(name, "gives outcome.carried = True without a reference")
     if not is_number(outcome.peak_height):
         raise InvalidWorld(name, f"gives outcome.peak_height = {outcome.peak_height!r}; valid: metres")
     _check_bystanders(name, outcome, count)

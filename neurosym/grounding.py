@@ -32,8 +32,8 @@ from neurosym.operators import (
 )
 from neurosym.reading import read_json
 from neurosym.symbols import Symbol
+from neurosym.table import Table
 from neurosym.wording import quoted
-from neurosym.world import Table
 
 FORMATS = ("neurosym-grounding-1", "neurosym-grounding-2")
 """Versions of groundings that can be read; the second knows operators with parameters of their own."""

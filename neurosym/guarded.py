@@ -14,7 +14,8 @@ from jaxtyping import Float
 from neurosym.actions import ActionBox
 from neurosym.contract import attempt, check_attributes, check_drawn, check_outcome
 from neurosym.errors import InvalidValue, InvalidWorld, NeurosymError
-from neurosym.world import Frame, FrameSink, Outcome, Scene, Table, World, WorldFactory
+from neurosym.table import Reference, Table
+from neurosym.world import Frame, FrameSink, Outcome, Scene, World, WorldFactory, relative_to
 
 OPTIONAL = ("picture", "open_window")
 """Methods that a world may have besides."""
@@ -63,13 +64,15 @@ class Guarded:
         put_down: bool = True,
         on_frame: FrameSink | None = None,
         ghosts: Float[np.ndarray, "M 3"] | None = None,
+        reference: Reference | None = None,
     ) -> Outcome:
         """Perform an interaction; see `World.interact`."""
         before = _plain_scene(scene)
 
         def interact() -> Any:
+            aim = relative_to(self._world, reference)
             return self._world.interact(
-                scene, action, target, put_down=put_down, on_frame=sink, ghosts=ghosts
+                scene, action, target, put_down=put_down, on_frame=sink, ghosts=ghosts, **aim
             )
 
         def look(frame: Frame, phase: str) -> None:
@@ -82,7 +85,7 @@ class Guarded:
         if not _are_equal(scene, before):
             problem = "changes the scene that interact is given; it must return new ones"
             raise InvalidWorld(self._called, problem)
-        self._check(lambda: check_outcome(self, scene, target, outcome, self._called))
+        self._check(lambda: check_outcome(self, scene, target, outcome, self._called, reference))
         return _plain_outcome(outcome)
 
     def __getattr__(self, name: str) -> Any:
@@ -182,6 +185,8 @@ def _plain_outcome(outcome: Outcome) -> Outcome:
         else +outcome.peak_height,
         touched=tuple(int(number) for number in outcome.touched),
         disturbed=tuple((int(number), str(how)) for number, how in outcome.disturbed),  # type: ignore[misc]
+        reference=outcome.reference,
+        carried=bool(outcome.carried),
     )
 
 

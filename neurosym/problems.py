@@ -14,7 +14,8 @@ from neurosym.files import write_json
 from neurosym.operators import TOLERANCE, Length, Vector
 from neurosym.reading import read_json
 from neurosym.symbols import Symbol
-from neurosym.world import Scene, Table
+from neurosym.table import Table
+from neurosym.world import Scene
 
 LEGAL_NAME = re.compile(r"[a-z][a-z0-9-]*")
 """What PDDL, and every planner we know, takes as a name."""

@@ -8,7 +8,7 @@ executed by feeding each outcome's end into the next interaction.
 import math
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import Literal, Protocol, runtime_checkable
+from typing import Any, Literal, Protocol, runtime_checkable
 
 import numpy as np
 from jaxtyping import Float, UInt8
@@ -16,6 +16,7 @@ from jaxtyping import Float, UInt8
 from neurosym.actions import ActionBox
 from neurosym.checks import check_array, check_kind
 from neurosym.errors import InvalidValue
+from neurosym.table import Reference, ReferenceKind, Table, check_reference
 
 Disturbance = Literal["moved", "toppled", "lost"]
 OutcomeKind = Literal["resting", "held", "toppled", "lost"]
@@ -58,6 +59,8 @@ class Outcome:
         peak_height: Greatest height of the target's centre above its start on the way [m].
         touched: Indices of the bystanders that the robot itself touched.
         disturbed: Indices of the bystanders that ended elsewhere, each with how it ended.
+        reference: What the action was relative to besides the target, if anything.
+        carried: Whether the target hung from the hand until it was over the reference, and was set down.
     """
 
     start: Scene
@@ -70,6 +73,8 @@ class Outcome:
     peak_height: float
     touched: tuple[int, ...] = ()
     disturbed: tuple[tuple[int, Disturbance], ...] = ()
+    reference: Reference | None = None
+    carried: bool = False
 
     @property
     def kind(self) -> OutcomeKind:
@@ -91,6 +96,13 @@ class Outcome:
         return np.asarray(self.end.positions[self.target] - self.start.positions[self.target])
 
     @property
+    def offset(self) -> Float[np.ndarray, "3"] | None:
+        """Where the target ends relative to the reference [m]; None without one."""
+        if self.reference is None:
+            return None
+        return np.asarray(self.end.positions[self.target] - self.reference.centre)
+
+    @property
     def turn(self) -> float:
         """By what angle the target is turned in the end, about whatever axis [rad]."""
         before, after = self.start.orientations[self.target], self.end.orientations[self.target]
@@ -101,32 +113,6 @@ class Outcome:
     def displacements(self) -> Float[np.ndarray, "M 3"]:
         """Displacement of every object from the start to the end [m], bystanders included."""
         return np.asarray(self.end.positions - self.start.positions)
-
-
-@dataclass(frozen=True, slots=True)
-class Table:
-    """The part of the table that objects must stay on: `x` and `y` are (least, greatest) coordinates [m]."""
-
-    x: tuple[float, float]
-    y: tuple[float, float]
-
-    def __post_init__(self) -> None:
-        for name, side in (("x", self.x), ("y", self.y)):
-            is_pair = isinstance(side, tuple | list) and len(side) == 2
-            if not is_pair or not all(isinstance(edge, int | float | np.number) for edge in side):
-                raise InvalidValue(f"table.{name} = {side!r} must be two numbers [m], the smaller first.")
-            least, greatest = side
-            if not (math.isfinite(least) and math.isfinite(greatest)):
-                raise InvalidValue(f"table.{name} = [{least}, {greatest}] must be finite.")
-            if not least < greatest:
-                raise InvalidValue(
-                    f"table.{name} = [{least}, {greatest}] is empty; the first number must be smaller."
-                )
-
-    def contains(self, position: Float[np.ndarray, "3"]) -> bool:
-        """Say whether a centre lies over the table."""
-        x, y = float(position[0]), float(position[1])
-        return self.x[0] <= x <= self.x[1] and self.y[0] <= y <= self.y[1]
 
 
 @runtime_checkable
@@ -179,21 +165,28 @@ class World(Protocol):
         put_down: bool = True,
         on_frame: FrameSink | None = None,
         ghosts: Float[np.ndarray, "M 3"] | None = None,
+        reference: Reference | None = None,
     ) -> Outcome:
         """Perform one action on one object, from empty hand to empty hand.
 
+        A world that knows `references` may be given one, and others are never given any. The target is then
+        carried over the reference if it hangs from the hand after the second waypoint.
+
         Args:
             scene: The objects, at rest.
-            action: Action parameters, relative to the target's centre.
+            action: Action parameters, relative to the target's centre; the third waypoint is relative to
+                the reference if there is one.
             target: Index of the object acted upon.
             put_down: Whether to lower and release an object that is held after the rise; without it the
                 outcome ends in mid-air.
             on_frame: Called with pictures of the motion as it happens, if given.
             ghosts: Centres at which pictures show the objects once more, transparently, as at their
                 goals [m]; NaN for an object without one.
+            reference: What the action is relative to besides the target, if anything.
 
         Raises:
-            InvalidValue: If the action has another shape, is not finite, or the target does not exist.
+            InvalidValue: If the action has another shape, is not finite, the target does not exist, or the
+                reference lies off the table.
         """
         ...
 
@@ -216,7 +209,34 @@ class Pictured(Protocol):
         ...
 
 
-def check_action(world: World, scene: Scene, action: np.ndarray, target: int) -> None:
+def references_of(world: World) -> tuple[ReferenceKind, ...]:
+    """Return what actions of a world may be relative to besides their target; nothing if it does not say."""
+    return tuple(getattr(world, "references", ()))
+
+
+def relative_to(world: World, reference: Reference | None) -> dict[str, Any]:
+    """Return what `interact` is given besides; a world that knows no references is never given any.
+
+    Args:
+        world: The world.
+        reference: What the action is relative to besides its target, if anything.
+
+    Raises:
+        InvalidValue: If there is a reference, and the world does not take such.
+    """
+    if reference is None:
+        return {}
+    if "place" not in references_of(world):
+        raise InvalidValue(
+            f"The {world.name} world takes no place as a reference; valid: a world whose `references` "
+            "hold 'place'."
+        )
+    return {"reference": reference}
+
+
+def check_action(
+    world: World, scene: Scene, action: np.ndarray, target: int, reference: Reference | None = None
+) -> None:
     """Raise `InvalidValue` unless the action can be performed on that target.
 
     Args:
@@ -224,6 +244,7 @@ def check_action(world: World, scene: Scene, action: np.ndarray, target: int) ->
         scene: The scene it is performed in.
         action: The action parameters.
         target: Index of the target.
+        reference: What it is relative to besides, if anything.
     """
     check_kind("scene", scene, Scene, "a Scene")
     check_array("Scene.features", scene.features, (None, len(world.feature_names)))
@@ -244,3 +265,5 @@ def check_action(world: World, scene: Scene, action: np.ndarray, target: int) ->
         raise InvalidValue("The scene is empty; there is nothing to act upon.")
     if not 0 <= target < len(scene):
         raise InvalidValue(f"There is no object {target}; the scene has objects 0 to {len(scene) - 1}.")
+    if reference is not None:
+        check_reference(reference, world.table)

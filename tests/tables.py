@@ -6,7 +6,8 @@ from neurosym.pddl import compile_domain
 from neurosym.pddl.moves import cost
 from neurosym.pddl.plan_text import PlanStep
 from neurosym.problems import Problem, SceneObject
-from neurosym.world import OutcomeKind, Table
+from neurosym.table import Table
+from neurosym.world import OutcomeKind
 
 BOUNDS = Table(x=(0.3, 0.9), y=(-0.3, 0.3))
 

@@ -8,7 +8,8 @@ import numpy as np
 from neurosym.execution.record import Nudge
 from neurosym.operators import vector
 from neurosym.problems import Problem
-from neurosym.world import Scene, Table
+from neurosym.table import Table
+from neurosym.world import Scene
 
 LEAST, MOST = 0.03, 0.08
 """How far an object is nudged [m]."""

@@ -10,7 +10,7 @@ from neurosym.naming import counted_axes
 from neurosym.operators import OperatorTable
 from neurosym.pddl.determinisation import with_every_outcome
 from neurosym.problems import LEGAL_NAME
-from neurosym.world import Table
+from neurosym.table import Table
 
 CELL = 0.005
 """Edge of a grid cell unless the user says otherwise [m]."""

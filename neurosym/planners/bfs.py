@@ -26,8 +26,8 @@ from neurosym.planners.branching import Branching
 from neurosym.planners.effort import check_time, within
 from neurosym.planners.result import PlanResult, PlanStatus
 from neurosym.problems import Problem
+from neurosym.table import Table
 from neurosym.wording import counted
-from neurosym.world import Table
 
 DEPTH = 3
 """How many primitives a plan may have (section IV-D)."""

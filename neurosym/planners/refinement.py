@@ -38,7 +38,7 @@ from neurosym.planners.planner import CEILING, GRID, Option, PddlCall, PddlProgr
 from neurosym.planners.result import LONGEST_REASON, PlannerAnswer, PlanResult, PlanStatus
 from neurosym.planners.scratch import scratch_folder
 from neurosym.problems import Problem
-from neurosym.world import Table
+from neurosym.table import Table
 
 ATTEMPTS = 4
 """How often a problem is solved before its replay must be right; the later half on a finer grid."""

@@ -5,7 +5,7 @@ from dataclasses import dataclass, field
 from neurosym.errors import InvalidValue, UnknownChoice
 from neurosym.object_limits import ObjectLimits
 from neurosym.sim.shapes import FEATURE_NAMES, SHAPES, TYPES
-from neurosym.world import Table
+from neurosym.table import Table
 
 MOST_OBJECTS = 8
 """Objects that one scene can be simulated with; larger problems are symbolic only."""

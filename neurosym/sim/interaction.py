@@ -3,6 +3,10 @@
 The protocol: spawn, settle, record; hand clear of every object; for each of three waypoints set the gripper,
 then move there in a straight line; rise; record the effect and whether something is held; if so, lower it
 until it stands, let go, rise, settle; record the resting effect.
+
+With a reference, the third waypoint is relative to it. If the target hangs from the hand after the second and
+a short rise, it is lifted clear of everything, carried over the third, lowered there until it stands, and let
+go. If not, the hand rises where it is.
 """
 
 import math
@@ -17,6 +21,7 @@ from neurosym.sim.camera import Camera
 from neurosym.sim.landing import landing_shift
 from neurosym.sim.robot import LOWEST_TOOL_POINT, Robot
 from neurosym.sim.simulation import Simulation
+from neurosym.table import Reference
 from neurosym.world import Disturbance, FrameSink, Outcome, Scene
 
 CLEARANCE = 0.005
@@ -27,10 +32,14 @@ LOWERING_SPEED = 0.25
 """Greatest speed of a held object on its way down [m/s]."""
 TOPPLED_COSINE = math.cos(math.radians(30))
 """An object has toppled when its up axis has turned by more than 30 degrees."""
-PARKING_CLEARANCE = 0.25
-"""How far above the tallest object the hand waits while a scene settles [m]."""
+PARKING_CLEARANCE, LEAST_PARKING_CLEARANCE = 0.25, 0.05
+"""How far above the tallest object there can be the hand waits at first; and at least above any stack [m]."""
 LEAST_DISTURBANCE = 0.005
 """A bystander that ends further away than this has been moved [m]."""
+GRASP_TEST = 0.03
+"""How far the hand rises to find whether the target hangs from it, before it carries it away [m]."""
+TRANSIT_CLEARANCE = 0.02
+"""What is carried passes at least this far above everything else [m]."""
 _WATCH_EVERY, _TOUCH_EVERY = 8, 4
 
 
@@ -64,12 +73,15 @@ class Interaction:
         self._camera = camera
         simulation.after_step = self._watch
 
-    def perform(self, action: Float[np.ndarray, "A"], put_down: bool) -> Outcome:
+    def perform(
+        self, action: Float[np.ndarray, "A"], put_down: bool, reference: Reference | None = None
+    ) -> Outcome:
         """Run the protocol with these action parameters.
 
         Args:
             action: Three waypoints (x, y, z, g), relative to the target's centre.
             put_down: Whether to put down an object that is held after the rise.
+            reference: What the third waypoint is relative to instead, if anything.
         """
         waypoints = action.reshape(3, 4)
         self._park_robot()
@@ -78,12 +90,14 @@ class Interaction:
         centre = start.positions[self._target]
         self._peak = float(centre[2])
         if self._camera:
-            self._camera.mark(centre + waypoints[:, :3])
+            origins = np.array([centre, centre, centre if reference is None else reference.centre])
+            self._camera.mark(origins + waypoints[:, :3])
         self._approach(centre + waypoints[0, :3], bool(waypoints[0, 3] >= 0.5))
-        for number, waypoint in enumerate(waypoints, 1):
+        for number, waypoint in enumerate(waypoints if reference is None else waypoints[:2], 1):
             self._phase = f"waypoint {number}"
             self._set_gripper(bool(waypoint[3] >= 0.5))
             self._robot.move_to(centre + waypoint[:3])
+        carried = reference is not None and self._carry(reference.centre + waypoints[2, :3])
         self._phase = "rise"
         self._rise()
         self._simulation.settle()
@@ -92,8 +106,9 @@ class Interaction:
         held = self._target in hanging
         lowers = bool(hanging) and (put_down or not held)
         if lowers:
-            self._phase = "put down"
-            self._put_down(hanging)
+            self._set_down(hanging)
+            self._rise()
+            self._simulation.settle()
         end = self._simulation.observe() if lowers else lifted
         return Outcome(
             start=start,
@@ -106,6 +121,8 @@ class Interaction:
             peak_height=self._peak - float(centre[2]),
             touched=tuple(sorted(self._touched)),
             disturbed=tuple(self._disturbed(start, end)),
+            reference=reference,
+            carried=carried and not held,
         )
 
     def _watch(self) -> None:
@@ -126,7 +143,9 @@ class Interaction:
     def _park_robot(self) -> None:
         """Put the hand high above the table's middle, out of every object's way."""
         c = self._simulation.config
-        point = np.array([sum(c.table_x) / 2, sum(c.table_y) / 2, c.height[1] + PARKING_CLEARANCE])
+        tops = (high for _, high in self._heights())
+        height = max(c.height[1] + PARKING_CLEARANCE, max(tops) + LEAST_PARKING_CLEARANCE)
+        point = np.array([sum(c.table_x) / 2, sum(c.table_y) / 2, height])
         self._robot.place_at(point, self._arm.half_opening)
 
     def _approach(self, point: Float[np.ndarray, "3"], is_open: bool) -> None:
@@ -177,11 +196,51 @@ class Interaction:
         carried = _connected(self._robot.body, touching)
         return [index for index, body in enumerate(bodies) if body in carried - standing]
 
-    def _put_down(self, hanging: Sequence[int]) -> None:
-        """Lower what hangs until it stands, such that it comes to lie under where it hangs; let go, withdraw.
+    def _carry(self, point: Float[np.ndarray, "3"]) -> bool:
+        """Carry the target over a point and set it down there; return whether it hung so far.
+
+        Args:
+            point: Where the tool point goes, at whatever height [m].
+        """
+        if not self._simulation.touched_by(self._robot.body):
+            return False
+        self._phase = "carry"
+        self._robot.move_to(self._robot.tool_point() + np.array([0.0, 0.0, GRASP_TEST]))
+        hanging = self._hanging()
+        if self._target not in hanging:
+            return False
+        x, y, z = self._robot.tool_point()
+        height = z + self._missing_height(hanging)
+        arrived = self._robot.move_to(np.array([x, y, height])) and self._robot.move_to(
+            np.array([point[0], point[1], height])
+        )
+        hanging = self._hanging()
+        if not arrived or self._target not in hanging:
+            return False
+        self._set_down(hanging)
+        return True
+
+    def _missing_height(self, hanging: Sequence[int]) -> float:
+        """Return how much higher what hangs must be to pass over all the rest [m]."""
+        heights = self._heights()
+        bottom = min(heights[index][0] for index in hanging)
+        tops = (high for index, (_, high) in enumerate(heights) if index not in hanging)
+        return max(0.0, max(tops, default=0.0) + TRANSIT_CLEARANCE - bottom)
+
+    def _heights(self) -> list[tuple[float, float]]:
+        """Return from which height to which each object reaches [m]."""
+        boxes = (
+            pybullet.getAABB(body, physicsClientId=self._simulation.client)
+            for body in self._simulation.bodies
+        )
+        return [(low[2], high[2]) for low, high in boxes]
+
+    def _set_down(self, hanging: Sequence[int]) -> None:
+        """Lower what hangs until it stands, such that it comes to lie under where it hangs, and let go.
 
         A tilted object shifts when it falls flat; on its way down the hand moves by as much the other way.
         """
+        self._phase = "put down"
         heeded = self._target if self._target in hanging else hanging[0]
         tilt = _rotation(self._simulation.observe().orientations[heeded])
         shift_x, shift_y = landing_shift(self._simulation.features[heeded], tilt)
@@ -193,8 +252,6 @@ class Interaction:
         )
         for opening in RELEASE_OPENINGS:
             self._robot.open(self._robot.half_opening() + opening)
-        self._rise()
-        self._simulation.settle()
 
     def _has_landed(self, hanging: Sequence[int]) -> bool:
         simulation = self._simulation

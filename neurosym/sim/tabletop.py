@@ -2,6 +2,7 @@
 
 from collections.abc import Container
 from dataclasses import dataclass, field, replace
+from typing import ClassVar
 
 import numpy as np
 from jaxtyping import Float
@@ -19,7 +20,8 @@ from neurosym.sim.shapes import FEATURE_NAMES
 from neurosym.sim.simulation import Simulation
 from neurosym.sim.ur10 import UR10
 from neurosym.sim.window import open_window
-from neurosym.world import Frame, FrameSink, Outcome, Scene, Table, check_action
+from neurosym.table import Reference, ReferenceKind, Table
+from neurosym.world import Frame, FrameSink, Outcome, Scene, check_action
 
 WINDOW_EVERY = 4
 """Steps of the simulation between two looks at the clock, when it is shown live."""
@@ -36,6 +38,7 @@ class Tabletop:
         name: Its name.
         feature_names: What its objects' features are.
         arm: The arm that acts in it.
+        references: What actions may be relative to besides their target.
         wanted_pictures: Numbers of an interaction's pictures to draw, of one for each step of the
             simulation; if None, all are drawn that `config.frame_every` asks for (see `Sparing`).
     """
@@ -44,6 +47,7 @@ class Tabletop:
     name: str = "tabletop"
     feature_names: tuple[str, ...] = FEATURE_NAMES
     arm: Arm = UR10
+    references: ClassVar[tuple[ReferenceKind, ...]] = ("place",)
     wanted_pictures: Container[int] | None = field(default=None, init=False)
     _client: int | None = field(default=None, init=False)
 
@@ -91,10 +95,11 @@ class Tabletop:
         put_down: bool = True,
         on_frame: FrameSink | None = None,
         ghosts: Float[np.ndarray, "M 3"] | None = None,
+        reference: Reference | None = None,
     ) -> Outcome:
         """Perform one action on one object, from empty hand to empty hand (see `World.interact`)."""
         check_scene(scene)
-        check_action(self, scene, action, target)
+        check_action(self, scene, action, target, reference)
         if len(scene) > MOST_OBJECTS:
             raise InvalidValue(
                 f"The scene has {len(scene)} objects; the simulator takes at most {MOST_OBJECTS}, "
@@ -105,7 +110,7 @@ class Tabletop:
         try:
             camera = Camera(simulation, ghosts, self.wanted_pictures) if on_frame else None
             interaction = Interaction(simulation, self.arm, target, on_frame, camera)
-            return interaction.perform(np.asarray(action, dtype=float), put_down)
+            return interaction.perform(np.asarray(action, dtype=float), put_down, reference)
         except pybullet.error as error:
             if pybullet.isConnected(self.client()):
                 raise

@@ -6,7 +6,8 @@ import numpy as np
 
 from neurosym.contract import attempt, check_attributes, check_drawn, check_outcome
 from neurosym.errors import InvalidWorld
-from neurosym.world import Outcome, Scene, World
+from neurosym.table import Place
+from neurosym.world import Outcome, Scene, World, references_of, relative_to
 from neurosym.worlds.mirrors import broken_mirror
 
 
@@ -14,6 +15,7 @@ def check_world(world: World) -> None:
     """Raise unless an object keeps what the protocol `World` promises; for tests of worlds of your own.
 
     Samples a scene and performs an interaction, another one, and the first again: a world has no memory.
+    If the world takes places as references, the other one has the middle of the table as its reference.
     Then, if the action box has mirrors, performs 20 interactions and their images in each mirror.
 
     Args:
@@ -49,14 +51,18 @@ def _check_interactions(world: World, scene: Scene) -> None:
     def interact() -> Any:
         return world.interact(scene, action, 0)
 
+    place = Place(*(sum(side) / 2 for side in (world.table.x, world.table.y)))
+    reference = place if "place" in references_of(world) else None
+
     def interrupt() -> Any:
-        return world.interact(scene, other, 0, put_down=False, on_frame=None, ghosts=None)
+        aim = relative_to(world, reference)
+        return world.interact(scene, other, 0, put_down=False, on_frame=None, ghosts=None, **aim)
 
     first, between, second = attempt(world.name, "interact", lambda: (interact(), interrupt(), interact()))
     if _bytes_of(scene) != before:
         raise InvalidWorld(world.name, "changes the scene that interact is given; it must return new ones")
-    for outcome in (first, between, second):
-        check_outcome(world, scene, 0, outcome)
+    for outcome, aim in ((first, None), (between, reference), (second, None)):
+        check_outcome(world, scene, 0, outcome, reference=aim)
     if _outcome_bytes(first) != _outcome_bytes(second):
         raise InvalidWorld(
             world.name, "has a memory: the same interaction came out differently the second time"

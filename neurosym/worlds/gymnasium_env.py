@@ -13,14 +13,16 @@ import numpy as np
 from gymnasium import spaces
 from gymnasium.error import ResetNeeded
 
+from neurosym.checks import check_kind
 from neurosym.errors import InvalidValue, UnknownChoice
 from neurosym.guarded import guarded, made
-from neurosym.world import Frame, Outcome, Pictured, Scene, World
+from neurosym.table import Place, Reference
+from neurosym.world import Frame, Outcome, Pictured, Scene, World, relative_to
 from neurosym.worlds.world_file import make_world
 
 Observation = dict[str, Any]
 RENDER_MODES = ("rgb_array",)
-RESET_OPTIONS = ("scene", "target")
+RESET_OPTIONS = ("reference", "scene", "target")
 MOST_STEPS = 50
 """Steps of an episode in the registered environments."""
 
@@ -70,6 +72,7 @@ class WorldEnv(gymnasium.Env[Observation, np.ndarray]):
         )
         self._scene: Scene | None = None
         self._target = 0
+        self._reference: Reference | None = None
         self._frame: Frame | None = None
 
     def reset(
@@ -79,15 +82,16 @@ class WorldEnv(gymnasium.Env[Observation, np.ndarray]):
 
         Args:
             seed: Where all draws of this environment start from now on, if given.
-            options: `target`, the index of the object acted upon (0 if not given), and `scene`, a `Scene` to
-                begin with.
+            options: `target`, the index of the object acted upon (0 if not given), `scene`, a `Scene` to
+                begin with, and `reference`, a `Place` that actions are relative to besides their target.
 
         Raises:
             UnknownChoice: If there is no such option.
-            InvalidValue: If the scene has another number of objects, or the target does not exist.
+            InvalidValue: If the scene has another number of objects, the target does not exist, or the
+                reference is no `Place`.
         """
         super().reset(seed=seed)
-        chosen = {"target": 0, "scene": None, **(options or {})}
+        chosen = {"target": 0, "scene": None, "reference": None, **(options or {})}
         for name in chosen:
             if name not in RESET_OPTIONS:
                 raise UnknownChoice("reset option", name, RESET_OPTIONS)
@@ -101,7 +105,9 @@ class WorldEnv(gymnasium.Env[Observation, np.ndarray]):
             raise InvalidValue(f"The scene has {len(scene)} objects; this environment takes {self.objects}.")
         if target not in range(self.objects):
             raise InvalidValue(f"target = {target} must be one of the objects 0 to {self.objects - 1}.")
+        check_kind("reference", chosen["reference"], Place | None, "a Place")
         self._scene, self._target, self._frame = scene, int(target), None
+        self._reference = chosen["reference"]
         return _observation(scene), {"target": self._target}
 
     def step(self, action: np.ndarray) -> tuple[Observation, float, bool, bool, dict[str, Any]]:
@@ -113,11 +119,12 @@ class WorldEnv(gymnasium.Env[Observation, np.ndarray]):
         Returns:
             The observation, the reward [m], whether the target is lost, False, and what else is known:
             `target`, `effect` and `resting_effect` [m], `kind`, `touched` (bystanders that the robot touched)
-            and `peak_height` [m].
+            and `peak_height` [m]; with a reference also `carried` and `offset`, where the target ends
+            relative to it [m].
         """
-        outcome = self.world.interact(
-            self._present(), np.asarray(action, dtype=np.float64), self._target, on_frame=self._sink()
-        )
+        action = np.asarray(action, dtype=np.float64)
+        aim = relative_to(self.world, self._reference)
+        outcome = self.world.interact(self._present(), action, self._target, on_frame=self._sink(), **aim)
         self._scene = outcome.end
         reward = float(np.linalg.norm(outcome.effect))
         return _observation(outcome.end), reward, bool(outcome.lost), False, _info(outcome)
@@ -158,6 +165,7 @@ def _observation(scene: Scene) -> Observation:
 
 
 def _info(outcome: Outcome) -> dict[str, Any]:
+    carried = {} if outcome.reference is None else {"carried": outcome.carried, "offset": outcome.offset}
     return {
         "target": outcome.target,
         "effect": np.array(outcome.effect, dtype=np.float64),
@@ -166,6 +174,7 @@ def _info(outcome: Outcome) -> dict[str, Any]:
         "touched": tuple(outcome.touched),
         "disturbed": dict(outcome.disturbed),
         "peak_height": float(outcome.peak_height),
+        **carried,
     }
 
 

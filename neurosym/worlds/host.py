@@ -16,7 +16,8 @@ from neurosym.contract import is_number
 from neurosym.errors import InvalidWorld, NeurosymError
 from neurosym.factories import admit, told
 from neurosym.guarded import OPTIONAL, Guarded
-from neurosym.world import Frame, Outcome, Scene
+from neurosym.table import Reference
+from neurosym.world import Frame, Outcome, Scene, references_of
 from neurosym.worlds.children import GRACE, end_with_parent, leave_signals_to_parent, say_up
 from neurosym.worlds.custom import make_own_world
 
@@ -78,6 +79,7 @@ def make(name: str, options: dict[str, Any], folder: Path) -> dict[str, Any]:
         "action_box": world.action_box,
         "table": world.table,
         "lift_height": world.lift_height,
+        "references": references_of(world),
         "patience": float(patience),
         "optional": tuple(method for method in OPTIONAL if hasattr(world, method)),
         "is_sparing": hasattr(world, "wanted_pictures"),
@@ -90,11 +92,19 @@ def sample_scene(rng: np.random.Generator, objects: int) -> tuple[Scene, Any]:
 
 
 def interact(
-    scene: Scene, action: np.ndarray, target: int, put_down: bool, is_filmed: bool, ghosts: np.ndarray | None
+    scene: Scene,
+    action: np.ndarray,
+    target: int,
+    put_down: bool,
+    is_filmed: bool,
+    ghosts: np.ndarray | None,
+    reference: Reference | None,
 ) -> Outcome:
     """Perform an interaction, and send its pictures on the way if it is filmed."""
     sink = _send_frame if is_filmed else None
-    return _world.interact(scene, action, target, put_down=put_down, on_frame=sink, ghosts=ghosts)
+    return _world.interact(
+        scene, action, target, put_down=put_down, on_frame=sink, ghosts=ghosts, reference=reference
+    )
 
 
 def _send_frame(frame: Frame, phase: str) -> None:

@@ -14,6 +14,7 @@ import numpy as np
 from jaxtyping import Float
 
 from neurosym.factories import search_here
+from neurosym.table import Reference, ReferenceKind
 from neurosym.world import Frame, FrameSink, Outcome, Scene, World
 from neurosym.worlds import host
 from neurosym.worlds.apart import Process
@@ -35,6 +36,7 @@ class Hosted:
         self.feature_names: tuple[str, ...] = about["feature_names"]
         self.action_box, self.table = about["action_box"], about["table"]
         self.lift_height: float = about["lift_height"]
+        self.references: tuple[ReferenceKind, ...] = about["references"]
         process.patience = about["patience"]
         if "picture" in about["optional"]:
             self.picture = self._picture
@@ -57,9 +59,10 @@ class Hosted:
         put_down: bool = True,
         on_frame: FrameSink | None = None,
         ghosts: Float[np.ndarray, "M 3"] | None = None,
+        reference: Reference | None = None,
     ) -> Outcome:
         """Perform an interaction; see `World.interact`."""
-        arguments = scene, action, target, put_down, on_frame is not None, ghosts
+        arguments = scene, action, target, put_down, on_frame is not None, ghosts, reference
         outcome: Outcome = self.process.call("interact", host.interact, *arguments, on_frame=on_frame)
         return outcome
 

@@ -11,6 +11,10 @@ What an action does is decided by the first rule that fits:
    forward (+x), pull (-x), left (+y) or right (-y).
 3. **Nothing** happens otherwise.
 
+With a reference there is no third waypoint of the kind above, and one rule: if the hand is open at waypoint 1
+and closed at waypoint 2, and the object can be grasped, it is carried. It stands where waypoint 3 relative to
+the reference brings it, as far from there as it was from waypoint 2. Otherwise nothing happens.
+
 An object whose centre leaves the table is lost. Nothing topples, and objects pass through one another. So
 four kinds of object can be told apart by what happens to them (can it be grasped, can it be pushed), which is
 two bits, and six kinds of action (lift, four pushes, nothing), which is three.
@@ -25,8 +29,9 @@ from PIL import Image, ImageDraw
 from neurosym.actions import three_waypoints
 from neurosym.errors import InvalidValue
 from neurosym.object_limits import ObjectLimits
+from neurosym.table import Reference, ReferenceKind, Table
 from neurosym.waypoint_dots import draw_dots
-from neurosym.world import Frame, FrameSink, Outcome, Scene, Table, check_action
+from neurosym.world import Frame, FrameSink, Outcome, Scene, check_action
 
 FEATURE_NAMES = ("s_x", "s_y", "d", "t")
 OPEN = 0.5
@@ -89,6 +94,7 @@ class ToyWorld:
 
     name = "toy"
     feature_names = FEATURE_NAMES
+    references: tuple[ReferenceKind, ...] = ("place",)
 
     def __init__(self, config: ToyConfig):
         self.config = config
@@ -156,6 +162,7 @@ class ToyWorld:
         put_down: bool = True,
         on_frame: FrameSink | None = None,
         ghosts: Float[np.ndarray, "M 3"] | None = None,
+        reference: Reference | None = None,
     ) -> Outcome:
         """Perform one action on one object by the rules at the head of this file.
 
@@ -166,18 +173,28 @@ class ToyWorld:
             put_down: Whether to put down an object that is held.
             on_frame: Called with pictures from above, if given.
             ghosts: Centres at which pictures show the objects once more, in outline [m].
+            reference: Where the object is carried, if anywhere.
 
         Raises:
-            InvalidValue: If the action has another shape, is not finite, or the target does not exist.
+            InvalidValue: If the action has another shape, is not finite, the target does not exist, or the
+                reference lies off the table.
         """
-        check_action(self, scene, action, target)
+        check_action(self, scene, action, target, reference)
         waypoints = np.asarray(action).reshape(3, 4)
-        held = _is_lift(scene.features[target], waypoints)
-        shift = np.array([0.0, 0.0, self.lift_height]) if held else _push(scene.features[target], waypoints)
+        size, held, carried = scene.features[target], False, False
+        if reference is not None:
+            carried = _is_grasped(size, waypoints[:2])
+            shift = _carry(scene.positions[target], waypoints, reference) if carried else np.zeros(3)
+        elif held := _is_grasped(size, waypoints):
+            shift = np.array([0.0, 0.0, self.lift_height])
+        else:
+            shift = _push(size, waypoints)
         lifted = _moved(scene, target, shift)
         end = scene if held and put_down else lifted
         if on_frame is not None:
-            dots = self._pixels(scene.positions[target] + waypoints[:, :3])
+            centre = scene.positions[target]
+            origins = np.array([centre, centre, centre if reference is None else reference.centre])
+            dots = self._pixels(origins + waypoints[:, :3])
             for share in np.linspace(0, 1, FRAMES):
                 moved = self.picture(_moved(scene, target, share * shift), ghosts)
                 on_frame(draw_dots(moved, dots, DOT_RADIUS), "motion")
@@ -191,7 +208,9 @@ class ToyWorld:
             held=held,
             toppled=False,
             lost=lost,
-            peak_height=float(shift[2]),
+            peak_height=self.lift_height if carried else float(shift[2]),
+            reference=reference,
+            carried=carried,
         )
 
     def picture(self, scene: Scene, ghosts: Float[np.ndarray, "M 3"] | None = None) -> Frame:
@@ -236,9 +255,16 @@ class ToyWorld:
         return left, top, right, bottom
 
 
-def _is_lift(size: Float[np.ndarray, "F"], waypoints: Float[np.ndarray, "3 4"]) -> bool:
+def _is_grasped(size: Float[np.ndarray, "F"], waypoints: Float[np.ndarray, "N 4"]) -> bool:
     graspable = size[3] >= 0.5 or size[1] <= WIDEST_GRASP
-    return bool(graspable and waypoints[0, 3] >= OPEN and waypoints[2, 3] < OPEN)
+    return bool(graspable and waypoints[0, 3] >= OPEN and waypoints[-1, 3] < OPEN)
+
+
+def _carry(
+    centre: Float[np.ndarray, "3"], waypoints: Float[np.ndarray, "3 4"], reference: Reference
+) -> Float[np.ndarray, "3"]:
+    shift = reference.centre + waypoints[2, :3] - centre - waypoints[1, :3]
+    return np.asarray(shift * [1.0, 1.0, 0.0])
 
 
 def _push(size: Float[np.ndarray, "F"], waypoints: Float[np.ndarray, "3 4"]) -> Float[np.ndarray, "3"]:

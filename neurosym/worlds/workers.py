@@ -16,7 +16,8 @@ from numpy import ndarray
 
 from neurosym.errors import InvalidValue
 from neurosym.guarded import made
-from neurosym.world import Outcome, Scene, World, WorldFactory
+from neurosym.table import Reference
+from neurosym.world import Outcome, Scene, World, WorldFactory, relative_to
 from neurosym.worlds.hosted import OwnFactory, hosts
 from neurosym.worlds.pool import Submit, worker_pool
 
@@ -37,6 +38,7 @@ class Task:
     action: Float[ndarray, "A"]
     target: int = 0
     put_down: bool = True
+    reference: Reference | None = None
 
 
 Perform = Callable[[Iterable[Task]], Iterator[Outcome]]
@@ -144,4 +146,5 @@ def _perform_here(task: Task) -> Outcome:
 
 def perform_task(world: World, task: Task) -> Outcome:
     """Perform a task in this process."""
-    return world.interact(task.scene, task.action, task.target, put_down=task.put_down)
+    aim = relative_to(world, task.reference)
+    return world.interact(task.scene, task.action, task.target, put_down=task.put_down, **aim)

@@ -14,7 +14,7 @@ from neurosym.grounding import Grounding
 from neurosym.pddl.plan_text import PlanStep
 from neurosym.planners import PlanResult, PlanStatus, plan
 from neurosym.problems import Problem
-from neurosym.world import Table
+from neurosym.table import Table
 
 PUSH_LEFT = PlanStep("push-left-001-cube", "item-01")
 LIFT = PlanStep("lift-000-cube", "item-01")

@@ -22,7 +22,7 @@ from neurosym.pddl.problem import problem_text
 from neurosym.pddl.sas import sas_text
 from neurosym.pddl.validation import validate
 from neurosym.problems import Problem
-from neurosym.world import Table
+from neurosym.table import Table
 
 LIFT, DOWN = ("lift-010-block", "item-01"), ("put-down-lift-010-block", "item-01")
 AWAY, LEFT = ("push-away-001-block", "item-01"), ("push-left-000-block", "item-01")

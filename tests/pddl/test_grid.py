@@ -16,7 +16,7 @@ from neurosym.pddl.moves import PUT_DOWN, moves_of
 from neurosym.pddl.plan_text import PlanStep
 from neurosym.pddl.validation import validate
 from neurosym.problems import Problem
-from neurosym.world import Table
+from neurosym.table import Table
 
 BLOCK = item("item-01", 0.4512, 0.0133)
 

@@ -9,8 +9,8 @@ from neurosym.pddl.plan_text import PlanStep
 from neurosym.pddl.validation import validate
 from neurosym.planners import plan
 from neurosym.problems import Problem
+from neurosym.table import Table
 from neurosym.wording import in_millimetres
-from neurosym.world import Table
 
 
 def test_right_plan_is_valid_and_its_positions_are_exact():

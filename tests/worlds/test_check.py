@@ -17,6 +17,18 @@ def test_worlds_of_ours_are_worlds(name):
     check_world(make_world(name, {}))
 
 
+def test_worlds_without_references_are_never_given_any():
+    def interact(scene, action, target, *, put_down, on_frame, ghosts):
+        return make_toy().interact(scene, action, target, put_down=put_down, on_frame=on_frame, ghosts=ghosts)
+
+    def called(scene, action, target, **options):
+        return interact(
+            scene, action, target, **{"put_down": True, "on_frame": None, "ghosts": None} | options
+        )
+
+    check_world(Wrong(references=(), interact=called))
+
+
 class Wrong:
     """A toy world, one thing about it changed."""
 
@@ -83,6 +95,10 @@ def fail(*arguments, **options):
         ({"feature_names": ()}, "feature_names = .*one name or more"),
         ({"lift_height": 0.0}, "lift_height = 0.0; valid: a length above 0 m"),
         ({"table": ((0, 1), (0, 1))}, "table of type tuple; valid: Table"),
+        ({"references": ("moon",)}, "references = .*valid: a tuple of 'place', or none"),
+        ({"interact": outcome_with(reference=None)}, "gives the reference None when asked for Place"),
+        ({"interact": outcome_with(carried=True)}, "carried = True without a reference"),
+        ({"interact": outcome_with(carried=1)}, "outcome.carried = 1; valid: a bool"),
         ({"action_box": SimpleNamespace(low=0)}, "action_box of type SimpleNamespace"),
         ({"action_box": box(high=np.ones(3))}, r"low \(12,\), high \(3,\) and gripper \(12,\)"),
         ({"action_box": box(gripper=np.zeros(12))}, "gripper of float64; valid: bool"),

@@ -18,7 +18,8 @@ SLIDER = '''
 
 import numpy as np
 
-from neurosym.world import Outcome, Scene, Table
+from neurosym.table import Table
+from neurosym.world import (Outcome, Scene)
 from neurosym.actions import ActionBox
 
 class Slider:

@@ -10,6 +10,7 @@ import pytest
 from gymnasium.utils.env_checker import check_env
 
 from neurosym.errors import InvalidValue, InvalidWorld, UnknownChoice
+from neurosym.table import Place
 from neurosym.worlds.gymnasium_env import MOST_STEPS, WorldEnv
 from neurosym.worlds.toy import ToyWorld, make_world
 
@@ -76,6 +77,19 @@ def test_reward_is_how_far_the_target_was_moved_at_the_end_of_the_rise():
     observation, reward, *_ = env.step(PUSH)
     assert reward == pytest.approx(0.08)
     np.testing.assert_allclose(observation["positions"] - scene_of_pucks().positions, [[0] * 3, [0.08, 0, 0]])
+
+
+def test_actions_may_be_relative_to_a_place():
+    env = WorldEnv("toy", objects=1)
+    small = scene_of_pucks(1)
+    env.reset(options={"scene": small, "reference": Place(0.5, 0.2)})
+    action = np.array([0, 0, 0, 1.0, 0, 0, 0, 0.0, 0, 0, 0, 0.0])
+    observation, _, _, _, info = env.step(action)
+    assert info["carried"] is True
+    np.testing.assert_allclose(info["offset"], [0, 0, 0.02], atol=1e-12)
+    np.testing.assert_allclose(observation["positions"][0], [0.5, 0.2, 0.02])
+    env.reset(options={"scene": small})
+    assert "carried" not in env.step(action)[4]
 
 
 def test_episode_ends_when_the_target_is_lost():
@@ -155,7 +169,8 @@ def test_environments_run_side_by_side():
     [
         ({"target": 2}, "target = 2 must be one of the objects 0 to 1"),
         ({"target": -1}, "target = -1"),
-        ({"goal": 1}, "no reset option 'goal'; valid: scene, target"),
+        ({"goal": 1}, "no reset option 'goal'; valid: reference, scene, target"),
+        ({"reference": (0.5, 0.0)}, "reference .* a Place"),
         ({"scene": scene_of_pucks(3)}, "has 3 objects; this environment takes 2"),
     ],
 )

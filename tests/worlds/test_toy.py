@@ -6,7 +6,8 @@ import numpy as np
 import pytest
 
 from neurosym.errors import InvalidValue
-from neurosym.world import Scene, Table
+from neurosym.table import Place, Table
+from neurosym.world import Scene
 from neurosym.worlds.toy import ToyConfig, ToyWorld, make_world
 
 SMALL = (0.05, 0.05, 0.04, 0.0)
@@ -71,6 +72,31 @@ def test_an_object_pushed_over_the_edge_is_lost():
     push = action_of(last=(0.05, 0, 0, 1.0))
     assert make_world().interact(scene_of(SMALL, x=0.95), push, 0).lost
     assert not make_world().interact(scene_of(SMALL, x=0.7), push, 0).lost
+
+
+CARRY = action_of(middle=(0.01, 0, 0, 0.0), last=(0.02, -0.03, 0, 1.0))
+
+
+@pytest.mark.parametrize(("features", "carried"), [(SMALL, True), (HOLLOW, True), (WIDE, False)])
+def test_with_a_place_what_can_be_grasped_is_carried_there(features, carried):
+    scene = scene_of(features)
+    outcome = make_world().interact(scene, CARRY, 0, reference=Place(0.5, 0.2))
+    assert outcome.carried is carried
+    assert not outcome.held
+    end = [0.51, 0.17, features[2] / 2] if carried else scene.positions[0]
+    np.testing.assert_allclose(outcome.end.positions[0], end, atol=1e-12)
+
+
+def test_with_a_place_nothing_is_pushed_and_a_closed_hand_carries_nothing():
+    for action in (action_of(last=(0.03, 0, 0, 1.0)), action_of((0, 0, 0, 0.0), (0, 0, 0, 0.0))):
+        outcome = make_world().interact(scene_of(SMALL), action, 0, reference=Place(0.5, 0.2))
+        assert not outcome.carried
+        np.testing.assert_array_equal(outcome.resting_effect, 0)
+
+
+def test_a_place_off_the_table_is_refused():
+    with pytest.raises(InvalidValue, match="lies off the table"):
+        make_world().interact(scene_of(SMALL), CARRY, 0, reference=Place(0.0, 0.0))
 
 
 def test_only_the_target_moves():

@@ -9,7 +9,7 @@ from places import SHIPPED
 from neurosym.errors import InvalidValue
 from neurosym.pddl.validation import overlapping
 from neurosym.stages.folder import DomainFolder
-from neurosym.world import Table
+from neurosym.table import Table
 from tools.benchmarks.planning.anywhere import AWAY, draw_anywhere, draw_places
 from tools.benchmarks.planning.measures import Bench
 

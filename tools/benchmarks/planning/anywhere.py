@@ -8,7 +8,7 @@ from neurosym.evaluation.comparison_tasks import Bench
 from neurosym.operators import TOLERANCE, vector
 from neurosym.pddl.validation import overlapping
 from neurosym.problems import Problem, SceneObject
-from neurosym.world import Table
+from neurosym.table import Table
 from neurosym.worlds.problem_drawing import item_names
 
 AWAY = 0.15

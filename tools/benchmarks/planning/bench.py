@@ -26,7 +26,7 @@ from neurosym.planners import PlanStatus, fewest_steps, plan, plan_counting
 from neurosym.planners.bfs import plan_bfs
 from neurosym.planners.branching import branching_of
 from neurosym.problems import Problem, SceneObject
-from neurosym.world import Table
+from neurosym.table import Table
 from tools.benchmarks.places import SHIPPED
 from tools.benchmarks.world.evaluate import machine
 

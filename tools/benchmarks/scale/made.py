@@ -11,7 +11,7 @@ from neurosym.operators import Category, Mode, Operator, OperatorTable, Primitiv
 from neurosym.pddl import compile_domain
 from neurosym.problems import Problem, SceneObject
 from neurosym.symbols import all_symbols
-from neurosym.world import Table
+from neurosym.table import Table
 
 PITCH = 0.12
 """How far from one another the objects of a made problem stand [m]."""

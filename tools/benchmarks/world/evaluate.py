@@ -46,6 +46,8 @@ def parts(scale: float) -> dict[str, Part]:
         ),
         "object_matters": partial(measures.object_matters, some(200), 25, 103, WORKERS),
         "hand_written": partial(measures.hand_written, some(50), 104, WORKERS),
+        "carrying": partial(measures.carrying, some(50), 108, WORKERS),
+        "predictability_of_carrying": partial(measures.predictability_of_carrying, some(1000), 109, WORKERS),
         "two_objects": partial(measures.several_objects, some(300), 2, 105, WORKERS),
         "eight_objects": partial(measures.several_objects, some(300), 8, 106, WORKERS),
         "random": partial(ten_thousand, some(10_000)),

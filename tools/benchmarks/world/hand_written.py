@@ -94,6 +94,17 @@ def grasp(features: Features) -> Action | None:
     )
 
 
+def carry_to(features: Features) -> Action | None:
+    """Grasp an object and set it down at a place, under where the hand holds it; None if it affords no grasp.
+
+    For interactions with a place as reference: an object held by a wall is set down as far beside it.
+    """
+    y = _grip(features)
+    return (
+        None if y is None else _action((0.0, y, 0.0, _OPEN), (0.0, y, 0.0, _CLOSED), (0.0, y, 0.0, _CLOSED))
+    )
+
+
 def pick_and_place(features: Features) -> Action | None:
     """Carry an object through the air to another place; None if it does not afford that."""
     y = _grip(features)

@@ -1,7 +1,9 @@
 """What `evaluate.py` measures of the tabletop world, each from its own seed."""
 
+import math
 from collections import Counter
 from collections.abc import Callable, Sequence
+from dataclasses import replace
 from functools import partial
 from typing import Any
 
@@ -12,14 +14,17 @@ from neurosym.sim.config import TabletopConfig
 from neurosym.sim.scenes import sample_scene
 from neurosym.sim.shapes import OPEN_THROUGH, OPEN_TOP, SHAPES, SOLID
 from neurosym.sim.tabletop import Tabletop
+from neurosym.table import Place, Table
 from neurosym.world import Outcome
 from neurosym.worlds.workers import Perform, Task, crew, perform_all
-from tools.benchmarks.world.hand_written import HAND_WRITTEN, HandWritten
+from tools.benchmarks.world.hand_written import HAND_WRITTEN, HandWritten, carry_to
 
 NUDGE = 1e-4
 """Length of the vector by which an action is changed to see whether its effect survives [m]."""
 SPANNABLE = 0.128
 """Objects are spanned by the hand up to this s_y [m]: its opening of 0.14 m less some room."""
+MARGIN = 0.05
+"""How far inside the edge places lie that objects are carried to, lest their centres end beyond it [m]."""
 
 Results = dict[str, Any]
 Advance = Callable[[int, int], None]
@@ -191,6 +196,68 @@ def _success(perform: Perform, primitive: HandWritten, shape: str, objects: int,
         "afforded_by": round(objects / drawn, 3),
         "failures": dict(sorted(failures.items())),
     }
+
+
+def carrying(objects: int, seed: int, workers: int, advance: Advance) -> Results:
+    """Carry objects of each shape to places all over the table, by hand-written actions."""
+    table: Results = {}
+    with crew(factory(), workers) as perform:
+        for done, shape in enumerate(SHAPES, 1):
+            config, tasks, drawn = TabletopConfig(shapes={shape: 1.0}), list[Task](), 0
+            while len(tasks) < objects:
+                rng = np.random.default_rng([seed, drawn])
+                scene, place = sample_scene(config, rng, 1), random_place(rng, config.table, MARGIN)
+                drawn += 1
+                if (action := carry_to(scene.features[0])) is not None:
+                    tasks.append(Task(scene, action, reference=place))
+            outcomes = [*perform(tasks)]
+            table[shape] = {"afforded_by": round(objects / drawn, 3), **_carried(outcomes)}
+            advance(done, len(SHAPES))
+    return table
+
+
+def _carried(outcomes: Sequence[Outcome]) -> Results:
+    carried = [outcome for outcome in outcomes if outcome.carried and outcome.kind == "resting"]
+    offsets = [1000 * float(np.linalg.norm(o.offset[:2])) for o in carried if o.offset is not None]
+    return {
+        "objects": len(outcomes),
+        "success": len(carried) / len(outcomes),
+        "offset_mm": np.quantile(offsets, (0.5, 0.9)).round(1).tolist(),
+        "turn_degrees": round(math.degrees(np.quantile([outcome.turn for outcome in carried], 0.9)), 1),
+    }
+
+
+def predictability_of_carrying(count: int, seed: int, workers: int, advance: Advance) -> Results:
+    """Perform random actions with a place as reference, and once more with the action changed by 0.1 mm."""
+    world = Tabletop()
+    plain, nudged = (
+        random_tasks(count, seed, world=world),
+        random_tasks(count, seed, nudge=NUDGE, world=world),
+    )
+    places = [random_place(np.random.default_rng([seed, n, 1]), world.table) for n in range(count)]
+    tasks = [
+        replace(task, reference=place)
+        for run in (plain, nudged)
+        for task, place in zip(run, places, strict=True)
+    ]
+    outcomes = perform_watched(factory(), tasks, workers, advance)
+    carried = np.array([outcome.carried for outcome in outcomes]).reshape(2, count)
+    ends = np.array([outcome.end.positions[0] for outcome in outcomes]).reshape(2, count, 3)
+    apart = np.linalg.norm(ends[0] - ends[1], axis=1)
+    both = carried.all(0)
+    return {
+        "interactions": count,
+        "carried": float(carried.mean()),
+        "carried_in_one_of_two": int((carried[0] != carried[1]).sum()),
+        "ends_apart_by_over_10_mm": float(np.mean(apart > 0.01)),
+        "carried_ends_apart_mm": (1000 * np.quantile(apart[both], (0.5, 0.9))).round(2).tolist(),
+    }
+
+
+def random_place(rng: np.random.Generator, table: Table, margin: float = 0.0) -> Place:
+    """Draw a place on a table, at least so far inside its edge [m]."""
+    x, y = (float(rng.uniform(low + margin, high - margin)) for low, high in (table.x, table.y))
+    return Place(x, y)
 
 
 def several_objects(scenes: int, objects: int, seed: int, workers: int, advance: Advance) -> Results:

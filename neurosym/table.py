@@ -1,0 +1,84 @@
+"""The table, and the places on it that actions may be aimed at."""
+
+import math
+from dataclasses import dataclass
+from typing import Literal
+
+import numpy as np
+from jaxtyping import Float
+
+from neurosym.checks import check_kind
+from neurosym.errors import InvalidValue
+
+
+@dataclass(frozen=True, slots=True)
+class Table:
+    """The part of the table that objects must stay on: `x` and `y` are (least, greatest) coordinates [m]."""
+
+    x: tuple[float, float]
+    y: tuple[float, float]
+
+    def __post_init__(self) -> None:
+        for name, side in (("x", self.x), ("y", self.y)):
+            is_pair = isinstance(side, tuple | list) and len(side) == 2
+            if not is_pair or not all(isinstance(edge, int | float | np.number) for edge in side):
+                raise InvalidValue(f"table.{name} = {side!r} must be two numbers [m], the smaller first.")
+            least, greatest = side
+            if not (math.isfinite(least) and math.isfinite(greatest)):
+                raise InvalidValue(f"table.{name} = [{least}, {greatest}] must be finite.")
+            if not least < greatest:
+                raise InvalidValue(
+                    f"table.{name} = [{least}, {greatest}] is empty; the first number must be smaller."
+                )
+
+    def contains(self, position: Float[np.ndarray, "3"]) -> bool:
+        """Say whether a centre lies over the table."""
+        x, y = float(position[0]), float(position[1])
+        return self.x[0] <= x <= self.x[1] and self.y[0] <= y <= self.y[1]
+
+
+@dataclass(frozen=True, slots=True)
+class Place:
+    """A point on the table that an action may be aimed at besides its target; it has no size.
+
+    Attributes:
+        x: Where it lies away from the robot's base [m].
+        y: Where it lies to the robot's left [m].
+    """
+
+    x: float
+    y: float
+
+    def __post_init__(self) -> None:
+        for name in ("x", "y"):
+            value = getattr(self, name)
+            if isinstance(value, bool) or not isinstance(value, int | float | np.number):
+                raise InvalidValue(f"Place.{name} = {value!r} must be a number [m].")
+            if not math.isfinite(value):
+                raise InvalidValue(f"Place.{name} = {value} must be finite.")
+
+    @property
+    def centre(self) -> Float[np.ndarray, "3"]:
+        """The point in the world frame, at the height of the table [m]."""
+        return np.array([self.x, self.y, 0.0])
+
+
+Reference = Place
+"""What an action may be relative to besides its target."""
+ReferenceKind = Literal["place"]
+
+
+def check_reference(reference: Reference, table: Table) -> None:
+    """Raise `InvalidValue` unless an action can be relative to that.
+
+    Args:
+        reference: What it should be relative to besides its target.
+        table: Where objects may stand.
+    """
+    check_kind("reference", reference, Place, "a Place")
+    if not table.contains(reference.centre):
+        (left, right), (near, far) = table.y, table.x
+        raise InvalidValue(
+            f"The place ({reference.x:g}, {reference.y:g}) lies off the table; valid: x from {near:g} to "
+            f"{far:g} m and y from {left:g} to {right:g} m."
+        )

@@ -1,0 +1,117 @@
+"""Actions with a place as reference, in the robot's world: what they carry, where, and always the same."""
+
+import numpy as np
+import pytest
+
+from neurosym.errors import InvalidValue
+from neurosym.sim.tabletop import Tabletop
+from neurosym.table import Place
+from neurosym.world import Scene
+from neurosym.worlds.workers import Task, perform_all
+
+OPEN, CLOSED = 1.0, 0.0
+CARRY = np.array([0, 0, 0, OPEN, 0, 0, 0, CLOSED, 0, 0, 0, CLOSED])
+MISS = np.array([0, 0, 0.025, CLOSED, 0, 0, 0.025, CLOSED, 0, 0, 0, CLOSED])
+CORNERS = [Place(0.37, -0.28), Place(0.93, 0.28)]
+FAR = Place(0.85, 0.2)
+
+
+def boxes(*rows: tuple[float, float, float, float, float, float]) -> Scene:
+    """A scene of boxes, each given as s_x, s_y, d, t and where it stands."""
+    table = np.array(rows)
+    return Scene(
+        features=table[:, :4],
+        positions=np.column_stack([table[:, 4:], table[:, 2] / 2]),
+        orientations=np.tile([0.0, 0.0, 0.0, 1.0], (len(rows), 1)),
+    )
+
+
+BOX = (0.05, 0.05, 0.06, 0, 0.5, -0.1)
+WIDE = (0.17, 0.17, 0.06, 0, 0.5, -0.1)
+THERE = (0.05, 0.05, 0.06, 0, FAR.x, FAR.y)
+
+
+@pytest.mark.parametrize("place", CORNERS)
+def test_grasped_box_is_set_down_at_a_place_anywhere_on_the_table(place):
+    outcome = Tabletop().interact(boxes(BOX), CARRY, 0, reference=place)
+    assert outcome.carried
+    assert outcome.kind == "resting"
+    assert outcome.reference == place
+    np.testing.assert_allclose(outcome.offset, [0, 0, BOX[2] / 2], atol=0.004)
+    assert outcome.end is outcome.lifted
+
+
+def test_third_waypoint_is_relative_to_the_place():
+    action = CARRY + np.array([0] * 8 + [0.04, -0.03, 0, 0])
+    outcome = Tabletop().interact(boxes(BOX), action, 0, reference=FAR)
+    np.testing.assert_allclose(outcome.offset[:2], [0.04, -0.03], atol=0.004)
+
+
+@pytest.mark.parametrize(("scene", "action"), [(boxes(WIDE, THERE), CARRY), (boxes(BOX, THERE), MISS)])
+def test_what_does_not_hang_from_the_hand_stays_and_the_hand_does_not_go_there(scene, action):
+    outcome = Tabletop().interact(scene, action, 0, reference=FAR)
+    assert not outcome.carried
+    assert not outcome.held
+    assert not outcome.touched
+    assert np.linalg.norm(outcome.resting_effect) < 0.05
+
+
+def test_what_is_carried_passes_over_what_stands_in_the_way():
+    wall = (0.03, 0.18, 0.10, 0, 0.675, 0.05)
+    outcome = Tabletop().interact(boxes(BOX, wall), CARRY, 0, reference=FAR)
+    assert outcome.carried
+    assert not outcome.touched
+    assert not outcome.disturbed
+    assert outcome.peak_height > wall[2]
+
+
+def test_neighbours_of_the_place_stay_where_they_are():
+    beside = (0.05, 0.05, 0.06, 0, FAR.x, FAR.y - 0.09)
+    outcome = Tabletop().interact(boxes(BOX, beside), CARRY, 0, reference=FAR)
+    assert outcome.carried
+    assert not outcome.disturbed
+
+
+def test_hand_waits_above_a_tower():
+    tower = [(0.06, 0.06, 0.10, 0, 0.65, 0.0)] * 4
+    scene = boxes(*tower, BOX)
+    scene.positions[:4, 2] += 0.10 * np.arange(4)
+    outcome = Tabletop().interact(scene, CARRY, 4, reference=Place(0.5, 0.2))
+    assert outcome.carried
+    assert not outcome.disturbed
+
+
+def test_same_bytes_in_any_order_and_with_any_number_of_workers():
+    tasks = [
+        Task(Tabletop().sample_scene(np.random.default_rng(n), 1), CARRY, reference=FAR) for n in range(6)
+    ]
+    one, two = (
+        [outcome.end.positions.tobytes() for outcome in perform_all(Tabletop, tasks, workers)]
+        for workers in (1, 2)
+    )
+    reverse = [outcome.end.positions.tobytes() for outcome in perform_all(Tabletop, tasks[::-1], 1)]
+    assert one == two == reverse[::-1]
+
+
+def test_place_off_the_table_is_refused_in_one_sentence():
+    message = (
+        r"The place \(1.2, 0\) lies off the table; valid: x from 0.35 to 0.95 m and y from -0.3 to 0.3 m"
+    )
+    with pytest.raises(InvalidValue, match=message):
+        Tabletop().interact(boxes(BOX), CARRY, 0, reference=Place(1.2, 0.0))
+
+
+@pytest.mark.parametrize("values", [(np.nan, 0.0), (0.0, np.inf)])
+def test_impossible_place_is_refused(values):
+    with pytest.raises(InvalidValue, match=r"Place\.[xy] = .* must be finite"):
+        Place(*values)
+
+
+def test_carrying_can_be_filmed():
+    phases = []
+    filmed = Tabletop().interact(
+        boxes(BOX), CARRY, 0, reference=FAR, on_frame=lambda _, phase: phases.append(phase)
+    )
+    plain = Tabletop().interact(boxes(BOX), CARRY, 0, reference=FAR)
+    assert list(dict.fromkeys(phases))[-4:] == ["waypoint 2", "carry", "put down", "rise"]
+    assert filmed.end.positions.tobytes() == plain.end.positions.tobytes()
