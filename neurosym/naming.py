@@ -9,7 +9,7 @@ from collections.abc import Sequence
 import numpy as np
 from jaxtyping import Float
 
-from neurosym.operators import Mode
+from neurosym.operators import PROMISING, Mode
 from neurosym.symbols import Symbol
 
 CARRIED = 0.02
@@ -77,7 +77,7 @@ def name_operator(primitive: str, category_name: str, modes: Sequence[Mode]) -> 
         category_name: Name of the category.
         modes: The outcomes seen, most frequent first.
     """
-    promised = next((mode for mode in modes if mode.kind in ("resting", "held")), modes[0])
+    promised = next((mode for mode in modes if mode.kind in PROMISING), modes[0])
     return f"{verb(promised)}-{primitive}-{category_name}"
 
 
@@ -85,6 +85,8 @@ def verb(mode: Mode) -> str:
     """Say in a word or three what happened to the object: `act`, where effects are not along x, y and z."""
     if mode.kind == "held":
         return "lift"
+    if mode.kind in ("carried", "missed"):
+        return "carry-to" if mode.kind == "carried" else "miss"
     if mode.kind == "lost":
         return "throw-off"
     if mode.kind == "toppled":

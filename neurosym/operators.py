@@ -41,6 +41,8 @@ def vector(values: Float[np.ndarray, "3"]) -> Vector:
     return (x, y, z)
 
 
+PROMISING: tuple[OutcomeKind, ...] = ("resting", "held", "carried")
+"""How targets end that operators promise something of."""
 TOLERANCE = 0.05
 """How near an object must come to its goal, and an outcome to its promise [m] (section III-E)."""
 MIN_CHANCE = 0.1
@@ -179,7 +181,7 @@ class Operator(msgspec.Struct, frozen=True, forbid_unknown_fields=True, omit_def
         primitive: Symbol of the primitive.
         trials: How many rehearsals there were on objects as the world draws them, or rows of the data.
         modes: The outcomes seen in these, most frequent first.
-        promised: How it promises to end; None for the most frequent of ending at rest upright and held.
+        promised: How it promises to end; None for the most frequent of `PROMISING`.
         variant: Which of the parameters of its primitive it is performed with.
         rehearsals: How it turned out on each of the `objects` of its category, if that is kept: first in
             its trials, then on objects that were chosen since it was unsure what happens to them.
@@ -207,7 +209,7 @@ class Operator(msgspec.Struct, frozen=True, forbid_unknown_fields=True, omit_def
     @property
     def promise(self) -> Mode | None:
         """The mode the operator promises; None if it never ends so."""
-        kinds = (self.promised,) if self.promised else ("resting", "held")
+        kinds = (self.promised,) if self.promised else PROMISING
         return next((mode for mode in self.modes if mode.kind in kinds), None)
 
     @property

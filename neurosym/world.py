@@ -19,7 +19,8 @@ from neurosym.errors import InvalidValue
 from neurosym.table import Reference, ReferenceKind, Table, check_reference
 
 Disturbance = Literal["moved", "toppled", "lost"]
-OutcomeKind = Literal["resting", "held", "toppled", "lost"]
+OutcomeKind = Literal["resting", "held", "toppled", "lost", "carried", "missed"]
+"""How a target ends. What is aimed at a reference is carried there or missed, if not toppled or lost."""
 Frame = UInt8[np.ndarray, "height width 3"]
 FrameSink = Callable[[Frame, str], None]
 """Takes a picture of the motion and the name of the phase it belongs to (`waypoint 1`, `rise`, ...)."""
@@ -78,29 +79,38 @@ class Outcome:
 
     @property
     def kind(self) -> OutcomeKind:
-        """How the target ended: off the table, held in the air, on another face, or at rest upright."""
+        """How the target ended: off the table, on another face, or else in the way that was asked for.
+
+        With a reference that is carried there or missed; without, held in the air or at rest upright.
+        """
         if self.lost:
             return "lost"
+        if self.reference is not None:
+            return "toppled" if self.toppled else "carried" if self.carried else "missed"
         if self.held:
             return "held"
         return "toppled" if self.toppled else "resting"
 
     @property
     def effect(self) -> Float[np.ndarray, "3"]:
-        """Displacement of the target at the end of the rise [m] (the paper's e)."""
-        return np.asarray(self.lifted.positions[self.target] - self.start.positions[self.target])
+        """Displacement of the target at the end of the rise [m] (the paper's e).
+
+        If it was carried, that is from the reference, as if it had stood there before.
+        """
+        return np.asarray(self.lifted.positions[self.target] - self._origin)
 
     @property
     def resting_effect(self) -> Float[np.ndarray, "3"]:
-        """Displacement of the target once everything is put down [m]."""
-        return np.asarray(self.end.positions[self.target] - self.start.positions[self.target])
+        """Displacement of the target once everything is put down, from the reference if carried [m]."""
+        return np.asarray(self.end.positions[self.target] - self._origin)
 
     @property
-    def offset(self) -> Float[np.ndarray, "3"] | None:
-        """Where the target ends relative to the reference [m]; None without one."""
-        if self.reference is None:
-            return None
-        return np.asarray(self.end.positions[self.target] - self.reference.centre)
+    def _origin(self) -> Float[np.ndarray, "3"]:
+        """Where the target stood, or would have stood on the reference that it was carried to [m]."""
+        centre: np.ndarray = self.start.positions[self.target]
+        if self.reference is None or not self.carried:
+            return centre
+        return np.array([self.reference.x, self.reference.y, float(centre[2])])
 
     @property
     def turn(self) -> float:

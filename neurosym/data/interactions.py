@@ -35,7 +35,8 @@ class Interactions:
     Attributes:
         features: Features of the target object.
         actions: Action parameters.
-        effects: Displacement of the target at the end of the rise [m].
+        effects: Displacement of the target at the end of the rise [m]. Of actions that are aimed at a
+            reference: where the target ends relative to it, and 1, if it is carried there; else zeros.
         resting_effects: Displacement of the target once everything is put down [m].
         held: Whether the target hung from the gripper at the end of the rise.
         toppled: Whether the target ended on another face.
@@ -89,8 +90,8 @@ class Interactions:
         return cls(
             features=np.stack([o.start.features[o.target] for o in outcomes]).astype(np.float32),
             actions=actions.astype(np.float32),
-            effects=np.stack([o.effect for o in outcomes]).astype(np.float32),
-            resting_effects=np.stack([o.resting_effect for o in outcomes]).astype(np.float32),
+            effects=np.stack([_axes(o, o.effect) for o in outcomes]).astype(np.float32),
+            resting_effects=np.stack([_axes(o, o.resting_effect) for o in outcomes]).astype(np.float32),
             held=np.array([o.held for o in outcomes]),
             toppled=np.array([o.toppled for o in outcomes]),
             lost=np.array([o.lost for o in outcomes]),
@@ -171,6 +172,13 @@ def examine(path: Path) -> Examination:
     problems += file_problems(columns, origin, unread=unread)
     interactions = None if problems else Interactions(**_filled(columns), origin=origin)
     return Examination(columns, origin, given, tuple(problems), interactions)
+
+
+def _axes(outcome: Outcome, effect: Float[np.ndarray, "3"]) -> Float[np.ndarray, "E"]:
+    """Return an effect as data have it: with a reference a fourth axis says whether it was carried there."""
+    if outcome.reference is None:
+        return effect
+    return np.array([*effect, 1.0]) if outcome.carried else np.zeros(len(effect) + 1)
 
 
 _ARRAYS = tuple(f.name for f in fields(Interactions) if f.name != "origin")

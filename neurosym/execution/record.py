@@ -14,9 +14,9 @@ from neurosym.pddl.plan_text import PlanStep, Steps
 from neurosym.problems import Problem
 from neurosym.promises import promised
 from neurosym.wording import counted, in_millimetres
-from neurosym.world import Disturbance, Outcome, Scene
+from neurosym.world import Disturbance, Outcome, OutcomeKind, Scene
 
-StepOutcome = Literal["resting", "held", "toppled", "lost", "not performed"]
+StepOutcome = OutcomeKind | Literal["not performed"]
 Ended = Literal["goal", "plan", "lost", "out of reach", "no plan", "budget", "no progress", "unknown"]
 """What ended a run: the goal was reached, or the plan was at its end; an object was lost, or out of reach;
 there was no new plan, or none left to ask for, or new ones came no nearer; old records do not say."""

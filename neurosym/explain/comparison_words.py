@@ -12,6 +12,8 @@ ENDS: dict[OutcomeKind, str] = {
     "resting": "at rest",
     "held": "held",
     "toppled": "on another face",
+    "carried": "carried to the place",
+    "missed": "not carried to the place",
     "lost": "off the table",
 }
 _MOST_TOLD = 2  # places where two symbols differ most

@@ -15,6 +15,7 @@ from typing import Any
 
 import numpy as np
 
+from neurosym.actions import EFFECT_AXES
 from neurosym.checks import as_path, check_count, check_kind, check_seed
 from neurosym.data.dimensions import Dimensions
 from neurosym.data.interactions import Interactions
@@ -143,7 +144,8 @@ class _Explorer:
         about = strategy_named(strategy, config.min_predicted_effect).curious_about
         if about is not None:
             columns = tuple(np.flatnonzero(box.gripper).tolist())
-            dimensions = Dimensions(len(world.feature_names), len(box.low), 3, columns)
+            axes = getattr(world, "effect_axes", EFFECT_AXES)
+            dimensions = Dimensions(len(world.feature_names), len(box.low), axes, columns)
             self.curiosity = make_curiosity(
                 about, dimensions, model_config, config.learning, box.mirrors, seed
             )

@@ -9,6 +9,8 @@ PAPER_BITS = (2, 3)
 """Bits of object and action symbols in the paper (section IV-B)."""
 DEFAULT_BITS = (2, 4)
 """Bits of object and action symbols of the default regime; docs/learning.md says why."""
+PLACE_BITS = (2, 3)
+"""Bits of object and action symbols of actions that are aimed at places."""
 _MOST_BITS = {"object_bits": 6, "action_bits": 8}
 _MOST_HIDDEN = 4096
 

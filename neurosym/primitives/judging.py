@@ -12,7 +12,7 @@ from dataclasses import dataclass
 import numpy as np
 from jaxtyping import Float
 
-from neurosym.operators import Effect
+from neurosym.operators import PROMISING, Effect
 from neurosym.primitives.variety import LITTLE
 from neurosym.world import Outcome, OutcomeKind
 
@@ -20,7 +20,6 @@ EXACT = 0.015
 """A spread at which an action is still 1 / sqrt(2) as sure as one without any [m]."""
 TURNED = math.radians(15)
 """By how much an object may be turned without that it counts [rad]."""
-PROMISING: tuple[OutcomeKind, ...] = ("resting", "held")
 
 
 @dataclass(frozen=True, slots=True)
@@ -77,7 +76,30 @@ def judge(performances: Sequence[Performance]) -> Judgement:
     rows = np.array([[*one.outcome, one.peak_height] for one in performances if one.kind == kind])
     unturned = np.mean([one.turn <= TURNED for one in performances])
     share = len(rows) / len(performances)
-    return Judgement(kind, rows.mean(0), float(share * unturned * exactness(rows[:, :-1])))
+    exact = likeness(rows[:, :-1]) if kind == "carried" else exactness(rows[:, :-1])
+    return Judgement(kind, rows.mean(0), float(share * unturned * exact))
+
+
+def foresee_displacement(predicted: Float[np.ndarray, "N O"]) -> Judgement:
+    """Judge an action by the displacements and greatest heights that are predicted of objects [m].
+
+    Args:
+        predicted: What is predicted of each object.
+    """
+    return Judgement("resting", predicted.mean(0), exactness(predicted[:, :3]))
+
+
+def foresee_carrying(predicted: Float[np.ndarray, "N O"]) -> Judgement:
+    """Judge an action that is aimed at a place: how surely it is predicted to carry objects, and how alike.
+
+    Args:
+        predicted: What is predicted of each object: where it ends relative to the place [m], the chance
+            that it is carried, and its greatest height on the way [m].
+    """
+    chances = np.clip(predicted[:, 3], 0.0, 1.0)
+    likely = predicted[chances >= chances.max() / 2]
+    alike = likeness(likely[:, :2]) if len(likely) else 0.0
+    return Judgement("carried", np.delete(predicted.mean(0), 3), float(chances.mean() * alike))
 
 
 def exactness(outcomes: Float[np.ndarray, "N E"]) -> float:
@@ -86,7 +108,19 @@ def exactness(outcomes: Float[np.ndarray, "N E"]) -> float:
     Args:
         outcomes: Displacements that should be the same [m].
     """
-    mean = outcomes.mean(0)
-    variance = float(((outcomes - mean) ** 2).sum(1).mean())
-    square = float((mean**2).sum())
-    return square / (square + LITTLE**2) / math.sqrt(1 + variance / EXACT**2)
+    square = float((outcomes.mean(0) ** 2).sum())
+    return square / (square + LITTLE**2) / _unlikeness(outcomes)
+
+
+def likeness(outcomes: Float[np.ndarray, "N E"]) -> float:
+    """Say how nearly outcomes are the same, whatever they are: from 0 to 1.
+
+    Args:
+        outcomes: Displacements that should be the same [m].
+    """
+    return 1 / _unlikeness(outcomes)
+
+
+def _unlikeness(outcomes: Float[np.ndarray, "N E"]) -> float:
+    variance = float(((outcomes - outcomes.mean(0)) ** 2).sum(1).mean())
+    return math.sqrt(1 + variance / EXACT**2)

@@ -6,7 +6,7 @@ a few of them first, the best of those once more. Each performance has its actio
 so that what lies on an edge, and does something else a hair beside it, looks as bad as it is.
 """
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from functools import cache
 
@@ -16,7 +16,13 @@ from jaxtyping import Float
 from neurosym.actions import ActionBox
 from neurosym.guarded import made
 from neurosym.operators import Primitive
-from neurosym.primitives.judging import Judgement, Performance, exactness, judge, performance
+from neurosym.primitives.judging import (
+    Judgement,
+    Performance,
+    foresee_displacement,
+    judge,
+    performance,
+)
 from neurosym.primitives.performing import perform
 from neurosym.primitives.repertoire import Repertoire, with_own
 from neurosym.primitives.sampling import sample_by_category
@@ -46,6 +52,8 @@ SAME, DIFFERENT = 0.02, 0.03
 WORTH_KEEPING = 0.25
 """Least sureness of a shared action that stays beside one of a category's own."""
 
+Foresee = Callable[[Float[np.ndarray, "N O"]], Judgement]
+"""Judges an action by what is predicted of some objects, a row each."""
 _STREAM, _MOVES = 0x6F77, 0x6F78  # keep these draws apart from those of other auditions and rehearsals
 
 
@@ -76,6 +84,7 @@ def choose_own(
     features: Float[np.ndarray, "M F"],
     categorise: Categorise,
     *,
+    foresee: Foresee = foresee_displacement,
     seed: int,
     workers: int = 1,
     progress: Progress | None = None,
@@ -89,6 +98,7 @@ def choose_own(
         predict: A network that sees the objects themselves and not their symbols.
         features: Objects to predict the effects on.
         categorise: Gives the object symbols of features.
+        foresee: Judges actions by what is predicted.
         seed: Where all draws start.
         workers: How many processes; their number does not change the result.
         progress: Called after each performance.
@@ -102,7 +112,7 @@ def choose_own(
     contests = {}
     for category, scenes in sample.scenes.items():
         objects = np.concatenate([features[symbols == category], *(scene.features for scene in scenes)])
-        few = shortlist_own(rivals, predict, objects[:OBJECTS_TO_PREDICT], world.action_box, seed)
+        few = shortlist_own(rivals, predict, objects[:OBJECTS_TO_PREDICT], world.action_box, seed, foresee)
         groups = [[one, *best] for one, best in zip(shared, few, strict=True)]
         contests[category] = _Contest(scenes, groups)
     for again in (False, True):
@@ -118,6 +128,7 @@ def shortlist_own(
     features: Float[np.ndarray, "M F"],
     box: ActionBox,
     seed: int,
+    foresee: Foresee = foresee_displacement,
 ) -> list[list[Primitive]]:
     """Keep of each symbol the few candidates that are predicted to do best, beside those of the others.
 
@@ -127,6 +138,7 @@ def shortlist_own(
         features: Objects of one category.
         box: What actions must stay inside.
         seed: Where the changes of actions are drawn from.
+        foresee: Judges actions by what is predicted.
     """
     judged: list[list[Judgement]] = [[] for _ in groups]
     for group, judgements in zip(groups, judged, strict=True):
@@ -134,7 +146,7 @@ def shortlist_own(
             continue
         actions = np.concatenate([moved(one, len(features), box, seed) for one in group])
         predicted = np.split(predict(np.tile(features, (len(group), 1)), actions), len(group))
-        judgements += [Judgement("resting", rows.mean(0), exactness(rows[:, :3])) for rows in predicted]
+        judgements += map(foresee, predicted)
     return [
         [group[number] for number in best[:SHORTLISTED]]
         for group, best in zip(groups, _ranked(judged), strict=True)
@@ -193,7 +205,12 @@ def _keep_best(contest: _Contest, count: int) -> list[list[Primitive]]:
 
 
 def _ranked(judged: Sequence[Sequence[Judgement]]) -> list[list[int]]:
-    """Rank the candidates of each symbol by what they are worth beside the best of the others."""
+    """Rank the candidates of each symbol by what they are worth beside the best of the others.
+
+    What carries objects is ranked by how surely it does: one that does is as good as several.
+    """
+    if any(one.kind == "carried" for group in judged for one in group):
+        return [np.argsort([-one.sureness for one in group], kind="stable").tolist() for group in judged]
     ends = np.cumsum([len(group) for group in judged]).tolist()
     groups = [list(range(end - len(group), end)) for group, end in zip(judged, ends, strict=True)]
     filled = [numbers for numbers in groups if numbers]
@@ -216,6 +233,8 @@ def _chosen(contest: _Contest) -> list[Primitive]:
     best = [group[0] for group in contest.groups]
     effects = {one: judge(contest.seen[one]) for group in contest.groups for one in group}
     kept = [*best]
+    if any(one.kind == "carried" for one in effects.values()):
+        return kept
     for own, *beside in contest.groups:
         for shared in beside:
             mine = effects[shared]

@@ -57,7 +57,7 @@ def find_operators(
         NothingDistilled: If no action encodes to its symbol.
         UnknownChoice: If there is no such choice.
     """
-    open_bar = open_bar or _silent
+    open_bar = open_bar or silent
     with open_bar("distilling") as advance:
         candidates = distill(model, interactions, box, seed=seed, progress=advance)
     if not candidates:
@@ -86,6 +86,6 @@ def find_operators(
         return rehearse_unsure(world_factory, table, categorise, **options, progress=advance)
 
 
-def _silent(_: str) -> AbstractContextManager[Progress]:
+def silent(_: str) -> AbstractContextManager[Progress]:
     """Report nothing."""
     return nullcontext(lambda done, total: None)  # noqa: ARG005 (a `Progress`)

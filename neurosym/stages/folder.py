@@ -35,6 +35,7 @@ from neurosym.stages.layout import (
     MANIFEST,
     NUMERIC,
     PICTURES,
+    PLACES,
     PLANS,
     PROBLEMS,
     REPORT_PICTURES,
@@ -213,7 +214,7 @@ class DomainFolder:
             InvalidFile: If a folder stands in the place of a file, or a file in that of a folder.
             CannotWrite: If the system does not let them be written.
         """
-        for place in ("", PROBLEMS, PLANS, RUNS, PICTURES, REPORT_PICTURES, f"{COMPARISONS}/*"):
+        for place in ("", PLACES, PROBLEMS, PLANS, RUNS, PICTURES, REPORT_PICTURES, f"{COMPARISONS}/*"):
             for folder in self.path.glob(place) if place else (self.path,):
                 remove_leftovers(folder)
         for name in {str(Path(name).parent): name for name in names}.values():

@@ -20,6 +20,16 @@ TRAINING = "training.json"
 """`train`: how well the model fits, on interactions held out from training."""
 PRIMITIVES = "primitives.json"
 """`distill`: the parameters of each symbol, and what they do to each category: the table of operators."""
+PLACES = "places"
+"""What was learned of actions that are aimed at places, in files that are called as those above."""
+PLACE_INTERACTIONS = f"{PLACES}/{INTERACTIONS}"
+"""`explore --places`: a row for each interaction that was aimed at a place."""
+PLACE_MODEL, PLACE_DIRECT_MODEL = f"{PLACES}/{MODEL}", f"{PLACES}/{DIRECT_MODEL}"
+"""`train`: the networks that were fitted to these."""
+PLACE_TRAINING = f"{PLACES}/{TRAINING}"
+"""`train`: how well they fit."""
+PLACE_OPERATORS = f"{PLACES}/operators.json"
+"""`distill`: what carries objects of each category to places, and how surely."""
 PRACTICE = "practice.json"
 """`practise`: what was tried, what broke plans, what was practised, and the table of operators after that."""
 TABLE_FILES = (PRIMITIVES, PRACTICE)
@@ -59,6 +69,10 @@ COMMANDS = {
     MODEL: "train",
     DIRECT_MODEL: "train",
     PRIMITIVES: "distill",
+    PLACE_INTERACTIONS: "explore",
+    PLACE_MODEL: "train",
+    PLACE_DIRECT_MODEL: "train",
+    PLACE_OPERATORS: "distill",
     DOMAIN: "compile-domain",
     OPERATORS_DOMAIN: "compile-domain",
     NUMERIC_DOMAIN: "compile-domain",

@@ -119,8 +119,8 @@ class WorldEnv(gymnasium.Env[Observation, np.ndarray]):
         Returns:
             The observation, the reward [m], whether the target is lost, False, and what else is known:
             `target`, `effect` and `resting_effect` [m], `kind`, `touched` (bystanders that the robot touched)
-            and `peak_height` [m]; with a reference also `carried` and `offset`, where the target ends
-            relative to it [m].
+            and `peak_height` [m]; with a reference also `carried`, and the effects of
+            what was carried are relative to it.
         """
         action = np.asarray(action, dtype=np.float64)
         aim = relative_to(self.world, self._reference)
@@ -165,7 +165,7 @@ def _observation(scene: Scene) -> Observation:
 
 
 def _info(outcome: Outcome) -> dict[str, Any]:
-    carried = {} if outcome.reference is None else {"carried": outcome.carried, "offset": outcome.offset}
+    carried = {} if outcome.reference is None else {"carried": outcome.carried}
     return {
         "target": outcome.target,
         "effect": np.array(outcome.effect, dtype=np.float64),

@@ -35,16 +35,16 @@ THERE = (0.05, 0.05, 0.06, 0, FAR.x, FAR.y)
 def test_grasped_box_is_set_down_at_a_place_anywhere_on_the_table(place):
     outcome = Tabletop().interact(boxes(BOX), CARRY, 0, reference=place)
     assert outcome.carried
-    assert outcome.kind == "resting"
+    assert outcome.kind == "carried"
     assert outcome.reference == place
-    np.testing.assert_allclose(outcome.offset, [0, 0, BOX[2] / 2], atol=0.004)
+    np.testing.assert_allclose(outcome.resting_effect, [0, 0, 0], atol=0.004)
     assert outcome.end is outcome.lifted
 
 
 def test_third_waypoint_is_relative_to_the_place():
     action = CARRY + np.array([0] * 8 + [0.04, -0.03, 0, 0])
     outcome = Tabletop().interact(boxes(BOX), action, 0, reference=FAR)
-    np.testing.assert_allclose(outcome.offset[:2], [0.04, -0.03], atol=0.004)
+    np.testing.assert_allclose(outcome.resting_effect[:2], [0.04, -0.03], atol=0.004)
 
 
 @pytest.mark.parametrize(("scene", "action"), [(boxes(WIDE, THERE), CARRY), (boxes(BOX, THERE), MISS)])

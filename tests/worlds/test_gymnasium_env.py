@@ -86,7 +86,7 @@ def test_actions_may_be_relative_to_a_place():
     action = np.array([0, 0, 0, 1.0, 0, 0, 0, 0.0, 0, 0, 0, 0.0])
     observation, _, _, _, info = env.step(action)
     assert info["carried"] is True
-    np.testing.assert_allclose(info["offset"], [0, 0, 0.02], atol=1e-12)
+    np.testing.assert_allclose(info["resting_effect"], 0, atol=1e-12)
     np.testing.assert_allclose(observation["positions"][0], [0.5, 0.2, 0.02])
     env.reset(options={"scene": small})
     assert "carried" not in env.step(action)[4]

@@ -217,8 +217,8 @@ def carrying(objects: int, seed: int, workers: int, advance: Advance) -> Results
 
 
 def _carried(outcomes: Sequence[Outcome]) -> Results:
-    carried = [outcome for outcome in outcomes if outcome.carried and outcome.kind == "resting"]
-    offsets = [1000 * float(np.linalg.norm(o.offset[:2])) for o in carried if o.offset is not None]
+    carried = [outcome for outcome in outcomes if outcome.kind == "carried"]
+    offsets = [1000 * float(np.linalg.norm(outcome.resting_effect[:2])) for outcome in carried]
     return {
         "objects": len(outcomes),
         "success": len(carried) / len(outcomes),

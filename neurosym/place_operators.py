@@ -1,0 +1,67 @@
+"""The table of operators that carry objects to places, beside that of displacements.
+
+What such an operator promises is where its object stands relative to the place.
+"""
+
+from pathlib import Path
+
+import msgspec
+
+from neurosym.checks import check_fields
+from neurosym.errors import InvalidFile, InvalidValue
+from neurosym.operators import Count, LegalName, OperatorTable, unknown_format
+from neurosym.reading import read_json
+
+FORMAT = "neurosym-places-1"
+
+
+class Occupied(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
+    """How an operator turned out where another object stood on the place.
+
+    Attributes:
+        name: Name of the operator.
+        trials: How many rehearsals there were.
+        kept: How many ended as promised, on the table, with nothing else moved.
+    """
+
+    name: LegalName
+    trials: Count
+    kept: Count
+
+    def __post_init__(self) -> None:
+        check_fields(self)
+
+
+class PlaceOperators(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
+    """Operators that carry objects to places.
+
+    Attributes:
+        operators: What each primitive does to each category; effects are relative to the place.
+        occupied: How they turned out where another object stood on the place.
+        format: Version of this table.
+    """
+
+    operators: OperatorTable
+    occupied: tuple[Occupied, ...] = ()
+    format: str = FORMAT
+
+    def __post_init__(self) -> None:
+        check_fields(self)
+        if self.format != FORMAT:
+            raise InvalidValue(unknown_format(self.format, (FORMAT,)))
+
+    @classmethod
+    def load(cls, path: Path) -> "PlaceOperators":
+        """Read a table.
+
+        Raises:
+            InvalidFile: If the file is none, or of another version.
+        """
+        found = read_json(path, _Versioned).format
+        if found != FORMAT:
+            raise InvalidFile(path, unknown_format(found, (FORMAT,)))
+        return read_json(path, cls)
+
+
+class _Versioned(msgspec.Struct, frozen=True):
+    format: str

@@ -1,0 +1,85 @@
+"""Worlds in which every action is aimed at a place: scenes are drawn with one, actions are relative to it.
+
+What explores, auditions and rehearses without knowing of references does so here with one.
+"""
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from jaxtyping import Float
+
+from neurosym.guarded import made
+from neurosym.table import Place, Reference
+from neurosym.world import Outcome, Scene, World, WorldFactory, relative_to
+
+PLACE_AXES = 4
+"""Axes of the effect of an action that is aimed at a place: where the target ends relative to the place, and
+1, if it is carried there; else zeros."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class AimedScene(Scene):
+    """A scene, and what actions in it are aimed at.
+
+    Attributes:
+        reference: What they are aimed at.
+    """
+
+    reference: Reference
+
+
+class Aimed:
+    """A world in which every action is aimed at a place; else it is the world that it is made of.
+
+    Args:
+        world: That world, which takes places.
+        margin: How far inside the edge of the table places lie [m].
+    """
+
+    effect_axes = PLACE_AXES
+
+    def __init__(self, world: World, margin: float = 0.0):
+        self._world, self._margin = world, margin
+
+    def __getattr__(self, name: str) -> Any:
+        """Give what the world has."""
+        if name.startswith("_"):
+            raise AttributeError(name)
+        return getattr(self._world, name)
+
+    def sample_scene(self, rng: np.random.Generator, objects: int) -> AimedScene:
+        """Draw a scene, and then a place anywhere on the table, where an object may stand.
+
+        Args:
+            rng: Source of randomness, owned by the caller.
+            objects: How many objects.
+
+        Raises:
+            InvalidValue: If so many objects do not fit on the table.
+        """
+        scene, table, margin = self._world.sample_scene(rng, objects), self._world.table, self._margin
+        x, y = (float(rng.uniform(low + margin, high - margin)) for low, high in (table.x, table.y))
+        return AimedScene(scene.features, scene.positions, scene.orientations, Place(x, y))
+
+    def interact(self, scene: Scene, action: Float[np.ndarray, "A"], target: int, **options: Any) -> Outcome:
+        """Perform an action that is aimed at what the scene says; see `World.interact`."""
+        aim = relative_to(self._world, scene.reference) if isinstance(scene, AimedScene) else {}
+        return self._world.interact(scene, action, target, **options, **aim)
+
+
+@dataclass(frozen=True, slots=True)
+class AimedFactory:
+    """Makes worlds in which every action is aimed at a place.
+
+    Attributes:
+        plain: Makes the world that they are made of, which takes places.
+        margin: How far inside the edge of the table places lie [m].
+    """
+
+    plain: WorldFactory
+    margin: float = 0.0
+
+    def __call__(self) -> World:
+        """Make a world."""
+        return Aimed(made(self.plain), self.margin)
