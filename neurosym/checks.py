@@ -166,6 +166,8 @@ def check_fields(document: msgspec.Struct) -> None:
     kind = type(document)
     for name, hint in _hints(kind).items():
         value = getattr(document, name)
+        if value is msgspec.UNSET:
+            continue
         try:
             msgspec.convert(value, hint)
         except msgspec.ValidationError:

@@ -12,6 +12,7 @@ from typing import Annotated
 
 import msgspec
 
+from neurosym.cells import Cells, at_rest, in_cells, in_space, remainder
 from neurosym.checks import as_path, check_fields, check_length
 from neurosym.duplicates import find_duplicates
 from neurosym.errors import InvalidFile, InvalidValue, UnknownChoice
@@ -20,7 +21,6 @@ from neurosym.naming import counted_axes
 from neurosym.operators import (
     MIN_CHANCE,
     Category,
-    Effect,
     LegalName,
     Length,
     Mode,
@@ -30,21 +30,21 @@ from neurosym.operators import (
     Vector,
     unknown_format,
 )
+from neurosym.place_operators import PlaceOperators
 from neurosym.reading import read_json
 from neurosym.symbols import Symbol
 from neurosym.table import Table
 from neurosym.wording import quoted
 
-FORMATS = ("neurosym-grounding-1", "neurosym-grounding-2")
-"""Versions of groundings that can be read; the second knows operators with parameters of their own."""
-FORMAT = FORMATS[-1]
+FORMATS = ("neurosym-grounding-1", "neurosym-grounding-2", "neurosym-grounding-3")
+"""Versions of groundings that can be read; the second knows operators with parameters of their own, the third
+what carries objects to places."""
+FORMAT, FORMAT_WITH_PLACES = FORMATS[1:]
 KEEP_DUPLICATES = FORMATS[:1]
 """Formats whose domains have every operator, also where another does the same more reliably."""
 MIN_TRIALS = 5
 """An operator with fewer rehearsals, or rows of the data, than this is not believed."""
 _REMEMBERED = 8  # groundings of which what follows from them is kept: each object of a problem asks for it
-
-Cells = tuple[int, int, int]
 
 
 class Grounding(msgspec.Struct, frozen=True, forbid_unknown_fields=True, omit_defaults=True, cache_hash=True):
@@ -58,6 +58,7 @@ class Grounding(msgspec.Struct, frozen=True, forbid_unknown_fields=True, omit_de
         lift_height: How far the hand rises after the last waypoint [m].
         operators: The table of operators.
         unit_costs: Whether every step costs the same, instead of the more the rarer it goes well.
+        places: What carries objects to places, if that was learned.
     """
 
     format: str
@@ -67,6 +68,7 @@ class Grounding(msgspec.Struct, frozen=True, forbid_unknown_fields=True, omit_de
     lift_height: Length
     operators: OperatorTable
     unit_costs: bool = False
+    places: PlaceOperators | None = None
 
     def __post_init__(self) -> None:
         check_fields(self)
@@ -94,16 +96,27 @@ class Grounding(msgspec.Struct, frozen=True, forbid_unknown_fields=True, omit_de
             raise InvalidFile(path, unknown_format(found, FORMATS) + remedy)
         return read_json(path, cls, remedy)
 
+    @property
+    def every_operator(self) -> tuple[Operator, ...]:
+        """All operators, those that carry objects to places last."""
+        return self.operators.operators + (self.places.operators.operators if self.places else ())
+
+    def carries(self, operator: Operator) -> bool:
+        """Say whether an operator is one of those that carry objects to places."""
+        return self.places is not None and operator.name in {
+            one.name for one in self.places.operators.operators
+        }
+
     def operator_named(self, name: str) -> Operator:
         """Return the operator of that name.
 
         Raises:
             UnknownChoice: If there is none.
         """
-        for operator in self.operators.operators:
+        for operator in self.every_operator:
             if operator.name == name:
                 return operator
-        known = (operator.name for operator in self.operators.operators)
+        known = (operator.name for operator in self.every_operator)
         raise UnknownChoice("operator", name, known, "`neurosym explain`")
 
     def operator_for(self, category: Symbol, primitive: Symbol) -> Operator | None:
@@ -126,6 +139,12 @@ class Grounding(msgspec.Struct, frozen=True, forbid_unknown_fields=True, omit_de
             if primitive.label == label:
                 return primitive
         raise UnknownChoice("primitive", label, (p.label for p in self.operators.primitives))
+
+    def primitive_of(self, operator: Operator) -> Primitive:
+        """Return the primitive that an operator is performed with."""
+        if self.places is None or not self.carries(operator):
+            return self.primitive(operator.label)
+        return next(one for one in self.places.operators.primitives if one.label == operator.label)
 
     def category(self, symbol: Symbol) -> Category:
         """Return the category with that object symbol.
@@ -153,7 +172,7 @@ class Grounding(msgspec.Struct, frozen=True, forbid_unknown_fields=True, omit_de
     @property
     def is_refined(self) -> bool:
         """Whether rehearsals are kept, so that objects of one category are promised different things."""
-        return any(operator.rehearsals for operator in self.live)
+        return self.places is not None or any(operator.rehearsals for operator in self.live)
 
     @property
     def left_out(self) -> dict[str, str]:
@@ -209,12 +228,12 @@ class Grounding(msgspec.Struct, frozen=True, forbid_unknown_fields=True, omit_de
 
     def cells(self, operator: Operator) -> Cells:
         """Return what an operator promises, in whole cells."""
-        return _in_cells(self.displacement(operator), self.cell)
+        return in_cells(self.displacement(operator), self.cell)
 
     def put_down_cells(self, operator: Operator) -> Cells:
         """Return how putting down moves the object, in whole cells, such that no rounding adds up."""
         x, y, z = self.cells(operator)
-        resting = _in_cells(in_space(_promise(operator).resting_effect), self.cell)
+        resting = in_cells(in_space(_promise(operator).resting_effect), self.cell)
         return (resting[0] - x, resting[1] - y, -z)
 
     def rounding(self, operator: Operator) -> Vector:
@@ -223,9 +242,9 @@ class Grounding(msgspec.Struct, frozen=True, forbid_unknown_fields=True, omit_de
         Args:
             operator: An operator with a promise.
         """
-        step = _remainder(self.displacement(operator), self.cells(operator), self.cell)
+        step = remainder(self.displacement(operator), self.cells(operator), self.cell)
         resting = at_rest(_promise(operator))
-        put_down = _remainder(resting, _in_cells(resting, self.cell), self.cell)
+        put_down = remainder(resting, in_cells(resting, self.cell), self.cell)
         x, y, z = map(max, step, put_down)
         return (x, y, z)
 
@@ -236,7 +255,7 @@ class Grounding(msgspec.Struct, frozen=True, forbid_unknown_fields=True, omit_de
             operator: An operator with a promise.
         """
         seen = [row.effect[2] for row in operator.rehearsals if row.kind == "held" and is_lift(operator)]
-        return max([self.cells(operator)[2], *(_in_cells((0.0, 0.0, up), self.cell)[2] for up in seen)])
+        return max([self.cells(operator)[2], *(in_cells((0.0, 0.0, up), self.cell)[2] for up in seen)])
 
 
 @lru_cache(maxsize=_REMEMBERED)
@@ -268,28 +287,6 @@ def is_lift(operator: Operator) -> bool:
     return operator.promise is not None and operator.promise.kind == "held"
 
 
-def in_space(effect: Effect) -> Vector:
-    """Return an effect along x, y and z as a vector [m]."""
-    x, y, z = effect
-    return (x, y, z)
-
-
-def at_rest(promise: Mode) -> Vector:
-    """Return where a promise to end upright brings the object: it keeps its height [m]."""
-    x, y, _ = promise.resting_effect
-    return (x, y, 0.0)
-
-
 def _promise(operator: Operator) -> Mode:
     assert operator.promise is not None, f"{operator.name} promises nothing"
     return operator.promise
-
-
-def _in_cells(displacement: Vector, cell: float) -> Cells:
-    x, y, z = (int(math.copysign(math.floor(abs(part) / cell + 0.5), part)) for part in displacement)
-    return (x, y, z)
-
-
-def _remainder(displacement: Vector, cells: Cells, cell: float) -> Vector:
-    x, y, z = (abs(part - cell * whole) for part, whole in zip(displacement, cells, strict=True))
-    return (x, y, z)

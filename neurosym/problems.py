@@ -57,6 +57,7 @@ class Problem(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
         goals: Where the centre of an object shall come to be [m], by the object's name.
         tolerance: How near it must come [m].
         provenance: How the problem came about: a seed, or "by hand".
+        places: Where objects may be carried to: x and y of each place [m], by its name; drawn if not given.
     """
 
     name: str
@@ -64,6 +65,7 @@ class Problem(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     goals: dict[str, Vector]
     tolerance: Length = TOLERANCE
     provenance: str = "by hand"
+    places: dict[str, tuple[Length, Length]] | msgspec.UnsetType = msgspec.UNSET
 
     def __post_init__(self) -> None:
         check_fields(self)
@@ -97,6 +99,17 @@ class Problem(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
             if item.name == name:
                 return item
         raise UnknownChoice("object", str(name), self.object_names)
+
+    def place_named(self, name: str) -> tuple[float, float]:
+        """Return where a place lies [m].
+
+        Raises:
+            UnknownChoice: If there is none of that name.
+        """
+        places = self.places if isinstance(self.places, dict) else {}
+        if name not in places:
+            raise UnknownChoice("place", name, places)
+        return places[name]
 
     def within(self, tolerance: float | None) -> "Problem":
         """Return the problem with another tolerance, or as it is.

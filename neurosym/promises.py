@@ -147,7 +147,7 @@ def _promised(
     return MappingProxyType(
         {
             operator.name: _refined(operator, learned, features, tolerance) if is_known else _plain(operator)
-            for operator in grounding.operators.operators
+            for operator in grounding.every_operator
             if operator.category == category
         }
     )

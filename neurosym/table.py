@@ -31,6 +31,10 @@ class Table:
                     f"table.{name} = [{least}, {greatest}] is empty; the first number must be smaller."
                 )
 
+    def nearest(self, x: float, y: float) -> "Place":
+        """Return the place on the table that is nearest to a point [m]."""
+        return Place(min(max(x, self.x[0]), self.x[1]), min(max(y, self.y[0]), self.y[1]))
+
     def contains(self, position: Float[np.ndarray, "3"]) -> bool:
         """Say whether a centre lies over the table."""
         x, y = float(position[0]), float(position[1])

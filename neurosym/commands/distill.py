@@ -14,7 +14,8 @@ from neurosym.commands.options import (
 )
 from neurosym.console import say, say_next
 from neurosym.operators import OperatorTable
-from neurosym.stages.layout import PRIMITIVES
+from neurosym.place_operators import PlaceOperators
+from neurosym.stages.layout import PLACE_MODEL, PLACE_OPERATORS, PRIMITIVES
 from neurosym.wording import quoted
 
 
@@ -28,6 +29,7 @@ def distill(
     """Turn action symbols into parameters and rehearse each in the world: -> `primitives.json`."""
     from neurosym.commands.tables import show_operators
     from neurosym.naming import counted_axes
+    from neurosym.stages.aiming import distill_places_stage
     from neurosym.stages.distilling import distill_stage
 
     domain = opened(folder)
@@ -36,6 +38,9 @@ def distill(
     )
     table = OperatorTable.load(domain / PRIMITIVES)
     show_operators(table)
+    if (domain / PLACE_MODEL).exists():
+        domain.perform(distill_places_stage(domain, objects=objects, seed=seed, workers=workers), again=True)
+        show_operators(PlaceOperators.load(domain / PLACE_OPERATORS).operators)
     if table.measured == "rehearsal":
         say_next(f"neurosym compile-domain {quoted(folder)}")
         return 0

@@ -8,6 +8,7 @@ from neurosym.commands.options import (
     CPUS,
     Folder,
     MinPredictedEffect,
+    Places,
     RegimeName,
     Seed,
     StrategyOption,
@@ -36,12 +37,15 @@ def explore(
         ),
     ] = None,
     min_predicted_effect: MinPredictedEffect = 0.0,
+    places: Places = 0,
 ) -> int:
     """Let the robot explore, curious or at random: `world.toml` -> `interactions.npz`.
 
     Interrupt it when you like: the same command goes on from the last block of 512 interactions.
     """
+    from neurosym.stages.aiming import explore_places_stage
     from neurosym.stages.exploring import explore_stage
+    from neurosym.stages.layout import PLACE_INTERACTIONS
 
     if workers is not None and ray is not None:
         raise InvalidValue("Give --workers or --ray, not both: with --ray, all CPUs of the cluster simulate.")
@@ -58,5 +62,16 @@ def explore(
     )
     domain.perform(stage, again=True)
     say(f"{steps} interactions in {folder / 'interactions.npz'}")
+    if places:
+        of_places = explore_places_stage(
+            domain,
+            strategy=strategy,
+            steps=places,
+            seed=seed,
+            regime=regime,
+            workers=CPUS if workers is None else workers,
+        )
+        domain.perform(of_places, again=True)
+        say(f"{places} interactions aimed at places in {folder / PLACE_INTERACTIONS}")
     say_next(f"neurosym train {quoted(folder)}")
     return 0

@@ -46,6 +46,10 @@ TimeLimit = Annotated[
         "budgets count work, so that plans are the same on a busy machine. Others give up after 60 s.",
     ),
 ]
+Places = Annotated[
+    int,
+    arg(help="Interactions besides that are aimed at a place, to learn what carries objects there."),
+]
 MinPredictedEffect = Annotated[
     float,
     arg(

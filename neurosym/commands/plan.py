@@ -122,6 +122,6 @@ def _say_alternatives(record: "PlanRecord", folder: Path, wanted: int) -> None:
         say(f"{only} other plan{'s' if found > 1 else ''} {most} {'were' if found > 1 else 'was'} found")
 
 
-def _say_steps(steps: tuple[tuple[str, str], ...]) -> None:
-    for operator, item in steps:
-        say(f"  ({operator} {item})")
+def _say_steps(steps: tuple[tuple[str, ...], ...]) -> None:
+    for words in steps:
+        say(f"  ({' '.join(words)})")

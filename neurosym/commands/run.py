@@ -12,6 +12,7 @@ from neurosym.commands.options import (
     Folder,
     MinPredictedEffect,
     ObjectBits,
+    Places,
     RegimeName,
     Seed,
     StrategyOption,
@@ -43,6 +44,7 @@ def run(
     min_predicted_effect: MinPredictedEffect = 0.0,
     object_bits: ObjectBits = None,
     action_bits: ActionBits = None,
+    places: Places = 0,
 ) -> int:
     """Go the whole way: explore, train, distil, compile, draw problems, plan and execute.
 
@@ -55,7 +57,8 @@ def run(
 
     check_choices(strategy, regime, min_predicted_effect).model.with_bits(object_bits, action_bits)
     least = {"steps": (steps, 1), "workers": (workers, 1), "rehearsals": (rehearsals, 1)}
-    for name, (value, limit) in (least | {"seed": (seed, 0), "problems": (problems, 0)}).items():
+    least |= {"seed": (seed, 0), "problems": (problems, 0), "places": (places, 0)}
+    for name, (value, limit) in least.items():
         if value < limit:
             raise InvalidValue(f"{name} = {value} must be at least {limit}.")
     if workers > MOST_WORKERS:
@@ -79,5 +82,6 @@ def run(
         min_predicted_effect=min_predicted_effect,
         object_bits=object_bits,
         action_bits=action_bits,
+        places=places,
     )
     return 0

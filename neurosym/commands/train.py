@@ -8,7 +8,7 @@ from neurosym.commands.options import (
     Seed,
     opened,
 )
-from neurosym.console import say_next
+from neurosym.console import say, say_next
 from neurosym.wording import quoted
 
 
@@ -21,12 +21,17 @@ def train(
 ) -> int:
     """Fit the effect model whose bits are the symbols: `interactions.npz` -> `effect_model.safetensors`."""
     from neurosym.commands.tables import show_training
-    from neurosym.stages.layout import TRAINING
+    from neurosym.stages.aiming import train_places_stage
+    from neurosym.stages.layout import PLACE_INTERACTIONS, PLACE_TRAINING, TRAINING
     from neurosym.stages.training import train_stage
 
     domain = opened(folder)
     bits = {"object_bits": object_bits, "action_bits": action_bits}
     domain.perform(train_stage(domain, seed=seed, regime=regime, **bits), again=True)
     show_training(domain / TRAINING)
+    if (domain / PLACE_INTERACTIONS).exists():
+        domain.perform(train_places_stage(domain, seed=seed, regime=regime), again=True)
+        say("what carries objects to places:")
+        show_training(domain / PLACE_TRAINING)
     say_next(f"neurosym distill {quoted(folder)}")
     return 0

@@ -14,11 +14,12 @@ import msgspec
 import numpy as np
 from jaxtyping import Float
 
+from neurosym.cells import at_rest
 from neurosym.errors import InvalidPlanner, InvalidValue, UnknownChoice
 from neurosym.execution.executor import execute
 from neurosym.execution.summary import Execution, summarise_run
-from neurosym.grounding import Grounding, at_rest, is_lift
-from neurosym.pddl.plan_text import PlanStep, named_steps, primitives
+from neurosym.grounding import Grounding, is_lift
+from neurosym.pddl.plan_text import PlanStep, Steps, named_steps, primitives
 from neurosym.pddl.validation import Validation, validate
 from neurosym.planners import PLANNERS, PlanResult, PlanStatus, plan, planner_named
 from neurosym.planners.planner import PredictEffects
@@ -66,7 +67,7 @@ class Attempt(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
 
     status: PlanStatus
     reason: str
-    steps: tuple[tuple[str, str], ...] = ()
+    steps: Steps = ()
     seconds: float = 0.0
     primitives: int = 0
     invalid: NOT_VALID = ""

@@ -11,12 +11,11 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 
 import msgspec
-import numpy as np
 
 from neurosym.checks import check_all, check_callable, check_count, check_kind, check_seed
-from neurosym.errors import InvalidValue, InvalidWorld
-from neurosym.execution.experience import Experience
+from neurosym.execution.experience import Experience, believed_name
 from neurosym.execution.nudges import Nudger, nudged
+from neurosym.execution.performing import perform
 from neurosym.execution.record import (
     Ended,
     Nudge,
@@ -32,11 +31,14 @@ from neurosym.grounding import Grounding, is_lift
 from neurosym.guarded import guarded, placed
 from neurosym.object_limits import limits_of
 from neurosym.operators import vector
+from neurosym.pddl.places import with_places
 from neurosym.pddl.plan_text import PlanStep, Steps, named_steps, primitives
 from neurosym.pddl.validation import validate
 from neurosym.planners.registry import Replanner
 from neurosym.planners.result import PlanStatus
 from neurosym.problems import Problem
+from neurosym.promises import promised
+from neurosym.table import Reference
 from neurosym.world import FrameSink, Outcome, Scene, World
 
 
@@ -84,6 +86,7 @@ def execute(
     if nudge_seed is not None:
         nudger = Nudger(nudge_seed, primitives(plan))
     most = (usual_replans(plan) if replans is None else replans) if replanner else 0
+    problem = with_places(problem, grounding)
     run = _Running(world, problem, grounding, list(plan), on_frame, most)
     while run.goes_on:
         if nudger and nudger.before_step == len(run.records) + 1 and not run.nudge:
@@ -186,7 +189,16 @@ class _Running:
             self.left.pop(0)
         before = self.scene
         with placed(f"step {len(self.records) + 1}"):
-            outcome = perform(self.world, self.problem, self.grounding, step, before, put_down, self.on_frame)
+            outcome = perform(
+                self.world,
+                self.problem,
+                self.grounding,
+                step,
+                before,
+                put_down,
+                self.on_frame,
+                reference=self._aim(step),
+            )
         if outcome is None:
             self.records.append(record_refusal(step, self.problem, self.scene))
             self.ended = "out of reach"
@@ -232,6 +244,17 @@ class _Running:
         if outcome.lost:
             self.ended = "lost"
 
+    def _aim(self, step: PlanStep) -> Reference | None:
+        """Return where to aim, such that an object stands at its place by what is believed of it now."""
+        if not step.place:
+            return None
+        believed, grounding = self.experience.believed(self._now())
+        name = believed_name(step, believed, grounding).operator
+        promise = promised(grounding, believed.object_named(step.object))[name].promise
+        x, y = self.problem.place_named(step.place)
+        off_x, off_y = promise.resting_effect[:2] if promise else (0.0, 0.0)
+        return self.world.table.nearest(x - off_x, y - off_y)
+
     def _miss(self) -> float:
         """Return how far objects are from their goals, in sum [m]."""
         return math.fsum(self.problem.distances(self.scene.positions).values())
@@ -244,38 +267,3 @@ class _Running:
             for item, position, orientation in rows
         )
         return msgspec.structs.replace(self.problem, objects=objects)
-
-
-def perform(
-    world: World,
-    problem: Problem,
-    grounding: Grounding,
-    step: PlanStep,
-    scene: Scene,
-    put_down: bool,
-    on_frame: FrameSink | None = None,
-) -> Outcome | None:
-    """Perform one step of a plan.
-
-    Args:
-        world: The world to act in.
-        problem: What the objects are called, and where pictures show their goals.
-        grounding: What the operator's name means.
-        step: The step.
-        scene: Where everything is.
-        put_down: Whether to put the object down if it is held.
-        on_frame: Called with pictures of the motion as it happens, if given.
-
-    Returns:
-        What happened; None if the object was out of the arm's reach.
-    """
-    operator = grounding.operator_named(step.operator)
-    action = np.array(grounding.primitive(operator.label).action)
-    target = problem.object_names.index(step.object)
-    ghosts = problem.goal_positions()
-    try:
-        return world.interact(scene, action, target, put_down=put_down, on_frame=on_frame, ghosts=ghosts)
-    except InvalidWorld:
-        raise
-    except InvalidValue:  # the object has been moved out of the arm's reach
-        return None

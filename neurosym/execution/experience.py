@@ -8,6 +8,7 @@ that was likely, an operator promises what was seen in place of what did not com
 same way.
 """
 
+import dataclasses
 import math
 from dataclasses import dataclass, field
 
@@ -16,7 +17,7 @@ import numpy as np
 
 from neurosym.execution.appearance import STRAIGHT, as_it_shows
 from neurosym.grounding import Grounding
-from neurosym.operators import TOLERANCE, Mode, Operator, Vector, vector
+from neurosym.operators import TOLERANCE, Category, Mode, Operator, OperatorTable, Vector, vector
 from neurosym.pddl.moves import PUT_DOWN
 from neurosym.pddl.plan_text import PlanStep
 from neurosym.problems import Problem, SceneObject
@@ -76,7 +77,7 @@ class Experience:
             key: every[key]
             for item in (as_it_shows(lying, self.grounding) for lying in problem.objects)
             for operator in promised(self.grounding, item, problem.tolerance).values()
-            for key in [(item.name, operator.label)]
+            for key in [(item.name, _label(operator, self.grounding))]
             if _is_given_up(operator, _as_it_lies(item, every.get(key, [])), problem.tolerance)
         }
         return Experience(self.grounding, kept, {key: rows for key, rows in every.items() if key not in kept})
@@ -88,7 +89,7 @@ class Experience:
             step: The step, by its learned name.
             outcome: What happened.
         """
-        label = self.grounding.operator_named(step.base).label
+        label = _label(self.grounding.operator_named(step.base), self.grounding)
         lay = tuple(outcome.start.orientations[outcome.target].tolist())
         self._seen.setdefault((step.object, label), []).append(_Seen(outcome, lay))
 
@@ -102,7 +103,7 @@ class Experience:
             The problem with these categories, and the grounding that has them.
         """
         known = {name for name, _ in self._seen}
-        objects, categories, operators = [], [], []
+        objects, categories, operators = [], list[Category](), list[tuple[Operator, bool]]()
         for lying in problem.objects:
             item = as_it_shows(lying, self.grounding)
             if item.name not in known:
@@ -117,27 +118,37 @@ class Experience:
         believed = msgspec.structs.replace(problem, objects=tuple(objects))
         if not categories:
             return believed, self.grounding
-        table = self.grounding.operators
-        table = msgspec.structs.replace(
-            table,
-            categories=(*table.categories, *categories),
-            operators=(*table.operators, *operators),
-        )
-        return believed, msgspec.structs.replace(self.grounding, operators=table)
+        return believed, self._with(categories, operators)
 
-    def _operators_of(self, item: SceneObject, own: Symbol, tolerance: float) -> list[Operator]:
+    def _with(self, categories: list[Category], operators: list[tuple[Operator, bool]]) -> Grounding:
+        """Return the grounding with more categories, and their operators; those that carry are marked."""
+
+        def extended(table: OperatorTable, *, carry: bool) -> OperatorTable:
+            added = (operator for operator, carries in operators if carries is carry)
+            return msgspec.structs.replace(
+                table,
+                categories=(*table.categories, *categories),
+                operators=(*table.operators, *added),
+            )
+
+        table, places = extended(self.grounding.operators, carry=False), self.grounding.places
+        if places:
+            places = msgspec.structs.replace(places, operators=extended(places.operators, carry=True))
+        return msgspec.structs.replace(self.grounding, operators=table, places=places)
+
+    def _operators_of(self, item: SceneObject, own: Symbol, tolerance: float) -> list[tuple[Operator, bool]]:
+        """Return what is believed of an object, and whether each carries it to places."""
         found = []
         for operator in promised(self.grounding, item, tolerance).values():
-            key = (item.name, operator.label)
+            key = (item.name, _label(operator, self.grounding))
             outcomes, every = (_as_it_lies(item, rows) for rows in (self._seen.get(key, []), self._all(key)))
             changed = operator
             if _is_given_up(operator, every, tolerance):
                 changed = _given_up(operator, every)
             elif outcomes:
                 changed = _after(operator, outcomes, tolerance)
-            found.append(
-                msgspec.structs.replace(changed, name=f"{operator.name}{_OF}{item.name}", category=own)
-            )
+            named = msgspec.structs.replace(changed, name=f"{operator.name}{_OF}{item.name}", category=own)
+            found.append((named, self.grounding.carries(operator)))
         return found
 
     def _all(self, key: tuple[str, str]) -> list[_Seen]:
@@ -151,7 +162,7 @@ def _as_it_lies(item: SceneObject, seen: list[_Seen]) -> list[Outcome]:
 
 def learned_name(step: PlanStep) -> PlanStep:
     """Return a step of a plan for believed categories by the name of the operator that was learned."""
-    return PlanStep(step.operator.removesuffix(_OF + step.object), step.object)
+    return dataclasses.replace(step, operator=step.operator.removesuffix(_OF + step.object))
 
 
 def believed_name(step: PlanStep, problem: Problem, grounding: Grounding) -> PlanStep:
@@ -165,12 +176,18 @@ def believed_name(step: PlanStep, problem: Problem, grounding: Grounding) -> Pla
         grounding: The grounding that it returned.
     """
     learned, item = grounding.operator_named(step.base), problem.object_named(step.object)
-    for operator in grounding.operators.operators:
-        is_same = operator.category == item.category and operator.label == learned.label
+    label = _label(learned, grounding)
+    for operator in grounding.every_operator:
+        is_same = operator.category == item.category and _label(operator, grounding) == label
         if is_same and _kind(operator) == _kind(learned):
             prefix = PUT_DOWN if step.puts_down else ""
-            return PlanStep(prefix + operator.name, step.object)
+            return dataclasses.replace(step, operator=prefix + operator.name)
     return step
+
+
+def _label(operator: Operator, grounding: Grounding) -> str:
+    """Return which motion an operator is; those that carry to places have labels of their own."""
+    return f"to-{operator.label}" if grounding.carries(operator) else operator.label
 
 
 def _kind(operator: Operator) -> OutcomeKind | None:

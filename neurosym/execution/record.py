@@ -9,10 +9,11 @@ import msgspec
 from neurosym.execution.appearance import as_it_shows
 from neurosym.execution.machine import Machine
 from neurosym.grounding import Grounding
-from neurosym.operators import TOLERANCE, Operator, Vector, vector
+from neurosym.operators import TOLERANCE, Length, Operator, Vector, vector
 from neurosym.pddl.plan_text import PlanStep, Steps
 from neurosym.problems import Problem
 from neurosym.promises import promised
+from neurosym.table import Place
 from neurosym.wording import counted, in_millimetres
 from neurosym.world import Disturbance, Outcome, OutcomeKind, Scene
 
@@ -38,6 +39,8 @@ class StepRecord(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
         touched: Names of the other objects that the robot itself touched.
         disturbed: How other objects ended that ended elsewhere (moved, toppled, lost), by name.
         put_down: Whether a held object was put down again at the end of the step.
+        place: Name of the place that the object was to be carried to, if it was.
+        aim: Where the hand aimed on the table for that, x and y [m].
     """
 
     operator: str
@@ -52,6 +55,18 @@ class StepRecord(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     touched: tuple[str, ...] = ()
     disturbed: dict[str, Disturbance] = {}
     put_down: bool = True
+    place: str | msgspec.UnsetType = msgspec.UNSET
+    aim: tuple[Length, Length] | msgspec.UnsetType = msgspec.UNSET
+
+    @property
+    def step(self) -> PlanStep:
+        """The step of the plan."""
+        return PlanStep(self.operator, self.object, self.place or "")
+
+    @property
+    def reference(self) -> Place | None:
+        """What the step was aimed at, if anything."""
+        return Place(*self.aim) if isinstance(self.aim, tuple) else None
 
 
 class Nudge(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
@@ -149,6 +164,8 @@ def record_step(
         touched=tuple(problem.object_names[index] for index in outcome.touched),
         disturbed={problem.object_names[index]: how for index, how in outcome.disturbed},
         put_down=put_down,
+        place=step.place or msgspec.UNSET,
+        aim=(outcome.reference.x, outcome.reference.y) if outcome.reference else msgspec.UNSET,
     )
 
 

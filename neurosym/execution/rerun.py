@@ -11,11 +11,10 @@ from typing import Any, Literal
 
 import msgspec
 
-from neurosym.execution.executor import perform
 from neurosym.execution.nudges import nudged
+from neurosym.execution.performing import perform
 from neurosym.execution.record import Run, StepRecord, record_refusal, record_step
 from neurosym.grounding import Grounding
-from neurosym.pddl.plan_text import PlanStep
 from neurosym.problems import Problem
 from neurosym.world import FrameSink, World
 
@@ -65,8 +64,10 @@ def rerun(
     for number, recorded in enumerate(run.steps, start=1):
         if run.nudge and run.nudge.before_step == number:
             scene = nudged(scene, run.nudge, problem)
-        step, put_down = PlanStep(recorded.operator, recorded.object), recorded.put_down
-        outcome = perform(world, problem, grounding, step, scene, put_down, on_frame)
+        step, put_down = recorded.step, recorded.put_down
+        outcome = perform(
+            world, problem, grounding, step, scene, put_down, on_frame, reference=recorded.reference
+        )
         if outcome is None:
             records.append(record_refusal(step, problem, scene))
         else:

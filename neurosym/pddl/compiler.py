@@ -3,12 +3,15 @@
 import math
 from collections.abc import Iterable
 
+import msgspec
+
 from neurosym.checks import check_kind, check_length
 from neurosym.errors import InvalidValue
-from neurosym.grounding import FORMAT, Grounding
+from neurosym.grounding import FORMAT, FORMAT_WITH_PLACES, Grounding
 from neurosym.naming import counted_axes
 from neurosym.operators import OperatorTable
 from neurosym.pddl.determinisation import with_every_outcome
+from neurosym.place_operators import PlaceOperators
 from neurosym.problems import LEGAL_NAME
 from neurosym.table import Table
 
@@ -20,7 +23,13 @@ RESERVED_PREFIXES = ("finish-", "put-down-", "reach-", "move-", "a-")
 
 
 def compile_domain(
-    table: OperatorTable, *, name: str, table_bounds: Table, lift_height: float, cell: float = CELL
+    table: OperatorTable,
+    *,
+    name: str,
+    table_bounds: Table,
+    lift_height: float,
+    cell: float = CELL,
+    places: PlaceOperators | None = None,
 ) -> Grounding:
     """Turn a table of operators into everything that planning needs, an operator for each outcome.
 
@@ -30,6 +39,7 @@ def compile_domain(
         table_bounds: Where objects may stand.
         lift_height: How far the hand rises after the last waypoint [m].
         cell: Edge of a grid cell [m].
+        places: What carries objects of the same categories to places, if that was learned.
 
     Raises:
         InvalidValue: If effects are not along x, y and z, the cell is no sensible size, or a name is not
@@ -47,13 +57,32 @@ def compile_domain(
     expanded = with_every_outcome(table)
     categories = [category.name for category in table.categories]
     operators = [operator.name for operator in expanded.operators]
-    _check_names([name, "movable", "object", *RESERVED, *categories, *operators])
+    carriers = [operator.name for operator in places.operators.operators] if places else []
+    _check_names([name, "movable", "object", *RESERVED, *categories, *operators, *carriers])
     if taken := [operator for operator in operators if operator.startswith(RESERVED_PREFIXES)]:
         raise InvalidValue(
             f"No operator can be called {taken[0]}; {', '.join(RESERVED_PREFIXES)} are reserved."
         )
     return Grounding(
-        format=FORMAT, name=name, cell=cell, table=table_bounds, lift_height=lift_height, operators=expanded
+        format=FORMAT_WITH_PLACES if places else FORMAT,
+        name=name,
+        cell=cell,
+        table=table_bounds,
+        lift_height=lift_height,
+        operators=expanded,
+        places=_with_objects(places) if places else None,
+    )
+
+
+def _with_objects(places: PlaceOperators) -> PlaceOperators:
+    """Keep with each operator the objects that it was rehearsed on: its category may have had others."""
+    rehearsed = {one.symbol: one.objects for one in places.operators.categories}
+    operators = tuple(
+        msgspec.structs.replace(one, objects=one.objects or rehearsed.get(one.category, ()))
+        for one in places.operators.operators
+    )
+    return msgspec.structs.replace(
+        places, operators=msgspec.structs.replace(places.operators, operators=operators)
     )
 
 

@@ -9,12 +9,13 @@ Where operators promise something of its own to each object, `stepwise` reads th
 actions then move all objects (see `carrying` and `own_steps`). `operators` says what they do on average.
 """
 
-from neurosym.errors import UnknownChoice
+from neurosym.errors import InvalidValue, UnknownChoice
 from neurosym.grounding import Grounding
-from neurosym.pddl import carrying, own_steps
+from neurosym.pddl import carrying, own_steps, place_domain
 from neurosym.pddl.grid import AXES, grid_of
 from neurosym.pddl.moves import (
     ENCODINGS,
+    PLACES,
     REACH_GOAL,
     Encoding,
     Move,
@@ -36,6 +37,8 @@ from neurosym.pddl.printing import (
     millimetres,
 )
 
+LED = ("stepwise", PLACES)
+"""Encodings that lead objects over cells, one axis at a time."""
 Parts = tuple[tuple[str, tuple[int, ...]], ...]
 
 _ABOUT = {
@@ -45,6 +48,8 @@ _ABOUT = {
 _ABOUT_OWN = {
     "stepwise": "The named action begins a move, and move-z, move-x and move-y make it. By which steps, and "
     "what it costs, stands in the problem.",
+    "places": "Objects that can be carried stand at places and are carried to others; the others are led "
+    "over cells: the named action begins a move, and move-z, move-x and move-y make it.",
     "operators": "One action moves all axes. Steps and costs are those of the average object; what each does "
     "stands in the problem, and a replay must tell if plans come true.",
 }
@@ -56,24 +61,28 @@ def domain_text(grounding: Grounding, encoding: Encoding = "stepwise") -> str:
     Args:
         grounding: The learned domain.
         encoding: `stepwise` for planners on fine grids, `operators` for people and for coarse grids,
-            `numeric` for planners that take numbers.
+            `numeric` for planners that take numbers, `places` where objects are carried to places.
 
     Raises:
         UnknownChoice: If there is no such encoding.
+        InvalidValue: If it is `places`, and nothing in the domain carries objects.
     """
-    if encoding not in ENCODINGS:
+    if encoding not in (*ENCODINGS, PLACES):
         raise UnknownChoice("encoding", encoding, ENCODINGS)
+    if encoding == PLACES and not (grounding.is_refined and place_domain.carriers_of(grounding)):
+        raise InvalidValue(f"Nothing in the domain {grounding.name} carries objects to places.")
     if encoding == "numeric":
         return numeric_domain_text(grounding)
     moves = moves_of(grounding)
     blocks = [
         _header(grounding, encoding),
         f"(define (domain {grounding.name})\n  (:requirements :strips :typing :action-costs)",
-        *_types(grounding),
+        *_types(grounding, encoding),
         _predicates(grounding, moves, encoding),
-        _functions(grounding, moves),
+        _functions(grounding, moves, encoding),
+        *(place_domain.actions(grounding) if encoding == PLACES else []),
         *(_action_block(move, grounding, encoding) for move in moves),
-        *([carrying.carriers()] if grounding.is_refined and encoding == "stepwise" else []),
+        *([carrying.carriers()] if grounding.is_refined and encoding in LED else []),
         _reach_goal(),
         left_out(grounding),
     ]
@@ -92,14 +101,16 @@ def _header(grounding: Grounding, encoding: Encoding) -> str:
     return header(grounding, encoding, about)
 
 
-def _types(grounding: Grounding) -> list[str]:
+def _types(grounding: Grounding, encoding: Encoding) -> list[str]:
     """Print the types, and the constants of one of them where there are such."""
     names = " ".join(sorted(category.name for category in grounding.operators.categories))
     if not grounding.is_refined:
         return [f"  (:types\n    movable x-cell y-cell z-cell - object\n    {names} - movable)"]
-    steps = "x-step y-step z-step move"
+    steps = "x-step y-step z-step move" + " place" * (encoding == PLACES)
     types = f"  (:types\n    movable x-cell y-cell z-cell {steps} - object\n    {names} - movable)"
-    return [types, "\n".join(["  (:constants", *own_steps.constants(grounding)]) + ")"]
+    named = own_steps.constants(grounding)
+    named += place_domain.constants(grounding) if encoding == PLACES else []
+    return [types, "\n".join(["  (:constants", *named]) + ")"]
 
 
 def _predicates(grounding: Grounding, moves: tuple[Move, ...], encoding: Encoding) -> str:
@@ -108,8 +119,9 @@ def _predicates(grounding: Grounding, moves: tuple[Move, ...], encoding: Encodin
     lines += ["(goal-xy ?o - movable ?x - x-cell ?y - y-cell)", "(goal-z ?o - movable ?z - z-cell)"]
     lines += ["(done ?o - movable)"]
     if grounding.is_refined:
-        lines += carrying.predicates() if encoding == "stepwise" else held_predicates(moves)
+        lines += carrying.predicates() if encoding in LED else held_predicates(moves)
         lines += own_steps.predicates()
+        lines += place_domain.predicates() if encoding == PLACES else []
     else:
         lines += held_predicates(moves)
         if encoding == "stepwise":
@@ -123,15 +135,16 @@ def _predicates(grounding: Grounding, moves: tuple[Move, ...], encoding: Encodin
     return "  (:predicates\n" + "\n".join(f"    {line}" for line in lines) + ")"
 
 
-def _functions(grounding: Grounding, moves: tuple[Move, ...]) -> str:
+def _functions(grounding: Grounding, moves: tuple[Move, ...], encoding: Encoding) -> str:
     if not grounding.is_refined:
         return "  (:functions (total-cost) - number)"
     lines = ["(total-cost) - number", *own_steps.functions(moves)]
+    lines += place_domain.functions(grounding) if encoding == PLACES else []
     return "  (:functions\n" + "\n".join(f"    {line}" for line in lines) + ")"
 
 
 def _action_block(move: Move, grounding: Grounding, encoding: Encoding) -> str:
-    if grounding.is_refined and encoding == "stepwise":
+    if grounding.is_refined and encoding in LED:
         actions = [carrying.beginning(move)]
     else:
         parts = parts_of(move, encoding)

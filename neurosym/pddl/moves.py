@@ -5,15 +5,18 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import Literal
 
-from neurosym.grounding import Cells, Grounding, is_lift
+from neurosym.cells import Cells
+from neurosym.grounding import Grounding, is_lift
 from neurosym.operators import TOLERANCE, Operator
 from neurosym.pddl.grid import AXES
 from neurosym.problems import SceneObject
 from neurosym.promises import usable
 
-Encoding = Literal["sas", "stepwise", "operators", "numeric"]
+Encoding = Literal["sas", "stepwise", "operators", "numeric", "places"]
 ENCODINGS: tuple[Encoding, ...] = ("stepwise", "operators", "numeric")
 
+PLACES: Encoding = "places"
+"""Objects that can be carried stand at places; the others are led over cells as in `stepwise`."""
 SAS: Encoding = "sas"
 """No PDDL, but what Fast Downward makes of `stepwise` before it searches."""
 

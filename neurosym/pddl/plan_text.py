@@ -4,6 +4,7 @@ A step is one primitive on one object. Planners write ground actions with cells 
 the `stepwise` encoding several for one step; reading folds them into steps.
 """
 
+import dataclasses
 import re
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
@@ -28,6 +29,8 @@ from neurosym.pddl.moves import (
     parts_of,
 )
 from neurosym.pddl.own_steps import step_name
+from neurosym.pddl.place_domain import NOTES
+from neurosym.pddl.places import with_places
 from neurosym.problems import Problem, SceneObject
 from neurosym.reading import MEGABYTE, read_text
 from neurosym.wording import counted
@@ -48,13 +51,15 @@ class PlanStep:
     Attributes:
         operator: Name of an operator, or `put-down-` and the name of the operator that lifted the object.
         object: Name of the object.
+        place: Name of the place that the object is carried to; empty if it is not.
     """
 
     operator: str
     object: str
+    place: str = ""
 
     def __post_init__(self) -> None:
-        for name in ("operator", "object"):
+        for name in ("operator", "object", "place"):
             check_kind(f"{name} of a step", getattr(self, name), str, "its name")
 
     @property
@@ -68,13 +73,13 @@ class PlanStep:
         return self.operator.removeprefix(PUT_DOWN)
 
 
-Steps = tuple[tuple[str, str], ...]
-"""Operator and object of each step of a plan, as records hold it."""
+Steps = tuple[tuple[str, ...], ...]
+"""Operator and object of each step of a plan, and the place if it has one, as records hold it."""
 
 
 def named_steps(steps: Iterable[PlanStep]) -> Steps:
-    """Return the operator and the object of each step."""
-    return tuple((step.operator, step.object) for step in steps)
+    """Return the operator and the object of each step, and the place if it has one."""
+    return tuple((step.operator, step.object, *filter(None, (step.place,))) for step in steps)
 
 
 def primitives(steps: Iterable[PlanStep]) -> int:
@@ -89,7 +94,7 @@ def print_plan(steps: Sequence[PlanStep], comment: str = "") -> str:
         steps: The plan.
         comment: What the last line says; by default how many steps there are.
     """
-    lines = [f"({step.operator} {step.object})" for step in steps]
+    lines = [f"({' '.join(words)})" for words in named_steps(steps)]
     said = comment or counted(primitives(steps), "primitive")
     return "\n".join([*lines, f"; {' '.join(said.split())}"]) + "\n"
 
@@ -198,12 +203,21 @@ def _read_line(line: str, grounding: Grounding, problem: Problem) -> PlanStep | 
         name, thing = words[1].removeprefix(MOVE), words[2]
     if thing not in problem.object_names:
         raise UnknownChoice("object", thing, problem.object_names)
-    if name == REACH_GOAL:
+    if name in (REACH_GOAL, *NOTES):
         return None
     step = PlanStep(_without_part(name), thing)
     operator = grounding.operator_named(step.base)
     _check_fit(step, operator, grounding, problem)
+    if grounding.carries(operator):
+        return _carrying(step, words[2:], with_places(problem, grounding))
     return None if is_carried or name.startswith(FINISH) else step
+
+
+def _carrying(step: PlanStep, places: list[str], problem: Problem) -> PlanStep:
+    """Return a step with the place that it carries its object to, the last that is named."""
+    place = places[-1] if places else ""
+    problem.place_named(place)
+    return dataclasses.replace(step, place=place)
 
 
 def _without_part(name: str) -> str:

@@ -4,13 +4,26 @@ import math
 import re
 from functools import lru_cache
 
+import msgspec
+
 from neurosym.errors import InvalidValue
 from neurosym.grounding import Grounding
 from neurosym.pddl import own_steps
 from neurosym.pddl.grid import AXES, Grid, check_on_table, goal_region, grid_of
-from neurosym.pddl.moves import MOVE, PUT_DOWN, REACH_GOAL, Encoding, carrier, shift_predicate, shifts_of
+from neurosym.pddl.moves import (
+    MOVE,
+    PLACES,
+    PUT_DOWN,
+    REACH_GOAL,
+    Encoding,
+    carrier,
+    shift_predicate,
+    shifts_of,
+)
 from neurosym.pddl.numeric import STEPS as NUMERIC_STEPS
 from neurosym.pddl.numeric import numeric_problem_text
+from neurosym.pddl.place_problem import declared, facts, led_objects
+from neurosym.pddl.places import with_places
 from neurosym.problems import Problem, SceneObject
 
 STEPS = 1
@@ -47,6 +60,8 @@ def problem_text(
         check_object(item, grounding)
     if encoding == "numeric":
         return numeric_problem_text(problem, grounding, steps=steps * NUMERIC_STEPS)
+    if encoding == PLACES:
+        return _place_problem(with_places(problem, grounding), grounding, grid, steps, margin)
     sections = [
         _header(problem, grounding, steps),
         f"(define (problem {problem.name})\n  (:domain {grounding.name})",
@@ -56,6 +71,33 @@ def problem_text(
         *(_goal_facts(problem, name, grounding, grid, steps) for name in sorted(problem.goals)),
         *_step_facts(problem, grounding, grid, margin),
     ]
+    return _ended(sections, problem)
+
+
+def _place_problem(problem: Problem, grounding: Grounding, grid: Grid, steps: int, margin: int) -> str:
+    """Print a problem whose objects are carried as far as they can be; only the others need cells."""
+    sections = [
+        _header(problem, grounding, steps),
+        f"(define (problem {problem.name})\n  (:domain {grounding.name})",
+        "\n".join(["  (:objects", *_item_objects(problem, grounding), declared(problem)]),
+        "  (:init\n    (hand-empty) (ready) (= (total-cost) 0)",
+        *(f"    {line}" for line in facts(problem, grounding)),
+    ]
+    if names := led_objects(problem, grounding):
+        items, goals = (
+            tuple(problem.object_named(name) for name in names),
+            {name: problem.goals[name] for name in names},
+        )
+        led = msgspec.structs.replace(problem, objects=items, goals=goals)
+        sections[2] = "\n".join([sections[2], *_grid_objects(led, grounding, grid)])
+        sections += [_start(item, grid) for item in items]
+        sections += [_goal_facts(led, name, grounding, grid, steps) for name in names]
+        sections += _step_facts(led, grounding, grid, margin)
+    sections[2] += ")"
+    return _ended(sections, problem)
+
+
+def _ended(sections: list[str], problem: Problem) -> str:
     goals = " ".join(f"(done {name})" for name in sorted(problem.goals))
     text = "\n".join(sections)
     text += "\n  " if text.splitlines()[-1].lstrip().startswith(";") else ""  # not into a comment
@@ -95,11 +137,18 @@ def _header(problem: Problem, grounding: Grounding, steps: int) -> str:
 
 
 def _objects(problem: Problem, grounding: Grounding, grid: Grid) -> str:
-    lines = [f"{item.name} - {grounding.category(item.category).name}" for item in problem.objects]
-    lines += [f"{' '.join(grid.cell_names(axis))} - {letter}-cell" for axis, letter in enumerate(AXES)]
-    lines = [f"    {line}" for line in lines]
-    lines += own_steps.declared_steps(problem, grounding) if grounding.is_refined else []
+    lines = [*_item_objects(problem, grounding), *_grid_objects(problem, grounding, grid)]
     return "\n".join(["  (:objects", *lines]) + ")"
+
+
+def _item_objects(problem: Problem, grounding: Grounding) -> list[str]:
+    return [f"    {item.name} - {grounding.category(item.category).name}" for item in problem.objects]
+
+
+def _grid_objects(problem: Problem, grounding: Grounding, grid: Grid) -> list[str]:
+    """Declare the cells, and the steps that objects need beside those of the domain."""
+    lines = [f"    {' '.join(grid.cell_names(axis))} - {letter}-cell" for axis, letter in enumerate(AXES)]
+    return lines + (own_steps.declared_steps(problem, grounding) if grounding.is_refined else [])
 
 
 def _start(item: SceneObject, grid: Grid) -> str:

@@ -56,7 +56,7 @@ def validate(steps: Sequence[PlanStep], problem: Problem, grounding: Grounding) 
         if reason := _hand_problem(step, operator, held_by):
             held = (held_by.object,) if held_by and not step.puts_down else ()
             return _failed(positions, number, step, reason, held)
-        positions.append(_moved(positions[-1], moved, step, operator, grounding))
+        positions.append(_moved(positions[-1], moved, step, operator, problem, grounding))
         held_by = step if is_lift(operator) and not step.puts_down else None
         rests[moved] = held_by is None
         if found := _place_problem(positions[-1], moved, rests, room, apart, problem.object_names):
@@ -94,11 +94,27 @@ def _hand_problem(step: PlanStep, operator: Operator, held_by: PlanStep | None) 
 
 
 def _moved(
-    positions: Float[np.ndarray, "M 3"], moved: int, step: PlanStep, operator: Operator, grounding: Grounding
+    positions: Float[np.ndarray, "M 3"],
+    moved: int,
+    step: PlanStep,
+    operator: Operator,
+    problem: Problem,
+    grounding: Grounding,
 ) -> Float[np.ndarray, "M 3"]:
+    if step.place:
+        return _carried(positions, moved, problem.place_named(step.place))
     by = grounding.put_down_displacement if step.puts_down else grounding.displacement
     after = positions.copy()
     after[moved] += by(operator)
+    return after
+
+
+def _carried(
+    positions: Float[np.ndarray, "M 3"], moved: int, spot: tuple[float, float]
+) -> Float[np.ndarray, "M 3"]:
+    """Put an object over a spot of the table: who carries it makes up for where it hangs from the hand."""
+    after = positions.copy()
+    after[moved, :2] = spot
     return after
 
 

@@ -7,11 +7,10 @@ import msgspec
 import numpy as np
 
 from neurosym.errors import InvalidValue
-from neurosym.execution.executor import perform
 from neurosym.execution.nudges import nudged
+from neurosym.execution.performing import perform
 from neurosym.execution.record import Run, StepRecord
 from neurosym.grounding import Grounding
-from neurosym.pddl.plan_text import PlanStep
 from neurosym.pictures.film import Sparing, caption_of, ends_in_the_air, film_phases
 from neurosym.pictures.motions import primitive_motions
 from neurosym.pictures.show import check_pictured, tell
@@ -121,12 +120,19 @@ def _perform(
     A world that is `Sparing` performs it twice: the same interaction has as many pictures again, and only the
     last of them is drawn.
     """
-    step, put_down = PlanStep(record.operator, record.object), not ends_in_the_air(record, problem)
+    step, put_down = record.step, not ends_in_the_air(record, problem)
     frames: list[Frame] = []
 
     def attempt() -> Outcome | None:
         return perform(
-            world, problem, grounding, step, scene, put_down, lambda frame, _: frames.append(frame)
+            world,
+            problem,
+            grounding,
+            step,
+            scene,
+            put_down,
+            lambda frame, _: frames.append(frame),
+            reference=record.reference,
         )
 
     if isinstance(world, Sparing):

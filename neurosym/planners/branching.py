@@ -10,7 +10,8 @@ from dataclasses import dataclass
 import numpy as np
 from jaxtyping import Bool, Float
 
-from neurosym.grounding import Grounding, at_rest, is_lift
+from neurosym.cells import at_rest
+from neurosym.grounding import Grounding, is_lift
 from neurosym.operators import Operator, Vector
 from neurosym.problems import Problem, SceneObject
 from neurosym.promises import promised, usable

@@ -14,7 +14,7 @@ from jaxtyping import Float
 from neurosym.checks import check_kind
 from neurosym.errors import InvalidPlanner, InvalidValue, NeurosymError
 from neurosym.grounding import Grounding
-from neurosym.pddl.moves import ENCODINGS, SAS, Encoding
+from neurosym.pddl.moves import ENCODINGS, PLACES, SAS, Encoding
 from neurosym.planners.result import PlannerAnswer, PlanResult
 from neurosym.problems import LEGAL_NAME, Problem
 
@@ -95,8 +95,9 @@ class PddlProgram:
         Raises:
             InvalidValue: If the planner does not take it.
         """
-        if asked is not None and asked not in self.encodings:
-            valid = ", ".join(sorted(self.encodings))
+        known = (*self.encodings, *((PLACES,) if "stepwise" in self.encodings else ()))
+        if asked is not None and asked not in known:
+            valid = ", ".join(sorted(known))
             raise InvalidValue(f"{planner} does not take the encoding {asked!r}; valid: {valid}.")
         return asked or self.encodings[0]
 

@@ -23,12 +23,13 @@ from neurosym.errors import InvalidPlan, InvalidPlanner
 from neurosym.factories import one_line
 from neurosym.grounding import Grounding
 from neurosym.pddl.domain import domain_text
-from neurosym.pddl.moves import SAS, Encoding
+from neurosym.pddl.moves import PLACES, SAS, Encoding
 from neurosym.pddl.plan_text import parse_plan
 from neurosym.pddl.problem import STEPS, problem_text
 from neurosym.pddl.sas import sas_text
 from neurosym.planners.aiming import aim
 from neurosym.planners.around import plan_around
+from neurosym.planners.by_places import is_by_places, plan_by_places
 from neurosym.planners.effort import TimeIsUp, check_time, within
 from neurosym.planners.fast_downward import SAS_SUFFIX
 from neurosym.planners.no_plan import Explanation, explain_clash, explain_no_plan
@@ -138,6 +139,8 @@ def plan_pddl(query: Query, *, name: str, program: PddlProgram) -> PlanResult:
         return PlanResult(PlanStatus.UNSOLVABLE, (), 0.0, reason)
 
     at_once = query.whole or len(problem.objects) == 1
+    takes_places = "stepwise" in program.encodings and query.encoding in (None, PLACES)
+    by_places = takes_places and is_by_places(problem, grounding)
 
     def attempt(learned: Grounding, deadline: float) -> PlanResult:
         def solve(task: Problem, slack: _Slack) -> PlanResult:
@@ -159,6 +162,12 @@ def plan_pddl(query: Query, *, name: str, program: PddlProgram) -> PlanResult:
         return believed(problem) if at_once else plan_one_by_one(problem, learned, believed, deadline)
 
     def search(deadline: float) -> PlanResult:
+        if by_places:
+            left = deadline - time.perf_counter()
+            ask = partial(_solve, grounding=grounding, program=program, time_limit=left, encoding=PLACES)
+            result = plan_by_places(problem, grounding, partial(ask, slack=_Slack(STEPS)))
+            if result.status is PlanStatus.SOLVED or query.encoding == PLACES:
+                return result
         if program.aims and not grounding.unit_costs:
             careful = _away_from_edges(grounding, problem)
             result = attempt(careful, deadline)

@@ -10,7 +10,9 @@ from neurosym.files import make_folder, write_atomically
 from neurosym.grounding import Grounding
 from neurosym.pddl import compile_domain, domain_text, problem_text
 from neurosym.pddl.compiler import check_axes
-from neurosym.pddl.moves import Encoding
+from neurosym.pddl.moves import PLACES, Encoding
+from neurosym.pddl.place_domain import carriers_of
+from neurosym.place_operators import PlaceOperators
 from neurosym.problems import Problem
 from neurosym.stages.folder import DomainFolder, load_scene
 from neurosym.stages.layout import (
@@ -19,10 +21,13 @@ from neurosym.stages.layout import (
     MODEL,
     NUMERIC_DOMAIN,
     OPERATORS_DOMAIN,
+    PLACE_OPERATORS,
+    PLACES_DOMAIN,
     PROBLEMS,
     SCENE,
     TABLE_FILES,
     WORLD,
+    places_file,
     problem_files,
     scene_file,
 )
@@ -32,10 +37,11 @@ from neurosym.wording import quoted
 from neurosym.worlds.world_file import read_world
 
 
-def compile_stage(folder: DomainFolder, *, cell: float) -> Stage:
+def compile_stage(folder: DomainFolder, *, cell: float, with_places: bool | None = None) -> Stage:
     """Compile the domain: `primitives.json` -> a domain in each encoding, and `grounding.json`.
 
-    After practice, the operators are those in `practice.json`.
+    After practice, the operators are those in `practice.json`. What carries objects to places stands in
+    `places/operators.json`, if it was learned, or will be by then.
     Problems that are there already are printed again, so that they fit the new domain.
     """
 
@@ -49,18 +55,27 @@ def compile_stage(folder: DomainFolder, *, cell: float) -> Stage:
             )
         world = read_world(folder / WORLD)()
         grounding = compile_domain(
-            table, name=world.name, cell=cell, table_bounds=world.table, lift_height=world.lift_height
+            table,
+            name=world.name,
+            cell=cell,
+            table_bounds=world.table,
+            lift_height=world.lift_height,
+            places=PlaceOperators.load(folder / PLACE_OPERATORS) if has_places else None,
         )
         write_atomically(folder / DOMAIN, domain_text(grounding, "stepwise"))
         write_atomically(folder / OPERATORS_DOMAIN, domain_text(grounding, "operators"))
         write_atomically(folder / NUMERIC_DOMAIN, domain_text(grounding, "numeric"))
+        if has_places:
+            write_atomically(folder / PLACES_DOMAIN, domain_text(grounding, PLACES))
         grounding.save(folder / GROUNDING)
         for scene in sorted((folder / PROBLEMS).glob(f"*{SCENE}")):
             for file, text in _printed(load_scene(scene), grounding).items():
                 write_atomically(folder / file, text)
 
-    outputs = (DOMAIN, OPERATORS_DOMAIN, NUMERIC_DOMAIN, GROUNDING)
-    return Stage("compile-domain", (WORLD, *TABLE_FILES), outputs, work, {"cell": cell}, Claim.ALONE)
+    has_places = (folder / PLACE_OPERATORS).exists() if with_places is None else with_places
+    inputs = (WORLD, *TABLE_FILES, *([PLACE_OPERATORS] if has_places else []))
+    outputs = (DOMAIN, OPERATORS_DOMAIN, NUMERIC_DOMAIN, GROUNDING, *([PLACES_DOMAIN] if has_places else []))
+    return Stage("compile-domain", inputs, outputs, work, {"cell": cell}, Claim.ALONE)
 
 
 def problem_stage(
@@ -100,7 +115,8 @@ def problem_stage(
     options = {"objects": objects, "actions": actions, "seed": seed, "goals": _plain(goals)}
     if tolerance is not None:
         options["tolerance"] = tolerance
-    outputs = (*problem_files(name), scene)
+    by_places = [places_file(name)] if (folder / PLACES_DOMAIN).exists() else []
+    outputs = (*problem_files(name), *by_places, scene)
     return Stage(f"new-problem {name}", (WORLD, MODEL, GROUNDING), outputs, work, options)
 
 
@@ -121,10 +137,16 @@ def print_problem(
 
 
 def _printed(problem: Problem, grounding: Grounding) -> dict[str, str]:
-    """Print a problem in both ways, by file."""
-    encodings: tuple[Encoding, ...] = ("stepwise", "numeric")
-    files = zip(problem_files(problem.name), encodings, strict=True)
-    return {file: problem_text(problem, grounding, encoding) for file, encoding in files}
+    """Print a problem in each way, by file."""
+    encodings: list[Encoding] = ["stepwise", "numeric"]
+    files = [*problem_files(problem.name)]
+    if carriers_of(grounding):
+        encodings.append(PLACES)
+        files.append(places_file(problem.name))
+    return {
+        file: problem_text(problem, grounding, encoding)
+        for file, encoding in zip(files, encodings, strict=True)
+    }
 
 
 def _plain(value: Any) -> Any:

@@ -28,6 +28,7 @@ from neurosym.locks import holders, locked, take
 from neurosym.problems import Problem
 from neurosym.reading import read_json, refuse_other_kinds
 from neurosym.stages.layout import (
+    BY_PLACES,
     COMMANDS,
     COMPARISONS,
     GROUNDING,
@@ -284,4 +285,4 @@ def load_scene(path: Path) -> Problem:
 
 def _problem_of(file: str) -> str:
     """Return the name of the problem that a file is of."""
-    return file.removesuffix(SCENE).removesuffix(NUMERIC).removesuffix(".pddl")
+    return file.removesuffix(SCENE).removesuffix(NUMERIC).removesuffix(BY_PLACES).removesuffix(".pddl")

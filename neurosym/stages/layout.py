@@ -40,6 +40,8 @@ OPERATORS_DOMAIN = "domain-operators.pddl"
 """`compile-domain`: the same with an action for each operator."""
 NUMERIC_DOMAIN = "domain-numeric.pddl"
 """`compile-domain`: the same in numbers (PDDL 2.1)."""
+PLACES_DOMAIN = "domain-places.pddl"
+"""`compile-domain`: the same with places that objects are carried to, if that was learned."""
 GROUNDING = "grounding.json"
 """`compile-domain`: what planning and execution need to know; no network is needed from here on."""
 PROBLEMS = "problems"
@@ -84,6 +86,8 @@ SCENE = ".scene.json"
 """What the file of a problem as we read it ends with."""
 NUMERIC = ".numeric.pddl"
 """What the file of a problem in the numeric encoding ends with; the one on a grid is NAME.pddl."""
+BY_PLACES = ".places.pddl"
+"""What the file of a problem in the encoding `places` ends with."""
 RECORD = ".run.json"
 """What the file of a record of a run ends with."""
 
@@ -96,6 +100,11 @@ def scene_file(problem: str) -> str:
 def problem_files(problem: str) -> tuple[str, str]:
     """Name a problem's files for other planners, on a grid and in numbers."""
     return f"{PROBLEMS}/{problem}.pddl", f"{PROBLEMS}/{problem}{NUMERIC}"
+
+
+def places_file(problem: str) -> str:
+    """Name a problem's file for other planners in the encoding `places`."""
+    return f"{PROBLEMS}/{problem}{BY_PLACES}"
 
 
 def plan_files(problem: str, planner: str) -> tuple[str, str]:

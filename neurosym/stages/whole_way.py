@@ -6,6 +6,7 @@ from neurosym.console import say, say_next, show_table
 from neurosym.errors import InvalidValue
 from neurosym.pddl.compiler import CELL
 from neurosym.reading import read_json
+from neurosym.stages.aiming import distill_places_stage, explore_places_stage, train_places_stage
 from neurosym.stages.compiling import compile_stage, problem_stage
 from neurosym.stages.distilling import distill_stage
 from neurosym.stages.executing import execute_stage, load_run
@@ -38,6 +39,7 @@ def go_the_whole_way(
     min_predicted_effect: float = 0.0,
     object_bits: int | None = None,
     action_bits: int | None = None,
+    places: int = 0,
 ) -> None:
     """Explore, train, distil, compile, draw problems, plan with Fast Downward, and execute what was found.
 
@@ -55,6 +57,7 @@ def go_the_whole_way(
             explored, if there are any [m].
         object_bits: Bits of an object symbol; the regime's if not given.
         action_bits: Bits of an action symbol; the regime's if not given.
+        places: Interactions to make besides that are aimed at places; 0 for none.
 
     Raises:
         InvalidValue: If a number is impossible.
@@ -75,7 +78,8 @@ def go_the_whole_way(
         ),
         train_stage(folder, seed=seed, regime=regime, object_bits=object_bits, action_bits=action_bits),
         distill_stage(folder, objects=rehearsals, seed=seed, workers=workers, choice=choice),
-        compile_stage(folder, cell=CELL),
+        *_places_stages(folder, strategy, places, seed, regime, rehearsals, workers),
+        compile_stage(folder, cell=CELL, with_places=places > 0 or None),
     )
     with folder.claimed(Claim.ALONE):
         for stage in learning:
@@ -90,6 +94,27 @@ def go_the_whole_way(
         )
     say(f"everything lies in {folder.path}; {folder / 'domain.pddl'} is the domain")
     say_next(f"neurosym plan {quoted(folder.path)} task-01 --planner bfs")
+
+
+def _places_stages(
+    folder: DomainFolder,
+    strategy: StrategyName,
+    steps: int,
+    seed: int,
+    regime: str,
+    rehearsals: int,
+    workers: int,
+) -> tuple[Stage, ...]:
+    """List the stages that learn to carry objects to places, if any interaction is to be aimed at some."""
+    if not steps:
+        return ()
+    return (
+        explore_places_stage(
+            folder, strategy=strategy, steps=steps, seed=seed, regime=regime, workers=workers
+        ),
+        train_places_stage(folder, seed=seed, regime=regime),
+        distill_places_stage(folder, objects=rehearsals, seed=seed, workers=workers),
+    )
 
 
 @dataclass(frozen=True, slots=True)

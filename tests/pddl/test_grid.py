@@ -7,8 +7,9 @@ import numpy as np
 import pytest
 from tables import grounding, item, mode, table
 
+from neurosym.cells import at_rest
 from neurosym.errors import InvalidValue
-from neurosym.grounding import Grounding, at_rest, is_lift
+from neurosym.grounding import Grounding, is_lift
 from neurosym.operators import Operator, OperatorTable, Primitive
 from neurosym.pddl import compile_domain
 from neurosym.pddl.grid import goal_region, grid_of, rounding

@@ -3,7 +3,8 @@
 import numpy as np
 from scipy.optimize import linprog
 
-from neurosym.grounding import Grounding, at_rest
+from neurosym.cells import at_rest
+from neurosym.grounding import Grounding
 
 DIRECTIONS = ("forward", "forward left", "left", "back left", "back", "back right", "right", "forward right")
 """Counted from +x towards +y, 45 degrees apart."""

@@ -7,11 +7,12 @@ from typing import Any
 
 import msgspec
 
+from neurosym.cells import at_rest
 from neurosym.evaluation.comparison import Setting, planner_of
 from neurosym.execution.executor import execute
 from neurosym.execution.record import Run, StepRecord
 from neurosym.execution.summary import failure
-from neurosym.grounding import Grounding, at_rest
+from neurosym.grounding import Grounding
 from neurosym.operators import Vector
 from neurosym.pddl.chances import expected_success, expected_within
 from neurosym.pddl.plan_text import primitives

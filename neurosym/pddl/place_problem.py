@@ -1,0 +1,111 @@
+"""Printing a problem for the encoding `places`."""
+
+from itertools import pairwise
+
+from neurosym.grounding import Grounding
+from neurosym.pddl.moves import MOVE, step_cost
+from neurosym.pddl.place_domain import NOWHERE, carriers_for, carriers_of
+from neurosym.pddl.places import PARK, blockers, is_at, with_places
+from neurosym.pddl.printing import comment
+from neurosym.pddl.validation import footprints_apart
+from neurosym.problems import Problem, SceneObject
+from neurosym.promises import promised
+
+START = "start-"
+"""What the names of places begin with that objects stand at when a plan begins."""
+
+
+def carried_objects(problem: Problem, grounding: Grounding) -> tuple[str, ...]:
+    """Name the objects that stand at places: those that can be carried, unless their goal is in the air.
+
+    Args:
+        problem: The problem.
+        grounding: The learned domain.
+    """
+    places = with_places(problem, grounding).places
+    return tuple(
+        item.name
+        for item in problem.objects
+        if carriers_for(item, grounding, problem.tolerance)
+        and (item.name not in problem.goals or _reach(item, places, problem))
+    )
+
+
+def led_objects(problem: Problem, grounding: Grounding) -> tuple[str, ...]:
+    """Name the objects that are led over cells: those with a goal that cannot be carried to it.
+
+    Args:
+        problem: The problem.
+        grounding: The learned domain.
+    """
+    carried = carried_objects(problem, grounding)
+    return tuple(name for name in problem.object_names if name in problem.goals and name not in carried)
+
+
+def declared(problem: Problem) -> str:
+    """Declare the places of a problem, those that objects stand at first."""
+    names = [f"{START}{name}" for name in problem.object_names] + list(_places(problem))
+    return f"    {' '.join(names)} - place"
+
+
+def facts(problem: Problem, grounding: Grounding) -> list[str]:
+    """List what holds of places at the start, a line for each thing.
+
+    Args:
+        problem: The problem, with its places.
+        grounding: The learned domain.
+    """
+    places, apart = _places(problem), footprints_apart(problem)
+    carried, led = carried_objects(problem, grounding), led_objects(problem, grounding)
+    lines = [_start(item, problem, is_led=item.name in led) for item in problem.objects]
+    for name, (x, y) in places.items():
+        lines.append(comment([f"{name} lies at ({x:.4f}, {y:.4f}) m"], "    ").lstrip())
+        lines.append(f"(free {name})")
+        for thing in carried:
+            if not name.startswith(PARK) and not (thing in problem.goals and is_at(thing, (x, y), problem)):
+                continue
+            goal = f"(goal-place {thing} {name}) " * (
+                thing in problem.goals and is_at(thing, (x, y), problem)
+            )
+            lines.append(goal + _room(thing, name, blockers(thing, (x, y), problem, apart)))
+    for item in problem.objects:
+        if item.name in carried:
+            lines += _carriers(item, problem, grounding)
+    return lines
+
+
+def _places(problem: Problem) -> dict[str, tuple[float, float]]:
+    assert isinstance(problem.places, dict), "with_places gives them"
+    return problem.places
+
+
+def _reach(item: SceneObject, places: object, problem: Problem) -> bool:
+    """Say whether some place is within the tolerance of an object's goal."""
+    return isinstance(places, dict) and any(is_at(item.name, spot, problem) for spot in places.values())
+
+
+def _start(item: SceneObject, problem: Problem, *, is_led: bool) -> str:
+    place = f"{START}{item.name}"
+    x, y, _ = item.position
+    at_goal = item.name in problem.goals and is_at(item.name, (x, y), problem)
+    said = [f"(stands {item.name} {place})"]
+    said += [f"(goal-place {item.name} {place})"] if at_goal else []
+    said += [f"(led {item.name})"] if is_led else []
+    return " ".join(said)
+
+
+def _room(thing: str, place: str, others: tuple[str, ...]) -> str:
+    """Say which places must be free, one after another, for an object to have room at a place."""
+    chain = [f"{START}{other}" for other in others] + [NOWHERE]
+    links = [f"(look-next {thing} {place} {here} {then})" for here, then in pairwise(chain)]
+    return " ".join([f"(room {thing} {place} {chain[0]})", *links])
+
+
+def _carriers(item: SceneObject, problem: Problem, grounding: Grounding) -> list[str]:
+    """Say which operators carry an object, and what each of its category costs."""
+    fit = [one.name for one in carriers_for(item, grounding, problem.tolerance)]
+    of_item = promised(grounding, item, problem.tolerance)
+    every = [of_item[one.name] for one in carriers_of(grounding) if one.category == item.category]
+    costs = {one.name: f"(= (cost-of-{one.name} {item.name}) {step_cost(one, grounding)})" for one in every}
+    lines = [f"(can {MOVE}{name} {item.name}) {costs[name]}" for name in fit]
+    return [*lines, *(cost for name, cost in costs.items() if name not in fit)]

@@ -1,0 +1,45 @@
+"""Planning with places: objects that can be carried are, and only the others are led over cells."""
+
+import dataclasses
+from collections.abc import Callable
+
+from neurosym.grounding import Grounding
+from neurosym.pddl.place_domain import carriers_of
+from neurosym.pddl.place_problem import carried_objects
+from neurosym.pddl.places import with_places
+from neurosym.pddl.validation import validate
+from neurosym.planners.result import PlanResult, PlanStatus
+from neurosym.problems import Problem
+
+
+def is_by_places(problem: Problem, grounding: Grounding) -> bool:
+    """Say whether some object of a problem can be carried to its goal.
+
+    Args:
+        problem: The problem.
+        grounding: The learned domain.
+    """
+    if not (grounding.is_refined and carriers_of(grounding)):
+        return False
+    return any(name in problem.goals for name in carried_objects(problem, grounding))
+
+
+def plan_by_places(
+    problem: Problem, grounding: Grounding, solve: Callable[[Problem], PlanResult]
+) -> PlanResult:
+    """Plan for all objects at once, and believe the plan if its replay is right.
+
+    Args:
+        problem: The problem.
+        grounding: The learned domain.
+        solve: Gives it to a planner, in the encoding `places`.
+    """
+    problem = with_places(problem, grounding)
+    result = solve(problem)
+    if result.status is not PlanStatus.SOLVED:
+        return result
+    checked = validate(result.steps, problem, grounding)
+    if checked.valid:
+        return result
+    reason = f"the plan with places is not true when replayed: {checked.reason}"
+    return dataclasses.replace(result, status=PlanStatus.FAILED, steps=(), reason=reason)
