@@ -112,7 +112,8 @@ def _compare(one: msgspec.Struct, other: msgspec.Struct, of: str = "") -> Agreem
     course: Course = "same bytes"
     greatest, first = 0.0, ""
     for field in one.__struct_fields__:
-        pair = msgspec.to_builtins((getattr(one, field), getattr(other, field)))
+        values = getattr(one, field), getattr(other, field)
+        pair = msgspec.to_builtins(tuple(None if value is msgspec.UNSET else value for value in values))
         if msgspec.json.encode(pair[0]) == msgspec.json.encode(pair[1]):
             continue
         apart = _apart(*pair)

@@ -15,6 +15,7 @@ from neurosym.pddl import carrying, own_steps, place_domain
 from neurosym.pddl.grid import AXES, grid_of
 from neurosym.pddl.moves import (
     ENCODINGS,
+    LED,
     PLACES,
     REACH_GOAL,
     Encoding,
@@ -37,8 +38,6 @@ from neurosym.pddl.printing import (
     millimetres,
 )
 
-LED = ("stepwise", PLACES)
-"""Encodings that lead objects over cells, one axis at a time."""
 Parts = tuple[tuple[str, tuple[int, ...]], ...]
 
 _ABOUT = {

@@ -17,6 +17,8 @@ ENCODINGS: tuple[Encoding, ...] = ("stepwise", "operators", "numeric")
 
 PLACES: Encoding = "places"
 """Objects that can be carried stand at places; the others are led over cells as in `stepwise`."""
+LED: tuple[Encoding, ...] = ("stepwise", PLACES)
+"""Encodings that lead objects over cells, one axis at a time."""
 SAS: Encoding = "sas"
 """No PDDL, but what Fast Downward makes of `stepwise` before it searches."""
 
@@ -112,7 +114,7 @@ def parts_of(
     """
     if encoding == "numeric":
         return ((move.name, ()),)
-    if has_own and encoding == "stepwise":
+    if has_own and encoding in LED:
         return ((move.name, ()), *((carrier(axis), (axis,)) for axis in carried(move)))
     axes = move.axes
     if encoding == "operators" or len(axes) < 2:

@@ -3,11 +3,11 @@
 from itertools import pairwise
 
 from neurosym.grounding import Grounding
+from neurosym.pddl.footprints import footprints_apart
 from neurosym.pddl.moves import MOVE, step_cost
-from neurosym.pddl.place_domain import NOWHERE, carriers_for, carriers_of
+from neurosym.pddl.place_domain import LEAVE, LOOK, NOWHERE, REACH, carriers_for, carriers_of
 from neurosym.pddl.places import PARK, blockers, is_at, with_places
 from neurosym.pddl.printing import comment
-from neurosym.pddl.validation import footprints_apart
 from neurosym.problems import Problem, SceneObject
 from neurosym.promises import promised
 
@@ -40,6 +40,36 @@ def led_objects(problem: Problem, grounding: Grounding) -> tuple[str, ...]:
     """
     carried = carried_objects(problem, grounding)
     return tuple(name for name in problem.object_names if name in problem.goals and name not in carried)
+
+
+class PlaceNotes:
+    """Where objects stand while a plan with places is printed as ground actions.
+
+    Args:
+        problem: The problem, with its places.
+        grounding: The learned domain.
+    """
+
+    def __init__(self, problem: Problem, grounding: Grounding):
+        self._problem, self._apart = problem, footprints_apart(problem)
+        self._stands = {name: f"{START}{name}" for name in problem.object_names}
+        self.carried = carried_objects(problem, grounding)
+
+    def carry(self, operator: str, name: str, place: str) -> list[str]:
+        """Return the ground actions that carry an object to a place, those that look before it first."""
+        others = blockers(name, self._problem.place_named(place), self._problem, self._apart)
+        links = pairwise(_chain(others))
+        looks = [f"({LOOK} {name} {place} {here} {then})" for here, then in links]
+        before, self._stands[name] = self._stands[name], place
+        return [*looks, f"({operator} {name} {before} {place})"]
+
+    def leave(self, name: str) -> str:
+        """Return the ground action that notes that an object has left where it started."""
+        return f"({LEAVE} {name} {START}{name})"
+
+    def reach(self, name: str) -> str:
+        """Return the ground action that notes that an object stands where its goal is."""
+        return f"({REACH} {name} {self._stands[name]})"
 
 
 def declared(problem: Problem) -> str:
@@ -96,9 +126,14 @@ def _start(item: SceneObject, problem: Problem, *, is_led: bool) -> str:
 
 def _room(thing: str, place: str, others: tuple[str, ...]) -> str:
     """Say which places must be free, one after another, for an object to have room at a place."""
-    chain = [f"{START}{other}" for other in others] + [NOWHERE]
+    chain = _chain(others)
     links = [f"(look-next {thing} {place} {here} {then})" for here, then in pairwise(chain)]
     return " ".join([f"(room {thing} {place} {chain[0]})", *links])
+
+
+def _chain(others: tuple[str, ...]) -> list[str]:
+    """List the places that must be free, one after another, and what comes after the last."""
+    return [*(f"{START}{other}" for other in others), NOWHERE]
 
 
 def _carriers(item: SceneObject, problem: Problem, grounding: Grounding) -> list[str]:

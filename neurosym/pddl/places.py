@@ -74,7 +74,7 @@ def blockers(
         name: The object.
         spot: Where its centre would be [m].
         problem: The problem, with the objects as they stand now.
-        apart: How far apart two objects must be; see `validation.footprints_apart`.
+        apart: How far apart two objects must be; see `footprints_apart`.
     """
     row = problem.object_names.index(name)
     here = problem.scene().positions[:, :2]

@@ -6,7 +6,7 @@ the `stepwise` encoding several for one step; reading folds them into steps.
 
 import dataclasses
 import re
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -14,10 +14,11 @@ from neurosym.checks import check_kind
 from neurosym.errors import InvalidPlan, InvalidValue, UnknownChoice, shortened
 from neurosym.grounding import Grounding, is_lift
 from neurosym.operators import Operator
-from neurosym.pddl.grid import AXES, grid_of
+from neurosym.pddl.grid import AXES, Grid, grid_of
 from neurosym.pddl.moves import (
     FINISH,
     MOVE,
+    PLACES,
     PUT_DOWN,
     REACH_GOAL,
     Encoding,
@@ -30,6 +31,7 @@ from neurosym.pddl.moves import (
 )
 from neurosym.pddl.own_steps import step_name
 from neurosym.pddl.place_domain import NOTES
+from neurosym.pddl.place_problem import PlaceNotes
 from neurosym.pddl.places import with_places
 from neurosym.problems import Problem, SceneObject
 from neurosym.reading import MEGABYTE, read_text
@@ -113,11 +115,18 @@ def print_ground_plan(
     Raises:
         InvalidValue: If an operator is not in the domain, or not for its object.
     """
+    steps = tuple(steps)
+    if any(step.place for step in steps):
+        problem, encoding = with_places(problem, grounding), PLACES
+    notes = PlaceNotes(problem, grounding) if encoding == PLACES else None
     grid, has_own = grid_of(grounding), grounding.is_refined
     moves = {item.name: _moves_of(item, problem, grounding, encoding) for item in problem.objects}
     cells = {item.name: list(grid.anchor(item.position)) for item in problem.objects}
-    lines = []
-    for step in steps:
+    lines: list[str] = []
+    for number, step in enumerate(steps):
+        if step.place and notes:
+            lines += notes.carry(step.operator, step.object, step.place)
+            continue
         if step.operator not in moves[step.object]:
             of_whom = f" for {step.object}" if has_own else ""
             raise InvalidValue(
@@ -135,10 +144,17 @@ def print_ground_plan(
                 ]
                 here[axis] += move.cells[axis]
             lines.append(f"({' '.join(words)})")
+        if notes and not any(later.object == step.object for later in steps[number + 1 :]):
+            lines += [_reached(step.object, cells, grid), notes.leave(step.object)]
     for name in sorted(problem.goals) if encoding != "numeric" else ():
-        spot = " ".join(grid.cell_name(axis, index) for axis, index in enumerate(cells[name]))
-        lines.append(f"({REACH_GOAL} {name} {spot})")
+        line = notes.reach(name) if notes and name in notes.carried else _reached(name, cells, grid)
+        lines += [line] if line not in lines else []
     return "\n".join(lines) + "\n"
+
+
+def _reached(name: str, cells: Mapping[str, Sequence[int]], grid: Grid) -> str:
+    spot = " ".join(grid.cell_name(axis, index) for axis, index in enumerate(cells[name]))
+    return f"({REACH_GOAL} {name} {spot})"
 
 
 def _moves_of(

@@ -13,9 +13,10 @@ import numpy as np
 from jaxtyping import Float
 
 from neurosym.grounding import Grounding
+from neurosym.pddl.footprints import footprints_apart
 from neurosym.pddl.moves import PUT_DOWN
 from neurosym.pddl.plan_text import PlanStep
-from neurosym.pddl.validation import footprints_apart, validate
+from neurosym.pddl.validation import validate
 from neurosym.planners.branching import branching_of
 from neurosym.planners.cost_to_go import CostToGo, cost_to_go
 from neurosym.planners.count_vectors import Choices

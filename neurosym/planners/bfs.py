@@ -19,9 +19,9 @@ from dataclasses import dataclass
 import numpy as np
 from jaxtyping import Bool, Float, Int
 
+from neurosym.pddl.footprints import footprints_apart, overlapping
 from neurosym.pddl.moves import PUT_DOWN
 from neurosym.pddl.plan_text import PlanStep
-from neurosym.pddl.validation import footprints_apart, overlapping
 from neurosym.planners.branching import Branching
 from neurosym.planners.effort import check_time, within
 from neurosym.planners.result import PlanResult, PlanStatus

@@ -13,9 +13,9 @@ from itertools import count
 import numpy as np
 
 from neurosym.grounding import Grounding
+from neurosym.pddl.footprints import footprints_apart, overlapping
 from neurosym.pddl.moves import PUT_DOWN, step_cost
 from neurosym.pddl.plan_text import PlanStep
-from neurosym.pddl.validation import footprints_apart, overlapping
 from neurosym.planners.branching import Branching, Names, branching_of
 from neurosym.planners.count_vectors import Candidate, Choices, candidates, looked_at, nearest
 from neurosym.planners.effort import Effort

@@ -16,7 +16,7 @@ from jaxtyping import Float
 
 from neurosym.grounding import Grounding
 from neurosym.operators import Vector
-from neurosym.pddl.validation import footprints_apart
+from neurosym.pddl.footprints import footprints_apart
 from neurosym.planners.branching import Branching, Names, branching_of
 from neurosym.planners.count_vectors import Choices, candidates, looked_at, nearest
 from neurosym.planners.counting import MOST_WORK

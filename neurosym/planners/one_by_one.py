@@ -20,8 +20,9 @@ from jaxtyping import Float
 
 from neurosym.grounding import Grounding
 from neurosym.operators import Vector, vector
+from neurosym.pddl.footprints import footprints_apart, overlapping
 from neurosym.pddl.plan_text import PlanStep
-from neurosym.pddl.validation import footprints_apart, operator_for, overlapping, validate
+from neurosym.pddl.validation import operator_for, validate
 from neurosym.planners.around import plan_around
 from neurosym.planners.counting import plan_counting
 from neurosym.planners.effort import Effort, check_time

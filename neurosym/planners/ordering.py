@@ -12,8 +12,9 @@ import numpy as np
 from jaxtyping import Bool, Float, Int
 
 from neurosym.grounding import Grounding, is_lift
+from neurosym.pddl.footprints import footprints_apart
 from neurosym.pddl.plan_text import PlanStep
-from neurosym.pddl.validation import Validation, footprints_apart, operator_for, validate
+from neurosym.pddl.validation import Validation, operator_for, validate
 from neurosym.planners.effort import Effort
 from neurosym.problems import Problem
 

@@ -7,7 +7,7 @@ import pytest
 from places import SHIPPED
 
 from neurosym.errors import InvalidValue
-from neurosym.pddl.validation import overlapping
+from neurosym.pddl.footprints import overlapping
 from neurosym.stages.folder import DomainFolder
 from neurosym.table import Table
 from tools.benchmarks.planning.anywhere import AWAY, draw_anywhere, draw_places

@@ -6,7 +6,7 @@ from jaxtyping import Float
 from neurosym.errors import InvalidValue
 from neurosym.evaluation.comparison_tasks import Bench
 from neurosym.operators import TOLERANCE, vector
-from neurosym.pddl.validation import overlapping
+from neurosym.pddl.footprints import overlapping
 from neurosym.problems import Problem, SceneObject
 from neurosym.table import Table
 from neurosym.worlds.problem_drawing import item_names

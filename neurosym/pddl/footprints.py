@@ -1,0 +1,29 @@
+"""Footprints: how far apart objects must be, not to stand in one another."""
+
+import numpy as np
+from jaxtyping import Bool, Float
+
+from neurosym.problems import ROUNDED, Problem
+
+
+def footprints_apart(problem: Problem) -> Float[np.ndarray, "M M 2"]:
+    """Return how far apart the centres of two objects must be on x or y, not to stand in each other [m].
+
+    Footprints count as boxes along the axes, which may touch, whatever binary numbers make of their sizes. Of
+    two that overlap at the start already nothing is asked.
+
+    Args:
+        problem: The problem.
+    """
+    sizes = np.array([item.features[:2] for item in problem.objects], dtype=float)
+    apart = (sizes[:, None] + sizes) / 2 - ROUNDED
+    spots = problem.scene().positions[:, :2]
+    apart[np.all(np.abs(spots[:, None] - spots) < apart, axis=-1)] = 0.0
+    return np.asarray(apart)
+
+
+def overlapping(
+    spot: Float[np.ndarray, "2"], others: Float[np.ndarray, "M 2"], apart: Float[np.ndarray, "M 2"]
+) -> Bool[np.ndarray, " M"]:
+    """Say which of some objects an object would stand in; see `footprints_apart`."""
+    return np.asarray(np.all(np.abs(others - spot) < apart, axis=-1))

@@ -1,0 +1,205 @@
+"""Domains with places: what they say, who reads them, and that plans for them are true."""
+
+from pathlib import Path
+
+import msgspec
+import numpy as np
+import pytest
+import toy_domain
+from validators import unified_planning_accepts
+
+from neurosym.errors import InvalidPlan, InvalidValue
+from neurosym.execution.executor import execute
+from neurosym.execution.rerun import compare_runs, rerun
+from neurosym.grounding import Grounding
+from neurosym.operators import Category, Mode, Operator, OperatorTable, Primitive
+from neurosym.pddl import compile_domain, domain_text, problem_text
+from neurosym.pddl.footprints import footprints_apart, overlapping
+from neurosym.pddl.moves import PLACES
+from neurosym.pddl.place_problem import carried_objects, led_objects
+from neurosym.pddl.places import GOAL, PARK, with_places
+from neurosym.pddl.plan_text import PlanStep, parse_plan, print_ground_plan, print_plan
+from neurosym.pddl.validation import validate
+from neurosym.place_operators import Occupied, PlaceOperators
+from neurosym.planners import PlanStatus, plan
+from neurosym.planners.fast_downward import plan_fast_downward
+from neurosym.problems import Problem, SceneObject
+from neurosym.table import Place
+
+CARRY = (0, 0, 0, 1.0, 0.01, 0, 0, 0.0, 0.03, -0.02, 0, 0.0)
+OFFSET = (0.02, -0.02, 0.0)
+"""Where the action sets an object down, seen from the place: from waypoint 2 to waypoint 3."""
+NAME = "carry-to-01-cube"
+CUBE, SLAB = (0.05, 0.05, 0.05, 0.0), (0.05, 0.12, 0.05, 0.0)
+
+
+def grounding(cell: float = 0.02) -> Grounding:
+    """Cubes are carried; slabs, which the toy's hand cannot span, are pushed."""
+    cube = Category("00", "cube", 0.5, CUBE, (0.0,) * 4)
+    slab = Category("11", "slab", 0.5, SLAB, (0.0,) * 4)
+    nothing = (0.0, 0.0, 0.0)
+    carried = Mode("carried", 20, 1.0, OFFSET, nothing, OFFSET, nothing, 0.2, 20)
+    missed = Mode("missed", 20, 1.0, nothing, nothing, nothing, nothing, 0.0, 20)
+    carriers = OperatorTable(
+        (cube, slab),
+        (Primitive("01", CARRY, 0.0),),
+        (Operator(NAME, "00", "01", 20, (carried,)), Operator("miss-01-slab", "11", "01", 20, (missed,))),
+    )
+    pushes = tuple(
+        Operator(
+            f"push-{way}-{symbol}-slab",
+            "11",
+            symbol,
+            20,
+            (Mode("resting", 20, 1.0, by, nothing, by, nothing, 0.0, 20),),
+        )
+        for way, symbol, by in (("left", "001", (0.0, 0.08, 0.0)), ("forward", "010", (0.08, 0.0, 0.0)))
+    )
+    primitives = (Primitive("001", toy_domain.LEFT, 0.0), Primitive("010", toy_domain.FORWARD, 0.0))
+    world = toy_domain.WORLD
+    return compile_domain(
+        OperatorTable((cube, slab), primitives, pushes),
+        name="toy",
+        cell=cell,
+        table_bounds=world.table,
+        lift_height=world.lift_height,
+        places=PlaceOperators(carriers, (Occupied(NAME, 10, 0),)),
+    )
+
+
+def scene(*objects: tuple[str, float, float]) -> tuple[SceneObject, ...]:
+    """Cubes and slabs, each given as its kind and where it stands."""
+    kinds = {"cube": ("00", CUBE), "slab": ("11", SLAB)}
+    return tuple(
+        SceneObject(f"item-{number:02d}", *kinds[kind], (x, y, 0.025))
+        for number, (kind, x, y) in enumerate(objects, start=1)
+    )
+
+
+def swap() -> Problem:
+    """Two cubes that shall change places."""
+    goals = {"item-01": (0.8, 0.1, 0.025), "item-02": (0.5, -0.1, 0.025)}
+    return Problem("swap", scene(("cube", 0.5, -0.1), ("cube", 0.8, 0.1)), goals, 0.02)
+
+
+def mixed() -> Problem:
+    """A cube to be carried to where a slab stands, which must be pushed away."""
+    goals = {"item-01": (0.7, 0.0, 0.025), "item-02": (0.7, 0.16, 0.025)}
+    return Problem("mixed", scene(("cube", 0.5, -0.2), ("slab", 0.7, 0.0)), goals, 0.02)
+
+
+def solved(problem: Problem) -> tuple[PlanStep, ...]:
+    result = plan(problem, grounding())
+    assert result.status is PlanStatus.SOLVED, result.reason
+    return result.steps
+
+
+def test_places_are_those_of_the_goals_and_free_ones_apart_from_everything():
+    problem = with_places(swap(), grounding())
+    names = list(problem.places)
+    assert names == [f"{GOAL}item-01", f"{GOAL}item-02", f"{PARK}01", f"{PARK}02"]
+    parks = np.array([problem.places[name] for name in names if name.startswith(PARK)])
+    taken = np.vstack([problem.scene().positions[:, :2], parks])
+    apart = footprints_apart(problem)[0, 0] + 0.04
+    for row, spot in enumerate(parks, start=len(problem.objects)):
+        others = np.delete(taken, row, axis=0)
+        assert not overlapping(spot, others, np.tile(apart, (len(others), 1))).any()
+    assert with_places(swap(), grounding()) == problem == with_places(problem, grounding())
+
+
+def test_what_can_be_carried_needs_no_cells_and_the_rest_does():
+    problem, learned = mixed(), grounding()
+    assert carried_objects(problem, learned) == ("item-01",)
+    assert led_objects(problem, learned) == ("item-02",)
+    text = problem_text(problem, learned, PLACES)
+    assert "(at-x item-02" in text
+    assert "(at-x item-01" not in text
+    assert "x-cell" not in problem_text(swap(), learned, PLACES)
+    assert len(problem_text(swap(), learned, PLACES)) < 4000
+
+
+def test_domain_says_that_places_must_be_free_and_how_that_was_seen():
+    text = domain_text(grounding(), PLACES)
+    assert f"(:action {NAME}" in text
+    assert "With another object on the place it stood there in 0 of 10, so the" in text
+    assert "miss-01-slab" not in text
+    with pytest.raises(InvalidValue, match="Nothing in the domain toy carries objects"):
+        domain_text(toy_domain.grounding(), PLACES)
+
+
+def test_two_objects_change_places_by_way_of_a_third():
+    steps = solved(swap())
+    assert [step.operator for step in steps] == [NAME] * 3
+    assert steps[0].place.startswith(PARK)
+    assert validate(steps, with_places(swap(), grounding()), grounding()).valid
+
+
+def test_a_plan_carries_one_thing_and_pushes_another_out_of_its_place_first():
+    steps = solved(mixed())
+    assert [step.object for step in steps] == ["item-02", "item-02", "item-01"]
+    assert [bool(step.place) for step in steps] == [False, False, True]
+
+
+@pytest.mark.parametrize("problem", [swap(), mixed()])
+def test_plans_come_true_in_the_world_and_again_from_the_record(problem):
+    world, learned = toy_domain.WORLD, grounding()
+    run = execute(world, problem, learned, solved(problem))
+    assert run.reached
+    assert max(run.distances.values()) < 1e-9
+    aims = [record.reference for record in run.steps if record.place]
+    spots = [with_places(problem, learned).place_named(record.place) for record in run.steps if record.place]
+    for aim, spot in zip(aims, spots, strict=True):
+        np.testing.assert_allclose(aim.centre[:2], np.array(spot) - OFFSET[:2])
+    again = rerun(world, problem, learned, run)
+    assert compare_runs(run, again).course == "same bytes"
+    assert msgspec.json.decode(msgspec.json.encode(run), type=type(run)) == run
+
+
+@pytest.mark.parametrize("problem", [swap(), mixed()])
+def test_printed_plans_are_read_back_and_accepted_by_others(problem, tmp_path: Path):
+    learned, steps = grounding(), solved(problem)
+    assert parse_plan(print_plan(steps), tmp_path, learned, problem) == steps
+    ground = print_ground_plan(steps, problem, learned)
+    assert parse_plan(ground, tmp_path, learned, problem) == steps
+    domain, task = tmp_path / "domain.pddl", tmp_path / "problem.pddl"
+    domain.write_text(domain_text(learned, PLACES))
+    task.write_text(problem_text(problem, learned, PLACES))
+    assert unified_planning_accepts(domain, task, ground)
+    missing = "\n".join(line for line in ground.splitlines() if not line.startswith("(look-on")) + "\n"
+    assert not unified_planning_accepts(domain, task, missing)
+    answer = plan_fast_downward(domain, task, time_limit=60.0)
+    assert parse_plan(answer.text, tmp_path, learned, problem) == steps
+
+
+def test_unknown_places_are_refused_in_one_sentence(tmp_path: Path):
+    for line in (f"({NAME} item-01 moon)", f"({NAME} item-01)"):
+        with pytest.raises(InvalidPlan, match=r"no place .*; valid: goal-item-01, goal-item-02, park-01"):
+            parse_plan(line, tmp_path, grounding(), swap())
+
+
+def test_what_fails_is_not_done_again_the_same_way():
+    """The hand is told to carry something that is nailed down: after that, nothing is left to try."""
+    world, learned, problem = toy_domain.WORLD, grounding(), swap()
+
+    class Nailed:
+        def __getattr__(self, name):
+            return getattr(world, name)
+
+        def interact(self, scene, action, target, **options):
+            return world.interact(scene, np.zeros(12) if target == 0 else action, target, **options)
+
+    def replanner(task, known):
+        return plan(task, known)
+
+    run = execute(Nailed(), problem, learned, solved(problem), replanner=replanner)
+    assert not run.reached
+    tried = [record for record in run.steps if record.object == "item-01"]
+    assert 1 <= len(tried) <= 4
+    assert all(record.happened == "missed" for record in tried)
+    assert run.ended == "no plan"
+
+
+def test_place_nearest_to_a_point_lies_on_the_table():
+    table = toy_domain.WORLD.table
+    assert table.nearest(2.0, 0.1) == Place(table.x[1], 0.1)
+    assert table.nearest(0.5, -9.0) == Place(0.5, table.y[0])
