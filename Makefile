@@ -4,7 +4,7 @@ VENV ?= .venv
 PYTHON ?= $(firstword $(shell command -v python3.11) $(shell command -v python3))
 BIN := $(VENV)/bin
 
-.PHONY: install demo test lint fuzz evaluate evaluate-world evaluate-learning evaluate-planning evaluate-practice evaluate-planners evaluate-scale faults tutorial architecture clean
+.PHONY: install demo test lint fuzz evaluate evaluate-world evaluate-learning evaluate-planning evaluate-practice evaluate-places evaluate-bits evaluate-planners evaluate-scale faults tutorial architecture clean
 
 install: $(VENV)/.installed
 
@@ -63,6 +63,14 @@ evaluate-planning: install
 # Whether practice helps, beside rehearsing evenly, into docs/results/practice.*; goes on where it was interrupted.
 evaluate-practice: install
 	$(BIN)/python -m tools.benchmarks.planning.practice
+
+# How well objects are carried to places, over seeds, into docs/results/places.*; goes on where it was interrupted.
+evaluate-places: install
+	$(BIN)/python -m tools.benchmarks.carrying.evaluate
+
+# How many bits the data carry, over seeds, into docs/results/bits.*; goes on where it was interrupted.
+evaluate-bits: install
+	$(BIN)/python -m tools.benchmarks.planning.bits
 
 # How far it goes (rows, symbols, objects), into docs/results/scale.*; goes on where it was interrupted.
 evaluate-scale: install

@@ -21,6 +21,7 @@ from neurosym.sim.camera import Camera
 from neurosym.sim.landing import landing_shift
 from neurosym.sim.robot import LOWEST_TOOL_POINT, Robot
 from neurosym.sim.simulation import Simulation
+from neurosym.sim.toppling import has_toppled, rotation
 from neurosym.table import Reference
 from neurosym.world import Disturbance, FrameSink, Outcome, Scene
 
@@ -30,8 +31,6 @@ RELEASE_OPENINGS = (0.005, 0.015)
 """How far each finger opens, first to let a standing object fall flat, then to leave it behind [m]."""
 LOWERING_SPEED = 0.25
 """Greatest speed of a held object on its way down [m/s]."""
-TOPPLED_COSINE = math.cos(math.radians(30))
-"""An object has toppled when its up axis has turned by more than 30 degrees."""
 PARKING_CLEARANCE, LEAST_PARKING_CLEARANCE = 0.25, 0.05
 """How far above the tallest object there can be the hand waits at first; and at least above any stack [m]."""
 LEAST_DISTURBANCE = 0.005
@@ -116,7 +115,7 @@ class Interaction:
             end=end,
             target=self._target,
             held=held,
-            toppled=_has_toppled(start, end, self._target),
+            toppled=has_toppled(start, end, self._target),
             lost=not self._simulation.config.table.contains(end.positions[self._target]),
             peak_height=self._peak - float(centre[2]),
             touched=tuple(sorted(self._touched)),
@@ -207,7 +206,7 @@ class Interaction:
         self._phase = "carry"
         self._robot.move_to(self._robot.tool_point() + np.array([0.0, 0.0, GRASP_TEST]))
         hanging = self._hanging()
-        if self._target not in hanging:
+        if self._target not in hanging or self._grips_others():
             return False
         x, y, z = self._robot.tool_point()
         height = z + self._missing_height(hanging)
@@ -219,6 +218,11 @@ class Interaction:
             return False
         self._set_down(hanging)
         return True
+
+    def _grips_others(self) -> bool:
+        """Say whether the hand touches other objects than the target, which it would drop on the way."""
+        others = set(self._simulation.bodies) - {self._simulation.bodies[self._target]}
+        return bool(others & self._simulation.touched_by(self._robot.body))
 
     def _missing_height(self, hanging: Sequence[int]) -> float:
         """Return how much higher what hangs must be to pass over all the rest [m]."""
@@ -242,7 +246,7 @@ class Interaction:
         """
         self._phase = "put down"
         heeded = self._target if self._target in hanging else hanging[0]
-        tilt = _rotation(self._simulation.observe().orientations[heeded])
+        tilt = rotation(self._simulation.observe().orientations[heeded])
         shift_x, shift_y = landing_shift(self._simulation.features[heeded], tilt)
         x, y, _ = self._robot.tool_point()
         self._robot.move_to(
@@ -267,7 +271,7 @@ class Interaction:
                 continue
             if not table.contains(end.positions[index]):
                 yield index, "lost"
-            elif _has_toppled(start, end, index):
+            elif has_toppled(start, end, index):
                 yield index, "toppled"
             elif math.dist(end.positions[index], start.positions[index]) > LEAST_DISTURBANCE:
                 yield index, "moved"
@@ -286,12 +290,3 @@ def _connected(body: int, touching: Mapping[int, set[int]]) -> set[int]:
         front = {other for other, touched in touching.items() if touched & front} - found
         found |= front
     return found
-
-
-def _has_toppled(start: Scene, end: Scene, target: int) -> bool:
-    before, after = (_rotation(scene.orientations[target])[:, 2] for scene in (start, end))
-    return bool(before @ after < TOPPLED_COSINE)
-
-
-def _rotation(quaternion: Float[np.ndarray, "4"]) -> Float[np.ndarray, "3 3"]:
-    return np.array(pybullet.getMatrixFromQuaternion(quaternion)).reshape(3, 3)

@@ -115,3 +115,14 @@ def test_carrying_can_be_filmed():
     plain = Tabletop().interact(boxes(BOX), CARRY, 0, reference=FAR)
     assert list(dict.fromkeys(phases))[-4:] == ["waypoint 2", "carry", "put down", "rise"]
     assert filmed.end.positions.tobytes() == plain.end.positions.tobytes()
+
+
+def test_what_the_hand_would_take_along_by_mistake_is_not_carried_away():
+    """Two narrow boxes side by side, gripped together: neither is carried."""
+    pair = ((0.05, 0.03, 0.06, 0, 0.5, 0.0), (0.05, 0.03, 0.06, 0, 0.5, 0.031))
+    between = CARRY + np.array([0, 0.0155, 0, 0] * 2 + [0] * 4)
+    outcome = Tabletop().interact(boxes(*pair), between, 0, reference=FAR)
+    assert 1 in outcome.touched
+    assert not outcome.carried
+    assert outcome.kind == "missed"
+    assert np.all(outcome.end.positions[:, 0] < 0.6)

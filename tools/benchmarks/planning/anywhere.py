@@ -1,5 +1,7 @@
 """Tasks as a user would ask for them: objects and goals anywhere on the table, far from one another."""
 
+from collections.abc import Callable
+
 import numpy as np
 from jaxtyping import Float
 
@@ -13,11 +15,14 @@ from neurosym.worlds.problem_drawing import item_names
 
 AWAY = 0.15
 """Least distance of a goal from where its object stands [m]."""
+Fits = Callable[[Float[np.ndarray, " F"]], bool]
 _STREAM = 0x616E7977  # keeps this randomness apart from any other
-_DRAWS, _TRIES = 100, 1000
+_DRAWS, _TRIES = 1000, 1000
 
 
-def draw_anywhere(bench: Bench, objects: int, seed: int, tolerance: float = TOLERANCE) -> Problem:
+def draw_anywhere(
+    bench: Bench, objects: int, seed: int, tolerance: float = TOLERANCE, *, fits: Fits | None = None
+) -> Problem:
     """Draw objects of all shapes, and for each a start and a goal, uniform over the table.
 
     Footprints lie on the table. Starts lie apart from one another, and so do goals. A goal is also apart from
@@ -29,6 +34,7 @@ def draw_anywhere(bench: Bench, objects: int, seed: int, tolerance: float = TOLE
         objects: How many objects.
         seed: Same seed, same task.
         tolerance: How near each object must come to its goal [m].
+        fits: Says of the features of an object whether it may be drawn; all may, if not given.
 
     Raises:
         InvalidValue: If so many objects find no places.
@@ -37,6 +43,8 @@ def draw_anywhere(bench: Bench, objects: int, seed: int, tolerance: float = TOLE
     for draw in range(_DRAWS):
         rng = np.random.default_rng([_STREAM, objects, seed, draw])
         scene = world.sample_scene(rng, objects)  # its places are near the middle, and not used
+        if fits and not all(map(fits, scene.features)):
+            continue
         sizes, heights = scene.features[:, :2], scene.positions[:, 2]
         starts = draw_places(rng, sizes, world.table)
         goals = None if starts is None else draw_places(rng, sizes, world.table, starts)

@@ -1,0 +1,1 @@
+"""How well objects are carried to places: far goals, swaps, rows and crowds (docs/results/places.md)."""

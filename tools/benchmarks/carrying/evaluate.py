@@ -1,0 +1,254 @@
+"""How well are objects carried to places? `make evaluate-places`, into docs/results/places.*.
+
+For each seed a domain is learned, with places. It is tried on tasks that nothing was chosen on: goals
+anywhere on the table for one to eight objects, swaps, rows and crowds. Goes on where it was interrupted.
+"""
+
+import math
+import os
+import shutil
+from collections.abc import Callable, Mapping, Sequence
+from functools import partial
+from pathlib import Path
+from statistics import mean, median
+from typing import Annotated, Any
+
+import numpy as np
+import tyro
+
+from neurosym.commands.init import init
+from neurosym.console import say
+from neurosym.files import write_atomically
+from neurosym.operators import OperatorTable
+from neurosym.pddl.compiler import CELL
+from neurosym.place_operators import PlaceOperators
+from neurosym.stages.aiming import distill_places_stage, explore_places_stage, train_places_stage
+from neurosym.stages.compiling import compile_stage
+from neurosym.stages.distilling import distill_stage
+from neurosym.stages.exploring import explore_stage
+from neurosym.stages.folder import DomainFolder
+from neurosym.stages.layout import PLACE_OPERATORS, WORLD
+from neurosym.stages.training import train_stage
+from tools.benchmarks.carrying import tasks
+from tools.benchmarks.carrying.tables import page
+from tools.benchmarks.jobs import Job, as_text, load_jobs, machine, pack, perform, unpack
+from tools.benchmarks.planning import figures
+from tools.benchmarks.planning.measures import REHEARSALS, TIME_LIMIT, bench_of
+from tools.benchmarks.planning.trials import Trial, from_json, to_json, try_task
+
+RESULTS, WORK = Path("docs/results"), Path("evaluation/places")
+RECORDS = "places-records.zip"
+STRATEGY, REGIME = "disagreement", "default"
+FIRST_TASK = 500_000
+"""Seed of the first task, far from those of other evaluations."""
+BLOCK = 5
+"""Tasks in one job."""
+RIGHT, WITHIN = 0.9, 0.015
+"""A domain can carry if some operator symbol ends graspable objects so often so near to its mean [m]."""
+NEAR = 0.02
+"""The smaller tolerance [m]."""
+
+Cell = tuple[str, Callable[..., Any], int]
+"""What a cell of the table is called, what draws its tasks, and how many there are for each seed."""
+
+
+def cells(scale: float) -> tuple[Cell, ...]:
+    """List what is tried.
+
+    Args:
+        scale: How many tasks, as a share of the full number.
+    """
+
+    def some(count: int) -> int:
+        return max(1, round(count * scale))
+
+    of_size = {1: some(40), 2: some(20), 4: some(20), 8: some(10)}
+    return (
+        *((f"graspable {n}", partial(_far, n, True, None), count) for n, count in of_size.items()),
+        *((f"graspable {n}, 20 mm", partial(_far, n, True, NEAR), count) for n, count in of_size.items()),
+        *((f"all {n}", partial(_far, n, False, None), count) for n, count in of_size.items()),
+        ("swap", tasks.swap, some(20)),
+        ("row", tasks.row, some(20)),
+        ("crowded", tasks.crowded, some(20)),
+    )
+
+
+def _far(objects: int, graspable: bool, tolerance: float | None, bench: Any, seed: int) -> Any:
+    within = {} if tolerance is None else {"tolerance": tolerance}
+    return tasks.far(bench, objects, seed, graspable=graspable, **within)
+
+
+def main(
+    seeds: Annotated[int, tyro.conf.arg(help="Seeds of everything.")] = 5,
+    steps: Annotated[int, tyro.conf.arg(help="Interactions of each exploration.")] = 10_000,
+    places: Annotated[int, tyro.conf.arg(help="Interactions besides that are aimed at places.")] = 2500,
+    scale: Annotated[float, tyro.conf.arg(help="How many tasks, as a share of the full number.")] = 1.0,
+    work: Annotated[Path, tyro.conf.arg(help="Folder for what was measured.")] = WORK,
+    learned: Annotated[
+        Path | None, tyro.conf.arg(help="Folder of domains disagreement-1, -2, ... to begin with.")
+    ] = None,
+    results: Annotated[Path, tyro.conf.arg(help="Folder for the tables.")] = RESULTS,
+    workers: Annotated[int, tyro.conf.arg(help="Jobs at once.")] = os.cpu_count() or 1,
+) -> None:
+    """Learn, try, and write what came of it."""
+    (work / "jobs").mkdir(parents=True, exist_ok=True)
+    unpack(results / RECORDS, work / "jobs")
+    folders = {seed: work / f"seed-{seed}" for seed in range(1, seeds + 1)}
+    learning: dict[str, Job] = {
+        f"learn-{seed}": partial(learn, folder, learned, seed, steps, places)
+        for seed, folder in folders.items()
+    }
+    perform(work / "jobs", learning, workers, lambda: None, label="learning")
+    trying = {cell: [_jobs(folder, seed, cell) for seed, folder in folders.items()] for cell in cells(scale)}
+    for cell, of_seeds in trying.items():
+        every = {name: job for jobs in of_seeds for name, job in jobs.items()}
+        perform(work / "jobs", every, workers, lambda: None, label=cell[0])
+        pack(work / "jobs", results / RECORDS)
+        found = load_jobs(work / "jobs")
+        trials = {name: [_trials(found, jobs) for jobs in of] for (name, *_), of in trying.items()}
+        summary = summarise(found, trials, seeds=seeds, steps=steps, places=places)
+        write_atomically(results / "places.json", as_text(summary))
+        write_atomically(results / "places.md", page(summary))
+    say(f"wrote {results / 'places.md'}")
+
+
+def learn(folder: Path, learned: Path | None, seed: int, steps: int, places: int) -> dict[str, Any]:
+    """Learn a domain with places; what was done is not done again.
+
+    Args:
+        folder: Where it lies.
+        learned: Where there are domains to begin with, if anywhere.
+        seed: Of everything.
+        steps: Interactions of its exploration.
+        places: Interactions besides that are aimed at places.
+
+    Returns:
+        How well it carries graspable objects; see `carries`.
+    """
+    if not folder.exists() and learned is not None:
+        shutil.copytree(learned / f"disagreement-{seed}", folder)
+    if not (folder / WORLD).exists():
+        init(folder)
+    domain = DomainFolder(folder)
+    for stage in (
+        explore_stage(domain, strategy=STRATEGY, steps=steps, seed=seed, regime=REGIME, workers=1),
+        train_stage(domain, seed=seed, regime=REGIME),
+        distill_stage(domain, objects=REHEARSALS, seed=seed, workers=1),
+        explore_places_stage(domain, strategy=STRATEGY, steps=places, seed=seed, regime=REGIME, workers=1),
+        train_places_stage(domain, seed=seed, regime=REGIME),
+        distill_places_stage(domain, objects=REHEARSALS, seed=seed, workers=1),
+    ):
+        domain.perform(stage, again=False)
+    domain.perform(compile_stage(domain, cell=CELL), again=False)
+    return carries(PlaceOperators.load(folder / PLACE_OPERATORS).operators)
+
+
+def carries(table: OperatorTable) -> dict[str, Any]:
+    """Say how often the best action symbol carries graspable objects, and how nearly alike.
+
+    Args:
+        table: The operators that carry.
+
+    Returns:
+        Of that symbol: the share of rehearsals on graspable objects, drawn as the world draws them, that end
+        within 15 mm of what the operator does on average; and the median distance from it [mm].
+    """
+    best: dict[str, Any] = {"symbol": "", "right": 0.0, "median_mm": math.nan}
+    objects = {category.symbol: category.objects for category in table.categories}
+    for symbol in table.symbols:
+        away = []
+        for one in (one for one in table.operators if one.primitive == symbol):
+            rows = zip(one.rehearsals[: one.trials], one.objects or objects[one.category], strict=False)
+            ends = [row for row, features in rows if tasks.is_graspable(np.array(features))]
+            centre = one.promise.outcome if one.promise and one.promise.kind == "carried" else None
+            away += [
+                math.dist(row.outcome, centre) if centre and row.kind == "carried" else math.inf
+                for row in ends
+            ]
+        right = float(np.mean([distance <= WITHIN for distance in away])) if away else 0.0
+        if right > best["right"]:
+            best = {"symbol": symbol, "right": right, "median_mm": 1000 * float(np.median(away))}
+    return best
+
+
+def _jobs(folder: Path, seed: int, cell: Cell) -> dict[str, Job]:
+    name, draw, count = cell
+    slug = name.replace(", ", "-").replace(" ", "-")
+    first = FIRST_TASK + 10_000 * seed
+    return {
+        f"try-{seed}-{slug}-{start}": partial(
+            try_all, folder, draw, [first + n for n in range(start, min(start + BLOCK, count))]
+        )
+        for start in range(0, count, BLOCK)
+    }
+
+
+def try_all(folder: Path, draw: tasks.Draw, seeds: Sequence[int]) -> list[Any]:
+    """Try tasks, blindly and with replanning."""
+    bench = bench_of(folder)
+    return to_json(
+        [try_task(bench.setting, draw(bench, seed), blind=True, time_limit=TIME_LIMIT) for seed in seeds]
+    )
+
+
+def _trials(found: Mapping[str, Any], jobs: Mapping[str, Job]) -> list[Trial]:
+    return [trial for name in jobs for trial in from_json(found.get(name, []))]
+
+
+def summarise(
+    found: Mapping[str, Any],
+    trials: Mapping[str, Sequence[Sequence[Trial]]],
+    *,
+    seeds: int,
+    steps: int,
+    places: int,
+) -> dict[str, Any]:
+    """Gather the shares of reached goals, for each seed and in the mean.
+
+    Args:
+        found: What the jobs found, by name.
+        trials: The trials of each cell, seed by seed.
+        seeds: How many seeds.
+        steps: Interactions of each exploration.
+        places: Interactions besides that were aimed at places.
+    """
+    table = {
+        name: {way: [figures.share(of_one, way) for of_one in of] for way in ("blind", "replanned")}
+        | {"motions": _motions(of), "tasks": sum(map(len, of))}
+        for name, of in trials.items()
+    }
+
+    def whole(name: str) -> float | None:
+        known = [share for share in table[name]["replanned"] if share is not None]
+        return mean(known) if known else None
+
+    def sizes(kind: str, ending: str = "") -> dict[str, float | None]:
+        return {str(n): whole(f"{kind} {n}{ending}") for n in (1, 2, 4, 8)}
+
+    can = [found.get(f"learn-{seed}") for seed in range(1, seeds + 1)]
+    return {
+        "command": "make evaluate-places",
+        "versions": machine("numpy", "pybullet", "torch", "up-fast-downward"),
+        "seeds": seeds,
+        "steps": steps,
+        "places": places,
+        "far_goals": sizes("graspable"),
+        "far_goals_20mm": sizes("graspable", ", 20 mm"),
+        "far_goals_all": sizes("all"),
+        "swap": whole("swap"),
+        "row": whole("row"),
+        "crowded": whole("crowded"),
+        "carry_seeds": sum(one is not None and one["right"] >= RIGHT for one in can),
+        "carries": can,
+        "table": table,
+    }
+
+
+def _motions(of_seeds: Sequence[Sequence[Trial]]) -> dict[str, float] | None:
+    counts = [len(one.replanned.steps) for of_one in of_seeds for one in of_one if one.replanned]
+    return {"median": median(counts), "most": max(counts)} if counts else None
+
+
+if __name__ == "__main__":
+    os.environ.setdefault("OMP_NUM_THREADS", "1")  # for the jobs, of which there are several at once
+    tyro.cli(main)
