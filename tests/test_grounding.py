@@ -80,9 +80,9 @@ def test_grounding_survives_its_file(tmp_path: Path):
 
 
 def test_grounding_of_another_version_is_refused(tmp_path: Path):
-    foreign = msgspec.structs.replace(grounding(), format="neurosym-grounding-3")
+    foreign = msgspec.structs.replace(grounding(), format="neurosym-grounding-9")
     foreign.save(tmp_path / "grounding.json")
-    with pytest.raises(InvalidFile, match="neurosym-grounding-3"):
+    with pytest.raises(InvalidFile, match="neurosym-grounding-9"):
         Grounding.load(tmp_path / "grounding.json")
 
 
