@@ -31,6 +31,7 @@ PLACES = {
 COSTLY = {
     *((command, "--seed", NUMBERS[4]) for command in ("train", "distill", "practise")),
     ("practise", "--interactions", NUMBERS[4]),
+    *((command, "--places", NUMBERS[4]) for command in ("explore", "run")),
 }
 """Values as good as any: the command does its work, for as long as it is let."""
 
