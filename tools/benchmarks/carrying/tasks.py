@@ -6,12 +6,11 @@ import numpy as np
 from jaxtyping import Float
 
 from neurosym.evaluation.comparison_tasks import Bench
-from neurosym.operators import TOLERANCE, vector
+from neurosym.operators import TOLERANCE
 from neurosym.pddl.footprints import overlapping
-from neurosym.problems import Problem, SceneObject
+from neurosym.problems import Problem
 from neurosym.world import Scene
-from neurosym.worlds.problem_drawing import item_names
-from tools.benchmarks.planning.anywhere import draw_anywhere, draw_places
+from tools.benchmarks.planning.anywhere import arranged, draw_anywhere, draw_places
 from tools.benchmarks.world.hand_written import carry_to
 
 ROW_GAP = 0.04
@@ -39,18 +38,18 @@ def far(bench: Bench, objects: int, seed: int, *, graspable: bool, tolerance: fl
 def swap(bench: Bench, seed: int) -> Problem:
     """Draw two objects that shall change places."""
 
-    def arranged(rng: np.random.Generator, scene: Scene) -> tuple[np.ndarray, np.ndarray] | None:
+    def places(rng: np.random.Generator, scene: Scene) -> tuple[np.ndarray, np.ndarray] | None:
         sizes = np.tile(scene.features[:, :2].max(0), (2, 1))  # so that either fits where the other stands
         starts = draw_places(rng, sizes, bench.setting.world.table)
         return None if starts is None else (starts, starts[::-1].copy())
 
-    return _drawn(bench, "swap", 2, seed, arranged)
+    return _drawn(bench, "swap", 2, seed, places)
 
 
 def row(bench: Bench, seed: int) -> Problem:
     """Draw four objects that shall stand in a row across the middle of the table, in their order."""
 
-    def arranged(rng: np.random.Generator, scene: Scene) -> tuple[np.ndarray, np.ndarray] | None:
+    def places(rng: np.random.Generator, scene: Scene) -> tuple[np.ndarray, np.ndarray] | None:
         table, widths = bench.setting.world.table, scene.features[:, 1]
         length = widths.sum() + ROW_GAP * (len(widths) - 1)
         if length > table.y[1] - table.y[0]:
@@ -60,20 +59,20 @@ def row(bench: Bench, seed: int) -> Problem:
         starts = draw_places(rng, scene.features[:, :2], table)
         return None if starts is None else (starts, goals)
 
-    return _drawn(bench, "row", 4, seed, arranged)
+    return _drawn(bench, "row", 4, seed, places)
 
 
 def crowded(bench: Bench, seed: int) -> Problem:
     """Draw four objects that stand near one another, and shall go anywhere at least 15 cm away."""
 
-    def arranged(rng: np.random.Generator, scene: Scene) -> tuple[np.ndarray, np.ndarray] | None:
+    def places(rng: np.random.Generator, scene: Scene) -> tuple[np.ndarray, np.ndarray] | None:
         starts = _crowd(rng, scene.features[:, :2], bench)
         if starts is None:
             return None
         goals = draw_places(rng, scene.features[:, :2], bench.setting.world.table, starts)
         return None if goals is None else (starts, goals)
 
-    return _drawn(bench, "crowded", 4, seed, arranged)
+    return _drawn(bench, "crowded", 4, seed, places)
 
 
 def _crowd(
@@ -100,26 +99,14 @@ def _drawn(
     kind: str,
     objects: int,
     seed: int,
-    arranged: Callable[[np.random.Generator, Scene], tuple[np.ndarray, np.ndarray] | None],
+    places: Callable[[np.random.Generator, Scene], tuple[np.ndarray, np.ndarray] | None],
 ) -> Problem:
     """Draw graspable objects until they can be arranged so."""
     for draw in range(_DRAWS):
         rng = np.random.default_rng([_STREAM, objects, seed, draw])
         scene = bench.setting.world.sample_scene(rng, objects)
-        if not all(map(is_graspable, scene.features)) or (found := arranged(rng, scene)) is None:
+        if not all(map(is_graspable, scene.features)) or (found := places(rng, scene)) is None:
             continue
-        starts, goals = found
-        names, symbols = item_names(objects), bench.categorise(scene.features)
-        heights = scene.positions[:, 2]
-        items = tuple(
-            SceneObject(name, symbol, tuple(features.tolist()), vector(np.array([*start, height])))
-            for name, symbol, features, start, height in zip(
-                names, symbols, scene.features, starts, heights, strict=True
-            )
-        )
-        ends = {
-            name: vector(np.array([*goal, height]))
-            for name, goal, height in zip(names, goals, heights, strict=True)
-        }
-        return Problem(f"{kind}-{seed:05d}", items, ends, provenance=f"{kind}, draw {draw + 1}")
+        name, said = f"{kind}-{seed:05d}", f"{kind}, draw {draw + 1}"
+        return arranged(bench, name, scene, *found, TOLERANCE, said)
     raise AssertionError(f"no {kind} of {objects} graspable objects in {_DRAWS} draws")

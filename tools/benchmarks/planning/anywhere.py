@@ -11,6 +11,7 @@ from neurosym.operators import TOLERANCE, vector
 from neurosym.pddl.footprints import overlapping
 from neurosym.problems import Problem, SceneObject
 from neurosym.table import Table
+from neurosym.world import Scene
 from neurosym.worlds.problem_drawing import item_names
 
 AWAY = 0.15
@@ -45,25 +46,49 @@ def draw_anywhere(
         scene = world.sample_scene(rng, objects)  # its places are near the middle, and not used
         if fits and not all(map(fits, scene.features)):
             continue
-        sizes, heights = scene.features[:, :2], scene.positions[:, 2]
+        sizes = scene.features[:, :2]
         starts = draw_places(rng, sizes, world.table)
         goals = None if starts is None else draw_places(rng, sizes, world.table, starts)
         if starts is None or goals is None:
             continue
-        names, symbols = item_names(objects), bench.categorise(scene.features)
-        items = tuple(
-            SceneObject(name, symbol, tuple(features.tolist()), vector(np.array([*start, height])))
-            for name, symbol, features, start, height in zip(
-                names, symbols, scene.features, starts, heights, strict=True
-            )
-        )
-        ends = {
-            name: vector(np.array([*goal, height]))
-            for name, goal, height in zip(names, goals, heights, strict=True)
-        }
-        name = f"anywhere-{objects:02d}-{seed:05d}"
-        return Problem(name, items, ends, tolerance, provenance=f"anywhere on the table, draw {draw + 1}")
+        name, said = f"anywhere-{objects:02d}-{seed:05d}", f"anywhere on the table, draw {draw + 1}"
+        return arranged(bench, name, scene, starts, goals, tolerance, said)
     raise InvalidValue(f"{objects} objects do not find places on the table; ask for fewer.")
+
+
+def arranged(
+    bench: Bench,
+    name: str,
+    scene: Scene,
+    starts: Float[np.ndarray, "M 2"],
+    goals: Float[np.ndarray, "M 2"],
+    tolerance: float,
+    provenance: str,
+) -> Problem:
+    """Return the task that brings the objects of a scene from where they start to their goals.
+
+    Args:
+        bench: The learned domain.
+        name: What the task is called.
+        scene: The objects, wherever they are drawn.
+        starts: Where they stand [m].
+        goals: Where they shall stand [m].
+        tolerance: How near each must come to its goal [m].
+        provenance: How the task came about.
+    """
+    names, heights = item_names(len(scene)), scene.positions[:, 2]
+    symbols = bench.categorise(scene.features)
+    items = tuple(
+        SceneObject(item, symbol, tuple(features.tolist()), vector(np.array([*start, height])))
+        for item, symbol, features, start, height in zip(
+            names, symbols, scene.features, starts, heights, strict=True
+        )
+    )
+    ends = {
+        item: vector(np.array([*goal, height]))
+        for item, goal, height in zip(names, goals, heights, strict=True)
+    }
+    return Problem(name, items, ends, tolerance, provenance=provenance)
 
 
 def draw_places(
