@@ -6,12 +6,12 @@ moves the first axis and takes the `(ready)` lock, `finish-...` actions move the
 the lock back. Its ground actions add up over the axes, so it stays small on fine grids. One problem file
 serves both, and both are positive STRIPS with types and action costs. Equal groundings give equal bytes.
 Where operators promise something of its own to each object, `stepwise` reads that from the problem; three
-actions then move all objects (see `carrying` and `own_steps`). `operators` says what they do on average.
+actions then move all objects (see `leading` and `own_steps`). `operators` says what they do on average.
 """
 
 from neurosym.errors import InvalidValue, UnknownChoice
 from neurosym.grounding import Grounding
-from neurosym.pddl import carrying, own_steps, place_domain
+from neurosym.pddl import leading, own_steps, place_domain
 from neurosym.pddl.grid import AXES, grid_of
 from neurosym.pddl.moves import (
     ENCODINGS,
@@ -81,7 +81,7 @@ def domain_text(grounding: Grounding, encoding: Encoding = "stepwise") -> str:
         _functions(grounding, moves, encoding),
         *(place_domain.actions(grounding) if encoding == PLACES else []),
         *(_action_block(move, grounding, encoding) for move in moves),
-        *([carrying.carriers()] if grounding.is_refined and encoding in LED else []),
+        *([leading.carriers()] if grounding.is_refined and encoding in LED else []),
         _reach_goal(),
         left_out(grounding),
     ]
@@ -118,7 +118,7 @@ def _predicates(grounding: Grounding, moves: tuple[Move, ...], encoding: Encodin
     lines += ["(goal-xy ?o - movable ?x - x-cell ?y - y-cell)", "(goal-z ?o - movable ?z - z-cell)"]
     lines += ["(done ?o - movable)"]
     if grounding.is_refined:
-        lines += carrying.predicates() if encoding in LED else held_predicates(moves)
+        lines += leading.predicates() if encoding in LED else held_predicates(moves)
         lines += own_steps.predicates()
         lines += place_domain.predicates() if encoding == PLACES else []
     else:
@@ -144,7 +144,7 @@ def _functions(grounding: Grounding, moves: tuple[Move, ...], encoding: Encoding
 
 def _action_block(move: Move, grounding: Grounding, encoding: Encoding) -> str:
     if grounding.is_refined and encoding in LED:
-        actions = [carrying.beginning(move)]
+        actions = [leading.beginning(move)]
     else:
         parts = parts_of(move, encoding)
         actions = [_part(move, number, parts, grounding) for number in range(len(parts))]

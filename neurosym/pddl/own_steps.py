@@ -1,7 +1,7 @@
 """What differs by object, on a grid: steps are objects of PDDL, and a problem says whose step is which.
 
 The domain stays the same for all. Its actions move an object by the step that a fact of the problem names
-for this object, this move and this axis, and cost what a function of the problem says (`carrying`). All
+for this object, this move and this axis, and cost what a function of the problem says (`leading`). All
 groundings whose operators keep their rehearsals are printed so; see `promises`.
 """
 

@@ -109,6 +109,8 @@ def check_object(item: SceneObject, grounding: Grounding) -> None:
     grounding.category(item.category)
     check_on_table(item, grounding)
     reserved = r"[xyz](\d*|-(step|(plus|minus)-\d+))" if grounding.is_refined else r"[xyz]\d*"
+    if grounding.places:
+        reserved += r"|nowhere|(start|goal|park)-.*"
     if item.name in _words(grounding) or re.fullmatch(reserved, item.name):
         raise InvalidValue(f"No object can be called {item.name}, the domain uses that; try item-01.")
 

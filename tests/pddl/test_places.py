@@ -203,3 +203,11 @@ def test_place_nearest_to_a_point_lies_on_the_table():
     table = toy_domain.WORLD.table
     assert table.nearest(2.0, 0.1) == Place(table.x[1], 0.1)
     assert table.nearest(0.5, -9.0) == Place(0.5, table.y[0])
+
+
+@pytest.mark.parametrize("name", ["nowhere", "park-01", "goal-item-01", "start-item-01"])
+def test_objects_cannot_be_called_as_places_are(name):
+    (cube,) = scene(("cube", 0.5, 0.0))
+    task = Problem("named", (msgspec.structs.replace(cube, name=name),), {name: (0.8, 0.0, 0.025)})
+    with pytest.raises(InvalidValue, match=f"No object can be called {name}"):
+        problem_text(task, grounding(), PLACES)
