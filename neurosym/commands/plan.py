@@ -25,8 +25,8 @@ def plan(
     ] = "fast-downward",
     time_limit: TimeLimit = None,
     encoding: Annotated[
-        Literal["sas", "stepwise", "operators", "numeric"] | None,
-        arg(help="For PDDL planners: sas, stepwise, operators or numeric, instead of the usual."),
+        Literal["sas", "stepwise", "operators", "numeric", "places"] | None,
+        arg(help="For PDDL planners: sas, stepwise, operators, numeric or places, instead of the usual."),
     ] = None,
     whole: Annotated[bool, arg(help="For PDDL planners: all objects at once instead of one by one.")] = False,
     unit_costs: Annotated[
