@@ -14,6 +14,7 @@ LEARN_TOY = ["--strategy", "random", "--regime", "quick", "--workers", "1"]
 RUN_TOY = [
     *LEARN_TOY,
     *["--world", "toy", "--steps", "1024", "--seed", "3", "--rehearsals", "40", "--problems", "2"],
+    *["--places", "512"],
 ]
 """How the toy domain folder is learned."""
 

@@ -104,6 +104,8 @@ def spread_of(steps: Sequence[PlanStep], problem: Problem, grounding: Grounding)
     for number, step in enumerate(steps, start=1):
         promise = promise_of(step, problem, grounding).promise
         if not step.puts_down and promise is not None:
+            if step.place:  # wherever the object was, it is carried to the same spot
+                variance[:2] = 0
             ends_held = promise.kind == "held" and number == len(steps)
             spread = promise.spread if ends_held else (*promise.resting_spread[:2], 0.0)
             variance += np.square(spread)

@@ -9,6 +9,7 @@ from jaxtyping import Bool, Float
 from neurosym.grounding import Grounding, is_lift
 from neurosym.operators import Operator
 from neurosym.pddl.footprints import footprints_apart, overlapping
+from neurosym.pddl.places import with_places
 from neurosym.pddl.plan_text import PlanStep
 from neurosym.problems import Problem
 from neurosym.promises import promised
@@ -45,6 +46,8 @@ def validate(steps: Sequence[PlanStep], problem: Problem, grounding: Grounding) 
         problem: The problem it is for, which has every object that the plan names.
         grounding: The learned domain.
     """
+    if any(step.place for step in steps):
+        problem = with_places(problem, grounding)
     positions = [problem.scene().positions]
     room, apart = problem.room(grounding.table), footprints_apart(problem)
     rests = np.ones(len(problem.objects), dtype=bool)

@@ -59,6 +59,7 @@ USUAL: dict[str, tuple[Any, ...]] = {
     "steps": (1, 64, 600, 1024, 1100),
     "rehearsals": (1, 5),
     "interactions": (1, 60),
+    "places": (0, 64, 512),
     "choice": ("own", "predictable", "lowest-error"),
     "problems": (1, 2),
     "tasks": (1, 2),
@@ -81,6 +82,7 @@ USUAL: dict[str, tuple[Any, ...]] = {
 ALWAYS = {
     "strategy",
     "interactions",
+    "places",
     "steps",
     "workers",
     "rehearsals",
@@ -94,6 +96,7 @@ ALWAYS = {
 WORK = {
     "steps",
     "interactions",
+    "places",
     "rehearsals",
     "problems",
     "tasks",

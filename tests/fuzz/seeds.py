@@ -6,7 +6,7 @@ from pathlib import Path
 
 LEARN = (
     "run {0} --world toy --steps 1024 --seed 3 --strategy random --regime quick --workers 1 --rehearsals 40 "
-    "--problems 2"
+    "--problems 2 --places 512"
 )
 MORE = (
     "plan {0} task-01 --planner bfs",

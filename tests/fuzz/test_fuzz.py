@@ -55,9 +55,17 @@ def test_short_round_finds_nothing(run, seed):
 def test_folder_to_begin_with_has_every_file_that_a_command_reads(seed):
     names = {value for name, value in vars(layout).items() if name.isupper() and isinstance(value, str)}
     read = {name for name in names if Path(name).suffix in MUTATIONS and not name.startswith(".")}
-    found = {Path(path).name for path in read_seeds(seed)}
-    assert read - {layout.CURVE} <= found  # which no command reads but the report, after it wrote it
-    endings = {layout.SCENE, layout.NUMERIC, layout.RECORD, ".plan", "interactions.partial.npz"}
+    paths = set(read_seeds(seed))
+    assert read - {layout.CURVE} <= paths  # which no command reads but the report, after it wrote it
+    found = {Path(path).name for path in paths}
+    endings = {
+        layout.SCENE,
+        layout.NUMERIC,
+        layout.BY_PLACES,
+        layout.RECORD,
+        ".plan",
+        "interactions.partial.npz",
+    }
     assert {end for end in endings if any(name.endswith(end) for name in found)} == endings
 
 
