@@ -30,7 +30,7 @@ from neurosym.operators import (
     Vector,
     unknown_format,
 )
-from neurosym.place_operators import PlaceOperators
+from neurosym.place_operators import NEVER_CARRIES, PlaceOperators
 from neurosym.reading import read_json
 from neurosym.symbols import Symbol
 from neurosym.table import Table
@@ -182,6 +182,8 @@ class Grounding(msgspec.Struct, frozen=True, forbid_unknown_fields=True, omit_de
 
     def why_left_out(self, operator: Operator) -> str | None:
         """Say why an operator is not in the PDDL domain, or return None if it is."""
+        if self.carries(operator):
+            return None if operator.successes else NEVER_CARRIES
         return self._why_worthless(operator) or _duplicates(self).get(operator.name)
 
     def _why_worthless(self, operator: Operator) -> str | None:

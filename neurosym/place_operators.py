@@ -13,6 +13,8 @@ from neurosym.operators import Count, LegalName, OperatorTable, unknown_format
 from neurosym.reading import read_json
 
 FORMAT = "neurosym-places-1"
+NEVER_CARRIES = "never carries"
+"""Why an operator is not in the domain."""
 
 
 class Occupied(msgspec.Struct, frozen=True, forbid_unknown_fields=True):

@@ -44,7 +44,12 @@ def explanation_page(explanation: Explanation, title: str) -> str:
 
 
 def _parts(explanation: Explanation) -> tuple[tuple[str, tuple[SymbolExplanation, ...]], ...]:
-    return ("Action", explanation.actions), ("Object", explanation.objects)
+    parts = (
+        ("Action", explanation.actions),
+        ("Carrying", explanation.carrying),
+        ("Object", explanation.objects),
+    )
+    return tuple((kind, symbols) for kind, symbols in parts if symbols)
 
 
 def _effects(effects: Sequence[EffectRow]) -> tuple[list[str], list[list[str]]]:

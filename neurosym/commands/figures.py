@@ -31,7 +31,8 @@ def figures(
     """Draw the paper's Figure 3 (each primitive) and Figure 4 (example plans) from the simulator.
 
     A row of Figure 3 is a primitive: how it starts and how each phase of the motion ends, with the waypoints
-    as blue, green and red dots. A row of Figure 4 is a run of DIR/runs: in its first picture the goals are
+    as blue, green and red dots. The last rows carry an object of each category to a place, if that was
+    learned. A row of Figure 4 is a run of DIR/runs: in its first picture the goals are
     transparent, in its last the start is.
     """
     from neurosym.files import check_writable, make_folder
@@ -70,7 +71,8 @@ def _output_folder(domain: DomainFolder, output: Path | None) -> Path:
 def _primitive_rows(domain: DomainFolder, world: "World", grounding: "Grounding") -> "list[Row]":
     from neurosym.learning.effect_model import EffectModel
     from neurosym.pictures.images import Row
-    from neurosym.pictures.stills import primitive_stills
+    from neurosym.pictures.motions import surest_carriers
+    from neurosym.pictures.stills import operator_stills, primitive_stills
     from neurosym.stages.manifest import rehearsal_options
 
     categorise = EffectModel.load(domain / MODEL).object_symbols
@@ -78,6 +80,10 @@ def _primitive_rows(domain: DomainFolder, world: "World", grounding: "Grounding"
     found = [
         primitive_stills(world, grounding, symbol, categorise, objects=objects, seed=seed)
         for symbol in grounding.operators.symbols
+    ]
+    found += [
+        operator_stills(world, grounding, one.name, categorise, objects=objects, seed=seed)
+        for one in surest_carriers(grounding)
     ]
     return [Row(stills.title, stills.frames, stills.captions) for stills in found]
 

@@ -2,7 +2,7 @@
 
 from collections.abc import Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import TYPE_CHECKING, Annotated, Any
 
 from tyro.conf import arg
 
@@ -15,6 +15,7 @@ from neurosym.stages.layout import GROUNDING, INTERACTIONS, MODEL, PICTURES, WOR
 from neurosym.wording import quoted
 
 if TYPE_CHECKING:
+    from neurosym.grounding import Grounding
     from neurosym.pictures.motions import Motion
     from neurosym.world import Outcome, World
 
@@ -31,6 +32,10 @@ def show(
             help="Perform a primitive, like 101 or 101b, on an object of each category it is for.",
         ),
     ] = None,
+    operator: Annotated[
+        str | None,
+        arg(metavar="NAME", help="Perform an operator of the domain, like carry-to-010-hollow-narrow-01."),
+    ] = None,
     problem: Annotated[
         str | None, arg(metavar="NAME", help="Show a problem's start, with its goals transparently.")
     ] = None,
@@ -40,15 +45,17 @@ def show(
     ] = None,
     gui: Annotated[bool, arg(help="Show the motion live in a window instead.")] = False,
 ) -> int:
-    """Show an interaction, a primitive or a problem: a strip of pictures, an animation, or live.
+    """Show an interaction, a primitive, an operator or a problem: a strip of pictures, an animation, or live.
 
     The dots mark the action's waypoints, as in the paper: blue the first, green the second, red the third.
     """
     from neurosym.pictures.images import check_picture_path
 
     domain = opened(folder)
-    if sum(chosen is not None for chosen in (interaction, primitive, problem)) != 1:
-        raise InvalidValue("Name one thing to show: --interaction I, --primitive CODE or --problem NAME.")
+    if sum(chosen is not None for chosen in (interaction, primitive, operator, problem)) != 1:
+        raise InvalidValue(
+            "Name one thing to show: --interaction I, --primitive CODE, --operator NAME or --problem NAME."
+        )
     if gui and (output or problem is not None):
         raise InvalidValue("--gui shows a motion live and writes no file; leave out --output and --problem.")
     if output:
@@ -57,6 +64,8 @@ def show(
         _show_problem(domain, problem, output)
     elif primitive is not None:
         _show_primitive(domain, primitive, output, gui)
+    elif operator is not None:
+        _show_operator(domain, operator, output, gui)
     elif interaction is not None:
         _show_interaction(domain, interaction, output, gui)
     return 0
@@ -80,22 +89,43 @@ def _show_interaction(domain: DomainFolder, number: int, output: Path | None, gu
 
 
 def _show_primitive(domain: DomainFolder, label: str, output: Path | None, gui: bool) -> None:
-    from neurosym.grounding import Grounding
-    from neurosym.learning.effect_model import EffectModel
     from neurosym.pictures.motions import primitive_motions
-    from neurosym.stages.manifest import rehearsal_options
-    from neurosym.worlds.world_file import read_world
 
-    world = read_world(domain.require(WORLD))()
-    grounding = Grounding.load(domain.require(GROUNDING))
+    world, grounding = _learned(domain)
     grounding.primitive(label)
-    categorise = EffectModel.load(domain.require(MODEL)).object_symbols
-    objects, seed = rehearsal_options(domain.manifest())
-    motions = primitive_motions(world, grounding, label, categorise, objects=objects, seed=seed)
+    motions = primitive_motions(world, grounding, label, **_rehearsed(domain))
     _show_motions(domain, world, motions, f"primitive-{label}", output, gui)
     labels = [primitive.label for primitive in grounding.operators.primitives]
     following = labels[(labels.index(label) + 1) % len(labels)]
     say_next(f"neurosym show {quoted(domain.path)} --primitive {following}")
+
+
+def _show_operator(domain: DomainFolder, name: str, output: Path | None, gui: bool) -> None:
+    from neurosym.pictures.motions import operator_motions
+
+    world, grounding = _learned(domain)
+    motions = operator_motions(world, grounding, [grounding.operator_named(name)], **_rehearsed(domain))
+    _show_motions(domain, world, motions, f"operator-{name}", output, gui)
+    names = [operator.name for operator in grounding.every_operator]
+    following = names[(names.index(name) + 1) % len(names)]
+    say_next(f"neurosym show {quoted(domain.path)} --operator {following}")
+
+
+def _learned(domain: DomainFolder) -> "tuple[World, Grounding]":
+    from neurosym.grounding import Grounding
+    from neurosym.worlds.world_file import read_world
+
+    return read_world(domain.require(WORLD))(), Grounding.load(domain.require(GROUNDING))
+
+
+def _rehearsed(domain: DomainFolder) -> dict[str, Any]:
+    """Return what the objects are drawn with that primitives were rehearsed on."""
+    from neurosym.learning.effect_model import EffectModel
+    from neurosym.stages.manifest import rehearsal_options
+
+    categorise = EffectModel.load(domain.require(MODEL)).object_symbols
+    objects, seed = rehearsal_options(domain.manifest())
+    return {"categorise": categorise, "objects": objects, "seed": seed}
 
 
 def _show_problem(domain: DomainFolder, name: str, output: Path | None) -> None:
@@ -121,6 +151,8 @@ def _show_motions(
 ) -> "tuple[Outcome, ...]":
     from neurosym.pictures.show import picture_motions, show_live, tell
 
+    if not motions:
+        raise InvalidValue("Rehearsal sampled no object that this is for, so there is nothing to show.")
     path = None if gui else _picture_path(domain, name, output)
     outcomes = picture_motions(world, motions, path) if path else show_live(world, motions)
     for motion, outcome in zip(motions, outcomes, strict=True):

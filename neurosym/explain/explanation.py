@@ -85,11 +85,13 @@ class Explanation:
         summary: How many symbols there are, and how many do something of their own.
         actions: The action symbols, in the order of their bits.
         objects: The object symbols, in the order of their bits.
+        carrying: The symbols of actions that are aimed at a place, if these were learned.
     """
 
     summary: tuple[str, ...]
     actions: tuple[SymbolExplanation, ...]
     objects: tuple[SymbolExplanation, ...]
+    carrying: tuple[SymbolExplanation, ...] = ()
 
 
 def explain(

@@ -6,11 +6,11 @@ from typing import TYPE_CHECKING
 from neurosym.errors import InvalidFile, InvalidValue
 from neurosym.operators import OperatorTable
 from neurosym.stages.folder import DomainFolder
-from neurosym.stages.layout import GROUNDING, INTERACTIONS, PRIMITIVES, TABLE_FILES, WORLD
+from neurosym.stages.layout import GROUNDING, INTERACTIONS, PLACE_OPERATORS, PRIMITIVES, TABLE_FILES, WORLD
 from neurosym.stages.practising import operator_table
 
 if TYPE_CHECKING:
-    from neurosym.explain.explanation import Explanation
+    from neurosym.explain.explanation import Explanation, SymbolExplanation
     from neurosym.grounding import Grounding
     from neurosym.world import World
 
@@ -34,6 +34,7 @@ def explain_folder(domain: DomainFolder) -> "Explanation":
         StageMissing: If there is no `primitives.json`.
         InvalidFile: If a file cannot be used.
     """
+    from neurosym.explain.carrying_words import summary_of
     from neurosym.explain.explanation import explain as explain_table
 
     path, table = domain.require(PRIMITIVES), operator_table(domain)
@@ -49,8 +50,26 @@ def explain_folder(domain: DomainFolder) -> "Explanation":
     except InvalidValue as error:
         raise InvalidFile(path, str(error)) from error
     outdated = [f"{line}." for line in domain.outdated(TABLE_FILES)]
-    remarks = [_NO_WORLD] * (world is None) + [remark] * bool(remark) + outdated
-    return replace(explanation, summary=(*explanation.summary, *remarks))
+    carrying = _carrying(domain, world)
+    remarks = [summary_of(carrying)] if carrying else []
+    remarks += [_NO_WORLD] * (world is None) + [remark] * bool(remark) + outdated
+    return replace(explanation, summary=(*explanation.summary, *remarks), carrying=carrying)
+
+
+def _carrying(domain: DomainFolder, world: "World | None") -> "tuple[SymbolExplanation, ...]":
+    from neurosym.explain.carrying_words import explain_carrying
+    from neurosym.explain.explanation import check_table
+    from neurosym.place_operators import PlaceOperators
+
+    path = domain / PLACE_OPERATORS
+    if not path.is_file():
+        return ()
+    places = PlaceOperators.load(path)
+    try:
+        check_table(places.operators)
+    except InvalidValue as error:
+        raise InvalidFile(path, str(error)) from error
+    return explain_carrying(places, world.action_box.gripper.tolist() if world else ())
 
 
 def _world(domain: DomainFolder) -> "World | None":

@@ -27,7 +27,8 @@ def carriers_of(grounding: Grounding) -> tuple[Operator, ...]:
     """
     if grounding.places is None:
         return ()
-    worthy = (one for one in grounding.places.operators.operators if one.successes)
+    every = grounding.places.operators.operators
+    worthy = (one for one in every if grounding.why_left_out(one) is None)
     return tuple(sorted(worthy, key=lambda one: one.name))
 
 

@@ -14,7 +14,8 @@ from neurosym.execution.record import Run, StepRecord
 from neurosym.operators import TOLERANCE
 from neurosym.pictures.images import save_gif, save_strip, shrink
 from neurosym.problems import Problem
-from neurosym.world import Frame, Outcome, Pictured, Scene, World
+from neurosym.table import Reference
+from neurosym.world import Frame, Outcome, Pictured, Scene, World, relative_to
 
 BEFORE = "start"
 """The phase in which everything comes to rest and the hand is not yet where the motion starts."""
@@ -62,13 +63,16 @@ class Take:
     phases: tuple[str, ...]
 
 
-def film(world: World, scene: Scene, action: Float[np.ndarray, "A"]) -> Take:
+def film(
+    world: World, scene: Scene, action: Float[np.ndarray, "A"], reference: Reference | None = None
+) -> Take:
     """Perform an action on the first object of a scene, and keep every picture of the motion.
 
     Args:
         world: Where it is performed.
         scene: The objects.
         action: The action parameters.
+        reference: What the action is relative to besides its target, if anything.
     """
     frames: list[Frame] = []
     phases: list[str] = []
@@ -78,12 +82,14 @@ def film(world: World, scene: Scene, action: Float[np.ndarray, "A"]) -> Take:
             frames.append(shrink(frame))
             phases.append(phase)
 
-    outcome = world.interact(scene, action, 0, on_frame=keep)
+    outcome = world.interact(scene, action, 0, on_frame=keep, **relative_to(world, reference))
     _check_drawn(world, len(frames))
     return Take(outcome, tuple(frames), tuple(phases))
 
 
-def film_phases(world: World, scene: Scene, action: Float[np.ndarray, "A"]) -> Take:
+def film_phases(
+    world: World, scene: Scene, action: Float[np.ndarray, "A"], reference: Reference | None = None
+) -> Take:
     """Perform an action and keep how it starts, and how each phase of the motion ends.
 
     A world that is `Sparing` performs it twice, first to tell when the phases end and then drawing only
@@ -93,7 +99,9 @@ def film_phases(world: World, scene: Scene, action: Float[np.ndarray, "A"]) -> T
         world: Where it is performed.
         scene: The objects.
         action: The action parameters.
+        reference: What the action is relative to besides its target, if anything.
     """
+    aim = relative_to(world, reference)
     pictures: list[tuple[Frame, str]] = []
 
     def keep(frame: Frame, phase: str) -> None:
@@ -101,10 +109,10 @@ def film_phases(world: World, scene: Scene, action: Float[np.ndarray, "A"]) -> T
 
     if isinstance(world, Sparing):
         world.wanted_pictures = ()
-        world.interact(scene, action, 0, on_frame=keep)
+        world.interact(scene, action, 0, on_frame=keep, **aim)
         world.wanted_pictures = telling([phase for _, phase in pictures])
         pictures.clear()
-    outcome = world.interact(scene, action, 0, on_frame=keep)
+    outcome = world.interact(scene, action, 0, on_frame=keep, **aim)
     if isinstance(world, Sparing):
         world.wanted_pictures = None
     _check_drawn(world, len(pictures))

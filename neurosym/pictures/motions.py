@@ -11,9 +11,13 @@ from neurosym.data.interactions import Interactions
 from neurosym.errors import InvalidValue
 from neurosym.grounding import Grounding
 from neurosym.operators import TOLERANCE, Operator
+from neurosym.pddl.place_domain import carriers_of
+from neurosym.primitives.carrying import MARGIN
 from neurosym.primitives.rehearsal import rehearsal_sample
-from neurosym.symbols import Categorise
+from neurosym.symbols import Categorise, Symbol
+from neurosym.table import Reference
 from neurosym.world import Outcome, Scene, World
+from neurosym.worlds.aimed import Aimed, AimedScene
 
 TRIES = 5
 """Sampled objects of a category on which a primitive is tried until one does as promised."""
@@ -27,11 +31,13 @@ class Motion:
         title: What pictures of it are called.
         scene: The object.
         action: The action parameters.
+        reference: What the action is relative to besides the object, if anything.
     """
 
     title: str
     scene: Scene
     action: Float[np.ndarray, "A"]
+    reference: Reference | None = None
 
 
 def recall_interaction(world: World, interactions: Interactions, number: int) -> tuple[Motion, bool]:
@@ -129,15 +135,63 @@ def primitive_motions(
         if operator.primitive == symbol and label in (symbol, operator.label)
     ]
     promised = [operator for operator in operators if grounding.why_left_out(operator) is None]
+    return operator_motions(world, grounding, promised or operators, categorise, objects=objects, seed=seed)
+
+
+def operator_motions(
+    world: World,
+    grounding: Grounding,
+    operators: Sequence[Operator],
+    categorise: Categorise,
+    *,
+    objects: int,
+    seed: int,
+) -> tuple[Motion, ...]:
+    """Choose a sampled object for each of some operators to do there what it promises.
+
+    The first object of the category is taken that does as promised, or else the first of the few tried. What
+    carries objects does it to the place that was drawn with the object.
+
+    Args:
+        world: The world to act in.
+        grounding: The learned domain.
+        operators: The operators, all of which carry objects, or none.
+        categorise: Gives the object symbols of features.
+        objects: How many objects rehearsal sampled.
+        seed: Where rehearsal's draws started.
+    """
+    if any(map(grounding.carries, operators)):
+        world = Aimed(world, MARGIN)
     scenes = rehearsal_sample(world, categorise, objects=objects, seed=seed).scenes
     motions = []
-    for operator in promised or operators:
+    for operator in operators:
         if members := scenes.get(operator.category, ()):
-            action = np.array(grounding.primitive(operator.label).action)
+            action = np.array(grounding.primitive_of(operator).action)
             reason = grounding.why_left_out(operator)
             title = operator.name if reason is None else f"{operator.name} (not in the domain: {reason})"
-            motions.append(Motion(title, _as_promised(world, operator, members, action), action))
+            scene = _as_promised(world, operator, members, action)
+            reference = scene.reference if isinstance(scene, AimedScene) else None
+            motions.append(Motion(title, scene, action, reference))
     return tuple(motions)
+
+
+def surest_carriers(grounding: Grounding) -> tuple[Operator, ...]:
+    """Name for each category what carries its objects to places most surely, and then most exactly.
+
+    A category of which most cannot be carried has none.
+
+    Args:
+        grounding: The learned domain.
+    """
+    best: dict[Symbol, tuple[float, float, Operator]] = {}
+    for operator in carriers_of(grounding):
+        if operator.promise is None or 2 * operator.successes < operator.trials:
+            continue
+        spread = math.hypot(*operator.promise.resting_spread[:2])
+        found = (operator.successes / operator.trials, -spread, operator)
+        if operator.category not in best or found[:2] > best[operator.category][:2]:
+            best[operator.category] = found
+    return tuple(best[symbol][2] for symbol in sorted(best))
 
 
 def _as_promised(

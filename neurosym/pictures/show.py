@@ -8,7 +8,7 @@ from neurosym.pictures.film import Take, film, film_phases, hold_window, ignore,
 from neurosym.pictures.images import Row, save_gif, save_sheet
 from neurosym.pictures.motions import Motion
 from neurosym.problems import Problem
-from neurosym.world import Outcome, Pictured, World
+from neurosym.world import Outcome, Pictured, World, relative_to
 
 
 def picture_motions(world: World, motions: Sequence[Motion], path: Path) -> tuple[Outcome, ...]:
@@ -24,7 +24,7 @@ def picture_motions(world: World, motions: Sequence[Motion], path: Path) -> tupl
     """
     check_pictured(world)
     if path.suffix.lower() == ".gif":
-        takes = [film(world, motion.scene, motion.action) for motion in motions]
+        takes = [film(world, motion.scene, motion.action, motion.reference) for motion in motions]
         captions = [
             f"{motion.title}: {phase}"
             for motion, take in zip(motions, takes, strict=True)
@@ -32,7 +32,7 @@ def picture_motions(world: World, motions: Sequence[Motion], path: Path) -> tupl
         ]
         save_gif(path, [frame for take in takes for frame in take.frames], captions)
     else:
-        takes = [film_phases(world, motion.scene, motion.action) for motion in motions]
+        takes = [film_phases(world, motion.scene, motion.action, motion.reference) for motion in motions]
         save_sheet(path, [_row(motion, take) for motion, take in zip(motions, takes, strict=True)])
     return tuple(take.outcome for take in takes)
 
@@ -60,7 +60,8 @@ def show_live(world: World, motions: Sequence[Motion]) -> tuple[Outcome, ...]:
     open_window(world)
     outcomes = []
     for motion in motions:
-        outcomes.append(world.interact(motion.scene, motion.action, 0, on_frame=ignore))
+        aim = relative_to(world, motion.reference)
+        outcomes.append(world.interact(motion.scene, motion.action, 0, on_frame=ignore, **aim))
         hold_window()
     return tuple(outcomes)
 

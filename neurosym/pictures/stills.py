@@ -12,7 +12,7 @@ from neurosym.execution.performing import perform
 from neurosym.execution.record import Run, StepRecord
 from neurosym.grounding import Grounding
 from neurosym.pictures.film import Sparing, caption_of, ends_in_the_air, film_phases
-from neurosym.pictures.motions import primitive_motions
+from neurosym.pictures.motions import Motion, operator_motions, primitive_motions
 from neurosym.pictures.show import check_pictured, tell
 from neurosym.problems import Problem
 from neurosym.symbols import Categorise
@@ -58,8 +58,35 @@ def primitive_stills(
     if not motions:
         raise InvalidValue(f"Rehearsal sampled no object that the primitive {label} was tried on.")
     weights = _weights(grounding)
-    motion = max(motions, key=lambda motion: weights.get(motion.title, (0.0, 0.0)))
-    take = film_phases(world, motion.scene, motion.action)
+    return _filmed(world, max(motions, key=lambda motion: weights.get(motion.title, (0.0, 0.0))))
+
+
+def operator_stills(
+    world: World, grounding: Grounding, name: str, categorise: Categorise, *, objects: int, seed: int
+) -> Stills:
+    """Perform an operator as it promises, and keep the start and the end of each phase.
+
+    Args:
+        world: The world to act in.
+        grounding: The learned domain.
+        name: The operator.
+        categorise: Gives the object symbols of features.
+        objects: How many objects rehearsal sampled.
+        seed: Where rehearsal's draws started.
+
+    Raises:
+        UnknownChoice: If there is no such operator.
+        InvalidValue: If there is no object to perform it on, or the world draws no pictures.
+    """
+    operators = (grounding.operator_named(name),)
+    motions = operator_motions(world, grounding, operators, categorise, objects=objects, seed=seed)
+    if not motions:
+        raise InvalidValue(f"Rehearsal sampled no object that {name} is for.")
+    return _filmed(world, motions[0])
+
+
+def _filmed(world: World, motion: Motion) -> Stills:
+    take = film_phases(world, motion.scene, motion.action, motion.reference)
     return Stills(f"{motion.title}: {tell(take.outcome)}", take.frames, take.phases)
 
 

@@ -9,6 +9,7 @@ from jaxtyping import Bool, Float
 from neurosym.data.interactions import Interactions
 from neurosym.naming import CARRIED, NO_EFFECT, name_axes
 from neurosym.report.charts import ASPECT, Axis, Chart, areas, dots
+from neurosym.worlds.aimed import PLACE_AXES
 
 MOST_DOTS = 2000
 """Interactions whose effects are drawn: equally spaced ones, if there are more."""
@@ -49,6 +50,30 @@ def explored(interactions: Interactions) -> Explored:
         shares=shares,
         charts=(_over_time(kinds), *_scatters(interactions, kinds)),
     )
+
+
+@dataclass(frozen=True, slots=True)
+class Aimed:
+    """What was explored by actions that are aimed at places.
+
+    Attributes:
+        count: How many interactions there are.
+        carried: In which share of them the object was carried to the place.
+    """
+
+    count: int
+    carried: float
+
+
+def aimed(interactions: Interactions) -> Aimed | None:
+    """Describe a data set of actions that are aimed at places; None if it is empty or none.
+
+    Args:
+        interactions: The data set.
+    """
+    if not len(interactions) or interactions.effects.shape[1] != PLACE_AXES:
+        return None
+    return Aimed(len(interactions), float(interactions.effects[:, PLACE_AXES - 1].mean()))
 
 
 def what_became(interactions: Interactions) -> Mapping[str, Bool[np.ndarray, "N"]]:

@@ -9,17 +9,18 @@ from neurosym.errors import InvalidValue, UnknownChoice
 from neurosym.evaluation.comparison_summary import Comparison
 from neurosym.evaluation.paper_tables import comparisons_of
 from neurosym.grounding import Grounding
+from neurosym.pictures.motions import surest_carriers
 from neurosym.progress import Progress
 from neurosym.reading import read_bytes
 from neurosym.report.charts import Chart
 from neurosym.report.examples import Example, problem_reader, runs_of, telling_examples
-from neurosym.report.exploration import Explored, explored
+from neurosym.report.exploration import Aimed, Explored, aimed, explored
 from neurosym.report.learning import Learned, curve_charts, learned
 from neurosym.report.operators import OperatorRow, operator_rows
 from neurosym.report.plans import PlannerSummary, PlanRow, plan_rows, summaries
-from neurosym.report.strips import Shown, primitive_stage, run_stage, shown
+from neurosym.report.strips import Shown, operator_stage, primitive_stage, run_stage, shown
 from neurosym.stages.folder import DomainFolder
-from neurosym.stages.layout import GROUNDING, INTERACTIONS, MODEL, PRIMITIVES, WORLD
+from neurosym.stages.layout import GROUNDING, INTERACTIONS, MODEL, PLACE_INTERACTIONS, PRIMITIVES, WORLD
 from neurosym.stages.manifest import Stage, versions
 from neurosym.stages.practising import operator_table
 
@@ -41,8 +42,10 @@ class Page:
         path: The domain folder as it was named, for the commands that the page tells.
         explanation: What the symbols mean.
         pictures: A strip for each action symbol.
+        carried: Strips of what carries objects to places, one for each category that is carried.
         without_picture: Why an action symbol has none, or why none has.
         data: What was explored.
+        aimed: What was explored by actions that are aimed at places.
         learned: How well the model predicts.
         curves: The learning curve.
         operators: The table of operators.
@@ -61,8 +64,10 @@ class Page:
     path: str
     explanation: "Explanation | None"
     pictures: dict[str, Shown]
+    carried: tuple[Shown, ...]
     without_picture: dict[str, str]
     data: Explored | None
+    aimed: Aimed | None
     learned: Learned | None
     curves: tuple[Chart, ...]
     operators: tuple[OperatorRow, ...]
@@ -94,6 +99,7 @@ def gather(folder: DomainFolder, progress: Progress) -> Page:
     table = operator_table(folder) if has[PRIMITIVES] else None
     grounding = Grounding.load(folder / GROUNDING) if has[GROUNDING] else None
     interactions = Interactions.load(folder / INTERACTIONS) if has[INTERACTIONS] else None
+    places = folder / PLACE_INTERACTIONS
     read_problem = problem_reader(folder)
     runs = runs_of(folder, read_problem)
     plans = plan_rows(folder, runs, read_problem)
@@ -101,14 +107,16 @@ def gather(folder: DomainFolder, progress: Progress) -> Page:
     domains = sorted(folder.path.glob("domain*.pddl"))
     texts = {path.name: read_bytes(path).decode(errors="replace") for path in domains}
     report, curves = learned(folder), curve_charts(folder)
-    pictures, without_picture, examples, unlike = _pictures(folder, grounding, runs, progress)
+    pictures, carried, without_picture, examples, unlike = _pictures(folder, grounding, runs, progress)
     return Page(
         name=folder.path.resolve().name,
         path=str(folder.path),
         explanation=explanation,
         pictures=pictures,
+        carried=carried,
         without_picture=without_picture,
         data=explored(interactions) if interactions and len(interactions) else None,
+        aimed=aimed(Interactions.load(places)) if places.is_file() else None,
         learned=report,
         curves=curves,
         operators=operator_rows(table, grounding) if table else (),
@@ -125,21 +133,25 @@ def gather(folder: DomainFolder, progress: Progress) -> Page:
 
 def _pictures(
     folder: DomainFolder, grounding: Grounding | None, runs: Sequence[Example], progress: Progress
-) -> tuple[dict[str, Shown], dict[str, str], tuple[Shown, ...], tuple[str, ...]]:
-    """Make the strips of primitives and of example runs, as far as there is what they need."""
+) -> tuple[dict[str, Shown], tuple[Shown, ...], dict[str, str], tuple[Shown, ...], tuple[str, ...]]:
+    """Make the strips of primitives, carriers and example runs, as far as there is what they need."""
     if grounding is None or not (folder / WORLD).is_file():
-        return {}, {}, (), ()
+        return {}, (), {}, (), ()
     symbols, others = _pictured(grounding) if (folder / MODEL).is_file() else ([], [])
+    carriers = [one.name for one in surest_carriers(grounding)] if (folder / MODEL).is_file() else []
     chosen = telling_examples(runs)[:EXAMPLES]
     stages = [
         *(primitive_stage(folder, symbol) for symbol in symbols),
+        *(operator_stage(folder, name) for name in carriers),
         *(run_stage(folder, example) for example in chosen),
     ]
     made = list(_made(folder, stages, progress))
     primitives = dict(zip(symbols, made, strict=False))
-    strips = dict(zip([example.name for example in chosen], made[len(symbols) :], strict=True))
+    carried, ran = made[len(symbols) :][: len(carriers)], made[len(symbols) + len(carriers) :]
+    strips = dict(zip([example.name for example in chosen], ran, strict=True))
     return (
         {symbol: strip for symbol, strip in primitives.items() if isinstance(strip, Shown)},
+        tuple(strip for strip in carried if isinstance(strip, Shown)),
         {symbol: reason for symbol, reason in primitives.items() if isinstance(reason, str)}
         | {symbol: f"`neurosym show DIR --primitive {symbol}` pictures it" for symbol in others},
         tuple(strip for strip in strips.values() if isinstance(strip, Shown)),

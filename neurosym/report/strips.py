@@ -10,7 +10,7 @@ import numpy as np
 from PIL import Image
 
 from neurosym.files import make_folder, write_atomically, write_json
-from neurosym.pictures.stills import Stills, primitive_stills, run_stills
+from neurosym.pictures.stills import Stills, operator_stills, primitive_stills, run_stills
 from neurosym.progress import Progress
 from neurosym.reading import read_bytes, read_json
 from neurosym.report.examples import Example
@@ -75,6 +75,15 @@ def curve_stage(folder: DomainFolder, progress: Progress | None = None) -> Stage
 
 def primitive_stage(folder: DomainFolder, symbol: str) -> Stage:
     """Perform a primitive: world, model and grounding -> `pictures/report/primitive-CODE.webp`."""
+    return _motion_stage(folder, f"primitive-{symbol}", symbol, primitive_stills)
+
+
+def operator_stage(folder: DomainFolder, name: str) -> Stage:
+    """Perform an operator: world, model and grounding -> `pictures/report/operator-NAME.webp`."""
+    return _motion_stage(folder, f"operator-{name}", name, operator_stills)
+
+
+def _motion_stage(folder: DomainFolder, name: str, what: str, stills: Callable[..., Stills]) -> Stage:
     objects, seed = rehearsal_options(folder.manifest())
 
     def make() -> Stills:
@@ -85,10 +94,10 @@ def primitive_stage(folder: DomainFolder, symbol: str) -> Stage:
         world = read_world(folder.require(WORLD))()
         grounding = Grounding.load(folder.require(GROUNDING))
         categorise = EffectModel.load(folder.require(MODEL)).object_symbols
-        return primitive_stills(world, grounding, symbol, categorise, objects=objects, seed=seed)
+        return stills(world, grounding, what, categorise, objects=objects, seed=seed)
 
     options = {"objects": objects, "seed": seed}
-    return _strip_stage(folder, f"primitive-{symbol}", (WORLD, GROUNDING, MODEL), make, options)
+    return _strip_stage(folder, name, (WORLD, GROUNDING, MODEL), make, options)
 
 
 def run_stage(folder: DomainFolder, example: Example) -> Stage:

@@ -14,6 +14,7 @@ from neurosym.errors import InvalidFile, InvalidValue
 from neurosym.files import make_folder, write_json
 from neurosym.learning.model_config import PLACE_BITS
 from neurosym.learning.training_config import regime_named
+from neurosym.naming import counted_axes
 from neurosym.stages.exploring import check_choices
 from neurosym.stages.folder import DomainFolder
 from neurosym.stages.layout import (
@@ -29,7 +30,7 @@ from neurosym.stages.layout import (
 from neurosym.stages.manifest import Claim, Stage
 from neurosym.strategies import StrategyName, own_name
 from neurosym.world import references_of
-from neurosym.worlds.aimed import AimedFactory
+from neurosym.worlds.aimed import PLACE_AXES, AimedFactory
 from neurosym.worlds.workers import check_workers
 from neurosym.worlds.world_file import read_world
 
@@ -87,6 +88,8 @@ def train_places_stage(folder: DomainFolder, *, seed: int, regime: str) -> Stage
         interactions = Interactions.load(path)
         if problems := training_problems(interactions.columns, interactions.origin):
             raise InvalidFile(path, problems[0])
+        if (axes := interactions.effects.shape[1]) != PLACE_AXES:
+            raise InvalidFile(path, f"its effects have {counted_axes(axes)}; valid: x, y, z and 1 if carried")
         with progress_bar("training on places") as advance:
             trained = train(
                 interactions,

@@ -11,10 +11,12 @@ from tables import grounding, mode, table
 from neurosym.actions import three_waypoints
 from neurosym.errors import InvalidValue
 from neurosym.explain.action_words import action_in_words, displacement_in_words, place_in_words
+from neurosym.explain.carrying_words import explain_carrying, summary_of
 from neurosym.explain.explanation import explain
 from neurosym.explain.likeness import Likenesses, typical
 from neurosym.explain.object_words import objects_in_words, type_shares
 from neurosym.operators import Category, Operator, OperatorTable, Primitive
+from neurosym.place_operators import Occupied, PlaceOperators
 
 GRIPPER = three_waypoints().gripper.tolist()
 FEATURES = ("s_x", "s_y", "d", "t")
@@ -232,3 +234,36 @@ def test_table_that_does_not_fit_together_is_refused(change, message):
 def test_table_without_a_single_trial_is_explained():
     explanation = explain(msgspec.structs.replace(table(), operators=()))
     assert {action.title for action in explanation.actions} == {"never tried"}
+
+
+def carrying(*ends) -> PlaceOperators:
+    """One symbol whose action was rehearsed on one category, with other objects on the place too."""
+    action = (-0.03, 0.0, 0.01, 0.9, 0.0, 0.0, 0.01, 0.1, 0.02, 0.0, 0.03, 0.9)
+    operator = Operator("carry-to-0-thing", "0", "0", 20, ends)
+    category = Category("0", "thing", 0.5, (1.0,), (0.0,))
+    table_of = OperatorTable((category,), (Primitive("0", action, 0.0),), (operator,))
+    return PlaceOperators(table_of, (Occupied("carry-to-0-thing", 20, 3),))
+
+
+def test_carrying_is_told_with_the_third_waypoint_at_the_place():
+    there = mode((0.002, 0.0, 0.0), kind="carried", count=18, near=18)
+    missed = mode((0.0, 0.0, 0.0), kind="missed", count=2, near=0)
+    (told,) = explain_carrying(carrying(there, missed), GRIPPER)
+    assert told.title == "carries 45% of objects to a place"
+    assert told.about == (
+        "The hand starts open, 30 mm back of the object's centre, 10 mm above it. It closes there and moves to "
+        "10 mm above the centre. What it grips then it lifts, carries to 20 mm forward of the place, 30 mm above it, "
+        "lowers and lets go."
+    )
+    assert told.compared == "With another object on the place it went as promised 3 of 20 times."
+    assert [(row.ends, row.effect, row.domain) for row in told.effects] == [
+        ("carried to the place", "2 mm forward of the place", "yes"),
+        ("not carried to the place", "elsewhere", "yes"),
+    ]
+    assert summary_of([told]).startswith("Of 1 symbols of actions aimed at a place, 1 carry objects there")
+
+
+def test_what_never_carries_is_not_in_the_domain():
+    (told,) = explain_carrying(carrying(mode((0.0, 0.0, 0.0), kind="missed", near=0)), GRIPPER)
+    assert told.title == "carries nothing"
+    assert [row.domain for row in told.effects] == ["no: never carries"]

@@ -9,7 +9,7 @@ from neurosym.data.interactions import Interactions
 from neurosym.errors import InvalidValue
 from neurosym.grounding import Grounding
 from neurosym.pictures.film import film_phases, telling
-from neurosym.pictures.motions import recall_interaction
+from neurosym.pictures.motions import recall_interaction, surest_carriers
 from neurosym.pictures.show import picture_problem
 from neurosym.sim.tabletop import Tabletop
 from neurosym.stages.folder import DomainFolder
@@ -80,6 +80,26 @@ def test_an_action_of_a_symbol_is_shown_on_the_categories_that_it_is_for(folder,
     assert (folder / f"pictures/primitive-{label}.png").is_file()
 
 
+def test_operator_that_carries_is_shown_carrying_to_a_place(folder, capsys):
+    carrier = surest_carriers(Grounding.load(folder / "grounding.json"))[0]
+    assert neurosym("show", folder, "--operator", carrier.name) == 0
+    said = capsys.readouterr().out
+    x, y, _ = (round(1000 * value) for value in carrier.promise.effect)
+    assert f"{carrier.name}: carried, effect ({x}, {y}, 0) mm" in said
+    assert (folder / f"pictures/operator-{carrier.name}.png").is_file()
+
+
+def test_each_category_has_the_surest_carrier_if_most_of_its_objects_can_be_carried(folder):
+    grounding = Grounding.load(folder / "grounding.json")
+    surest = {one.category: one for one in surest_carriers(grounding)}
+    every = [one for one in grounding.places.operators.operators if one.trials]
+    for category in {one.category for one in every}:
+        best = max(one.successes / one.trials for one in every if one.category == category)
+        assert (category in surest) == (best >= 0.5)
+        if category in surest:
+            assert surest[category].successes / surest[category].trials == best
+
+
 def test_problem_is_shown_with_its_goals(folder):
     assert neurosym("show", folder, "--problem", "task-02") == 0
     assert size(folder / "pictures/problem-task-02.png")[0] == 640
@@ -94,11 +114,12 @@ def test_same_command_writes_the_same_bytes(folder):
 @pytest.mark.parametrize(
     ("arguments", "message"),
     [
-        ([], "Name one thing to show: --interaction I, --primitive CODE or --problem NAME"),
+        ([], "Name one thing to show: --interaction I, --primitive CODE, --operator NAME or --problem NAME"),
         (["--interaction", "0", "--primitive", "000"], "Name one thing to show"),
         (["--interaction", "1024"], "no interaction 1024; the data have 1024 rows, 0 to 1023"),
         (["--interaction", "-1"], "no interaction -1"),
         (["--primitive", "wave"], "no primitive 'wave'; valid: 0"),
+        (["--operator", "wave"], "no operator 'wave'; valid: "),
         (["--problem", "task-99"], "no problem 'task-99'; valid: task-01, task-02"),
         (["--interaction", "0", "--output", "x.jpg"], "x.jpg; name a file that ends in .png or .gif"),
         (["--interaction", "0", "--output", "none/x.png"], "none/x.png; name a file in an existing folder"),

@@ -17,6 +17,7 @@ from neurosym.files import write_json
 from neurosym.grounding import Grounding
 from neurosym.learning.learning_curve import LearningCurve, learning_curve, sizes_up_to
 from neurosym.learning.training_config import REGIMES, Regime
+from neurosym.pictures.motions import surest_carriers
 from neurosym.reading import read_json
 from neurosym.report import page
 from neurosym.report.charts import Axis, lines, round_values
@@ -95,6 +96,16 @@ def test_page_shows_every_symbol_operator_and_plan(reported):
     images = checked(text).images
     assert len(images) >= len(grounding.operators.symbols)
     assert sum("goal transparent" in image["alt"] for image in images) >= 1
+
+
+def test_page_shows_what_carries_objects_to_places(reported):
+    text = (reported / "report.html").read_text()
+    grounding = Grounding.load(reported / "grounding.json")
+    assert "512 more interactions were aimed at places" in text
+    for operator in grounding.places.operators.operators:
+        assert operator.name in text
+    for operator in surest_carriers(grounding):
+        assert f"{operator.name}: carried" in text
 
 
 def test_pictures_are_made_once_and_the_page_is_the_same(reported):
