@@ -42,6 +42,19 @@ def led_objects(problem: Problem, grounding: Grounding) -> tuple[str, ...]:
     return tuple(name for name in problem.object_names if name in problem.goals and name not in carried)
 
 
+def may_stand(thing: str, place: str, problem: Problem) -> bool:
+    """Say whether an object may be carried to a place: one to park on, or one at its goal.
+
+    Args:
+        thing: The object.
+        place: The place.
+        problem: The problem, with its places.
+    """
+    if place.startswith(PARK):
+        return True
+    return thing in problem.goals and is_at(thing, problem.place_named(place), problem)
+
+
 class PlaceNotes:
     """Where objects stand while a plan with places is printed as ground actions.
 
@@ -92,11 +105,10 @@ def facts(problem: Problem, grounding: Grounding) -> list[str]:
         lines.append(comment([f"{name} lies at ({x:.4f}, {y:.4f}) m"], "    ").lstrip())
         lines.append(f"(free {name})")
         for thing in carried:
-            if not name.startswith(PARK) and not (thing in problem.goals and is_at(thing, (x, y), problem)):
+            if not may_stand(thing, name, problem):
                 continue
-            goal = f"(goal-place {thing} {name}) " * (
-                thing in problem.goals and is_at(thing, (x, y), problem)
-            )
+            at_goal = thing in problem.goals and is_at(thing, (x, y), problem)
+            goal = f"(goal-place {thing} {name}) " if at_goal else ""
             lines.append(goal + _room(thing, name, blockers(thing, (x, y), problem, apart)))
     for item in problem.objects:
         if item.name in carried:

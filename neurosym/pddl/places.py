@@ -33,7 +33,8 @@ def with_places(problem: Problem, grounding: Grounding) -> Problem:
     goals = {
         f"{GOAL}{name}": (x, y)
         for name, (x, y, z) in sorted(problem.goals.items())
-        if abs(z - problem.object_named(name).position[2]) <= problem.tolerance
+        if grounding.table.contains(np.array([x, y, z]))
+        and abs(z - problem.object_named(name).position[2]) <= problem.tolerance
     }
     parks = _parks(problem, grounding.table)
     found = {f"{PARK}{number:02d}": spot for number, spot in enumerate(parks, start=1)}

@@ -22,6 +22,7 @@ from neurosym.pddl.moves import (
 )
 from neurosym.pddl.numeric import STEPS as NUMERIC_STEPS
 from neurosym.pddl.numeric import numeric_problem_text
+from neurosym.pddl.place_domain import NOTES, carriers_of
 from neurosym.pddl.place_problem import declared, facts, led_objects
 from neurosym.pddl.places import with_places
 from neurosym.problems import Problem, SceneObject
@@ -123,7 +124,11 @@ def _words(grounding: Grounding) -> frozenset[str]:
     moves = [*operators, *(f"{PUT_DOWN}{name}" for name in operators)]
     constants = (f"{MOVE}{name}" for name in moves)
     carriers = (carrier(axis) for axis in range(3))
-    return frozenset(("movable", "object", "move", REACH_GOAL, *categories, *moves, *constants, *carriers))
+    words = ["movable", "object", "move", REACH_GOAL, *categories, *moves, *constants, *carriers]
+    if grounding.places:
+        names = [one.name for one in carriers_of(grounding)]
+        words += ["place", *NOTES, *names, *(f"{MOVE}{name}" for name in names)]
+    return frozenset(words)
 
 
 def _header(problem: Problem, grounding: Grounding, steps: int) -> str:

@@ -10,6 +10,7 @@ from neurosym.errors import InvalidValue
 from neurosym.grounding import Grounding
 from neurosym.object_limits import ObjectLimits
 from neurosym.pddl.grid import check_on_table
+from neurosym.pddl.place_check import check_places
 from neurosym.problems import NEAR_TABLE, Problem, SceneObject, check_goals, goal_heights
 
 OFF_REST = 0.005
@@ -44,6 +45,7 @@ def check_problem(problem: Problem, grounding: Grounding | None, limits: ObjectL
         for one, other in combinations(problem.objects, 2):
             _check_apart(one, other)
     if grounding:
+        check_places(problem, grounding)
         heights = goal_heights(problem, grounding.lift_height) if limits else (-math.inf, math.inf)
         check_goals(problem, grounding.table, heights)
 

@@ -43,3 +43,15 @@ def plan_by_places(
         return result
     reason = f"the plan with places is not true when replayed: {checked.reason}"
     return dataclasses.replace(result, status=PlanStatus.FAILED, steps=(), reason=reason)
+
+
+def not_proved(result: PlanResult) -> PlanResult:
+    """Say of what has no plan over cells that it was not found: something could have been carried.
+
+    Args:
+        result: What planning over cells came to.
+    """
+    if result.status is not PlanStatus.UNSOLVABLE:
+        return result
+    reason = f"no plan with the places that were drawn; without: {result.reason or 'unsolvable'}"
+    return dataclasses.replace(result, status=PlanStatus.NOT_FOUND, reason=reason)

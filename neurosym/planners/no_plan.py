@@ -17,6 +17,7 @@ from jaxtyping import Float
 from neurosym.grounding import Grounding
 from neurosym.operators import Vector
 from neurosym.pddl.footprints import footprints_apart
+from neurosym.pddl.place_domain import carriers_for
 from neurosym.planners.branching import Branching, Names, branching_of
 from neurosym.planners.count_vectors import Choices, candidates, looked_at, nearest
 from neurosym.planners.counting import MOST_WORK
@@ -126,6 +127,8 @@ def _never_moves(
     problem: Problem, name: str, grounding: Grounding, branching: tuple[Branching, Names] | None
 ) -> bool:
     """Say whether nothing is known to be done to an object."""
+    if branching is None and carriers_for(problem.object_named(name), grounding, problem.tolerance):
+        return False
     table, _ = branching or branching_of(problem, grounding)
     return not table.usable(problem.object_names.index(name))
 

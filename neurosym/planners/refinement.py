@@ -29,7 +29,7 @@ from neurosym.pddl.problem import STEPS, problem_text
 from neurosym.pddl.sas import sas_text
 from neurosym.planners.aiming import aim
 from neurosym.planners.around import plan_around
-from neurosym.planners.by_places import is_by_places, plan_by_places
+from neurosym.planners.by_places import is_by_places, not_proved, plan_by_places
 from neurosym.planners.effort import TimeIsUp, check_time, within
 from neurosym.planners.fast_downward import SAS_SUFFIX
 from neurosym.planners.no_plan import Explanation, explain_clash, explain_no_plan
@@ -168,6 +168,10 @@ def plan_pddl(query: Query, *, name: str, program: PddlProgram) -> PlanResult:
             result = plan_by_places(problem, grounding, partial(ask, slack=_Slack(STEPS)))
             if result.status is PlanStatus.SOLVED or query.encoding == PLACES:
                 return result
+            return not_proved(over_cells(deadline))
+        return over_cells(deadline)
+
+    def over_cells(deadline: float) -> PlanResult:
         if program.aims and not grounding.unit_costs:
             careful = _away_from_edges(grounding, problem)
             result = attempt(careful, deadline)

@@ -251,9 +251,9 @@ def test_carrying_is_told_with_the_third_waypoint_at_the_place():
     (told,) = explain_carrying(carrying(there, missed), GRIPPER)
     assert told.title == "carries 45% of objects to a place"
     assert told.about == (
-        "The hand starts open, 30 mm back of the object's centre, 10 mm above it. It closes there and moves to "
-        "10 mm above the centre. What it grips then it lifts, carries to 20 mm forward of the place, 30 mm above it, "
-        "lowers and lets go."
+        "The hand starts open, 30 mm back of the object's centre, 10 mm above it. It closes there and moves "
+        "to 10 mm above the centre. What it grips then it lifts, carries to 20 mm forward of the place, "
+        "30 mm above it, lowers and lets go."
     )
     assert told.compared == "With another object on the place it went as promised 3 of 20 times."
     assert [(row.ends, row.effect, row.domain) for row in told.effects] == [

@@ -16,9 +16,11 @@ from neurosym.operators import Category, Mode, Operator, OperatorTable, Primitiv
 from neurosym.pddl import compile_domain, domain_text, problem_text
 from neurosym.pddl.footprints import footprints_apart, overlapping
 from neurosym.pddl.moves import PLACES
+from neurosym.pddl.place_check import check_places
 from neurosym.pddl.place_problem import carried_objects, led_objects
 from neurosym.pddl.places import GOAL, PARK, with_places
 from neurosym.pddl.plan_text import PlanStep, parse_plan, print_ground_plan, print_plan
+from neurosym.pddl.problem_check import check_problem
 from neurosym.pddl.validation import validate
 from neurosym.place_operators import Occupied, PlaceOperators
 from neurosym.planners import PlanStatus, plan
@@ -211,3 +213,73 @@ def test_objects_cannot_be_called_as_places_are(name):
     task = Problem("named", (msgspec.structs.replace(cube, name=name),), {name: (0.8, 0.0, 0.025)})
     with pytest.raises(InvalidValue, match=f"No object can be called {name}"):
         problem_text(task, grounding(), PLACES)
+
+
+def with_own_places(**places: tuple[float, float]) -> Problem:
+    """The problem of two cubes, with places that somebody wrote."""
+    named = {name.replace("_", "-"): spot for name, spot in places.items()}
+    return msgspec.structs.replace(swap(), places=named)
+
+
+def test_own_places_are_planned_with_as_they_are_written():
+    problem = with_own_places(left=(0.8, 0.1), right=(0.5, -0.1), park_aside=(0.7, 0.25))
+    check_places(problem, grounding())
+    result = plan(problem, grounding())
+    assert [step.place for step in result.steps] in (
+        ["park-aside", "right", "left"],
+        ["park-aside", "left", "right"],
+    )
+
+
+@pytest.mark.parametrize(
+    ("places", "said"),
+    [
+        ({"shelf": (2.0, 0.0)}, r"place shelf lies at x = 2, y = 0 m, off the table; valid: x 0\.\d+ to"),
+        ({"item_01": (0.6, 0.0)}, "No place can be called item-01"),
+        ({"start_item_01": (0.6, 0.0)}, "No place can be called start-item-01"),
+        ({"nowhere": (0.6, 0.0)}, "No place can be called nowhere"),
+        ({"Shelf": (0.6, 0.0)}, "'Shelf' is not a legal name"),
+        (
+            {"park_a": (0.6, 0.0), "park_b": (0.62, 0.01)},
+            "park-a and park-b are too near for item-01 and item-02; valid: at least 0.050 m apart in x",
+        ),
+        ({"left": (0.8, 0.1), "park_a": (0.84, 0.1)}, "left and park-a are too near for item-01 and item-02"),
+    ],
+)
+def test_own_places_that_cannot_be_are_refused_in_one_sentence(places, said):
+    with pytest.raises(InvalidValue, match=said):
+        check_problem(with_own_places(**places), grounding(), None)
+
+
+def test_places_mean_nothing_to_a_domain_that_carries_nothing():
+    problem = with_own_places(shelf=(0.6, 0.0))
+    with pytest.raises(InvalidValue, match="nothing in this domain carries objects to places; leave out"):
+        check_places(problem, msgspec.structs.replace(grounding(), places=None))
+
+
+def test_goal_under_what_nothing_moves_is_a_result_with_its_reason():
+    goals = {"item-01": (0.7, 0.0, 0.025)}
+    problem = Problem("under", scene(("cube", 0.5, -0.2), ("slab", 0.7, 0.0)), goals, 0.02)
+    still = msgspec.structs.replace(
+        grounding(), operators=msgspec.structs.replace(grounding().operators, operators=())
+    )
+    result = plan(problem, still)
+    assert result.status is PlanStatus.UNSOLVABLE
+    assert result.reason == "item-02 stands where item-01 is to end, and no primitive moves it"
+
+
+def test_what_only_a_hand_can_carry_away_does_not_stand_in_the_way_for_ever():
+    goals = {"item-01": (0.7, 0.0, 0.025)}
+    problem = Problem("under", scene(("cube", 0.5, -0.2), ("cube", 0.7, 0.0)), goals, 0.02)
+    assert [step.object for step in solved(problem)] == ["item-02", "item-01"]
+
+
+def test_goal_that_nothing_can_be_put_at_is_not_said_to_be_proved_out_of_reach():
+    goals = {"item-01": (0.7, 0.0, 0.025)}
+    crowd = with_places(
+        Problem("no-room", scene(("cube", 0.5, -0.2), ("cube", 0.7, 0.0)), goals), grounding()
+    )
+    only = msgspec.structs.replace(crowd, places={"goal-item-01": (0.7, 0.0)})
+    result = plan(only, grounding())
+    assert result.status is PlanStatus.NOT_FOUND
+    assert result.reason.startswith("no plan with the places that were drawn; without: ")

@@ -1,0 +1,61 @@
+"""Whether the places that somebody wrote into a problem can be."""
+
+import re
+from itertools import combinations
+
+import msgspec
+import numpy as np
+
+from neurosym.errors import InvalidValue
+from neurosym.grounding import Grounding
+from neurosym.pddl.footprints import footprints_apart
+from neurosym.pddl.place_domain import NOWHERE, carriers_of
+from neurosym.pddl.place_problem import START, may_stand
+from neurosym.problems import Problem, check_names
+
+_CELL = r"[xyz]\d*"
+
+
+def check_places(problem: Problem, grounding: Grounding) -> None:
+    """Raise `InvalidValue` unless objects can be carried to each place of a problem.
+
+    Args:
+        problem: The problem; if it names no places, they are drawn, and nothing is wrong.
+        grounding: The learned domain.
+    """
+    if problem.places is msgspec.UNSET:
+        return
+    if not carriers_of(grounding):
+        raise InvalidValue(
+            f"The problem {problem.name} has places, and nothing in this domain carries objects to places; "
+            "leave out `places`, or learn to with `neurosym run DIR --places N`."
+        )
+    names = tuple(problem.places)
+    check_names(names)
+    table = grounding.table
+    for name, (x, y) in problem.places.items():
+        if name in problem.object_names or name == NOWHERE or re.fullmatch(f"{_CELL}|{START}.*", name):
+            raise InvalidValue(f"No place can be called {name}, the problem uses that; try shelf-01.")
+        if not table.contains(np.array([x, y, 0.0])):
+            raise InvalidValue(
+                f"The place {name} lies at x = {x:g}, y = {y:g} m, off the table; valid: "
+                f"x {table.x[0]:g} to {table.x[1]:g}, y {table.y[0]:g} to {table.y[1]:g} m."
+            )
+    for one, other in combinations(names, 2):
+        _check_apart(one, other, problem)
+
+
+def _check_apart(one: str, other: str, problem: Problem) -> None:
+    """Refuse two places if two objects that may be carried there would stand in each other."""
+    away = np.abs(np.subtract(problem.place_named(one), problem.place_named(other)))
+    apart = footprints_apart(problem)
+    for row, mine in enumerate(problem.object_names):
+        for column, its in enumerate(problem.object_names):
+            if row == column or not (may_stand(mine, one, problem) and may_stand(its, other, problem)):
+                continue
+            if np.all(away < apart[row, column]):
+                x, y = apart[row, column]
+                raise InvalidValue(
+                    f"The places {one} and {other} are too near for {mine} and {its}; valid: at least "
+                    f"{x:.3f} m apart in x, or {y:.3f} m in y."
+                )
