@@ -48,6 +48,7 @@ if TYPE_CHECKING:
     from neurosym.world import World as World
     from neurosym.worlds.check import check_world as check_world
     from neurosym.worlds.problem_drawing import draw_problem as draw_problem
+    from neurosym.worlds.tasks import draw_task as draw_task
 
 _PLACES = {
     "neurosym.actions": ("ActionBox", "Mirror"),
@@ -73,6 +74,7 @@ _PLACES = {
     "neurosym.world": ("Outcome", "Scene", "World"),
     "neurosym.worlds.check": ("check_world",),
     "neurosym.worlds.problem_drawing": ("draw_problem",),
+    "neurosym.worlds.tasks": ("draw_task",),
 }
 """Where each name comes from when it is first used; type checkers read the block above."""
 _HOMES = {name: module for module, names in _PLACES.items() for name in names}

@@ -114,6 +114,10 @@ def draw(world=TOY, of=categorise, **changes):
     return ns.draw_problem(world, of, **({"name": "p", "objects": 1, "seed": 0} | changes))
 
 
+def draw_task(kind="anywhere", world=TOY, **changes):
+    return ns.draw_task(world, categorise, kind, **({"name": "p", "objects": 1, "seed": 0} | changes))
+
+
 def put(goals, **changes):
     return set_problem(TOY, categorise, goals, **({"name": "p", "objects": 1, "seed": 0} | changes))
 
@@ -205,6 +209,12 @@ CALLS = [
     *each(BAD_COUNTS, "workers", lambda workers: choose(workers=workers)),
     *each(BAD_COUNTS, "objects", lambda objects: rehearse(objects=objects)),
     *each(BAD_COUNTS, "object", lambda objects: draw(objects=objects)),
+    *each(BAD_SEEDS, "seed", lambda seed: draw_task(seed=seed)),
+    *each(BAD_COUNTS, "objects", lambda objects: draw_task(objects=objects)),
+    *each(BAD_LENGTHS, "tolerance", lambda tolerance: draw_task(tolerance=tolerance)),
+    *each((3, None), "name", lambda name: draw_task(name=name)),
+    *each((3, "yes"), "fits", lambda fits: draw_task(fits=fits)),
+    *each(("heap", 3, None, ["row"]), "kind of task", lambda kind: draw_task(kind), "UnknownChoice"),
     *each(BAD_COUNTS, "action", lambda actions: draw(actions=actions)),
     *each((-1, 2.5, "ten"), "replans", lambda replans: execute(replans=replans)),
     *each(BAD_LENGTHS, "tolerance", lambda tolerance: draw(tolerance=tolerance)),

@@ -24,7 +24,7 @@ LAYERS = {
     "planners": "pddl",
     "execution": "pddl planners",
     "practice": "worlds data learning primitives pddl planners execution",
-    "pictures": "data primitives pddl execution",
+    "pictures": "worlds data primitives pddl execution",
     "stages": (
         "worlds data learning exploration relations primitives pddl planners execution practice pictures"
     ),

@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING, Annotated
 
 from tyro.conf import arg
 
-from neurosym.commands.options import CPUS, Folder, Seed, TimeLimit, Workers, check_time_limit, opened
+from neurosym.commands.options import CPUS, Folder, Seed, Task, TimeLimit, Workers, check_time_limit, opened
 from neurosym.console import progress_bar, say, say_next, show_table
 from neurosym.errors import InvalidValue
 from neurosym.operators import TOLERANCE
@@ -21,6 +21,7 @@ def compare(
     tasks: Annotated[int, arg(help="How many tasks to draw.")] = 100,
     objects: Annotated[int, arg(help="Objects in each; each gets a goal.")] = 1,
     seed: Seed = 0,
+    task: Task = None,
     planners: Annotated[
         tuple[str, ...],
         arg(help="bfs (reads the network), bfs-operators (the table), ..., or module:factory."),
@@ -55,7 +56,7 @@ def compare(
     planners = tuple(dict.fromkeys(planners))
     check_planners(planners, folder)
     domain = opened(folder)
-    order = Order(domain.path, objects, planners, tolerance, time_limit)
+    order = Order(domain.path, objects, planners, tolerance, time_limit, task)
     records = []
     with domain.claimed(Claim.SHARED), progress_bar("comparing") as advance:
         for record in compare_tasks(order, range(seed, seed + tasks), workers=workers):
@@ -63,13 +64,14 @@ def compare(
             advance(len(records), tasks)
     comparison = summarise(records, planners)
     write_json(order.place / "comparison.json", comparison)
-    kind = f"{counted(objects, 'object')}, {1000 * tolerance:g} mm"
+    kind = f"{counted(objects, 'object')}, {1000 * tolerance:g} mm" + (f", {task}" if task else "")
     seeds = f"seed {seed}" if tasks == 1 else f"seeds {seed} to {seed + tasks - 1}"
     title = f"{counted(comparison.counted, 'task')} drawn with {seeds}, {kind}"
     draw_comparison(comparison, title, order.place / "comparison.png")
     _show(comparison, title)
     say(f"wrote {order.place / 'comparison.json'}, comparison.png, and a file for each task")
     like = "" if objects == 1 else f" --objects {objects}"
+    like += "" if task is None else f" --task {task}"
     like += "" if tolerance == TOLERANCE else f" --tolerance {tolerance:g}"
     say_next(f"neurosym new-problem {quoted(folder)} --name mine --seed {seed}{like}")
     return 0

@@ -5,7 +5,7 @@ from typing import Annotated
 
 from tyro.conf import UseAppendAction, arg
 
-from neurosym.commands.options import Folder, Seed, opened
+from neurosym.commands.options import Folder, Seed, Task, opened
 from neurosym.console import say, say_next
 from neurosym.errors import InvalidFile, InvalidValue
 from neurosym.stages.folder import DomainFolder
@@ -22,6 +22,7 @@ def new_problem(
     objects: Annotated[int, arg(help="Objects on the table: item-01, item-02, ...")] = 1,
     actions: Annotated[int, arg(help="Random actions that lead to the goal, one after another.")] = 1,
     seed: Seed = 0,
+    task: Task = None,
     goal: Annotated[
         tuple[str, ...],
         UseAppendAction,
@@ -40,7 +41,9 @@ def new_problem(
 ) -> int:
     """Make a problem: a random scene, and a goal that random actions lead to (one in the paper) or yours.
 
-    With `--scene` it is all yours: the file is checked, copied and printed as PDDL.
+    With `--task` it is what people ask for: `anywhere` puts each object anywhere on the table, `swap` has
+    each stand where the next one stood, `row` sets them in a row, and `crowded` clears a crowd. With
+    `--scene` it is all yours: the file is checked, copied and printed as PDDL.
     """
     from neurosym.problems import Problem, check_names
     from neurosym.reading import digest
@@ -48,10 +51,10 @@ def new_problem(
     from neurosym.stages.scenes import scene_stage
 
     domain = opened(folder)
-    if scene and (goal or (objects, actions, seed) != (1, 1, 0)):
-        raise InvalidValue("Give --scene, or --objects, --actions, --seed and --goal, not both.")
-    if goal and actions != 1:
-        raise InvalidValue("Give --actions or goals by hand, not both.")
+    if scene and (goal or task or (objects, actions, seed) != (1, 1, 0)):
+        raise InvalidValue("Give --scene, or --objects, --actions, --seed, --task and --goal, not both.")
+    if bool(goal) + bool(task) + (actions != 1) > 1:
+        raise InvalidValue("Give --actions, --task or goals by hand, and only one of them.")
     goals = _parse_goals(goal) if goal else None
     if name is not None:
         check_names((name,))
@@ -71,6 +74,7 @@ def new_problem(
                 actions=actions,
                 seed=seed,
                 goals=goals,
+                task=task,
                 tolerance=tolerance,
             )
         domain.perform(stage, again=True)

@@ -50,6 +50,10 @@ Places = Annotated[
     int,
     arg(help="Interactions besides that are aimed at a place, to learn what carries objects there."),
 ]
+Task = Annotated[
+    Literal["anywhere", "swap", "row", "crowded"] | None,
+    arg(help="What tasks ask for: goals anywhere, a swap, a row, or to clear a crowd; else as in the paper."),
+]
 MinPredictedEffect = Annotated[
     float,
     arg(

@@ -19,6 +19,7 @@ from neurosym.stages.layout import COMPARISONS, GROUNDING, MODEL, WORLD
 from neurosym.symbols import Symbol
 from neurosym.worlds.pool import worker_pool
 from neurosym.worlds.problem_drawing import draw_problem
+from neurosym.worlds.tasks import Fits, TaskKind, draw_task
 from neurosym.worlds.workers import in_order
 from neurosym.worlds.world_file import read_world
 
@@ -45,6 +46,7 @@ class Order(msgspec.Struct, frozen=True):
     Attributes:
         folder: The domain folder.
         objects: Objects in each task.
+        task: What the tasks ask for; as the paper draws them, if not given.
         planners: Whom to compare.
         tolerance: How near each object must come to its goal [m].
         time_limit: The user's ceiling for each planner [s]; its own if not given.
@@ -55,11 +57,13 @@ class Order(msgspec.Struct, frozen=True):
     planners: tuple[str, ...]
     tolerance: float
     time_limit: float | None = None
+    task: TaskKind | None = None
 
     @property
     def place(self) -> Path:
         """Folder of the records."""
-        return self.folder / COMPARISONS / f"{self.objects}-objects-{1000 * self.tolerance:g}-mm"
+        kind = f"{self.objects}-objects-{1000 * self.tolerance:g}-mm"
+        return self.folder / COMPARISONS / (f"{self.task}-{kind}" if self.task else kind)
 
 
 class Bench:
@@ -86,8 +90,15 @@ class Bench:
             predict=lambda features: model.branching_table(features, symbols),
         )
 
-    def draw(self, objects: int, seed: int, tolerance: float) -> Problem:
-        """Draw a task as the paper does, and set how near each object must come to its goal.
+    def draw(
+        self,
+        objects: int,
+        seed: int,
+        tolerance: float,
+        task: TaskKind | None = None,
+        fits: Fits | None = None,
+    ) -> Problem:
+        """Draw a task, and set how near each object must come to its goal.
 
         Scene and goals do not depend on the tolerance, nor on what was learned.
 
@@ -95,9 +106,14 @@ class Bench:
             objects: How many objects.
             seed: Same seed, same task.
             tolerance: How near they must come [m].
+            task: What is asked for; a task as the paper draws them, if not given.
+            fits: Says of the features of an object whether it may be drawn, if a task is asked for.
         """
-        name = f"drawn-{seed:05d}"
-        drawn = draw_problem(self.setting.world, self.categorise, name=name, objects=objects, seed=seed)
+        world, name = self.setting.world, f"{task or 'drawn'}-{seed:05d}"
+        if task is None:
+            drawn = draw_problem(world, self.categorise, name=name, objects=objects, seed=seed)
+        else:
+            drawn = draw_task(world, self.categorise, task, name=name, objects=objects, seed=seed, fits=fits)
         return msgspec.structs.replace(drawn, tolerance=tolerance)
 
 
@@ -173,7 +189,7 @@ def _measure(
     bench: Bench, order: Order, made_from: dict[str, str], seed: int, known: TaskRecord | None
 ) -> TaskRecord:
     """Do what is missing of a task, and write its record."""
-    problem = known.problem if known else bench.draw(order.objects, seed, order.tolerance)
+    problem = known.problem if known else bench.draw(order.objects, seed, order.tolerance, order.task)
     missing = _planners_left(order, known)
     record = compare(bench.setting, problem, missing, time_limit=order.time_limit)
     with locked(order.place):  # another process may compare other planners on the same task

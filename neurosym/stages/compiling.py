@@ -34,6 +34,7 @@ from neurosym.stages.layout import (
 from neurosym.stages.manifest import Claim, Stage
 from neurosym.stages.practising import operator_table
 from neurosym.wording import quoted
+from neurosym.worlds.tasks import TaskKind, draw_task
 from neurosym.worlds.world_file import read_world
 
 
@@ -86,11 +87,13 @@ def problem_stage(
     seed: int,
     actions: int = 1,
     goals: Mapping[str, tuple[float, ...]] | None = None,
+    task: TaskKind | None = None,
     tolerance: float | None = None,
 ) -> Stage:
     """Make a problem: world, model and grounding -> `problems/NAME.pddl`, `.numeric.pddl`, `.scene.json`.
 
-    Scene and goals do not depend on the tolerance [m].
+    It is drawn as the paper draws tasks, unless there are goals, or a task is named. Scene and goals do not
+    depend on the tolerance [m].
     """
     scene = scene_file(name)
 
@@ -101,7 +104,9 @@ def problem_stage(
         world = read_world(folder.require(WORLD))()
         grounding = Grounding.load(folder.require(GROUNDING))
         categorise = EffectModel.load(folder.require(MODEL)).object_symbols
-        if goals is None:
+        if task is not None:
+            problem = draw_task(world, categorise, task, name=name, objects=objects, seed=seed)
+        elif goals is None:
             problem = draw_problem(world, categorise, name=name, objects=objects, actions=actions, seed=seed)
         else:
             problem = set_problem(world, categorise, goals, name=name, objects=objects, seed=seed)
@@ -113,8 +118,8 @@ def problem_stage(
         problem.save(folder / scene)
 
     options = {"objects": objects, "actions": actions, "seed": seed, "goals": _plain(goals)}
-    if tolerance is not None:
-        options["tolerance"] = tolerance
+    options |= {} if tolerance is None else {"tolerance": tolerance}
+    options |= {} if task is None else {"task": task}
     by_places = [places_file(name)] if (folder / PLACES_DOMAIN).exists() else []
     outputs = (*problem_files(name), *by_places, scene)
     return Stage(f"new-problem {name}", (WORLD, MODEL, GROUNDING), outputs, work, options)

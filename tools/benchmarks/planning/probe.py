@@ -21,7 +21,6 @@ from neurosym.grounding import Grounding
 from neurosym.stages.layout import GROUNDING
 from tools.benchmarks.jobs import Job, load_jobs, perform
 from tools.benchmarks.planning import figures
-from tools.benchmarks.planning.anywhere import draw_anywhere
 from tools.benchmarks.planning.jobs import FAR_OBJECTS, SIZES, stamp
 from tools.benchmarks.planning.measures import TIME_LIMIT, bench_of
 from tools.benchmarks.planning.reach import FAR, primitives_needed
@@ -43,7 +42,7 @@ def try_one(folder: Path, objects: int, seed: int, tolerance: float, *, far: boo
         far: Whether the goal is anywhere on the table; such a plan is not followed blindly.
     """
     bench = bench_of(folder)
-    task = draw_anywhere(bench, objects, seed, tolerance) if far else bench.draw(objects, seed, tolerance)
+    task = bench.draw(objects, seed, tolerance, "anywhere" if far else None)
     limit = None if far else TIME_LIMIT
     return to_json([try_task(bench.setting, task, blind=not far, time_limit=limit)])
 

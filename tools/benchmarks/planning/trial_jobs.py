@@ -7,9 +7,9 @@ from typing import Any
 
 from neurosym.evaluation.primitive_kinds import KINDS, LEAST_OBJECTS, LEAST_SHARE, kind_of
 from neurosym.grounding import Grounding
+from neurosym.operators import TOLERANCE
 from tools.benchmarks.jobs import Job
 from tools.benchmarks.planning import figures
-from tools.benchmarks.planning.anywhere import draw_anywhere
 from tools.benchmarks.planning.jobs import (
     FAR_OBJECTS,
     SHIPPED,
@@ -74,7 +74,7 @@ def precise(folder: Path, drawn: Path, *, tolerance: float) -> list[Any]:
 def far(folder: Path, objects: int, seeds: Sequence[int]) -> list[Any]:
     """Try tasks with goals anywhere, with replanning."""
     bench = bench_of(folder)
-    tasks = [draw_anywhere(bench, objects, seed) for seed in seeds]
+    tasks = [bench.draw(objects, seed, TOLERANCE, "anywhere") for seed in seeds]
     return to_json([try_task(bench.setting, task, blind=False) for task in tasks])
 
 
