@@ -40,7 +40,7 @@ def main(
     """Learn, try, describe."""
     path = TABLETOP.with_name("tabletop-paper") if paper else TABLETOP
     bits = PAPER_BITS if paper else DEFAULT_BITS
-    run(path, steps=STEPS, seed=SEED, problems=0, object_bits=bits[0], action_bits=bits[1])
+    run(path, steps=STEPS, seed=SEED, problems=0, object_bits=bits[0], action_bits=bits[1], places=0)
     folder = DomainFolder(path)
     for number, (objects, actions) in enumerate(SIZES, start=1):
         name = f"task-{number:02d}"
@@ -70,7 +70,7 @@ def sections(folder: DomainFolder, bits: tuple[int, int]) -> list[str]:
     is_paper = bits == PAPER_BITS
     table = OperatorTable.load(folder / PRIMITIVES)
     grounding = Grounding.load(folder / "grounding.json")
-    command = f"neurosym run {folder.path} --steps {STEPS} --seed {SEED} --problems 0"
+    command = f"neurosym run {folder.path} --steps {STEPS} --seed {SEED} --problems 0 --places 0"
     return [
         "# The tabletop domain" + (", with the paper's bits" if is_paper else ""),
         f"Object symbols have {bits[0]} bits, action symbols {bits[1]}"

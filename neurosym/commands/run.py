@@ -12,7 +12,6 @@ from neurosym.commands.options import (
     Folder,
     MinPredictedEffect,
     ObjectBits,
-    Places,
     RegimeName,
     Seed,
     StrategyOption,
@@ -44,7 +43,13 @@ def run(
     min_predicted_effect: MinPredictedEffect = 0.0,
     object_bits: ObjectBits = None,
     action_bits: ActionBits = None,
-    places: Places = 0,
+    places: Annotated[
+        int | None,
+        arg(
+            help="Interactions besides that are aimed at a place, to learn what carries objects there: a "
+            "quarter of --steps from 1024 on, if not given."
+        ),
+    ] = None,
 ) -> int:
     """Go the whole way: explore, train, distil, compile, draw problems, plan and execute.
 
@@ -57,7 +62,7 @@ def run(
 
     check_choices(strategy, regime, min_predicted_effect).model.with_bits(object_bits, action_bits)
     least = {"steps": (steps, 1), "workers": (workers, 1), "rehearsals": (rehearsals, 1)}
-    least |= {"seed": (seed, 0), "problems": (problems, 0), "places": (places, 0)}
+    least |= {"seed": (seed, 0), "problems": (problems, 0), "places": (places or 0, 0)}
     for name, (value, limit) in least.items():
         if value < limit:
             raise InvalidValue(f"{name} = {value} must be at least {limit}.")

@@ -3,6 +3,7 @@
 from dataclasses import dataclass
 
 from neurosym.console import say, say_next, show_table
+from neurosym.data.interactions import Interactions
 from neurosym.errors import InvalidValue
 from neurosym.pddl.compiler import CELL
 from neurosym.reading import read_json
@@ -12,17 +13,23 @@ from neurosym.stages.distilling import distill_stage
 from neurosym.stages.executing import execute_stage, load_run
 from neurosym.stages.exploring import explore_stage
 from neurosym.stages.folder import DomainFolder
-from neurosym.stages.layout import plan_files
+from neurosym.stages.layout import PLACE_INTERACTIONS, WORLD, plan_files
 from neurosym.stages.manifest import Claim, Stage
 from neurosym.stages.plan_records import PlanRecord
 from neurosym.stages.planning import plan_stage
 from neurosym.stages.training import train_stage
 from neurosym.strategies import StrategyName
 from neurosym.wording import counted, quoted
+from neurosym.world import references_of
+from neurosym.worlds.world_file import read_world
 
 PLANNER = "fast-downward"
 MOST_PROBLEMS = 30
 """How many problems are drawn at most, if none of those asked for has a plan."""
+PLACES_FOR = 4
+"""For so many interactions there is one more that is aimed at a place, if the user does not say how many."""
+LEAST_STEPS = 1024
+"""From so few interactions nothing is learned of places, unless the user says so."""
 
 
 def go_the_whole_way(
@@ -39,7 +46,7 @@ def go_the_whole_way(
     min_predicted_effect: float = 0.0,
     object_bits: int | None = None,
     action_bits: int | None = None,
-    places: int = 0,
+    places: int | None = None,
 ) -> None:
     """Explore, train, distil, compile, draw problems, plan with Fast Downward, and execute what was found.
 
@@ -57,13 +64,16 @@ def go_the_whole_way(
             explored, if there are any [m].
         object_bits: Bits of an object symbol; the regime's if not given.
         action_bits: Bits of an action symbol; the regime's if not given.
-        places: Interactions to make besides that are aimed at places; 0 for none.
+        places: Interactions to make besides that are aimed at places; 0 for none. If not given, one for
+            every four others, in a world that takes places.
 
     Raises:
         InvalidValue: If a number is impossible.
     """
     if problems < 0:
         raise InvalidValue(f"problems = {problems} must be at least 0.")
+    if places is None:
+        places = _usual_places(folder, steps)
     learning = (
         explore_stage(
             folder,
@@ -94,6 +104,14 @@ def go_the_whole_way(
         )
     say(f"everything lies in {folder.path}; {folder / 'domain.pddl'} is the domain")
     say_next(f"neurosym plan {quoted(folder.path)} task-01 --planner bfs")
+
+
+def _usual_places(folder: DomainFolder, steps: int) -> int:
+    """Say how many interactions are aimed at places if the user does not: no fewer than there are."""
+    if "place" not in references_of(read_world(folder.require(WORLD))()):
+        return 0
+    path, share = folder / PLACE_INTERACTIONS, steps // PLACES_FOR if steps >= LEAST_STEPS else 0
+    return max(share, len(Interactions.load(path)) if path.is_file() else 0)
 
 
 def _places_stages(
