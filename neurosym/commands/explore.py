@@ -70,6 +70,7 @@ def explore(
             seed=seed,
             regime=regime,
             workers=CPUS if workers is None else workers,
+            ray=ray,
         )
         domain.perform(of_places, again=True)
         say(f"{places} interactions aimed at places in {folder / PLACE_INTERACTIONS}")

@@ -36,7 +36,14 @@ from neurosym.worlds.world_file import read_world
 
 
 def explore_places_stage(
-    folder: DomainFolder, *, strategy: StrategyName, steps: int, seed: int, regime: str, workers: int
+    folder: DomainFolder,
+    *,
+    strategy: StrategyName,
+    steps: int,
+    seed: int,
+    regime: str,
+    workers: int,
+    ray: str | None = None,
 ) -> Stage:
     """Explore with actions that are aimed at places: `world.toml` -> `places/interactions.npz`."""
     chosen, name = check_choices(strategy, regime), own_name(strategy)
@@ -65,6 +72,7 @@ def explore_places_stage(
                 strategy=strategy,
                 seed=seed,
                 workers=workers,
+                ray=ray,
                 checkpoint=folder / PLACES,
                 config=ExplorationConfig(learning=learning),
                 model_config=chosen.exploration,

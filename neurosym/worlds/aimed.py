@@ -12,6 +12,7 @@ from jaxtyping import Float
 from neurosym.guarded import made
 from neurosym.table import Place, Reference
 from neurosym.world import Outcome, Scene, World, WorldFactory, relative_to
+from neurosym.worlds.hosted import OwnFactory
 
 PLACE_AXES = 4
 """Axes of the effect of an action that is aimed at a place: where the target ends relative to the place, and
@@ -79,6 +80,11 @@ class AimedFactory:
 
     plain: WorldFactory
     margin: float = 0.0
+
+    @property
+    def here(self) -> "AimedFactory":
+        """What makes the same worlds in the process that calls it, if they are a user's own."""
+        return AimedFactory(self.plain.here, self.margin) if isinstance(self.plain, OwnFactory) else self
 
     def __call__(self) -> World:
         """Make a world."""

@@ -20,6 +20,7 @@ from typing import Any
 from neurosym.errors import InvalidValue, NeurosymError
 from neurosym.guarded import made
 from neurosym.world import Outcome, World, WorldFactory
+from neurosym.worlds.aimed import AimedFactory
 from neurosym.worlds.hosted import OwnFactory
 from neurosym.worlds.pool import WorkerDied
 from neurosym.worlds.workers import AHEAD, Perform, in_order, perform_task
@@ -152,7 +153,8 @@ def _world_from(origin: bytes) -> World:
         if (found := version(package)) != wanted:
             raise OtherVersion(socket.gethostname(), package, found, wanted)
     world_factory = pickle.loads(factory)
-    return made(world_factory.here if isinstance(world_factory, OwnFactory) else world_factory)
+    is_own = isinstance(world_factory, OwnFactory | AimedFactory)
+    return made(world_factory.here if is_own else world_factory)
 
 
 def _perform_there(origin: bytes, task: bytes) -> bytes:

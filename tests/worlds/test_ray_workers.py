@@ -134,10 +134,11 @@ def test_a_cluster_gives_the_bytes_of_one_worker(cluster, tmp_path, capfd, world
         assert command("init", tmp_path / name, "--world", world) == 0
         capfd.readouterr()
         start = time.perf_counter()
-        options = ["--strategy", "random", "--steps", "64", "--seed", "3", *choice]
+        options = ["--strategy", "random", "--steps", "64", "--places", "32", "--seed", "3", *choice]
         assert command("explore", tmp_path / name, *options) == 0
         print(f"{world} {name}: {time.perf_counter() - start:.1f} s\n{capfd.readouterr()}")
-        explored.append((tmp_path / name / "interactions.npz").read_bytes())
+        data = ("interactions.npz", "places/interactions.npz")
+        explored.append([(tmp_path / name / file).read_bytes() for file in data])
     assert explored[0] == explored[1]
 
 
