@@ -18,6 +18,7 @@ from neurosym.errors import InvalidValue
 from neurosym.sim.arm import TOOL_DOWN
 from neurosym.sim.numeric_inverse import NumericInverse
 from neurosym.sim.ur10 import UR10, joints_for
+from neurosym.table import Place
 from neurosym.world import Scene
 
 DOCUMENT = DOCS / "own-robot.md"
@@ -59,6 +60,16 @@ def test_documented_action_by_hand_lifts_the_box_and_draws_it(panda):
     said = subprocess.run([sys.executable, "-c", LOOK], capture_output=True, text=True).stdout
     assert said.startswith("held ")
     assert Path("panda.png").stat().st_size > 10_000
+
+
+def test_panda_carries_a_box_to_a_place(panda):
+    world, carry = panda.make(), act((0, 0, 0, OPEN), (0, 0, 0, CLOSED), (0, 0, 0, CLOSED))
+    assert "place" in world.references
+    x, y = world.table.x, world.table.y
+    place = Place(x[0] + 0.15, y[1] - 0.15)
+    outcome = world.interact(box(0.05, 0.08), carry, 0, reference=place)
+    assert outcome.kind == "carried"
+    assert np.linalg.norm(outcome.resting_effect) < 0.01, "relative to the place"
 
 
 def test_documented_robot_is_short():
