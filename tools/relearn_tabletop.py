@@ -5,6 +5,7 @@ whose symbols have as many bits as the paper's. Resumable: start it again after 
 is done twice. None of the problems is removed.
 """
 
+from collections.abc import Sequence
 from pathlib import Path
 from typing import Annotated
 
@@ -32,6 +33,7 @@ RISING = {(1, 1): 4, (1, 2): 2, (2, 1): 4, (2, 2): 2, (3, 2): 2, (4, 3): 2, (6, 
 SIZES = tuple(size for size, problems in RISING.items() for _ in range(problems))
 """Objects of each problem, and random actions that lead to its goal."""
 PLANNERS = ("bfs", "fast-downward")
+STAGES = ("explore", "train", "distill", "compile-domain")
 
 
 def main(
@@ -82,29 +84,34 @@ def sections(folder: DomainFolder, bits: tuple[int, int]) -> list[str]:
         "## How it was made",
         f"`python tools/relearn_tabletop.py{' --paper' * is_paper}`, that is `{command}"
         f"{f' --action-bits {bits[1]}' * is_paper}` and then its problems. Minutes on 2 cores:",
-        _stages(folder),
+        stages_table(folder),
         "## How well it predicts",
         _training(folder),
         "## Object symbols",
         "Types: 0 solid (boxes, planks), 1 open at the top, 2 open at both ends (rings).",
-        _categories(table.categories),
+        categories_table(table.categories),
         "## Action symbols",
         "What each primitive did to the objects of each category when it was rehearsed. Forward is away from "
         "the robot (+x), left is +y. *As promised*: in the promised mode, within 50 mm of its mean. The "
         "distilled parameters stand above each action in [domain-operators.pddl](domain-operators.pddl).",
-        _operators(table.operators, grounding),
+        operators_table(table.operators, grounding),
         "## Problems",
         f"Problem number i is drawn with seed {SEED} + i, from 1 object and 1 random action up to 8 objects "
         "and 6 actions; each has its PDDL, its PDDL in numbers, and its scene. *Reached*: whether every "
         "object ended within 50 mm of its goal in the simulator, planned anew where a step did something "
         "else.",
-        *_problems(folder),
+        *problems_table(folder),
     ]
 
 
-def _stages(folder: DomainFolder) -> str:
+def stages_table(folder: DomainFolder, names: Sequence[str] = STAGES) -> str:
+    """Say how long each stage took, and with which versions.
+
+    Args:
+        folder: The domain folder.
+        names: The stages.
+    """
     stages = folder.manifest().stages
-    names = ("explore", "train", "distill", "compile-domain")
     rows = [[name, f"{stages[name].seconds / 60:.1f}"] for name in names]
     versions = ", ".join(f"{name} {number}" for name, number in stages["explore"].versions.items())
     return f"{_markdown(['stage', 'minutes'], rows)}\n\nVersions: {versions}."
@@ -123,7 +130,12 @@ def _training(folder: DomainFolder) -> str:
     )
 
 
-def _categories(categories: tuple[Category, ...]) -> str:
+def categories_table(categories: tuple[Category, ...]) -> str:
+    """Say which objects are in which category.
+
+    Args:
+        categories: The categories.
+    """
     rows = [
         [category.symbol, category.name, f"{category.share:.0%}"]
         + [
@@ -137,7 +149,13 @@ def _categories(categories: tuple[Category, ...]) -> str:
     return _markdown(["bits", "name", "share", "s_x [mm]", "s_y [mm]", "d [mm]", "mean type"], rows)
 
 
-def _operators(operators: tuple[Operator, ...], grounding: Grounding) -> str:
+def operators_table(operators: tuple[Operator, ...], grounding: Grounding) -> str:
+    """Say what each operator did in rehearsal, and whether it is in the domain.
+
+    Args:
+        operators: The operators.
+        grounding: The learned domain.
+    """
     rows = []
     for operator in operators:
         promise = operator.promise
@@ -150,12 +168,18 @@ def _operators(operators: tuple[Operator, ...], grounding: Grounding) -> str:
     return _markdown(["operator", "ends", "effect [mm]", "spread [mm]", "as promised", "in the domain"], rows)
 
 
-def _problems(folder: DomainFolder) -> list[str]:
+def problems_table(folder: DomainFolder, planners: Sequence[str] = PLANNERS) -> list[str]:
+    """Say what came of each problem.
+
+    Args:
+        folder: The domain folder.
+        planners: Who planned.
+    """
     rows = []
-    counts = dict.fromkeys(PLANNERS, (0, 0))
+    counts = dict.fromkeys(planners, (0, 0))
     for name in folder.problem_names():
         row = [name, str(len(load_problem(folder, name).objects))]
-        for planner in PLANNERS:
+        for planner in planners:
             found, reached, cell = _outcome(folder, name, planner)
             counts[planner] = (counts[planner][0] + found, counts[planner][1] + reached)
             row.append(cell)
@@ -163,7 +187,7 @@ def _problems(folder: DomainFolder) -> list[str]:
     summary = "; ".join(
         f"{planner}: {found} found, {reached} reached" for planner, (found, reached) in counts.items()
     )
-    return [_markdown(["problem", "objects", *PLANNERS], rows), f"Of {len(rows)} problems, {summary}."]
+    return [_markdown(["problem", "objects", *planners], rows), f"Of {len(rows)} problems, {summary}."]
 
 
 def _outcome(folder: DomainFolder, name: str, planner: str) -> tuple[bool, bool, str]:
