@@ -1,6 +1,7 @@
 """Learn `domains/places` again, try its problems, and describe what was measured.
 
-The command is `python -m tools.relearn_places`. Resumable: start it again after an interruption, and nothing is done twice. None of the problems is removed.
+The command is `python -m tools.relearn_places`. Resumable: start it again after an interruption, and nothing
+is done twice. None of the problems is removed.
 """
 
 from pathlib import Path
@@ -82,8 +83,8 @@ def sections(folder: DomainFolder) -> list[str]:
         categories_table(OperatorTable.load(folder / PRIMITIVES).categories),
         "## What carries",
         "What each action that is aimed at a place did to the objects of each category when it was "
-        "rehearsed. The effect is where the object stands, seen from the place; the hand aims beside it by as "
-        "much. *As promised*: within 50 mm of that. What pushes and lifts stands in "
+        "rehearsed. The effect is where the object stands, seen from the place; the hand aims beside it by "
+        "as much. *As promised*: within 50 mm of that. What pushes and lifts stands in "
         "[domain-operators.pddl](domain-operators.pddl), and `neurosym explain` tells it in words.",
         operators_table(grounding.places.operators.operators, grounding),
         "## Problems",

@@ -112,8 +112,8 @@ def _about(operator: Operator, grounding: Grounding) -> list[str]:
     ]
     if occupied and occupied.trials:
         lines.append(
-            f"With another object on the place it stood there in {occupied.kept} of {occupied.trials}, so "
-            "the place must be free."
+            f"With another object on the place it stood there in {occupied.kept} of {occupied.trials}; the "
+            "place must be free."
         )
     return [*lines, f"Action parameters: {action}"]
 

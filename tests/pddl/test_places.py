@@ -6,14 +6,14 @@ import msgspec
 import numpy as np
 import pytest
 import toy_domain
+from places import GOLDEN
+from toy_places import NAME, OFFSET, grounding, mixed, scene, swap
 from validators import unified_planning_accepts
 
 from neurosym.errors import InvalidPlan, InvalidValue
 from neurosym.execution.executor import execute
 from neurosym.execution.rerun import compare_runs, rerun
-from neurosym.grounding import Grounding
-from neurosym.operators import Category, Mode, Operator, OperatorTable, Primitive
-from neurosym.pddl import compile_domain, domain_text, problem_text
+from neurosym.pddl import domain_text, problem_text
 from neurosym.pddl.footprints import footprints_apart, overlapping
 from neurosym.pddl.moves import PLACES
 from neurosym.pddl.place_check import check_places
@@ -22,72 +22,22 @@ from neurosym.pddl.places import GOAL, PARK, with_places
 from neurosym.pddl.plan_text import PlanStep, parse_plan, print_ground_plan, print_plan
 from neurosym.pddl.problem_check import check_problem
 from neurosym.pddl.validation import validate
-from neurosym.place_operators import Occupied, PlaceOperators
 from neurosym.planners import PlanStatus, plan
 from neurosym.planners.fast_downward import plan_fast_downward
-from neurosym.problems import Problem, SceneObject
+from neurosym.problems import Problem
 from neurosym.table import Place
 
-CARRY = (0, 0, 0, 1.0, 0.01, 0, 0, 0.0, 0.03, -0.02, 0, 0.0)
-OFFSET = (0.02, -0.02, 0.0)
-"""Where the action sets an object down, seen from the place: from waypoint 2 to waypoint 3."""
-NAME = "carry-to-01-cube"
-CUBE, SLAB = (0.05, 0.05, 0.05, 0.0), (0.05, 0.12, 0.05, 0.0)
+
+def texts() -> dict[str, str]:
+    """The domain and a problem, as they are printed."""
+    problem = problem_text(mixed(), grounding(), PLACES)
+    return {"domain-places.pddl": domain_text(grounding(), PLACES), "mixed.places.pddl": problem}
 
 
-def grounding(cell: float = 0.02) -> Grounding:
-    """Cubes are carried; slabs, which the toy's hand cannot span, are pushed."""
-    cube = Category("00", "cube", 0.5, CUBE, (0.0,) * 4)
-    slab = Category("11", "slab", 0.5, SLAB, (0.0,) * 4)
-    nothing = (0.0, 0.0, 0.0)
-    carried = Mode("carried", 20, 1.0, OFFSET, nothing, OFFSET, nothing, 0.2, 20)
-    missed = Mode("missed", 20, 1.0, nothing, nothing, nothing, nothing, 0.0, 20)
-    carriers = OperatorTable(
-        (cube, slab),
-        (Primitive("01", CARRY, 0.0),),
-        (Operator(NAME, "00", "01", 20, (carried,)), Operator("miss-01-slab", "11", "01", 20, (missed,))),
-    )
-    pushes = tuple(
-        Operator(
-            f"push-{way}-{symbol}-slab",
-            "11",
-            symbol,
-            20,
-            (Mode("resting", 20, 1.0, by, nothing, by, nothing, 0.0, 20),),
-        )
-        for way, symbol, by in (("left", "001", (0.0, 0.08, 0.0)), ("forward", "010", (0.08, 0.0, 0.0)))
-    )
-    primitives = (Primitive("001", toy_domain.LEFT, 0.0), Primitive("010", toy_domain.FORWARD, 0.0))
-    world = toy_domain.WORLD
-    return compile_domain(
-        OperatorTable((cube, slab), primitives, pushes),
-        name="toy",
-        cell=cell,
-        table_bounds=world.table,
-        lift_height=world.lift_height,
-        places=PlaceOperators(carriers, (Occupied(NAME, 10, 0),)),
-    )
-
-
-def scene(*objects: tuple[str, float, float]) -> tuple[SceneObject, ...]:
-    """Cubes and slabs, each given as its kind and where it stands."""
-    kinds = {"cube": ("00", CUBE), "slab": ("11", SLAB)}
-    return tuple(
-        SceneObject(f"item-{number:02d}", *kinds[kind], (x, y, 0.025))
-        for number, (kind, x, y) in enumerate(objects, start=1)
-    )
-
-
-def swap() -> Problem:
-    """Two cubes that shall change places."""
-    goals = {"item-01": (0.8, 0.1, 0.025), "item-02": (0.5, -0.1, 0.025)}
-    return Problem("swap", scene(("cube", 0.5, -0.1), ("cube", 0.8, 0.1)), goals, 0.02)
-
-
-def mixed() -> Problem:
-    """A cube to be carried to where a slab stands, which must be pushed away."""
-    goals = {"item-01": (0.7, 0.0, 0.025), "item-02": (0.7, 0.16, 0.025)}
-    return Problem("mixed", scene(("cube", 0.5, -0.2), ("slab", 0.7, 0.0)), goals, 0.02)
+@pytest.mark.parametrize("name", ["domain-places.pddl", "mixed.places.pddl"])
+def test_text_is_the_golden_one_to_the_letter(name):
+    """Run this file as a program to write the golden files anew."""
+    assert texts()[name] == (GOLDEN / name).read_text()
 
 
 def solved(problem: Problem) -> tuple[PlanStep, ...]:
@@ -123,7 +73,7 @@ def test_what_can_be_carried_needs_no_cells_and_the_rest_does():
 def test_domain_says_that_places_must_be_free_and_how_that_was_seen():
     text = domain_text(grounding(), PLACES)
     assert f"(:action {NAME}" in text
-    assert "With another object on the place it stood there in 0 of 10, so the" in text
+    assert "With another object on the place it stood there in 0 of 10; the place must be free." in text
     assert "miss-01-slab" not in text
     with pytest.raises(InvalidValue, match="Nothing in the domain toy carries objects"):
         domain_text(toy_domain.grounding(), PLACES)
@@ -283,3 +233,8 @@ def test_goal_that_nothing_can_be_put_at_is_not_said_to_be_proved_out_of_reach()
     result = plan(only, grounding())
     assert result.status is PlanStatus.NOT_FOUND
     assert result.reason.startswith("no plan with the places that were drawn; without: ")
+
+
+if __name__ == "__main__":
+    for name, content in texts().items():
+        (GOLDEN / name).write_text(content)
