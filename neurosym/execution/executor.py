@@ -13,6 +13,7 @@ from dataclasses import dataclass, field
 import msgspec
 
 from neurosym.checks import check_all, check_callable, check_count, check_kind, check_seed
+from neurosym.errors import InvalidValue
 from neurosym.execution.experience import Experience, believed_name
 from neurosym.execution.nudges import Nudger, nudged
 from neurosym.execution.performing import perform
@@ -87,6 +88,7 @@ def execute(
         nudger = Nudger(nudge_seed, primitives(plan))
     most = (usual_replans(plan) if replans is None else replans) if replanner else 0
     problem = with_places(problem, grounding)
+    _check_places(problem, grounding, plan)
     run = _Running(world, problem, grounding, list(plan), on_frame, most)
     while run.goes_on:
         if nudger and nudger.before_step == len(run.records) + 1 and not run.nudge:
@@ -115,6 +117,15 @@ def _check(
         check_count("replans", replans, least=0)
     if seed is not None:
         check_seed(seed, "nudge_seed")
+
+
+def _check_places(problem: Problem, grounding: Grounding, plan: Sequence[PlanStep]) -> None:
+    """Refuse steps that carry an object nowhere, or to a place that there is not."""
+    for step in plan:
+        if grounding.carries(grounding.operator_named(step.base)):
+            problem.place_named(step.place)
+        elif step.place:
+            raise InvalidValue(f"{step.operator} carries nothing, so it cannot lead to {step.place}.")
 
 
 @dataclass(slots=True)

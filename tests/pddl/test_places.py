@@ -10,7 +10,7 @@ from places import GOLDEN
 from toy_places import NAME, OFFSET, grounding, mixed, scene, swap
 from validators import unified_planning_accepts
 
-from neurosym.errors import InvalidPlan, InvalidValue
+from neurosym.errors import InvalidPlan, InvalidValue, NeurosymError
 from neurosym.execution.executor import execute
 from neurosym.execution.rerun import compare_runs, rerun
 from neurosym.pddl import domain_text, problem_text
@@ -127,6 +127,27 @@ def test_unknown_places_are_refused_in_one_sentence(tmp_path: Path):
     for line in (f"({NAME} item-01 moon)", f"({NAME} item-01)"):
         with pytest.raises(InvalidPlan, match=r"no place .*; valid: goal-item-01, goal-item-02, park-01"):
             parse_plan(line, tmp_path, grounding(), swap())
+
+
+@pytest.mark.parametrize(
+    ("step", "said"),
+    [
+        (
+            PlanStep(NAME, "item-01", place="moon"),
+            "no place 'moon'; valid: goal-item-01, goal-item-02, park-01",
+        ),
+        (PlanStep(NAME, "item-01"), "no place ''; valid: goal-item-01"),
+        (
+            PlanStep("push-left-001-slab", "item-01", place="park-01"),
+            "carries nothing, so it cannot lead to park-01",
+        ),
+    ],
+)
+def test_steps_to_nowhere_are_refused_before_anything_moves(step, said):
+    done = []
+    with pytest.raises(NeurosymError, match=said):
+        execute(toy_domain.WORLD, swap(), grounding(), [*solved(swap()), step], on_step=done.append)
+    assert not done
 
 
 def test_what_fails_is_not_done_again_the_same_way():
