@@ -149,8 +149,11 @@ def _chain(others: tuple[str, ...]) -> list[str]:
 
 
 def _carriers(item: SceneObject, problem: Problem, grounding: Grounding) -> list[str]:
-    """Say which operators carry an object, and what each of its category costs."""
-    fit = [one.name for one in carriers_for(item, grounding, problem.tolerance)]
+    """Say what carries an object most cheaply, and what each operator of its category costs.
+
+    All lead to the same, so the others would only give planners more to look at.
+    """
+    fit = [one.name for one in carriers_for(item, grounding, problem.tolerance)][:1]
     of_item = promised(grounding, item, problem.tolerance)
     every = [of_item[one.name] for one in carriers_of(grounding) if one.category == item.category]
     costs = {one.name: f"(= (cost-of-{one.name} {item.name}) {step_cost(one, grounding)})" for one in every}

@@ -14,6 +14,8 @@ GOAL, PARK = "goal-", "park-"
 """What the names of places begin with."""
 GAP = 0.05
 """Room that is left around places to park on, for the fingers of the hand [m]."""
+MOST_PARKS = 8
+"""Places to park on at most: who waits is carried on before long, and planners try each for each object."""
 _CANDIDATES = 2000
 _EDGE = 0.02  # how far inside the edge of the table places to park on lie [m]
 
@@ -21,8 +23,9 @@ _EDGE = 0.02  # how far inside the edge of the table places to park on lie [m]
 def with_places(problem: Problem, grounding: Grounding) -> Problem:
     """Return a problem with the places that its objects may be carried to, unless it has its own.
 
-    There is one for each goal on the table, and as many to park on as there are objects, where there is room:
-    none of them overlaps an object as it stands, a goal or another one, whichever object stands there.
+    There is one for each goal on the table, and as many to park on as there are objects, though eight at
+    most, where there is room: none of them overlaps an object as it stands, a goal or another one, whichever
+    object stands there.
 
     Args:
         problem: The problem.
@@ -51,7 +54,7 @@ def _parks(problem: Problem, table: Table) -> list[tuple[float, float]]:
     inside = np.minimum(largest / 2 + _EDGE, (high - low) / 2)
     rng, parks = np.random.default_rng(0), list[tuple[float, float]]()
     for spot in rng.uniform(low + inside, high - inside, (_CANDIDATES, 2)):
-        if len(parks) == len(problem.objects):
+        if len(parks) == min(len(problem.objects), MOST_PARKS):
             break
         if _is_free(spot, np.array(spots), (np.array(rooms) + largest) / 2 + GAP):
             parks.append((round(float(spot[0]), 4), round(float(spot[1]), 4)))

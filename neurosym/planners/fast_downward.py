@@ -43,6 +43,11 @@ class Search:
 PORTFOLIO = (Search("astar(blind())", memory=256 * 1024**2), Search(LAMA_FIRST))
 """The cheapest plan first: some 10 million states fit; a grid for one object has less than one million."""
 
+FOR_PLACES = (Search("astar(blind())", memory=32 * 1024**2), Search(LAMA_FIRST))
+"""With places there are few steps in a plan, and so many orders of them that more memory seldom helps."""
+
+PLACES_SUFFIX = ".places.pddl"
+"""What files of problems in the encoding `places` end with."""
 SAS_SUFFIX = ".sas"
 _UNSOLVABLE = (10, 11)
 _INCOMPLETE = 12
@@ -51,7 +56,7 @@ _OUT_OF_MEMORY = (20, 22)
 
 
 def plan_fast_downward(
-    domain: Path, problem: Path, *, time_limit: float, searches: Sequence[Search] = PORTFOLIO
+    domain: Path, problem: Path, *, time_limit: float, searches: Sequence[Search] = ()
 ) -> PlannerAnswer:
     """Solve a problem with Fast Downward.
 
@@ -59,13 +64,14 @@ def plan_fast_downward(
         domain: File of the domain in PDDL.
         problem: File of the problem in PDDL, or of both in SAS+ (`.sas`), which is not translated.
         time_limit: When to give up [s].
-        searches: What to try, one after another.
+        searches: What to try, one after another; `PORTFOLIO` if nothing is given, or `FOR_PLACES`.
 
     Raises:
         PlannerMissing: If up-fast-downward is not installed.
     """
     begin = time.perf_counter()
     programs = _programs()
+    searches = searches or (FOR_PLACES if problem.name.endswith(PLACES_SUFFIX) else PORTFOLIO)
     with scratch_folder() as folder:
         status, reason, text, task = PlanStatus.SOLVED, "", "", problem.resolve()
         if problem.suffix != SAS_SUFFIX:

@@ -31,7 +31,7 @@ from neurosym.planners.aiming import aim
 from neurosym.planners.around import plan_around
 from neurosym.planners.by_places import is_by_places, not_proved, plan_by_places
 from neurosym.planners.effort import TimeIsUp, check_time, within
-from neurosym.planners.fast_downward import SAS_SUFFIX
+from neurosym.planners.fast_downward import PLACES_SUFFIX, SAS_SUFFIX
 from neurosym.planners.no_plan import Explanation, explain_clash, explain_no_plan
 from neurosym.planners.one_by_one import plan_one_by_one
 from neurosym.planners.ordering import mend
@@ -245,7 +245,8 @@ def _solve(
     begin = time.perf_counter()
     narrowed = _fitted(grounding, problem, max(grounding.cell, program.cell) / slack.finer)
     with scratch_folder() as folder:
-        domain, task = folder / "domain.pddl", folder / "problem.pddl"
+        domain = folder / "domain.pddl"
+        task = folder / f"problem{PLACES_SUFFIX if encoding == PLACES else '.pddl'}"
         if encoding == SAS:
             domain = task = folder / f"problem{SAS_SUFFIX}"
             _write(task, sas_text(problem, narrowed, steps=slack.steps, margin=slack.margin))
