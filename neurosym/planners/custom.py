@@ -10,6 +10,7 @@ from pathlib import Path
 
 from neurosym.errors import InvalidPlanner, InvalidValue, shortened
 from neurosym.factories import admit, load_factory, one_line, told
+from neurosym.pddl.places import with_places
 from neurosym.pddl.plan_text import PlanStep
 from neurosym.pddl.validation import validate
 from neurosym.planners.planner import Planner, PlannerMissing, Query
@@ -126,11 +127,16 @@ def _check_result(name: str, result: object) -> None:
 
 
 def _unknown(result: PlanResult, query: Query) -> str:
-    """Name the first operator or object of a plan that there is not, or return nothing."""
-    operators = {operator.name for operator in query.grounding.operators.operators}
+    """Name the first operator, object or place of a plan that there is not, or return nothing."""
+    grounding, names = query.grounding, query.problem.object_names
+    carries = {operator.name: grounding.carries(operator) for operator in grounding.every_operator}
+    places = with_places(query.problem, grounding).places if any(carries.values()) else {}
     for step in result.steps:
-        if step.base not in operators:
+        if step.base not in carries:
             return f"the operator {shortened(step.operator)!r}, which the domain does not have"
-        if step.object not in query.problem.object_names:
+        if step.object not in names:
             return f"the object {shortened(step.object)!r}, which the problem does not have"
+        known = places if carries[step.base] and isinstance(places, dict) else {"": None}
+        if step.place not in known:
+            return f"the place {shortened(step.place)!r} for {step.operator}, which the problem does not have"
     return ""
