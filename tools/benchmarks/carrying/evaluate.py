@@ -99,6 +99,8 @@ def main(
         for seed, folder in folders.items()
     }
     perform(work / "jobs", learning, workers, lambda: None, label="learning")
+    if missing := learning.keys() - load_jobs(work / "jobs").keys():
+        raise SystemExit(f"not learned: {', '.join(sorted(missing))}; the same command goes on")
     trying = {cell: [_jobs(folder, seed, cell) for seed, folder in folders.items()] for cell in cells(scale)}
     for cell, of_seeds in trying.items():
         every = {name: job for jobs in of_seeds for name, job in jobs.items()}
