@@ -16,8 +16,9 @@ import msgspec
 import numpy as np
 
 from neurosym.execution.appearance import STRAIGHT, as_it_shows
+from neurosym.execution.weighing import REPEATS, combined, mean_of, miss_of
 from neurosym.grounding import Grounding
-from neurosym.operators import TOLERANCE, Category, Mode, Operator, OperatorTable, Vector, vector
+from neurosym.operators import TOLERANCE, Category, Mode, Operator, OperatorTable
 from neurosym.pddl.moves import PUT_DOWN
 from neurosym.pddl.plan_text import PlanStep
 from neurosym.problems import Problem, SceneObject
@@ -25,8 +26,6 @@ from neurosym.promises import LEAST_CHANCE, promised
 from neurosym.symbols import Symbol
 from neurosym.world import Outcome, OutcomeKind
 
-REPEATS = 0.014
-"""By how much the same primitive on the same object differs from time to time, RMS of an axis [m]."""
 KNOWN_BEFORE, KNOWN_IN_A_CROWD = 0.5, 2.0
 """As how many trials what was known before counts beside those that were seen.
 
@@ -35,8 +34,9 @@ where others were in the way it may be theirs.
 """
 GIVEN_UP = 2
 """After how many failures in a row what did not come is not hoped for again."""
-_SUREST = 0.005  # no promise is surer than this [m]
-_OF = "-of-"
+SLIPPERY = 3
+"""An object that was missed so often, and never carried, is not tried to be carried by other operators."""
+_OF, _TO = "-of-", "to-"
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -138,18 +138,31 @@ class Experience:
 
     def _operators_of(self, item: SceneObject, own: Symbol, tolerance: float) -> list[tuple[Operator, bool]]:
         """Return what is believed of an object, and whether each carries it to places."""
-        found = []
+        found, is_slippery = [], self._is_slippery(item)
         for operator in promised(self.grounding, item, tolerance).values():
             key = (item.name, _label(operator, self.grounding))
             outcomes, every = (_as_it_lies(item, rows) for rows in (self._seen.get(key, []), self._all(key)))
-            changed = operator
-            if _is_given_up(operator, every, tolerance):
+            changed, carries = operator, self.grounding.carries(operator)
+            if carries and is_slippery and operator.promise:
+                changed = _promising(operator, operator.promise, 0.0)
+            elif _is_given_up(operator, every, tolerance):
                 changed = _given_up(operator, every)
             elif outcomes:
                 changed = _after(operator, outcomes, tolerance)
             named = msgspec.structs.replace(changed, name=f"{operator.name}{_OF}{item.name}", category=own)
-            found.append((named, self.grounding.carries(operator)))
+            found.append((named, carries))
         return found
+
+    def _is_slippery(self, item: SceneObject) -> bool:
+        """Say whether an object, as it lies, was to be carried in vain, whatever with."""
+        rows = [
+            one
+            for (name, label), seen in self._seen.items()
+            if (name, label[:3]) == (item.name, _TO)
+            for one in seen
+        ]
+        kinds = [outcome.kind for outcome in _as_it_lies(item, rows)]
+        return len(kinds) >= SLIPPERY and "carried" not in kinds
 
     def _all(self, key: tuple[str, str]) -> list[_Seen]:
         return [*self._forgotten.get(key, []), *self._seen.get(key, [])]
@@ -187,7 +200,7 @@ def believed_name(step: PlanStep, problem: Problem, grounding: Grounding) -> Pla
 
 def _label(operator: Operator, grounding: Grounding) -> str:
     """Return which motion an operator is; those that carry to places have labels of their own."""
-    return f"to-{operator.label}" if grounding.carries(operator) else operator.label
+    return f"{_TO}{operator.label}" if grounding.carries(operator) else operator.label
 
 
 def _kind(operator: Operator) -> OutcomeKind | None:
@@ -228,9 +241,9 @@ def _is_given_up(operator: Operator, outcomes: list[Outcome], tolerance: float) 
 def _weighed_mode(promise: Mode, outcomes: list[Outcome], tolerance: float) -> tuple[Mode, list[bool]]:
     """Weigh a promise against what was seen, and say which outcomes came as is promised then."""
     same = [outcome for outcome in outcomes if outcome.kind == promise.kind]
-    mode = _combined(promise, same) if same else promise
+    mode = combined(promise, same) if same else promise
     near = max(tolerance, TOLERANCE)
-    return mode, [outcome.kind == mode.kind and _miss(mode, outcome) <= near for outcome in outcomes]
+    return mode, [outcome.kind == mode.kind and miss_of(mode, outcome) <= near for outcome in outcomes]
 
 
 def _given_up(operator: Operator, outcomes: list[Outcome]) -> Operator:
@@ -243,9 +256,9 @@ def _given_up(operator: Operator, outcomes: list[Outcome]) -> Operator:
     seen = msgspec.structs.replace(
         promise,
         kind=last.kind,
-        effect=_mean([one.effect for one in like]),
+        effect=mean_of([one.effect for one in like]),
         spread=(REPEATS,) * 3,
-        resting_effect=_mean([one.resting_effect for one in like]),
+        resting_effect=mean_of([one.resting_effect for one in like]),
         resting_spread=(REPEATS,) * 3,
     )
     return _promising(operator, seen, len(like) / (len(outcomes) + 1))
@@ -259,31 +272,3 @@ def _promising(operator: Operator, mode: Mode, share: float) -> Operator:
     )
     others = tuple(other for other in operator.modes if other.kind != mode.kind)
     return msgspec.structs.replace(operator, modes=(mode, *others), promised=mode.kind)
-
-
-def _mean(rows: list[np.ndarray]) -> Vector:
-    return vector(np.mean(rows, axis=0))
-
-
-def _miss(mode: Mode, outcome: Outcome) -> float:
-    seen = outcome.effect if mode.kind == "held" else outcome.resting_effect
-    return math.dist(mode.outcome, seen)
-
-
-def _combined(mode: Mode, outcomes: list[Outcome]) -> Mode:
-    """Weigh what a mode promised against what was seen, each by how sure it is."""
-    effect, spread = _weighed(mode.effect, mode.spread, np.array([one.effect for one in outcomes]))
-    seen = np.array([one.resting_effect for one in outcomes])
-    resting, resting_spread = _weighed(mode.resting_effect, mode.resting_spread, seen)
-    return msgspec.structs.replace(
-        mode, effect=effect, spread=spread, resting_effect=resting, resting_spread=resting_spread
-    )
-
-
-def _weighed(mean: tuple[float, ...], spread: tuple[float, ...], seen: np.ndarray) -> tuple[Vector, Vector]:
-    """Weigh a mean against what was seen; it was less sure than it said if what was seen is far from it."""
-    away = np.abs(seen.mean(0) - mean)
-    before = 1 / np.maximum(np.maximum(np.array(spread), away), _SUREST) ** 2
-    now = len(seen) / REPEATS**2
-    value = (before * np.array(mean) + now * seen.mean(0)) / (before + now)
-    return vector(value), vector(np.sqrt(1 / (before + now)))

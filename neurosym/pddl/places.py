@@ -1,6 +1,7 @@
 """The places of a problem: those of the goals, and free ones to park on."""
 
 import math
+from itertools import product
 
 import msgspec
 import numpy as np
@@ -12,8 +13,8 @@ from neurosym.table import Table
 
 GOAL, PARK = "goal-", "park-"
 """What the names of places begin with."""
-GAP = 0.05
-"""Room that is left around places to park on, for the fingers of the hand [m]."""
+GAPS = (0.05, 0.01)
+"""Room that is left around places to park on, for the hand; less, if else there are few [m]."""
 MOST_PARKS = 8
 """Places to park on at most: who waits is carried on before long, and planners try each for each object."""
 _CANDIDATES = 2000
@@ -52,11 +53,12 @@ def _parks(problem: Problem, table: Table) -> list[tuple[float, float]]:
     largest = sizes.max(0)
     low, high = np.array([table.x, table.y]).T
     inside = np.minimum(largest / 2 + _EDGE, (high - low) / 2)
-    rng, parks = np.random.default_rng(0), list[tuple[float, float]]()
-    for spot in rng.uniform(low + inside, high - inside, (_CANDIDATES, 2)):
+    parks = list[tuple[float, float]]()
+    candidates = np.random.default_rng(0).uniform(low + inside, high - inside, (_CANDIDATES, 2))
+    for gap, spot in product(GAPS, candidates):
         if len(parks) == min(len(problem.objects), MOST_PARKS):
             break
-        if _is_free(spot, np.array(spots), (np.array(rooms) + largest) / 2 + GAP):
+        if _is_free(spot, np.array(spots), (np.array(rooms) + largest) / 2 + gap):
             parks.append((round(float(spot[0]), 4), round(float(spot[1]), 4)))
             spots.append(spot)
             rooms.append(largest)

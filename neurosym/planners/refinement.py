@@ -29,7 +29,8 @@ from neurosym.pddl.problem import STEPS, problem_text
 from neurosym.pddl.sas import sas_text
 from neurosym.planners.aiming import aim
 from neurosym.planners.around import plan_around
-from neurosym.planners.by_places import is_by_places, not_proved, plan_by_places
+from neurosym.planners.by_places import is_by_places, not_proved, plan_by_places, plan_in_turns
+from neurosym.planners.edges import away_from_edges
 from neurosym.planners.effort import TimeIsUp, check_time, within
 from neurosym.planners.fast_downward import PLACES_SUFFIX, SAS_SUFFIX
 from neurosym.planners.no_plan import Explanation, explain_clash, explain_no_plan
@@ -45,8 +46,6 @@ ATTEMPTS = 4
 """How often a problem is solved before its replay must be right; the later half on a finer grid."""
 FINER = 3
 """How many times finer that grid is."""
-STRIP = 0.04
-"""Width of the strip at the edges of the table that is left free if it can be [m]."""
 
 
 @dataclasses.dataclass(frozen=True, slots=True)
@@ -138,11 +137,13 @@ def plan_pddl(query: Query, *, name: str, program: PddlProgram) -> PlanResult:
     if reason := explain_clash(problem, grounding):
         return PlanResult(PlanStatus.UNSOLVABLE, (), 0.0, reason)
 
-    at_once = query.whole or len(problem.objects) == 1
     takes_places = "stepwise" in program.encodings and query.encoding in (None, PLACES)
     by_places = takes_places and is_by_places(problem, grounding)
 
-    def attempt(learned: Grounding, deadline: float) -> PlanResult:
+    def is_at_once(problem: Problem) -> bool:
+        return query.whole or len(problem.objects) == 1
+
+    def attempt(problem: Problem, learned: Grounding, deadline: float) -> PlanResult:
         def solve(task: Problem, slack: _Slack) -> PlanResult:
             check_time(deadline)
             found = _solve(task, learned, program, deadline - time.perf_counter(), chosen, slack)
@@ -159,47 +160,39 @@ def plan_pddl(query: Query, *, name: str, program: PddlProgram) -> PlanResult:
                 return result
             return dataclasses.replace(found, reason=f"searched for without a grid: {result.reason}")
 
-        return believed(problem) if at_once else plan_one_by_one(problem, learned, believed, deadline)
+        if is_at_once(problem):
+            return believed(problem)
+        return plan_one_by_one(problem, learned, believed, deadline)
 
     def search(deadline: float) -> PlanResult:
         if by_places:
             left = deadline - time.perf_counter()
             ask = partial(_solve, grounding=grounding, program=program, time_limit=left, encoding=PLACES)
-            result = plan_by_places(problem, grounding, partial(ask, slack=_Slack(STEPS)))
+            carry = partial(ask, slack=_Slack(STEPS))
+            result = plan_by_places(problem, grounding, carry)
             if result.status is PlanStatus.SOLVED or query.encoding == PLACES:
                 return result
-            return not_proved(over_cells(deadline))
-        return over_cells(deadline)
+            result = plan_in_turns(problem, grounding, carry, partial(over_cells, deadline=deadline))
+            if result.status is PlanStatus.SOLVED:
+                return result
+            return not_proved(over_cells(problem, deadline))
+        return over_cells(problem, deadline)
 
-    def over_cells(deadline: float) -> PlanResult:
+    def over_cells(problem: Problem, deadline: float) -> PlanResult:
         if program.aims and not grounding.unit_costs:
-            careful = _away_from_edges(grounding, problem)
-            result = attempt(careful, deadline)
+            careful = away_from_edges(grounding, problem)
+            result = attempt(problem, careful, deadline)
             if result.status is PlanStatus.SOLVED:
                 return dataclasses.replace(result, steps=aim(result.steps, problem, careful, deadline))
-        result = attempt(grounding, deadline)
-        if result.status is PlanStatus.FAILED and not at_once and not grounding.unit_costs:
+        result = attempt(problem, grounding, deadline)
+        if result.status is PlanStatus.FAILED and not is_at_once(problem) and not grounding.unit_costs:
             # The most reliable plans are long, and long ones stand in each other's way; shorter ones may not.
-            shorter = attempt(msgspec.structs.replace(grounding, unit_costs=True), deadline)
+            shorter = attempt(problem, msgspec.structs.replace(grounding, unit_costs=True), deadline)
             if shorter.status is PlanStatus.SOLVED:
                 return dataclasses.replace(shorter, reason=f"not the most reliable: {result.reason}")
         return result
 
     return within(query.time_limit, search)
-
-
-def _away_from_edges(grounding: Grounding, problem: Problem) -> Grounding:
-    """Leave a strip at the edges of the table free, but for goals there: what goes too far is lost."""
-    spots = [goal[:2] for goal in problem.goals.values()]
-
-    def kept(axis: int, bounds: tuple[float, float]) -> tuple[float, float]:
-        low, high = bounds
-        strip = min(STRIP, (high - low) / 4)
-        wanted = [spot[axis] for spot in spots]
-        return max(low, min(low + strip, *wanted)), min(high, max(high - strip, *wanted))
-
-    table = Table(x=kept(0, grounding.table.x), y=kept(1, grounding.table.y))
-    return msgspec.structs.replace(grounding, table=table)
 
 
 def _believed(problem: Problem, grounding: Grounding, solve: _Solve) -> PlanResult:

@@ -24,6 +24,7 @@ from neurosym.pddl.problem_check import check_problem
 from neurosym.pddl.validation import validate
 from neurosym.planners import PlanStatus, plan
 from neurosym.planners.fast_downward import plan_fast_downward
+from neurosym.planners.result import PlanResult
 from neurosym.problems import Problem
 from neurosym.table import Place
 
@@ -148,6 +149,20 @@ def test_steps_to_nowhere_are_refused_before_anything_moves(step, said):
     with pytest.raises(NeurosymError, match=said):
         execute(toy_domain.WORLD, swap(), grounding(), [*solved(swap()), step], on_step=done.append)
     assert not done
+
+
+def test_what_is_led_and_what_is_carried_is_planned_in_turns_if_not_at_once(monkeypatch):
+    """The slab is led past the cube's goal, and would stand in the cube if that were there already."""
+    goals = {"item-01": (0.7, 0.0, 0.025), "item-02": (0.7, 0.24, 0.025)}
+    problem = Problem("past", scene(("cube", 0.5, -0.2), ("slab", 0.7, -0.16)), goals, 0.02)
+    learned = grounding()
+    monkeypatch.setattr(
+        "neurosym.planners.refinement.plan_by_places",
+        lambda *_: PlanResult(PlanStatus.FAILED, (), 0.0, "not true when replayed"),
+    )
+    steps = solved(problem)
+    assert [step.object for step in steps] == ["item-02"] * 5 + ["item-01"]
+    assert validate(steps, problem, learned).valid
 
 
 def test_what_fails_is_not_done_again_the_same_way():
