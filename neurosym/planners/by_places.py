@@ -14,6 +14,7 @@ from neurosym.pddl.place_problem import carried_objects
 from neurosym.pddl.places import PARK, blockers, with_places
 from neurosym.pddl.plan_text import PlanStep
 from neurosym.pddl.validation import validate
+from neurosym.planners.clearance import clearest_first
 from neurosym.planners.result import PlanResult, PlanStatus
 from neurosym.problems import Problem
 
@@ -46,9 +47,19 @@ def plan_by_places(
         return result
     checked = validate(result.steps, problem, grounding)
     if checked.valid:
-        return result
+        return dataclasses.replace(result, steps=_clearest_first(result.steps, problem, grounding))
     reason = f"the plan with places is not true when replayed: {checked.reason}"
     return dataclasses.replace(result, status=PlanStatus.FAILED, steps=(), reason=reason)
+
+
+def _clearest_first(
+    steps: tuple[PlanStep, ...], problem: Problem, grounding: Grounding
+) -> tuple[PlanStep, ...]:
+    """Carry first what has most room, if nothing else is done and the plan stays true."""
+    if not all(step.place for step in steps):
+        return steps
+    ordered = clearest_first(steps, problem)
+    return ordered if validate(ordered, problem, grounding).valid else steps
 
 
 def plan_in_turns(
