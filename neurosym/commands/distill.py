@@ -38,7 +38,7 @@ def distill(
     )
     table = OperatorTable.load(domain / PRIMITIVES)
     show_operators(table)
-    if (domain / PLACE_MODEL).exists():
+    if (domain / PLACE_MODEL).exists() and table.measured == "rehearsal":
         domain.perform(distill_places_stage(domain, objects=objects, seed=seed, workers=workers), again=True)
         show_operators(PlaceOperators.load(domain / PLACE_OPERATORS).operators)
     if table.measured == "rehearsal":

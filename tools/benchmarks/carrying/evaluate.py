@@ -39,7 +39,7 @@ from tools.benchmarks.planning.trials import Trial, from_json, to_json, try_task
 RESULTS, WORK = Path("docs/results"), Path("evaluation/places")
 RECORDS = "places-records.zip"
 STRATEGY, REGIME = "disagreement", "default"
-FIRST_TASK = 500_000
+FIRST_TASK = 700_000
 """Seed of the first task, far from those of other evaluations."""
 BLOCK = 5
 """Tasks in one job."""
