@@ -261,7 +261,10 @@ class _Running:
             return None
         believed, grounding = self.experience.believed(self._now())
         name = believed_name(step, believed, grounding).operator
-        promise = promised(grounding, believed.object_named(step.object))[name].promise
+        of_item = promised(grounding, believed.object_named(step.object))
+        promise = of_item.get(
+            name, grounding.operator_named(name)
+        ).promise  # the object may show otherwise now
         x, y = self.problem.place_named(step.place)
         off_x, off_y = promise.resting_effect[:2] if promise else (0.0, 0.0)
         return self.world.table.nearest(x - off_x, y - off_y)
