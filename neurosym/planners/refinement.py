@@ -131,68 +131,110 @@ def plan_pddl(query: Query, *, name: str, program: PddlProgram) -> PlanResult:
         InvalidValue: If an object stands off the table, or its name means something else in the domain.
     """
     problem, grounding = query.problem, query.grounding
-    chosen = program.encoding_for(name, query.encoding)
+    asked = _Asked(query, program, program.encoding_for(name, query.encoding))
     if problem.is_met(problem.scene().positions):
         return PlanResult(PlanStatus.SOLVED, (), 0.0, "the goal is met at the start")
     if reason := explain_clash(problem, grounding):
         return PlanResult(PlanStatus.UNSOLVABLE, (), 0.0, reason)
+    return within(query.time_limit, asked.search)
 
-    takes_places = "stepwise" in program.encodings and query.encoding in (None, PLACES)
-    by_places = takes_places and is_by_places(problem, grounding)
 
-    def is_at_once(problem: Problem) -> bool:
-        return query.whole or len(problem.objects) == 1
+@dataclasses.dataclass(frozen=True, slots=True)
+class _Asked:
+    """A query to a program, in an encoding.
 
-    def attempt(problem: Problem, learned: Grounding, deadline: float) -> PlanResult:
+    Attributes:
+        query: What is asked.
+        program: What reads the files.
+        encoding: What they are printed in, but where objects are carried to places.
+    """
+
+    query: Query
+    program: PddlProgram
+    encoding: Encoding
+
+    def search(self, deadline: float) -> PlanResult:
+        """Carry what can be carried, or lead everything over cells."""
+        query, problem, grounding = self.query, self.query.problem, self.query.grounding
+        takes_places = "stepwise" in self.program.encodings and query.encoding in (None, PLACES)
+        if not (takes_places and is_by_places(problem, grounding)):
+            return self._over_cells(problem, deadline)
+        carry = partial(self._solve, grounding=grounding, deadline=deadline, encoding=PLACES)
+        result = plan_by_places(problem, grounding, partial(carry, slack=_Slack(STEPS)))
+        if result.status is PlanStatus.SOLVED or query.encoding == PLACES:
+            return result
+        lead = partial(self._over_cells, deadline=deadline)
+        result = plan_in_turns(problem, grounding, partial(carry, slack=_Slack(STEPS)), lead)
+        if result.status is PlanStatus.SOLVED:
+            return result
+        return not_proved(self._over_cells(problem, deadline))
+
+    def _over_cells(self, problem: Problem, deadline: float) -> PlanResult:
+        """Lead objects over cells, away from the edges of the table if that is possible."""
+        grounding = self.query.grounding
+        if self.program.aims and not grounding.unit_costs:
+            careful = away_from_edges(grounding, problem)
+            result = self._attempt(problem, careful, deadline)
+            if result.status is PlanStatus.SOLVED:
+                return dataclasses.replace(result, steps=aim(result.steps, problem, careful, deadline))
+        result = self._attempt(problem, grounding, deadline)
+        if result.status is PlanStatus.FAILED and not self._is_at_once(problem) and not grounding.unit_costs:
+            # The most reliable plans are long, and long ones stand in each other's way; shorter ones may not.
+            shorter = self._attempt(problem, msgspec.structs.replace(grounding, unit_costs=True), deadline)
+            if shorter.status is PlanStatus.SOLVED:
+                return dataclasses.replace(shorter, reason=f"not the most reliable: {result.reason}")
+        return result
+
+    def _is_at_once(self, problem: Problem) -> bool:
+        return self.query.whole or len(problem.objects) == 1
+
+    def _attempt(self, problem: Problem, grounding: Grounding, deadline: float) -> PlanResult:
+        """Plan object by object, or for all at once, until a replay is right."""
+
         def solve(task: Problem, slack: _Slack) -> PlanResult:
-            check_time(deadline)
-            found = _solve(task, learned, program, deadline - time.perf_counter(), chosen, slack)
+            found = self._solve(task, grounding, deadline, self.encoding, slack)
             if found.status is PlanStatus.TIMEOUT:
                 raise TimeIsUp
             return found
 
         def believed(task: Problem) -> PlanResult:
-            result = _believed(task, learned, solve)
-            if result.status is not PlanStatus.FAILED or not program.aims:
+            result = _believed(task, grounding, solve)
+            if result.status is not PlanStatus.FAILED or not self.program.aims:
                 return result
-            found = plan_around(task, learned, deadline=deadline)  # false on every grid: without one
+            found = plan_around(task, grounding, deadline=deadline)  # false on every grid: without one
             if found.status is not PlanStatus.SOLVED:
                 return result
             return dataclasses.replace(found, reason=f"searched for without a grid: {result.reason}")
 
-        if is_at_once(problem):
+        if self._is_at_once(problem):
             return believed(problem)
-        return plan_one_by_one(problem, learned, believed, deadline)
+        return plan_one_by_one(problem, grounding, believed, deadline)
 
-    def search(deadline: float) -> PlanResult:
-        if by_places:
-            left = deadline - time.perf_counter()
-            ask = partial(_solve, grounding=grounding, program=program, time_limit=left, encoding=PLACES)
-            carry = partial(ask, slack=_Slack(STEPS))
-            result = plan_by_places(problem, grounding, carry)
-            if result.status is PlanStatus.SOLVED or query.encoding == PLACES:
-                return result
-            result = plan_in_turns(problem, grounding, carry, partial(over_cells, deadline=deadline))
-            if result.status is PlanStatus.SOLVED:
-                return result
-            return not_proved(over_cells(problem, deadline))
-        return over_cells(problem, deadline)
-
-    def over_cells(problem: Problem, deadline: float) -> PlanResult:
-        if program.aims and not grounding.unit_costs:
-            careful = away_from_edges(grounding, problem)
-            result = attempt(problem, careful, deadline)
-            if result.status is PlanStatus.SOLVED:
-                return dataclasses.replace(result, steps=aim(result.steps, problem, careful, deadline))
-        result = attempt(problem, grounding, deadline)
-        if result.status is PlanStatus.FAILED and not is_at_once(problem) and not grounding.unit_costs:
-            # The most reliable plans are long, and long ones stand in each other's way; shorter ones may not.
-            shorter = attempt(problem, msgspec.structs.replace(grounding, unit_costs=True), deadline)
-            if shorter.status is PlanStatus.SOLVED:
-                return dataclasses.replace(shorter, reason=f"not the most reliable: {result.reason}")
-        return result
-
-    return within(query.time_limit, search)
+    def _solve(
+        self, problem: Problem, grounding: Grounding, deadline: float, encoding: Encoding, slack: _Slack
+    ) -> PlanResult:
+        """Print domain and problem, in one file if in SAS+, call the planner, and read what it wrote."""
+        if problem.is_met(problem.scene().positions):
+            return PlanResult(PlanStatus.SOLVED, (), 0.0)
+        check_time(deadline)
+        narrowed = _fitted(grounding, problem, max(grounding.cell, self.program.cell) / slack.finer)
+        with scratch_folder() as folder:
+            domain = folder / "domain.pddl"
+            task = folder / f"problem{PLACES_SUFFIX if encoding == PLACES else '.pddl'}"
+            if encoding == SAS:
+                domain = task = folder / f"problem{SAS_SUFFIX}"
+                _write(task, sas_text(problem, narrowed, steps=slack.steps, margin=slack.margin))
+            else:
+                _write(domain, domain_text(narrowed, encoding))
+                text = problem_text(problem, narrowed, encoding, steps=slack.steps, margin=slack.margin)
+                _write(task, text)
+            answer = self.program.call(domain, task, time_limit=deadline - time.perf_counter())
+        try:
+            steps = parse_plan(answer.text, Path("its plan"), grounding, problem)
+        except InvalidPlan as error:
+            reason = f"what the planner wrote cannot be read: {textwrap.shorten(str(error), 200)}"
+            return PlanResult(PlanStatus.FAILED, (), answer.seconds, reason)
+        return PlanResult(answer.status, steps, answer.seconds, answer.reason)
 
 
 def _believed(problem: Problem, grounding: Grounding, solve: _Solve) -> PlanResult:
@@ -222,38 +264,6 @@ def _believed(problem: Problem, grounding: Grounding, solve: _Solve) -> PlanResu
         slack = _Slack(max(steps_reckoned, longest), slack.margin + 1, finer)
     reason = f"no plan was true when replayed, in {ATTEMPTS} attempts; the last: {wrong}"
     return PlanResult(PlanStatus.FAILED, (), 0.0, reason)
-
-
-def _solve(
-    problem: Problem,
-    grounding: Grounding,
-    program: PddlProgram,
-    time_limit: float,
-    encoding: Encoding,
-    slack: _Slack,
-) -> PlanResult:
-    """Print domain and problem, in one file if in SAS+, call the planner, and read what it wrote."""
-    if problem.is_met(problem.scene().positions):
-        return PlanResult(PlanStatus.SOLVED, (), 0.0)
-    begin = time.perf_counter()
-    narrowed = _fitted(grounding, problem, max(grounding.cell, program.cell) / slack.finer)
-    with scratch_folder() as folder:
-        domain = folder / "domain.pddl"
-        task = folder / f"problem{PLACES_SUFFIX if encoding == PLACES else '.pddl'}"
-        if encoding == SAS:
-            domain = task = folder / f"problem{SAS_SUFFIX}"
-            _write(task, sas_text(problem, narrowed, steps=slack.steps, margin=slack.margin))
-        else:
-            _write(domain, domain_text(narrowed, encoding))
-            _write(task, problem_text(problem, narrowed, encoding, steps=slack.steps, margin=slack.margin))
-        left = time_limit - (time.perf_counter() - begin)
-        answer = program.call(domain, task, time_limit=left)
-    try:
-        steps = parse_plan(answer.text, Path("its plan"), grounding, problem)
-    except InvalidPlan as error:
-        reason = f"what the planner wrote cannot be read: {textwrap.shorten(str(error), 200)}"
-        return PlanResult(PlanStatus.FAILED, (), answer.seconds, reason)
-    return PlanResult(answer.status, steps, answer.seconds, answer.reason)
 
 
 def _write(file: Path, text: str) -> None:
