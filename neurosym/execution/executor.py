@@ -36,7 +36,6 @@ from neurosym.pddl.places import with_places
 from neurosym.pddl.plan_text import PlanStep, Steps, named_steps, primitives
 from neurosym.pddl.validation import validate
 from neurosym.planners.registry import Replanner
-from neurosym.planners.result import PlanStatus
 from neurosym.problems import Problem
 from neurosym.promises import promised
 from neurosym.table import Reference
@@ -87,9 +86,10 @@ def execute(
     if nudge_seed is not None:
         nudger = Nudger(nudge_seed, primitives(plan))
     most = (usual_replans(plan) if replans is None else replans) if replanner else 0
+    drawn = problem.places is msgspec.UNSET
     problem = with_places(problem, grounding)
     _check_places(problem, grounding, plan)
-    run = _Running(world, problem, grounding, list(plan), on_frame, most)
+    run = _Running(world, problem, grounding, list(plan), on_frame, most, drawn)
     while run.goes_on:
         if nudger and nudger.before_step == len(run.records) + 1 and not run.nudge:
             run.be_nudged(nudger)
@@ -138,8 +138,10 @@ class _Running:
     left: list[PlanStep]
     on_frame: FrameSink | None
     most_replans: int
+    places_drawn: bool
     scene: Scene = field(init=False)
     experience: Experience = field(init=False)
+    aimed: Problem = field(init=False)
     records: list[StepRecord] = field(default_factory=list)
     replannings: list[Replanning] = field(default_factory=list)
     nudge: Nudge | None = None
@@ -148,7 +150,7 @@ class _Running:
     _lifted: tuple[PlanStep, Scene] | None = None
 
     def __post_init__(self) -> None:
-        self.scene = self.problem.scene()
+        self.scene, self.aimed = self.problem.scene(), self.problem
         self.experience = Experience(self.grounding)
         self.progress = Progress(primitives(self.left), self._miss())
 
@@ -164,8 +166,9 @@ class _Running:
             self.scene = nudged(self.scene, self.nudge, self.problem)
 
     def why_not_go_on(self) -> str:
-        """Say why what is left of the plan would miss the goal by what is believed now, or nothing."""
-        return why_not_go_on(self.left, self._now(), self.experience)
+        """Say why what is left of the plan would miss its goals by what is believed now, or nothing."""
+        aimed = self.aimed if self.left else self.problem
+        return why_not_go_on(self.left, self._now(aimed), self.experience)
 
     def replan(self, replanner: Replanner, why: str) -> None:
         """Ask for a new plan, or else go on with the old one while nothing leaves the table.
@@ -181,15 +184,14 @@ class _Running:
             self.ended, self.left = "no progress", []
             return
         self._put_down()
-        result, new, self.experience = new_plan(replanner, self._now(), self.experience)
-        is_found = result.status is PlanStatus.SOLVED
-        self.replannings.append(
-            Replanning(len(self.records) + 1, why, named_steps(new), "" if is_found else result.reason)
-        )
-        self.progress.note(primitives(new) if is_found else None, self._miss())
-        if is_found:
-            self.left = list(new)
-        elif not self.left or not validate(self.left, self._now(), self.grounding).possible:
+        new = new_plan(replanner, self._with_new_places(self._now()), self.experience)
+        self.experience = new.experience
+        steps = named_steps(new.steps)
+        self.replannings.append(Replanning(len(self.records) + 1, why, steps, new.reason))
+        self.progress.note(primitives(new.steps) if new.is_found else None, self._miss())
+        if new.steps:
+            self.left, self.aimed = list(new.steps), new.problem
+        elif not self.left or not validate(self.left, self._now(self.aimed), self.grounding).possible:
             self.ended, self.left = "no plan", []
 
     def step(self) -> None:
@@ -259,13 +261,13 @@ class _Running:
         """Return where to aim, such that an object stands at its place by what is believed of it now."""
         if not step.place:
             return None
-        believed, grounding = self.experience.believed(self._now())
+        believed, grounding = self.experience.believed(self._now(self.aimed))
         name = believed_name(step, believed, grounding).operator
         of_item = promised(grounding, believed.object_named(step.object))
         promise = of_item.get(
             name, grounding.operator_named(name)
         ).promise  # the object may show otherwise now
-        x, y = self.problem.place_named(step.place)
+        x, y = self.aimed.place_named(step.place)
         off_x, off_y = promise.resting_effect[:2] if promise else (0.0, 0.0)
         return self.world.table.nearest(x - off_x, y - off_y)
 
@@ -273,11 +275,23 @@ class _Running:
         """Return how far objects are from their goals, in sum [m]."""
         return math.fsum(self.problem.distances(self.scene.positions).values())
 
-    def _now(self) -> Problem:
-        """Return the problem as it stands now."""
+    def _with_new_places(self, problem: Problem) -> Problem:
+        """Return a problem with places that suit where things stand now, unless it was given its own.
+
+        Args:
+            problem: The problem as it stands now.
+        """
+        if not self.places_drawn:
+            return problem
+        believed, _ = self.experience.believed(msgspec.structs.replace(problem, places=msgspec.UNSET))
+        return msgspec.structs.replace(problem, places=with_places(believed, self.grounding).places)
+
+    def _now(self, problem: Problem | None = None) -> Problem:
+        """Return a problem, the one to be solved if none is given, with the objects as they stand now."""
+        problem = problem or self.problem
         rows = zip(self.problem.objects, self.scene.positions, self.scene.orientations, strict=True)
         objects = tuple(
             msgspec.structs.replace(item, position=vector(position), orientation=tuple(orientation.tolist()))
             for item, position, orientation in rows
         )
-        return msgspec.structs.replace(self.problem, objects=objects)
+        return msgspec.structs.replace(problem, objects=objects)

@@ -1,14 +1,17 @@
 """Replanning: whether what is left of a plan still leads to the goal, a new plan if not, and when to stop."""
 
 from collections import Counter
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
+import msgspec
+
 from neurosym.execution.experience import Experience, believed_name, learned_name
+from neurosym.pddl.place_problem import carried_objects
 from neurosym.pddl.plan_text import PlanStep, primitives
 from neurosym.pddl.validation import Validation, validate
 from neurosym.planners.registry import Replanner
-from neurosym.planners.result import PlanResult, PlanStatus
+from neurosym.planners.result import PlanStatus
 from neurosym.problems import Problem
 
 PATIENCE = 10
@@ -95,23 +98,59 @@ def _can_wait(left: Sequence[PlanStep], checked: Validation, problem: Problem) -
     )
 
 
-def new_plan(
-    replanner: Replanner, seen: Problem, experience: Experience
-) -> tuple[PlanResult, tuple[PlanStep, ...], Experience]:
+@dataclass(frozen=True, slots=True, eq=False)
+class NewPlan:
+    """What was answered when a new plan was asked for.
+
+    Attributes:
+        steps: The plan, by the names of learned operators; empty if there is none.
+        problem: The problem as it stands now, with the places and only those goals that the plan is for.
+        experience: What is to be believed from now.
+        reason: Why there is no plan for all goals, or empty.
+    """
+
+    steps: tuple[PlanStep, ...]
+    problem: Problem
+    experience: Experience
+    reason: str
+
+    @property
+    def is_found(self) -> bool:
+        """Whether there is a plan for all goals."""
+        return bool(self.steps) and not self.reason
+
+
+def new_plan(replanner: Replanner, seen: Problem, experience: Experience) -> NewPlan:
     """Ask for a new plan from where things are; where experience stands against any, hope and ask again.
 
-    What failed on an object again and again is not hoped for.
+    If there is no plan for all goals, one is asked for that brings some objects to theirs: what is in the way
+    of the others may have gone by then. What failed on an object again and again is not hoped for.
 
     Args:
         replanner: Whom to ask.
         seen: The problem as it stands now.
         experience: What the objects were seen to do.
-
-    Returns:
-        What was answered, the steps by the names of learned operators, and what is to be believed from now.
     """
-    result = replanner(*experience.believed(seen))
-    if result.status is not PlanStatus.SOLVED and experience.says_something:
-        experience = experience.hoping_again(seen)
-        result = replanner(*experience.believed(seen))
-    return result, tuple(learned_name(step) for step in result.steps), experience
+    reason = ""
+    for believing in (experience, experience.hoping_again(seen))[: 1 + experience.says_something]:
+        for task in (seen, *_for_fewer(seen, believing)):
+            result = replanner(*believing.believed(task))
+            if result.status is PlanStatus.SOLVED:
+                steps = tuple(learned_name(step) for step in result.steps)
+                return NewPlan(steps, task, believing, "" if task is seen else reason)
+            reason = reason or result.reason or result.status.value
+    return NewPlan((), seen, believing, reason)
+
+
+def _for_fewer(problem: Problem, experience: Experience) -> Iterator[Problem]:
+    """List problems with fewer goals: all that can be carried to, and then those met now and one more."""
+    believed, grounding = experience.believed(problem)
+    misses = problem.distances(problem.scene().positions)
+    met = {name for name, miss in misses.items() if miss <= problem.tolerance}
+    carried = [name for name in carried_objects(believed, grounding) if name in problem.goals]
+    missed = sorted(set(problem.goals) - met, key=lambda name: (name not in carried, name))
+    every = {*met, *carried}
+    for names in (every, *({*met, name} for name in missed)):
+        if met < names < set(problem.goals):
+            goals = {name: goal for name, goal in problem.goals.items() if name in names}
+            yield msgspec.structs.replace(problem, goals=goals)

@@ -10,7 +10,8 @@ from neurosym.errors import InvalidValue
 from neurosym.grounding import Grounding
 from neurosym.pddl.footprints import footprints_apart
 from neurosym.pddl.place_domain import NOWHERE, carriers_of
-from neurosym.pddl.place_problem import START, may_stand
+from neurosym.pddl.place_problem import START
+from neurosym.pddl.places import PARK, is_at
 from neurosym.problems import Problem, check_names
 
 _CELL = r"[xyz]\d*"
@@ -51,7 +52,7 @@ def _check_apart(one: str, other: str, problem: Problem) -> None:
     apart = footprints_apart(problem)
     for row, mine in enumerate(problem.object_names):
         for column, its in enumerate(problem.object_names):
-            if row == column or not (may_stand(mine, one, problem) and may_stand(its, other, problem)):
+            if row == column or not (_is_meant(mine, one, problem) and _is_meant(its, other, problem)):
                 continue
             if np.all(away < apart[row, column]):
                 x, y = apart[row, column]
@@ -59,3 +60,10 @@ def _check_apart(one: str, other: str, problem: Problem) -> None:
                     f"The places {one} and {other} are too near for {mine} and {its}; valid: at least "
                     f"{x:.3f} m apart in x, or {y:.3f} m in y."
                 )
+
+
+def _is_meant(thing: str, place: str, problem: Problem) -> bool:
+    """Say whether an object is to be carried to a place: one to park on, or one at its goal."""
+    if place.startswith(PARK):
+        return True
+    return thing in problem.goals and is_at(thing, problem.place_named(place), problem)

@@ -5,8 +5,9 @@ from itertools import pairwise
 from neurosym.grounding import Grounding
 from neurosym.pddl.footprints import footprints_apart
 from neurosym.pddl.moves import MOVE, step_cost
+from neurosym.pddl.occupants import occupants
 from neurosym.pddl.place_domain import LEAVE, LOOK, NOWHERE, REACH, carriers_for, carriers_of
-from neurosym.pddl.places import PARK, blockers, is_at, with_places
+from neurosym.pddl.places import blockers, is_at, with_places
 from neurosym.pddl.printing import comment
 from neurosym.problems import Problem, SceneObject
 from neurosym.promises import promised
@@ -40,19 +41,6 @@ def led_objects(problem: Problem, grounding: Grounding) -> tuple[str, ...]:
     """
     carried = carried_objects(problem, grounding)
     return tuple(name for name in problem.object_names if name in problem.goals and name not in carried)
-
-
-def may_stand(thing: str, place: str, problem: Problem) -> bool:
-    """Say whether an object may be carried to a place: one to park on, or one at its goal.
-
-    Args:
-        thing: The object.
-        place: The place.
-        problem: The problem, with its places.
-    """
-    if place.startswith(PARK):
-        return True
-    return thing in problem.goals and is_at(thing, problem.place_named(place), problem)
 
 
 class PlaceNotes:
@@ -100,13 +88,12 @@ def facts(problem: Problem, grounding: Grounding) -> list[str]:
     """
     places, apart = _places(problem), footprints_apart(problem)
     carried, led = carried_objects(problem, grounding), led_objects(problem, grounding)
+    may_stand = occupants(problem, carried)
     lines = [_start(item, problem, is_led=item.name in led) for item in problem.objects]
     for name, (x, y) in places.items():
         lines.append(comment([f"{name} lies at ({x:.4f}, {y:.4f}) m"], "    ").lstrip())
         lines.append(f"(free {name})")
-        for thing in carried:
-            if not may_stand(thing, name, problem):
-                continue
+        for thing in may_stand[name]:
             at_goal = thing in problem.goals and is_at(thing, (x, y), problem)
             goal = f"(goal-place {thing} {name}) " if at_goal else ""
             lines.append(goal + _room(thing, name, blockers(thing, (x, y), problem, apart)))

@@ -1,19 +1,20 @@
 """The places of a problem: those of the goals, and free ones to park on."""
 
 import math
-from itertools import product
+from collections.abc import Mapping
 
 import msgspec
 import numpy as np
 from jaxtyping import Float
 
 from neurosym.grounding import Grounding
+from neurosym.pddl.goal_spots import goal_spots
 from neurosym.problems import Problem
 from neurosym.table import Table
 
 GOAL, PARK = "goal-", "park-"
 """What the names of places begin with."""
-GAPS = (0.05, 0.01)
+GAP, LEAST_GAP = 0.05, 0.01
 """Room that is left around places to park on, for the hand; less, if else there are few [m]."""
 MOST_PARKS = 8
 """Places to park on at most: who waits is carried on before long, and planners try each for each object."""
@@ -24,9 +25,10 @@ _EDGE = 0.02  # how far inside the edge of the table places to park on lie [m]
 def with_places(problem: Problem, grounding: Grounding) -> Problem:
     """Return a problem with the places that its objects may be carried to, unless it has its own.
 
-    There is one for each goal on the table, and as many to park on as there are objects, though eight at
-    most, where there is room: none of them overlaps an object as it stands, a goal or another one, whichever
-    object stands there.
+    There is one for each goal on the table, moved a little where objects would nearly touch; see
+    `goal_spots`. There are as many to park on as there are objects, though eight at most, where there is
+    room: none of them overlaps an object as it stands, a goal or another one, whichever object stands there,
+    or at least if a small one does.
 
     Args:
         problem: The problem.
@@ -34,35 +36,48 @@ def with_places(problem: Problem, grounding: Grounding) -> Problem:
     """
     if grounding.places is None or problem.places is not msgspec.UNSET:
         return problem
-    goals = {
-        f"{GOAL}{name}": (x, y)
-        for name, (x, y, z) in sorted(problem.goals.items())
-        if grounding.table.contains(np.array([x, y, z]))
-        and abs(z - problem.object_named(name).position[2]) <= problem.tolerance
-    }
-    parks = _parks(problem, grounding.table)
+    names = tuple(
+        name
+        for name, goal in sorted(problem.goals.items())
+        if grounding.table.contains(np.array(goal))
+        and abs(goal[2] - problem.object_named(name).position[2]) <= problem.tolerance
+    )
+    spots = goal_spots(problem, grounding.table, names)
+    goals = {f"{GOAL}{name}": spots[name] for name in names}
+    parks = _parks(problem, grounding.table, goals)
     found = {f"{PARK}{number:02d}": spot for number, spot in enumerate(parks, start=1)}
     return msgspec.structs.replace(problem, places={**goals, **found})
 
 
-def _parks(problem: Problem, table: Table) -> list[tuple[float, float]]:
-    """Draw places to park on, the same for the same problem."""
+def _parks(
+    problem: Problem, table: Table, goals: Mapping[str, tuple[float, float]]
+) -> list[tuple[float, float]]:
+    """Draw places to park on, the same for the same problem; smaller ones where large ones are few."""
     sizes = np.array([item.features[:2] for item in problem.objects], dtype=float)
-    spots = [*problem.scene().positions[:, :2], *(goal[:2] for goal in problem.goals.values())]
+    spots = [
+        *problem.scene().positions[:, :2],
+        *map(np.array, (goals.get(f"{GOAL}{name}", goal[:2]) for name, goal in problem.goals.items())),
+    ]
     rooms = [*sizes, *(sizes[problem.object_names.index(name)] for name in problem.goals)]
-    largest = sizes.max(0)
     low, high = np.array([table.x, table.y]).T
-    inside = np.minimum(largest / 2 + _EDGE, (high - low) / 2)
     parks = list[tuple[float, float]]()
-    candidates = np.random.default_rng(0).uniform(low + inside, high - inside, (_CANDIDATES, 2))
-    for gap, spot in product(GAPS, candidates):
-        if len(parks) == min(len(problem.objects), MOST_PARKS):
-            break
-        if _is_free(spot, np.array(spots), (np.array(rooms) + largest) / 2 + gap):
-            parks.append((round(float(spot[0]), 4), round(float(spot[1]), 4)))
-            spots.append(spot)
-            rooms.append(largest)
+    drawn = np.random.default_rng(0).uniform(size=(_CANDIDATES, 2))
+    largest, usual, smallest = sizes.max(0), np.median(sizes, axis=0), sizes.min(0)
+    for size, gap in ((largest, GAP), (largest, LEAST_GAP), (usual, LEAST_GAP), (smallest, LEAST_GAP)):
+        inside = np.minimum(size / 2 + _EDGE, (high - low) / 2)
+        for spot in low + inside + drawn * (high - low - 2 * inside):
+            if len(parks) == parks_wanted(problem):
+                return parks
+            if _is_free(spot, np.array(spots), (np.array(rooms) + size) / 2 + gap):
+                parks.append((round(float(spot[0]), 4), round(float(spot[1]), 4)))
+                spots.append(spot)
+                rooms.append(size)
     return parks
+
+
+def parks_wanted(problem: Problem) -> int:
+    """Return how many places to park on a problem has where there is room."""
+    return min(len(problem.objects), MOST_PARKS)
 
 
 def _is_free(

@@ -10,7 +10,9 @@ from neurosym.pddl.plan_text import PlanStep
 from neurosym.problems import Problem
 
 ENOUGH = 0.08
-"""Room beyond which more makes no difference: an open finger and some more [m]."""
+"""Room beside an object along y, along which the fingers open, beyond which more makes no difference [m]."""
+FINGER = 0.02
+"""An object that leaves so much room along x is not in the way of the fingers [m]."""
 
 
 def clearest_first(steps: Sequence[PlanStep], problem: Problem) -> tuple[PlanStep, ...]:
@@ -49,5 +51,6 @@ def clearest_first(steps: Sequence[PlanStep], problem: Problem) -> tuple[PlanSte
 def _gap(
     spot: Float[np.ndarray, "2"], others: Float[np.ndarray, "M 2"], apart: Float[np.ndarray, "M 2"]
 ) -> float:
-    """Return how far the footprint of an object at a spot is from the next one [m]."""
-    return float((np.abs(others - spot) - apart).max(axis=1).min(initial=np.inf))
+    """Return the room along y between the footprint of an object and the next in the fingers' way [m]."""
+    room = np.abs(others - spot) - apart
+    return float(room[room[:, 0] < FINGER, 1].min(initial=np.inf))

@@ -29,10 +29,11 @@ from neurosym.pddl.problem import STEPS, problem_text
 from neurosym.pddl.sas import sas_text
 from neurosym.planners.aiming import aim
 from neurosym.planners.around import plan_around
-from neurosym.planners.by_places import is_by_places, not_proved, plan_by_places, plan_in_turns
+from neurosym.planners.by_places import is_by_places, not_proved, plan_by_places
 from neurosym.planners.edges import away_from_edges
 from neurosym.planners.effort import TimeIsUp, check_time, within
 from neurosym.planners.fast_downward import PLACES_SUFFIX, SAS_SUFFIX
+from neurosym.planners.in_turns import plan_in_turns
 from neurosym.planners.no_plan import Explanation, explain_clash, explain_no_plan
 from neurosym.planners.one_by_one import plan_one_by_one
 from neurosym.planners.ordering import mend

@@ -4,6 +4,7 @@ import dataclasses
 
 import msgspec
 import pytest
+import toy_places
 from toy_domain import LEFT, WORLD, grounding, problem
 
 from neurosym.commands.tables import show_run
@@ -164,3 +165,16 @@ def test_why_a_plan_is_replaced_names_the_step_as_the_user_does(capsys):
     new = msgspec.structs.replace(run.replannings[0], plan=plan)
     show_run(msgspec.structs.replace(run, replannings=(new,)))
     assert "0.155 m: 1 primitive\n" in capsys.readouterr().out
+
+
+def test_what_can_be_brought_to_its_goal_is_where_another_cannot():
+    """A slab is only pushed left and forward here, so it never comes back; the cube is carried."""
+    goals = {"item-01": (0.8, 0.1, 0.025), "item-02": (0.45, -0.1, 0.025)}
+    task = Problem("half", toy_places.scene(("cube", 0.5, -0.2), ("slab", 0.7, 0.0)), goals, 0.02)
+    run = execute(WORLD, task, toy_places.grounding(), [], replanner=plan)
+    assert [record.object for record in run.steps] == ["item-01"]
+    assert run.distances["item-01"] < 0.02
+    assert (run.reached, run.ended) == (False, "no plan")
+    assert "item-02" in run.reason
+    assert run.replannings[0].plan, "the first new plan was for the cube"
+    assert run.replannings[0].reason, "and says why it is for no more"

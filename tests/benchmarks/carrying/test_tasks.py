@@ -9,7 +9,7 @@ from places import SHIPPED
 from neurosym.evaluation.comparison_tasks import Bench
 from neurosym.stages.folder import DomainFolder
 from tools.benchmarks.carrying import tasks
-from tools.benchmarks.carrying.evaluate import cells
+from tools.benchmarks.carrying.evaluate import KEPT, cells, keep, restore
 
 
 @cache
@@ -35,3 +35,20 @@ def test_every_cell_of_the_table_draws_tasks():
     for name, draw, count in cells(0.01):
         assert count == 1
         assert draw(bench(), 7).goals, name
+
+
+def test_what_it_takes_to_try_a_learned_domain_is_kept_and_restored(tmp_path):
+    learned, archive, again = tmp_path / "learned", tmp_path / "kept.zip", tmp_path / "again"
+    for name in (*KEPT, "interactions.npz"):
+        path = learned / "seed-2" / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text(name)
+    (learned / "seed-3").mkdir()
+    (learned / "seed-3" / KEPT[0]).write_text("not learned yet")
+    keep(learned, archive)
+    again.mkdir()
+    restore(archive, again)
+    assert sorted(path.name for path in again.glob("*/*")) == sorted(KEPT)
+    assert (again / "seed-2" / KEPT[0]).read_text() == KEPT[0]
+    keep(again, tmp_path / "twice.zip")
+    assert (tmp_path / "twice.zip").read_bytes() == archive.read_bytes()

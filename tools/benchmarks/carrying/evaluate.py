@@ -1,7 +1,8 @@
 """How well are objects carried to places? `make evaluate-places`, into docs/results/places.*.
 
-For each seed a domain is learned, with places. It is tried on tasks that nothing was chosen on: goals
-anywhere on the table for one to eight objects, swaps, rows and crowds. Goes on where it was interrupted.
+For each seed a domain is learned, with places; that of seed 1 is `domains/places`. It is tried on tasks that
+nothing was chosen on: goals anywhere on the table for one to eight objects, swaps, rows and crowds. Goes on
+where it was interrupted: what was tried, and what it takes to try more, is kept beside the results.
 """
 
 import math
@@ -11,6 +12,7 @@ from collections.abc import Callable, Mapping, Sequence
 from functools import partial
 from pathlib import Path
 from statistics import mean, median
+from tempfile import TemporaryDirectory
 from typing import Annotated, Any
 
 import numpy as np
@@ -19,15 +21,15 @@ import tyro
 from neurosym.commands.init import init
 from neurosym.console import say
 from neurosym.files import write_atomically
+from neurosym.grounding import Grounding
 from neurosym.operators import OperatorTable
 from neurosym.pddl.compiler import CELL
-from neurosym.place_operators import PlaceOperators
 from neurosym.stages.aiming import distill_places_stage, explore_places_stage, train_places_stage
 from neurosym.stages.compiling import compile_stage
 from neurosym.stages.distilling import distill_stage
 from neurosym.stages.exploring import explore_stage
 from neurosym.stages.folder import DomainFolder
-from neurosym.stages.layout import PLACE_OPERATORS, WORLD
+from neurosym.stages.layout import GROUNDING, MODEL, WORLD
 from neurosym.stages.training import train_stage
 from tools.benchmarks.carrying import tasks
 from tools.benchmarks.carrying.tables import page
@@ -35,9 +37,13 @@ from tools.benchmarks.jobs import Job, as_text, load_jobs, machine, pack, perfor
 from tools.benchmarks.planning import figures
 from tools.benchmarks.planning.measures import REHEARSALS, TIME_LIMIT, bench_of
 from tools.benchmarks.planning.trials import Trial, from_json, to_json, try_task
+from tools.relearn_places import PLACES, SEED, STEPS
 
 RESULTS, WORK = Path("docs/results"), Path("evaluation/places")
-RECORDS = "places-records.zip"
+RECORDS, DOMAINS = "places-records.zip", "places-domains.zip"
+SHIPPED = Path("domains/places")
+KEPT = (WORLD, MODEL, GROUNDING)
+"""What is needed of a learned domain to try it."""
 STRATEGY, REGIME = "disagreement", "default"
 FIRST_TASK = 700_000
 """Seed of the first task, far from those of other evaluations."""
@@ -80,46 +86,70 @@ def _far(objects: int, graspable: bool, tolerance: float | None, bench: Any, see
 
 def main(
     seeds: Annotated[int, tyro.conf.arg(help="Seeds of everything.")] = 5,
-    steps: Annotated[int, tyro.conf.arg(help="Interactions of each exploration.")] = 10_000,
-    places: Annotated[int, tyro.conf.arg(help="Interactions besides that are aimed at places.")] = 2500,
+    steps: Annotated[int, tyro.conf.arg(help="Interactions of each exploration.")] = STEPS,
+    places: Annotated[int, tyro.conf.arg(help="Interactions besides that are aimed at places.")] = PLACES,
     scale: Annotated[float, tyro.conf.arg(help="How many tasks, as a share of the full number.")] = 1.0,
     work: Annotated[Path, tyro.conf.arg(help="Folder for what was measured.")] = WORK,
-    learned: Annotated[
-        Path | None, tyro.conf.arg(help="Folder of domains disagreement-1, -2, ... to begin with.")
-    ] = None,
     results: Annotated[Path, tyro.conf.arg(help="Folder for the tables.")] = RESULTS,
     workers: Annotated[int, tyro.conf.arg(help="Jobs at once.")] = os.cpu_count() or 1,
 ) -> None:
-    """Learn, try, and write what came of it."""
+    """Learn, try, and write what came of it; a seed is reported as soon as it is done."""
     (work / "jobs").mkdir(parents=True, exist_ok=True)
     unpack(results / RECORDS, work / "jobs")
-    folders = {seed: work / f"seed-{seed}" for seed in range(1, seeds + 1)}
-    learning: dict[str, Job] = {
-        f"learn-{seed}": partial(learn, folder, learned, seed, steps, places)
-        for seed, folder in folders.items()
-    }
-    perform(work / "jobs", learning, workers, lambda: None, label="learning")
-    if missing := learning.keys() - load_jobs(work / "jobs").keys():
-        raise SystemExit(f"not learned: {', '.join(sorted(missing))}; the same command goes on")
-    trying = {cell: [_jobs(folder, seed, cell) for seed, folder in folders.items()] for cell in cells(scale)}
-    for cell, of_seeds in trying.items():
-        every = {name: job for jobs in of_seeds for name, job in jobs.items()}
-        perform(work / "jobs", every, workers, lambda: None, label=cell[0])
+    restore(results / DOMAINS, work)
+    tried: dict[int, dict[str, dict[str, Job]]] = {}
+    for seed in range(1, seeds + 1):
+        folder = work / f"seed-{seed}"
+        learning = {f"learn-{seed}": partial(learn, folder, seed, steps, places)}
+        perform(work / "jobs", learning, workers, lambda: None, label=f"seed {seed}, learning")
+        keep(work, results / DOMAINS)
+        tried[seed] = {cell[0]: _jobs(folder, seed, cell) for cell in cells(scale)}
+        every = {name: job for jobs in tried[seed].values() for name, job in jobs.items()}
+        perform(work / "jobs", every, workers, lambda: None, label=f"seed {seed}, tasks")
         pack(work / "jobs", results / RECORDS)
         found = load_jobs(work / "jobs")
-        trials = {name: [_trials(found, jobs) for jobs in of] for (name, *_), of in trying.items()}
-        summary = summarise(found, trials, seeds=seeds, steps=steps, places=places)
+        trials = {cell[0]: [_trials(found, of[cell[0]]) for of in tried.values()] for cell in cells(scale)}
+        summary = summarise(found, trials, seeds=seed, steps=steps, places=places)
         write_atomically(results / "places.json", as_text(summary))
         write_atomically(results / "places.md", page(summary))
     say(f"wrote {results / 'places.md'}")
 
 
-def learn(folder: Path, learned: Path | None, seed: int, steps: int, places: int) -> dict[str, Any]:
+def keep(work: Path, archive: Path) -> None:
+    """Put what it takes to try the learned domains into an archive.
+
+    Args:
+        work: The working folder.
+        archive: A zip file.
+    """
+    with TemporaryDirectory() as flat:
+        for path in work.glob("seed-*/*"):
+            if path.name in KEPT and (path.parent / GROUNDING).exists():
+                shutil.copy(path, Path(flat) / f"{path.parent.name}.{path.name}")
+        pack(Path(flat), archive, "seed-*")
+
+
+def restore(archive: Path, work: Path) -> None:
+    """Take from an archive what `keep` put there, for domains that are not in the working folder yet.
+
+    Args:
+        archive: A zip file, if there is one.
+        work: The working folder.
+    """
+    with TemporaryDirectory() as flat:
+        unpack(archive, Path(flat))
+        for path in Path(flat).iterdir():
+            folder, name = path.name.split(".", 1)
+            if not (work / folder / name).exists():
+                (work / folder).mkdir(exist_ok=True)
+                shutil.copy(path, work / folder / name)
+
+
+def learn(folder: Path, seed: int, steps: int, places: int) -> dict[str, Any]:
     """Learn a domain with places; what was done is not done again.
 
     Args:
         folder: Where it lies.
-        learned: Where there are domains to begin with, if anywhere.
         seed: Of everything.
         steps: Interactions of its exploration.
         places: Interactions besides that are aimed at places.
@@ -127,8 +157,11 @@ def learn(folder: Path, learned: Path | None, seed: int, steps: int, places: int
     Returns:
         How well it carries graspable objects; see `carries`.
     """
-    if not folder.exists() and learned is not None:
-        shutil.copytree(learned / f"disagreement-{seed}", folder)
+    if (folder / GROUNDING).exists():
+        return carries(_carriers(folder))
+    if (seed, steps, places) == (SEED, STEPS, PLACES) and SHIPPED.exists():
+        shutil.copytree(SHIPPED, folder)
+        return carries(_carriers(folder))
     if not (folder / WORLD).exists():
         init(folder)
     domain = DomainFolder(folder)
@@ -142,7 +175,13 @@ def learn(folder: Path, learned: Path | None, seed: int, steps: int, places: int
     ):
         domain.perform(stage, again=False)
     domain.perform(compile_stage(domain, cell=CELL), again=False)
-    return carries(PlaceOperators.load(folder / PLACE_OPERATORS).operators)
+    return carries(_carriers(folder))
+
+
+def _carriers(folder: Path) -> OperatorTable:
+    places = Grounding.load(folder / GROUNDING).places
+    assert places is not None, "places were learned"
+    return places.operators
 
 
 def carries(table: OperatorTable) -> dict[str, Any]:

@@ -1,0 +1,82 @@
+"""Where exactly objects are carried to: near their goals, and apart from each other as far as goals allow.
+
+A goal is met by whatever lies within its tolerance. Where objects would nearly touch at their goals, they are
+carried a little beside them, so that the hand has room.
+"""
+
+from itertools import combinations
+
+import numpy as np
+from jaxtyping import Bool, Float
+
+from neurosym.problems import Problem
+from neurosym.table import Table
+
+ROOM = (0.02, 0.05)
+"""Room along x and y that is made between objects at their goals, if these allow it [m].
+
+The fingers of the hand open along y, so there they need more; see `docs/planning.md`, "Room for the hand".
+"""
+SHARE = 0.5
+"""How far beside its goal an object may be set down by choice, as a share of the tolerance."""
+_ROUNDS = 200
+_DIGITS = 4
+
+
+def goal_spots(problem: Problem, table: Table, names: tuple[str, ...]) -> dict[str, tuple[float, float]]:
+    """Return where on the table each object is to be carried, at most half the tolerance beside its goal [m].
+
+    What stands at its goal already, or has none, stays where it is, and the others keep away from it.
+
+    Args:
+        problem: The problem, with the objects as they stand now.
+        table: Where objects may be set down.
+        names: Objects with goals on the table.
+    """
+    if not names:
+        return {}
+    here = problem.scene().positions
+    at_goal = {name for name, miss in problem.distances(here).items() if miss <= problem.tolerance}
+    stays = [name not in problem.goals or name in at_goal for name in problem.object_names]
+    chosen = [row for row, name in enumerate(problem.object_names) if stays[row] or name in names]
+    moves = np.array([not stays[row] for row in chosen], dtype=bool)  # (M,)
+    goals = np.array(
+        [here[row, :2] if stays[row] else problem.goals[problem.object_names[row]][:2] for row in chosen]
+    )
+    halves = np.array([problem.objects[row].features[:2] for row in chosen], dtype=float) / 2  # (M, 2)
+    spots = _apart(goals, halves, moves, SHARE * problem.tolerance, table)
+    found = {problem.object_names[row]: spot for row, spot in zip(chosen, spots.tolist(), strict=True)}
+    return {name: (round(found[name][0], _DIGITS), round(found[name][1], _DIGITS)) for name in names}
+
+
+def _apart(
+    goals: Float[np.ndarray, "M 2"],
+    halves: Float[np.ndarray, "M 2"],
+    moves: Bool[np.ndarray, " M"],
+    most: float,
+    table: Table,
+) -> Float[np.ndarray, "M 2"]:
+    """Push boxes apart with less than `ROOM` between them, step by step, none too far from its goal."""
+    low, high = np.array([table.x, table.y]).T
+    spots = goals.copy()
+    for _ in range(_ROUNDS):
+        push = np.zeros_like(spots)
+        for one, other in combinations(range(len(spots)), 2):
+            if not (moves[one] or moves[other]):
+                continue
+            away = spots[other] - spots[one]
+            over = halves[one] + halves[other] - np.abs(away)
+            lacking = over + np.array(ROOM)
+            if np.any(lacking <= 0):
+                continue
+            axis = int(over.argmin())
+            step = np.sign(away[axis] or 1.0) * lacking[axis] / (moves[one] + moves[other])
+            push[one, axis] -= step * moves[one]
+            push[other, axis] += step * moves[other]
+        if not push.any():
+            break
+        beside = spots + push / 2 - goals
+        beside *= np.minimum(1.0, most / np.maximum(np.linalg.norm(beside, axis=1), 1e-12))[:, None]
+        inside = np.clip(goals + beside, np.minimum(low, goals), np.maximum(high, goals))
+        spots = np.where(moves[:, None], inside, goals)
+    return spots

@@ -1,0 +1,54 @@
+"""What stands in the way of what must be led is carried away first, and what is led never goes through it."""
+
+from toy_places import grounding, scene
+
+from neurosym.pddl.validation import validate
+from neurosym.planners import PlanStatus, plan
+from neurosym.planners.in_turns import plan_in_turns
+from neurosym.problems import Problem
+
+
+def lead_past(*cubes: tuple[float, float, float, float]) -> Problem:
+    """A slab to be pushed from y = -0.16 to 0.24, and cubes, each from x, y to x, y."""
+    goals = {"item-01": (0.7, 0.24, 0.025)}
+    things = [("slab", 0.7, -0.16)]
+    for number, (x, y, to_x, to_y) in enumerate(cubes, start=2):
+        things.append(("cube", x, y))
+        goals[f"item-{number:02d}"] = (to_x, to_y, 0.025)
+    return Problem("past", scene(*things), goals, 0.02)
+
+
+def order(problem: Problem) -> list[str]:
+    learned = grounding()
+    result = plan_in_turns(
+        problem,
+        learned,
+        carry=lambda task: plan(task, learned, encoding="places"),
+        lead=lambda task: plan(task, learned, encoding="stepwise"),
+    )
+    assert result.status is PlanStatus.SOLVED, result.reason
+    assert validate(result.steps, problem, learned).valid
+    return list(dict.fromkeys(step.object for step in result.steps))
+
+
+def test_who_has_its_goal_beside_the_way_is_carried_first():
+    assert order(lead_past((0.7, 0.0, 0.45, 0.0))) == ["item-02", "item-01"]
+
+
+def test_who_has_its_goal_in_the_way_is_carried_last():
+    assert order(lead_past((0.45, 0.0, 0.7, 0.0))) == ["item-01", "item-02"]
+
+
+def test_who_stands_in_the_way_and_goes_there_is_put_aside():
+    problem = lead_past((0.7, 0.0, 0.7, -0.16))
+    learned = grounding()
+    steps = plan(problem, learned).steps
+    assert order(problem) == ["item-02", "item-01"]
+    assert validate(steps, problem, learned).valid
+
+
+def test_where_all_can_be_carried_there_are_no_turns():
+    problem = Problem("one", scene(("cube", 0.5, 0.0)), {"item-01": (0.7, 0.0, 0.025)}, 0.02)
+    result = plan_in_turns(problem, grounding(), plan, plan)
+    assert result.status is PlanStatus.FAILED
+    assert "everything that has a goal can be carried" in result.reason
