@@ -24,7 +24,7 @@ for number in (signal.SIGINT, signal.SIGHUP):
         signal.signal(number, lambda *_: None)  # ignored by us, and not by what tests start
 
 
-LONGEST = ("test_whole_way.py", "test_own_robot.py")
+LONGEST = ("test_whole_way.py", "test_own_robot.py", "test_fuzz.py")
 """What takes minutes begins first, so that no process is left with it at the end."""
 
 

@@ -15,7 +15,7 @@ from neurosym.table import Table
 ROOM = (0.02, 0.05)
 """Room along x and y that is made between objects at their goals, if these allow it [m].
 
-The fingers of the hand open along y, so there they need more; see `docs/planning.md`, "Room for the hand".
+The fingers of the hand open along y, so there they need more.
 """
 SHARE = 0.5
 """How far beside its goal an object may be set down by choice, as a share of the tolerance."""

@@ -13,6 +13,22 @@ from neurosym.planners.clearance import clearest_first
 from neurosym.planners.result import PlanResult, PlanStatus
 from neurosym.problems import Problem
 
+MOST_LED = 4
+"""Objects that could be carried are led over cells, where no plan carries them, if no more are to be moved.
+
+With more, such plans take a minute to find, and hardly ever come true.
+"""
+
+
+def unmet(problem: Problem) -> tuple[str, ...]:
+    """Name the objects that are not at their goals.
+
+    Args:
+        problem: The problem, with the objects as they stand now.
+    """
+    misses = problem.distances(problem.scene().positions)
+    return tuple(name for name, miss in misses.items() if miss > problem.tolerance)
+
 
 def is_by_places(problem: Problem, grounding: Grounding) -> bool:
     """Say whether some object of a problem can be carried to its goal.
@@ -67,3 +83,16 @@ def not_proved(result: PlanResult) -> PlanResult:
         return result
     reason = f"no plan with the places that were drawn; without: {result.reason or 'unsolvable'}"
     return dataclasses.replace(result, status=PlanStatus.NOT_FOUND, reason=reason)
+
+
+def not_found(result: PlanResult) -> PlanResult:
+    """Say that there is no plan with the places that were drawn, and none over cells was looked for.
+
+    Args:
+        result: What planning with places came to.
+    """
+    if result.status is PlanStatus.TIMEOUT:
+        return result
+    said = result.reason or "no plan with the places that were drawn"
+    reason = f"{said}; more than {MOST_LED} objects are led over cells only if none can be carried"
+    return dataclasses.replace(result, status=PlanStatus.NOT_FOUND, steps=(), reason=reason)

@@ -5,6 +5,7 @@ What is led then keeps clear of what was carried, which a plan for all at once d
 
 import dataclasses
 from collections.abc import Callable, Iterator, Mapping, Sequence
+from itertools import product
 
 import msgspec
 import numpy as np
@@ -23,6 +24,9 @@ from neurosym.problems import Problem, SceneObject
 BESIDE = 0.02
 """Room for the hand beside the way of what is led [m]."""
 
+NEARER = 0.5
+"""What is led is to come so near to its goal if others have no room else, as a share of the tolerance."""
+
 _Solve = Callable[[Problem], PlanResult]
 _Goals = Mapping[str, Vector]
 
@@ -31,8 +35,8 @@ def plan_in_turns(problem: Problem, grounding: Grounding, carry: _Solve, lead: _
     """Carry what stands in the way of what must be led, then lead this, and then carry the rest.
 
     A way is looked for as if there were nothing that can be carried. What has its goal beside that way is
-    carried there first. What stands in the way and has its goal in it is put aside before. If that
-    fails, what must be led is led first, around everything.
+    carried there first, and what stands in it and has its goal there is put aside. If that fails, only what
+    stands in the way is carried first; and if that fails, nothing is.
 
     Args:
         problem: The problem.
@@ -47,10 +51,11 @@ def plan_in_turns(problem: Problem, grounding: Grounding, carry: _Solve, lead: _
     result = PlanResult(PlanStatus.FAILED, (), 0.0, "everything that has a goal can be carried")
     if not led:
         return result
-    for before in _carried_before(problem, grounding, can_be, carried, led, lead):
+    befores = _carried_before(problem, grounding, can_be, carried, led, lead)
+    for before, near in product(befores, (1.0, NEARER)):
         now, steps = problem, list[PlanStep]()
-        for solve, goals in ((carry, before), (lead, led), (carry, carried)):
-            task = msgspec.structs.replace(now, goals=dict(goals))
+        for solve, goals, share in ((carry, before, 1.0), (lead, led, near), (carry, carried, 1.0)):
+            task = msgspec.structs.replace(now, goals=dict(goals), tolerance=share * problem.tolerance)
             if not goals or task.is_met(task.scene().positions):
                 continue
             result = solve(task)
@@ -79,9 +84,11 @@ def _carried_before(
     alone = msgspec.structs.replace(problem, objects=others, goals=dict(led))
     way = lead(alone)
     if way.status is PlanStatus.SOLVED:
-        yield _out_of_the_way(
-            validate(way.steps, alone, grounding).positions, others, problem, can_be, carried
-        )
+        positions = validate(way.steps, alone, grounding).positions
+        everything, needed = _out_of_the_way(positions, others, problem, can_be, carried)
+        yield everything
+        if needed.keys() < everything.keys():
+            yield needed
     yield {}
 
 
@@ -91,8 +98,8 @@ def _out_of_the_way(
     problem: Problem,
     can_be: Sequence[str],
     carried: _Goals,
-) -> _Goals:
-    """Return the goals that lie beside a way, and places aside for the others that stand in it."""
+) -> tuple[_Goals, _Goals]:
+    """Return goals that lie beside a way, with places aside for others that stand in it; and what must go."""
     apart = footprints_apart(problem) + BESIDE
     rows = {name: row for row, name in enumerate(problem.object_names)}
     columns = [rows[item.name] for item in led]
@@ -104,16 +111,16 @@ def _out_of_the_way(
     places = problem.places if isinstance(problem.places, dict) else {}
     parks = [spot for name, spot in places.items() if name.startswith(PARK)]
     before = dict[str, Vector]()
+    in_it = [name for name in can_be if is_in_it(name, problem.object_named(name).position)]
     for name in can_be:
-        stands = problem.object_named(name).position
         if name in carried and not is_in_it(name, carried[name]):
             before[name] = carried[name]
-        elif is_in_it(name, stands):
+        elif name in in_it:
             free = [spot for spot in parks if not is_in_it(name, spot)]
             if free:
                 parks.remove(free[0])
-                before[name] = (*free[0], stands[2])
-    return before
+                before[name] = (*free[0], problem.object_named(name).position[2])
+    return before, {name: goal for name, goal in before.items() if name in in_it}
 
 
 def _after(steps: Sequence[PlanStep], problem: Problem, grounding: Grounding) -> Problem:

@@ -287,3 +287,14 @@ def test_goal_that_nothing_can_be_put_at_is_not_said_to_be_proved_out_of_reach()
 if __name__ == "__main__":
     for name, content in texts().items():
         (GOLDEN / name).write_text(content)
+
+
+@pytest.mark.parametrize(
+    ("most", "said"), [(1, "more than 1 objects are led over cells only"), (2, "without: ")]
+)
+def test_many_objects_that_could_be_carried_are_not_led_instead(monkeypatch, most, said):
+    monkeypatch.setattr("neurosym.planners.refinement.MOST_LED", most)
+    monkeypatch.setattr("neurosym.planners.by_places.MOST_LED", most)
+    result = plan(with_own_places(left=(0.8, 0.1), right=(0.5, -0.1)), grounding())
+    assert result.status is PlanStatus.NOT_FOUND
+    assert said in result.reason

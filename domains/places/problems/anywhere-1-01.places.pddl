@@ -1,0 +1,28 @@
+; Problem anywhere-1-01 of the learned domain tabletop, for its encodings on a grid.
+; How it came about: anywhere, drawn with seed 2; draw 1.
+; A goal is met within 50 mm. goal-xy and goal-z list the cells from
+; which it is met whatever the grid rounds on the way, in plans of at most
+; 1 step(s) and cells of 5 mm.
+(define (problem anywhere-1-01)
+  (:domain tabletop)
+  (:objects
+    item-01 - solid-low-10
+    start-item-01 goal-item-01 park-01 - place)
+  (:init
+    (hand-empty) (ready) (= (total-cost) 0)
+    (stands item-01 start-item-01)
+    ; goal-item-01 lies at (0.6343, -0.1112) m
+    (free goal-item-01)
+    (goal-place item-01 goal-item-01) (room item-01 goal-item-01 nowhere)
+    ; park-01 lies at (0.4179, -0.2144) m
+    (free park-01)
+    (room item-01 park-01 nowhere)
+    (can a-carry-to-101c-solid-low-10 item-01) (= (cost-of-carry-to-101c-solid-low-10 item-01) 7)
+    (= (cost-of-carry-to-000b-solid-low-10 item-01) 171)
+    (= (cost-of-carry-to-001b-solid-low-10 item-01) 11)
+    (= (cost-of-carry-to-010-solid-low-10 item-01) 212)
+    (= (cost-of-carry-to-011-solid-low-10 item-01) 11)
+    (= (cost-of-carry-to-100c-solid-low-10 item-01) 11)
+    (= (cost-of-carry-to-111-solid-low-10 item-01) 281))
+  (:goal (and (done item-01)))
+  (:metric minimize (total-cost)))

@@ -1,0 +1,29 @@
+; Problem anywhere-1-03 of the learned domain tabletop, for its encodings on a grid.
+; How it came about: anywhere, drawn with seed 4; draw 1.
+; A goal is met within 50 mm. goal-xy and goal-z list the cells from
+; which it is met whatever the grid rounds on the way, in plans of at most
+; 1 step(s) and cells of 5 mm.
+(define (problem anywhere-1-03)
+  (:domain tabletop)
+  (:objects
+    item-01 - any-tall-narrow-11
+    start-item-01 goal-item-01 park-01 - place)
+  (:init
+    (hand-empty) (ready) (= (total-cost) 0)
+    (stands item-01 start-item-01)
+    ; goal-item-01 lies at (0.7956, 0.0695) m
+    (free goal-item-01)
+    (goal-place item-01 goal-item-01) (room item-01 goal-item-01 nowhere)
+    ; park-01 lies at (0.7061, -0.1040) m
+    (free park-01)
+    (room item-01 park-01 nowhere)
+    (can a-carry-to-000c-any-tall-narrow-11 item-01) (= (cost-of-carry-to-000c-any-tall-narrow-11 item-01) 4)
+    (= (cost-of-carry-to-001c-any-tall-narrow-11 item-01) 4)
+    (= (cost-of-carry-to-010c-any-tall-narrow-11 item-01) 7)
+    (= (cost-of-carry-to-011c-any-tall-narrow-11 item-01) 4)
+    (= (cost-of-carry-to-100d-any-tall-narrow-11 item-01) 4)
+    (= (cost-of-carry-to-101-any-tall-narrow-11 item-01) 4)
+    (= (cost-of-carry-to-110-any-tall-narrow-11 item-01) 187)
+    (= (cost-of-carry-to-111b-any-tall-narrow-11 item-01) 30))
+  (:goal (and (done item-01)))
+  (:metric minimize (total-cost)))

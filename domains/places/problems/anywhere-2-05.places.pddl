@@ -1,0 +1,45 @@
+; Problem anywhere-2-05 of the learned domain tabletop, for its encodings on a grid.
+; How it came about: anywhere, drawn with seed 6; draw 1.
+; A goal is met within 50 mm. goal-xy and goal-z list the cells from
+; which it is met whatever the grid rounds on the way, in plans of at most
+; 1 step(s) and cells of 5 mm.
+(define (problem anywhere-2-05)
+  (:domain tabletop)
+  (:objects
+    item-01 - solid-low-narrow-01
+    item-02 - solid-low-10
+    start-item-01 start-item-02 goal-item-01 goal-item-02 park-01 park-02 - place)
+  (:init
+    (hand-empty) (ready) (= (total-cost) 0)
+    (stands item-01 start-item-01)
+    (stands item-02 start-item-02)
+    ; goal-item-01 lies at (0.8196, 0.2533) m
+    (free goal-item-01)
+    (goal-place item-01 goal-item-01) (room item-01 goal-item-01 nowhere)
+    ; goal-item-02 lies at (0.7031, 0.0866) m
+    (free goal-item-02)
+    (goal-place item-02 goal-item-02) (room item-02 goal-item-02 nowhere)
+    ; park-01 lies at (0.4421, -0.2114) m
+    (free park-01)
+    (room item-01 park-01 nowhere)
+    (room item-02 park-01 nowhere)
+    ; park-02 lies at (0.7930, -0.2174) m
+    (free park-02)
+    (room item-01 park-02 nowhere)
+    (room item-02 park-02 nowhere)
+    (can a-carry-to-000-solid-low-narrow-01 item-01) (= (cost-of-carry-to-000-solid-low-narrow-01 item-01) 4)
+    (= (cost-of-carry-to-001-solid-low-narrow-01 item-01) 4)
+    (= (cost-of-carry-to-010b-solid-low-narrow-01 item-01) 4)
+    (= (cost-of-carry-to-011b-solid-low-narrow-01 item-01) 4)
+    (= (cost-of-carry-to-100b-solid-low-narrow-01 item-01) 4)
+    (= (cost-of-carry-to-101b-solid-low-narrow-01 item-01) 4)
+    (= (cost-of-carry-to-111-solid-low-narrow-01 item-01) 4)
+    (can a-carry-to-101c-solid-low-10 item-02) (= (cost-of-carry-to-101c-solid-low-10 item-02) 7)
+    (= (cost-of-carry-to-000b-solid-low-10 item-02) 171)
+    (= (cost-of-carry-to-001b-solid-low-10 item-02) 11)
+    (= (cost-of-carry-to-010-solid-low-10 item-02) 212)
+    (= (cost-of-carry-to-011-solid-low-10 item-02) 11)
+    (= (cost-of-carry-to-100c-solid-low-10 item-02) 11)
+    (= (cost-of-carry-to-111-solid-low-10 item-02) 281))
+  (:goal (and (done item-01) (done item-02)))
+  (:metric minimize (total-cost)))

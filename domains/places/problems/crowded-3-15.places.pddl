@@ -1,0 +1,66 @@
+; Problem crowded-3-15 of the learned domain tabletop, for its encodings on a grid.
+; How it came about: crowded, drawn with seed 16; draw 1.
+; A goal is met within 50 mm. goal-xy and goal-z list the cells from
+; which it is met whatever the grid rounds on the way, in plans of at most
+; 1 step(s) and cells of 5 mm.
+(define (problem crowded-3-15)
+  (:domain tabletop)
+  (:objects
+    item-01 - any-tall-narrow-11
+    item-02 - solid-low-narrow-01
+    item-03 - any-tall-narrow-11
+    start-item-01 start-item-02 start-item-03 goal-item-01 goal-item-02 goal-item-03 park-01 park-02 park-03 - place)
+  (:init
+    (hand-empty) (ready) (= (total-cost) 0)
+    (stands item-01 start-item-01)
+    (stands item-02 start-item-02)
+    (stands item-03 start-item-03)
+    ; goal-item-01 lies at (0.7035, -0.1680) m
+    (free goal-item-01)
+    (goal-place item-01 goal-item-01) (room item-01 goal-item-01 nowhere)
+    ; goal-item-02 lies at (0.4335, -0.1094) m
+    (free goal-item-02)
+    (goal-place item-02 goal-item-02) (room item-02 goal-item-02 nowhere)
+    ; goal-item-03 lies at (0.4585, 0.0880) m
+    (free goal-item-03)
+    (goal-place item-03 goal-item-03) (room item-03 goal-item-03 nowhere)
+    ; park-01 lies at (0.4608, -0.2153) m
+    (free park-01)
+    (room item-01 park-01 nowhere)
+    (room item-02 park-01 nowhere)
+    (room item-03 park-01 nowhere)
+    ; park-02 lies at (0.6053, 0.1738) m
+    (free park-02)
+    (room item-01 park-02 nowhere)
+    (room item-02 park-02 nowhere)
+    (room item-03 park-02 nowhere)
+    ; park-03 lies at (0.6500, -0.0333) m
+    (free park-03)
+    (room item-01 park-03 nowhere)
+    (room item-02 park-03 nowhere)
+    (room item-03 park-03 nowhere)
+    (can a-carry-to-000c-any-tall-narrow-11 item-01) (= (cost-of-carry-to-000c-any-tall-narrow-11 item-01) 4)
+    (= (cost-of-carry-to-001c-any-tall-narrow-11 item-01) 4)
+    (= (cost-of-carry-to-010c-any-tall-narrow-11 item-01) 11)
+    (= (cost-of-carry-to-011c-any-tall-narrow-11 item-01) 4)
+    (= (cost-of-carry-to-100d-any-tall-narrow-11 item-01) 4)
+    (= (cost-of-carry-to-101-any-tall-narrow-11 item-01) 4)
+    (= (cost-of-carry-to-110-any-tall-narrow-11 item-01) 187)
+    (= (cost-of-carry-to-111b-any-tall-narrow-11 item-01) 140)
+    (can a-carry-to-000-solid-low-narrow-01 item-02) (= (cost-of-carry-to-000-solid-low-narrow-01 item-02) 4)
+    (= (cost-of-carry-to-001-solid-low-narrow-01 item-02) 4)
+    (= (cost-of-carry-to-010b-solid-low-narrow-01 item-02) 4)
+    (= (cost-of-carry-to-011b-solid-low-narrow-01 item-02) 4)
+    (= (cost-of-carry-to-100b-solid-low-narrow-01 item-02) 4)
+    (= (cost-of-carry-to-101b-solid-low-narrow-01 item-02) 4)
+    (= (cost-of-carry-to-111-solid-low-narrow-01 item-02) 4)
+    (can a-carry-to-000c-any-tall-narrow-11 item-03) (= (cost-of-carry-to-000c-any-tall-narrow-11 item-03) 4)
+    (= (cost-of-carry-to-001c-any-tall-narrow-11 item-03) 4)
+    (= (cost-of-carry-to-010c-any-tall-narrow-11 item-03) 238)
+    (= (cost-of-carry-to-011c-any-tall-narrow-11 item-03) 4)
+    (= (cost-of-carry-to-100d-any-tall-narrow-11 item-03) 4)
+    (= (cost-of-carry-to-101-any-tall-narrow-11 item-03) 4)
+    (= (cost-of-carry-to-110-any-tall-narrow-11 item-03) 187)
+    (= (cost-of-carry-to-111b-any-tall-narrow-11 item-03) 53))
+  (:goal (and (done item-01) (done item-02) (done item-03)))
+  (:metric minimize (total-cost)))

@@ -1,0 +1,64 @@
+; Problem row-3-10 of the learned domain tabletop, for its encodings on a grid.
+; How it came about: row, drawn with seed 11; draw 1.
+; A goal is met within 50 mm. goal-xy and goal-z list the cells from
+; which it is met whatever the grid rounds on the way, in plans of at most
+; 1 step(s) and cells of 5 mm.
+(define (problem row-3-10)
+  (:domain tabletop)
+  (:objects
+    item-01 - solid-low-narrow-01
+    item-02 - solid-low-narrow-01
+    item-03 - solid-low-narrow-01
+    start-item-01 start-item-02 start-item-03 goal-item-01 goal-item-02 goal-item-03 park-01 park-02 park-03 - place)
+  (:init
+    (hand-empty) (ready) (= (total-cost) 0)
+    (stands item-01 start-item-01)
+    (stands item-02 start-item-02)
+    (stands item-03 start-item-03)
+    ; goal-item-01 lies at (0.6500, -0.0929) m
+    (free goal-item-01)
+    (goal-place item-01 goal-item-01) (room item-01 goal-item-01 nowhere)
+    ; goal-item-02 lies at (0.6500, -0.0011) m
+    (free goal-item-02)
+    (goal-place item-02 goal-item-02) (room item-02 goal-item-02 start-item-03) (look-next item-02 goal-item-02 start-item-03 nowhere)
+    ; goal-item-03 lies at (0.6500, 0.0919) m
+    (free goal-item-03)
+    (goal-place item-03 goal-item-03) (room item-03 goal-item-03 nowhere)
+    ; park-01 lies at (0.4582, -0.2444) m
+    (free park-01)
+    (room item-01 park-01 nowhere)
+    (room item-02 park-01 nowhere)
+    (room item-03 park-01 nowhere)
+    ; park-02 lies at (0.6682, 0.2199) m
+    (free park-02)
+    (room item-01 park-02 nowhere)
+    (room item-02 park-02 nowhere)
+    (room item-03 park-02 nowhere)
+    ; park-03 lies at (0.7819, -0.2514) m
+    (free park-03)
+    (room item-01 park-03 nowhere)
+    (room item-02 park-03 nowhere)
+    (room item-03 park-03 nowhere)
+    (can a-carry-to-000-solid-low-narrow-01 item-01) (= (cost-of-carry-to-000-solid-low-narrow-01 item-01) 4)
+    (= (cost-of-carry-to-001-solid-low-narrow-01 item-01) 4)
+    (= (cost-of-carry-to-010b-solid-low-narrow-01 item-01) 4)
+    (= (cost-of-carry-to-011b-solid-low-narrow-01 item-01) 4)
+    (= (cost-of-carry-to-100b-solid-low-narrow-01 item-01) 4)
+    (= (cost-of-carry-to-101b-solid-low-narrow-01 item-01) 4)
+    (= (cost-of-carry-to-111-solid-low-narrow-01 item-01) 4)
+    (can a-carry-to-000-solid-low-narrow-01 item-02) (= (cost-of-carry-to-000-solid-low-narrow-01 item-02) 4)
+    (= (cost-of-carry-to-001-solid-low-narrow-01 item-02) 4)
+    (= (cost-of-carry-to-010b-solid-low-narrow-01 item-02) 4)
+    (= (cost-of-carry-to-011b-solid-low-narrow-01 item-02) 4)
+    (= (cost-of-carry-to-100b-solid-low-narrow-01 item-02) 4)
+    (= (cost-of-carry-to-101b-solid-low-narrow-01 item-02) 4)
+    (= (cost-of-carry-to-111-solid-low-narrow-01 item-02) 4)
+    (can a-carry-to-000-solid-low-narrow-01 item-03) (= (cost-of-carry-to-000-solid-low-narrow-01 item-03) 4)
+    (= (cost-of-carry-to-001-solid-low-narrow-01 item-03) 4)
+    (= (cost-of-carry-to-010b-solid-low-narrow-01 item-03) 4)
+    (= (cost-of-carry-to-011b-solid-low-narrow-01 item-03) 4)
+    (= (cost-of-carry-to-100b-solid-low-narrow-01 item-03) 4)
+    (= (cost-of-carry-to-101b-solid-low-narrow-01 item-03) 4)
+    (= (cost-of-carry-to-111-solid-low-narrow-01 item-03) 4))
+  (:goal (and (done item-01) (done item-02) (done item-03)))
+  (:metric minimize (total-cost)))

@@ -1,0 +1,88 @@
+; Problem row-4-11 of the learned domain tabletop, for its encodings on a grid.
+; How it came about: row, drawn with seed 12; draw 3.
+; A goal is met within 50 mm. goal-xy and goal-z list the cells from
+; which it is met whatever the grid rounds on the way, in plans of at most
+; 1 step(s) and cells of 5 mm.
+(define (problem row-4-11)
+  (:domain tabletop)
+  (:objects
+    item-01 - solid-low-narrow-01
+    item-02 - any-tall-narrow-11
+    item-03 - hollow-wide-00
+    item-04 - any-tall-narrow-11
+    start-item-01 start-item-02 start-item-03 start-item-04 goal-item-01 goal-item-02 goal-item-03 goal-item-04 park-01 park-02 park-03 park-04 - place)
+  (:init
+    (hand-empty) (ready) (= (total-cost) 0)
+    (stands item-01 start-item-01)
+    (stands item-02 start-item-02)
+    (stands item-03 start-item-03)
+    (stands item-04 start-item-04)
+    ; goal-item-01 lies at (0.6500, -0.2624) m
+    (free goal-item-01)
+    (goal-place item-01 goal-item-01) (room item-01 goal-item-01 nowhere)
+    ; goal-item-02 lies at (0.6500, -0.1521) m
+    (free goal-item-02)
+    (goal-place item-02 goal-item-02) (room item-02 goal-item-02 start-item-04) (look-next item-02 goal-item-02 start-item-04 nowhere)
+    ; goal-item-03 lies at (0.6500, 0.0246) m
+    (free goal-item-03)
+    (goal-place item-03 goal-item-03) (room item-03 goal-item-03 start-item-01) (look-next item-03 goal-item-03 start-item-01 nowhere)
+    ; goal-item-04 lies at (0.6500, 0.2177) m
+    (free goal-item-04)
+    (goal-place item-04 goal-item-04) (room item-04 goal-item-04 start-item-02) (look-next item-04 goal-item-04 start-item-02 nowhere)
+    ; park-01 lies at (0.8458, 0.1514) m
+    (free park-01)
+    (room item-01 park-01 nowhere)
+    (room item-02 park-01 nowhere)
+    (room item-03 park-01 nowhere)
+    (room item-04 park-01 nowhere)
+    ; park-02 lies at (0.4699, -0.1910) m
+    (free park-02)
+    (room item-01 park-02 nowhere)
+    (room item-02 park-02 nowhere)
+    (room item-03 park-02 nowhere)
+    (room item-04 park-02 nowhere)
+    ; park-03 lies at (0.4586, -0.0067) m
+    (free park-03)
+    (room item-01 park-03 nowhere)
+    (room item-02 park-03 nowhere)
+    (room item-03 park-03 nowhere)
+    (room item-04 park-03 nowhere)
+    ; park-04 lies at (0.7948, -0.2626) m
+    (free park-04)
+    (room item-01 park-04 nowhere)
+    (room item-02 park-04 start-item-04) (look-next item-02 park-04 start-item-04 nowhere)
+    (room item-03 park-04 start-item-04) (look-next item-03 park-04 start-item-04 nowhere)
+    (room item-04 park-04 nowhere)
+    (can a-carry-to-000-solid-low-narrow-01 item-01) (= (cost-of-carry-to-000-solid-low-narrow-01 item-01) 4)
+    (= (cost-of-carry-to-001-solid-low-narrow-01 item-01) 4)
+    (= (cost-of-carry-to-010b-solid-low-narrow-01 item-01) 4)
+    (= (cost-of-carry-to-011b-solid-low-narrow-01 item-01) 4)
+    (= (cost-of-carry-to-100b-solid-low-narrow-01 item-01) 4)
+    (= (cost-of-carry-to-101b-solid-low-narrow-01 item-01) 4)
+    (= (cost-of-carry-to-111-solid-low-narrow-01 item-01) 4)
+    (can a-carry-to-000c-any-tall-narrow-11 item-02) (= (cost-of-carry-to-000c-any-tall-narrow-11 item-02) 4)
+    (= (cost-of-carry-to-001c-any-tall-narrow-11 item-02) 4)
+    (= (cost-of-carry-to-010c-any-tall-narrow-11 item-02) 7)
+    (= (cost-of-carry-to-011c-any-tall-narrow-11 item-02) 4)
+    (= (cost-of-carry-to-100d-any-tall-narrow-11 item-02) 4)
+    (= (cost-of-carry-to-101-any-tall-narrow-11 item-02) 4)
+    (= (cost-of-carry-to-110-any-tall-narrow-11 item-02) 187)
+    (= (cost-of-carry-to-111b-any-tall-narrow-11 item-02) 187)
+    (can a-carry-to-011a-hollow-wide-00 item-03) (= (cost-of-carry-to-011a-hollow-wide-00 item-03) 4)
+    (= (cost-of-carry-to-000a-hollow-wide-00 item-03) 117)
+    (= (cost-of-carry-to-001a-hollow-wide-00 item-03) 238)
+    (= (cost-of-carry-to-010a-hollow-wide-00 item-03) 48)
+    (= (cost-of-carry-to-100a-hollow-wide-00 item-03) 7)
+    (= (cost-of-carry-to-101a-hollow-wide-00 item-03) 7)
+    (= (cost-of-carry-to-110a-hollow-wide-00 item-03) 278)
+    (= (cost-of-carry-to-111a-hollow-wide-00 item-03) 11)
+    (can a-carry-to-000c-any-tall-narrow-11 item-04) (= (cost-of-carry-to-000c-any-tall-narrow-11 item-04) 4)
+    (= (cost-of-carry-to-001c-any-tall-narrow-11 item-04) 4)
+    (= (cost-of-carry-to-010c-any-tall-narrow-11 item-04) 11)
+    (= (cost-of-carry-to-011c-any-tall-narrow-11 item-04) 4)
+    (= (cost-of-carry-to-100d-any-tall-narrow-11 item-04) 4)
+    (= (cost-of-carry-to-101-any-tall-narrow-11 item-04) 4)
+    (= (cost-of-carry-to-110-any-tall-narrow-11 item-04) 187)
+    (= (cost-of-carry-to-111b-any-tall-narrow-11 item-04) 22))
+  (:goal (and (done item-01) (done item-02) (done item-03) (done item-04)))
+  (:metric minimize (total-cost)))

@@ -1,0 +1,45 @@
+; Problem swap-2-07 of the learned domain tabletop, for its encodings on a grid.
+; How it came about: swap, drawn with seed 8; draw 1.
+; A goal is met within 50 mm. goal-xy and goal-z list the cells from
+; which it is met whatever the grid rounds on the way, in plans of at most
+; 1 step(s) and cells of 5 mm.
+(define (problem swap-2-07)
+  (:domain tabletop)
+  (:objects
+    item-01 - solid-low-narrow-01
+    item-02 - solid-low-narrow-01
+    start-item-01 start-item-02 goal-item-01 goal-item-02 park-01 park-02 - place)
+  (:init
+    (hand-empty) (ready) (= (total-cost) 0)
+    (stands item-01 start-item-01)
+    (stands item-02 start-item-02)
+    ; goal-item-01 lies at (0.7783, -0.2010) m
+    (free goal-item-01)
+    (goal-place item-01 goal-item-01) (room item-01 goal-item-01 start-item-02) (look-next item-01 goal-item-01 start-item-02 nowhere)
+    ; goal-item-02 lies at (0.6246, -0.0402) m
+    (free goal-item-02)
+    (goal-place item-02 goal-item-02) (room item-02 goal-item-02 start-item-01) (look-next item-02 goal-item-02 start-item-01 nowhere)
+    ; park-01 lies at (0.4532, -0.2424) m
+    (free park-01)
+    (room item-01 park-01 nowhere)
+    (room item-02 park-01 nowhere)
+    ; park-02 lies at (0.7843, 0.2069) m
+    (free park-02)
+    (room item-01 park-02 nowhere)
+    (room item-02 park-02 nowhere)
+    (can a-carry-to-000-solid-low-narrow-01 item-01) (= (cost-of-carry-to-000-solid-low-narrow-01 item-01) 4)
+    (= (cost-of-carry-to-001-solid-low-narrow-01 item-01) 4)
+    (= (cost-of-carry-to-010b-solid-low-narrow-01 item-01) 4)
+    (= (cost-of-carry-to-011b-solid-low-narrow-01 item-01) 4)
+    (= (cost-of-carry-to-100b-solid-low-narrow-01 item-01) 4)
+    (= (cost-of-carry-to-101b-solid-low-narrow-01 item-01) 4)
+    (= (cost-of-carry-to-111-solid-low-narrow-01 item-01) 4)
+    (can a-carry-to-000-solid-low-narrow-01 item-02) (= (cost-of-carry-to-000-solid-low-narrow-01 item-02) 4)
+    (= (cost-of-carry-to-001-solid-low-narrow-01 item-02) 4)
+    (= (cost-of-carry-to-010b-solid-low-narrow-01 item-02) 4)
+    (= (cost-of-carry-to-011b-solid-low-narrow-01 item-02) 4)
+    (= (cost-of-carry-to-100b-solid-low-narrow-01 item-02) 4)
+    (= (cost-of-carry-to-101b-solid-low-narrow-01 item-02) 4)
+    (= (cost-of-carry-to-111-solid-low-narrow-01 item-02) 4))
+  (:goal (and (done item-01) (done item-02)))
+  (:metric minimize (total-cost)))

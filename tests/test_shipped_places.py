@@ -1,0 +1,64 @@
+"""`domains/places` as it is shipped: complete, true to its record, and its runs can be run again."""
+
+import pytest
+from places import ROOT
+
+from neurosym.execution.record import Run
+from neurosym.execution.rerun import compare_runs, rerun
+from neurosym.grounding import Grounding
+from neurosym.pddl import domain_text, problem_text
+from neurosym.pddl.moves import PLACES
+from neurosym.pddl.place_problem import carried_objects
+from neurosym.planners import PlanStatus
+from neurosym.planners.fast_downward import plan_fast_downward
+from neurosym.reading import digest, read_json
+from neurosym.stages.folder import DomainFolder
+from neurosym.stages.planning import load_problem
+from neurosym.worlds.world_file import read_world
+
+FOLDER = DomainFolder(ROOT / "domains" / "places")
+GROUNDING = Grounding.load(FOLDER / "grounding.json")
+NAMES = FOLDER.problem_names()
+SWAP = "swap-2-07"
+
+
+def test_files_are_those_that_the_record_tells_of():
+    stages = FOLDER.manifest().stages
+    assert stages["explore"].options["steps"] + stages["explore-places"].options["steps"] == 10_000
+    for record in stages.values():
+        for name, recorded in {**record.inputs, **record.outputs}.items():
+            assert digest(FOLDER / name) == recorded, name
+
+
+def test_problems_are_all_that_people_bring_with_one_to_eight_objects():
+    sizes = [len(load_problem(FOLDER, name).objects) for name in NAMES]
+    assert len(NAMES) == 20
+    assert {min(sizes), max(sizes)} == {1, 8}
+    assert {name.split("-")[0] for name in NAMES} == {"anywhere", "swap", "row", "crowded"}
+
+
+def test_text_is_what_the_compiler_prints_from_the_table():
+    assert (FOLDER / "domain-places.pddl").read_text() == domain_text(GROUNDING, PLACES)
+    for name in NAMES:
+        printed = problem_text(load_problem(FOLDER, name), GROUNDING, PLACES)
+        assert (FOLDER / f"problems/{name}.places.pddl").read_text() == printed, name
+
+
+def test_what_can_be_grasped_is_carried():
+    names = [name for name in NAMES if carried_objects(load_problem(FOLDER, name), GROUNDING)]
+    assert len(names) >= 18
+
+
+def test_fast_downward_takes_the_files_unchanged():
+    task = FOLDER / f"problems/{SWAP}.places.pddl"
+    answer = plan_fast_downward(FOLDER / "domain-places.pddl", task, time_limit=60.0)
+    assert answer.status is PlanStatus.SOLVED
+    assert answer.text.count("carry-to") >= 3, "one waits while the other is carried"
+
+
+@pytest.mark.parametrize("name", [NAMES[0], SWAP])
+def test_run_happens_again(name):
+    run = read_json(FOLDER / f"runs/{name}.fast-downward.run.json", Run)
+    again = rerun(read_world(FOLDER / "world.toml")(), load_problem(FOLDER, name), GROUNDING, run)
+    assert run.reached
+    assert compare_runs(run, again).course != "another"
