@@ -13,8 +13,8 @@ from neurosym.pddl.validation import validate
 from neurosym.planners import PlanStatus, plan
 from neurosym.planners.fast_downward import plan_fast_downward
 from neurosym.reading import digest, read_json
+from neurosym.stages.folder import load_scene
 from neurosym.stages.plan_records import PlanRecord
-from neurosym.stages.planning import load_problem
 
 NAMES = FOLDER.problem_names()
 
@@ -27,7 +27,7 @@ SOLVED = [name for name in NAMES if shipped_plan(name).solved]
 
 
 def test_there_are_twenty_problems_of_rising_size():
-    sizes = [len(load_problem(FOLDER, name).objects) for name in NAMES]
+    sizes = [len(load_scene(FOLDER / f"problems/{name}.scene.json").objects) for name in NAMES]
     assert len(sizes) == 20
     assert sizes == sorted(sizes)
     assert (sizes[0], sizes[-1]) == (1, 8)
@@ -52,7 +52,7 @@ def test_text_is_what_the_compiler_prints_from_the_table():
     assert (FOLDER / "domain-operators.pddl").read_text() == domain_text(GROUNDING, "operators")
     assert (FOLDER / "domain-numeric.pddl").read_text() == domain_text(GROUNDING, "numeric")
     for name in NAMES:
-        problem = load_problem(FOLDER, name)
+        problem = load_scene(FOLDER / f"problems/{name}.scene.json")
         for ending, encoding in ((".pddl", "stepwise"), (".numeric.pddl", "numeric")):
             printed = problem_text(problem, GROUNDING, encoding)
             assert (FOLDER / f"problems/{name}{ending}").read_text() == printed
@@ -82,7 +82,7 @@ def test_unified_planning_takes_the_files_unchanged(name):
 
 @pytest.mark.parametrize("name", [*SOLVED[:2], *SOLVED[-2:]])
 def test_plan_found_now_is_true_when_replayed(name):
-    problem = load_problem(FOLDER, name)
+    problem = load_scene(FOLDER / f"problems/{name}.scene.json")
     result = plan(problem, GROUNDING)
     assert result.status is PlanStatus.SOLVED
     assert validate(result.steps, problem, GROUNDING).valid

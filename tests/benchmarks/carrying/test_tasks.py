@@ -9,7 +9,7 @@ from places import SHIPPED
 from neurosym.evaluation.comparison_tasks import Bench
 from neurosym.stages.folder import DomainFolder
 from tools.benchmarks.carrying import tasks
-from tools.benchmarks.carrying.evaluate import KEPT, cells, keep, restore
+from tools.benchmarks.carrying.evaluate import KEPT, keep, restore
 
 
 @cache
@@ -32,7 +32,7 @@ def test_far_goals_of_graspable_objects_are_drawn_until_all_can_be_grasped():
 
 
 def test_every_cell_of_the_table_draws_tasks():
-    for name, draw, count in cells(0.01):
+    for name, draw, count in tasks.cells(0.01):
         assert count == 1
         assert draw(bench(), 7).goals, name
 

@@ -5,10 +5,11 @@ nothing was chosen on: goals anywhere on the table for one to eight objects, swa
 where it was interrupted: what was tried, and what it takes to try more, is kept beside the results.
 """
 
+import filecmp
 import math
 import os
 import shutil
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from functools import partial
 from pathlib import Path
 from statistics import mean, median
@@ -51,37 +52,6 @@ BLOCK = 5
 """Tasks in one job."""
 RIGHT, WITHIN = 0.9, 0.015
 """A domain can carry if some operator symbol ends graspable objects so often so near to its mean [m]."""
-NEAR = 0.02
-"""The smaller tolerance [m]."""
-
-Cell = tuple[str, Callable[..., Any], int]
-"""What a cell of the table is called, what draws its tasks, and how many there are for each seed."""
-
-
-def cells(scale: float) -> tuple[Cell, ...]:
-    """List what is tried.
-
-    Args:
-        scale: How many tasks, as a share of the full number.
-    """
-
-    def some(count: int) -> int:
-        return max(1, round(count * scale))
-
-    of_size = {1: some(40), 2: some(20), 4: some(20), 8: some(10)}
-    return (
-        *((f"graspable {n}", partial(_far, n, True, None), count) for n, count in of_size.items()),
-        *((f"graspable {n}, 20 mm", partial(_far, n, True, NEAR), count) for n, count in of_size.items()),
-        *((f"all {n}", partial(_far, n, False, None), count) for n, count in of_size.items()),
-        ("swap", tasks.swap, some(20)),
-        ("row", tasks.row, some(20)),
-        ("crowded", tasks.crowded, some(20)),
-    )
-
-
-def _far(objects: int, graspable: bool, tolerance: float | None, bench: Any, seed: int) -> Any:
-    within = {} if tolerance is None else {"tolerance": tolerance}
-    return tasks.far(bench, objects, seed, graspable=graspable, **within)
 
 
 def main(
@@ -103,20 +73,42 @@ def main(
         learning = {f"learn-{seed}": partial(learn, folder, seed, steps, places)}
         perform(work / "jobs", learning, workers, lambda: None, label=f"seed {seed}, learning")
         keep(work, results / DOMAINS)
-        tried[seed] = {cell[0]: _jobs(folder, seed, cell) for cell in cells(scale)}
+        tried[seed] = {cell[0]: _jobs(folder, seed, cell) for cell in tasks.cells(scale)}
         every = {name: job for jobs in tried[seed].values() for name, job in jobs.items()}
-        perform(work / "jobs", every, workers, lambda: None, label=f"seed {seed}, tasks")
-        pack(work / "jobs", results / RECORDS)
-        found = load_jobs(work / "jobs")
-        trials = {cell[0]: [_trials(found, of[cell[0]]) for of in tried.values()] for cell in cells(scale)}
-        summary = summarise(found, trials, seeds=seed, steps=steps, places=places)
-        write_atomically(results / "places.json", as_text(summary))
-        write_atomically(results / "places.md", page(summary))
+        report = partial(write_results, work, results, tried, steps=steps, places=places)
+        perform(work / "jobs", every, workers, report, label=f"seed {seed}, tasks")
+        report()
     say(f"wrote {results / 'places.md'}")
 
 
+def write_results(
+    work: Path,
+    results: Path,
+    tried: Mapping[int, Mapping[str, Mapping[str, Job]]],
+    *,
+    steps: int,
+    places: int,
+) -> None:
+    """Write the tables, and what they are made from, of as much as was tried so far.
+
+    Args:
+        work: The working folder.
+        results: Folder for the tables.
+        tried: The jobs of each seed, by the cell of the table.
+        steps: Interactions of each exploration.
+        places: Interactions besides that were aimed at places.
+    """
+    pack(work / "jobs", results / RECORDS)
+    found = load_jobs(work / "jobs")
+    names = next(iter(tried.values()))
+    trials = {name: [_trials(found, of[name]) for of in tried.values()] for name in names}
+    summary = summarise(found, trials, seeds=len(tried), steps=steps, places=places)
+    write_atomically(results / "places.json", as_text(summary))
+    write_atomically(results / "places.md", page(summary))
+
+
 def keep(work: Path, archive: Path) -> None:
-    """Put what it takes to try the learned domains into an archive.
+    """Put what it takes to try the learned domains into an archive, but for the one that is shipped.
 
     Args:
         work: The working folder.
@@ -124,9 +116,15 @@ def keep(work: Path, archive: Path) -> None:
     """
     with TemporaryDirectory() as flat:
         for path in work.glob("seed-*/*"):
-            if path.name in KEPT and (path.parent / GROUNDING).exists():
+            if path.name in KEPT and is_worth_keeping(path.parent / GROUNDING):
                 shutil.copy(path, Path(flat) / f"{path.parent.name}.{path.name}")
         pack(Path(flat), archive, "seed-*")
+
+
+def is_worth_keeping(grounding: Path) -> bool:
+    """Say whether a domain was learned, and is not the shipped one."""
+    shipped = SHIPPED / GROUNDING
+    return grounding.exists() and not (shipped.exists() and filecmp.cmp(grounding, shipped, shallow=False))
 
 
 def restore(archive: Path, work: Path) -> None:
@@ -212,7 +210,7 @@ def carries(table: OperatorTable) -> dict[str, Any]:
     return best
 
 
-def _jobs(folder: Path, seed: int, cell: Cell) -> dict[str, Job]:
+def _jobs(folder: Path, seed: int, cell: tasks.Cell) -> dict[str, Job]:
     name, draw, count = cell
     slug = name.replace(", ", "-").replace(" ", "-")
     first = FIRST_TASK + 10_000 * seed

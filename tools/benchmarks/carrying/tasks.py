@@ -14,6 +14,8 @@ from tools.benchmarks.world.hand_written import carry_to
 
 Draw = Callable[[Bench, int], Problem]
 """Draws the task of a seed."""
+NEAR = 0.02
+"""The smaller tolerance [m]."""
 
 
 def is_graspable(features: Float[np.ndarray, " F"]) -> bool:
@@ -36,3 +38,32 @@ row: Draw = partial(_graspable, "row", 4)
 """Draws four objects that shall stand in a row."""
 crowded: Draw = partial(_graspable, "crowded", 4)
 """Draws a crowd of four objects that is to be cleared."""
+
+Cell = tuple[str, Draw, int]
+"""What a cell of the table is called, what draws its tasks, and how many there are for each seed."""
+
+
+def cells(scale: float) -> tuple[Cell, ...]:
+    """List what is tried.
+
+    Args:
+        scale: How many tasks, as a share of the full number.
+    """
+
+    def some(count: int) -> int:
+        return max(1, round(count * scale))
+
+    of_size = {1: some(40), 2: some(20), 4: some(20), 8: some(10)}
+    return (
+        *((f"graspable {n}", partial(_far, n, True, None), count) for n, count in of_size.items()),
+        *((f"graspable {n}, 20 mm", partial(_far, n, True, NEAR), count) for n, count in of_size.items()),
+        *((f"all {n}", partial(_far, n, False, None), count) for n, count in of_size.items()),
+        ("swap", swap, some(20)),
+        ("row", row, some(20)),
+        ("crowded", crowded, some(20)),
+    )
+
+
+def _far(objects: int, graspable: bool, tolerance: float | None, bench: Bench, seed: int) -> Problem:
+    within = {} if tolerance is None else {"tolerance": tolerance}
+    return far(bench, objects, seed, graspable=graspable, **within)
