@@ -150,6 +150,12 @@ class Problem(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
         lows, highs = np.minimum(low, spots), np.maximum(high, spots)
         return np.stack([np.where(near, lows, low) - rounded, np.where(near, highs, high) + rounded])
 
+    @property
+    def unmet(self) -> tuple[str, ...]:
+        """Names of the objects that do not stand at their goals."""
+        misses = self.distances(self.scene().positions)
+        return tuple(name for name, miss in misses.items() if miss > self.tolerance)
+
     def distances(self, positions: Float[np.ndarray, "M 3"]) -> dict[str, float]:
         """Measure how far each object with a goal is from it [m].
 

@@ -70,10 +70,11 @@ def sections(folder: DomainFolder) -> list[str]:
     return [
         "# The tabletop domain, with places",
         "Objects that the hand can grasp are carried to their goals in one motion, wherever on the table "
-        f"these are. Learned with the paper's budget: {STEPS:,} interactions of a UR10 as in "
-        f"[domains/tabletop](../tabletop/README.md), and {PLACES:,} more, each aimed at a place drawn from "
-        "the whole table: one in five, for one action is to be found that carries, and the others have many "
-        "things to tell. `tools/relearn_places.py` writes this file from what it measured; nothing in this "
+        f"these are. The robot learned with the paper's budget. {STEPS:,} interactions are as in "
+        f"[domains/tabletop](../tabletop/README.md). {PLACES:,} more were each aimed at a place drawn "
+        "from the whole table. That is one in five: one action is to be found that carries, "
+        "and the others have many "
+        "things to tell. `tools/relearn_places.py` writes this file from what it measured. Nothing in this "
         "folder is edited by hand, and no problem was removed.",
         "## How it was made",
         f"`python -m tools.relearn_places`, that is `{command}` and then its problems. Minutes on 2 cores:",
@@ -88,11 +89,12 @@ def sections(folder: DomainFolder) -> list[str]:
         "[domain-operators.pddl](domain-operators.pddl), and `neurosym explain` tells it in words.",
         operators_table(grounding.places.operators.operators, grounding),
         "## Problems",
-        f"Problem number i is drawn with seed {SEED} + i: goals anywhere on the table at least 15 cm away, "
-        "two or three that change places, rows across the table, crowds with gaps under 5 cm. Objects are of "
-        "all shapes; some can only be pushed. *Reached*: whether every object ended within 50 mm of its goal "
-        "in the simulator, planned anew where a step did something else. Breadth-first search knows no "
-        "places, and is not asked.",
+        f"Problem number i is drawn with seed {SEED} + i. In *anywhere*, goals lie all over the table, at "
+        "least 15 cm away. In *swap*, two or three objects change places. A *row* goes across the "
+        "table, and in a "
+        "*crowd* objects stand within 5 cm of the next. Objects are of all shapes; some can only be pushed. "
+        "*Reached*: whether every object ended within 50 mm of its goal in the simulator, planned anew where "
+        "a step did something else. Breadth-first search knows no places, and is not asked.",
         *problems_table(folder, (PLANNER,)),
     ]
 

@@ -10,7 +10,6 @@ from neurosym.execution.experience import Experience, believed_name, learned_nam
 from neurosym.pddl.place_problem import carried_objects
 from neurosym.pddl.plan_text import PlanStep, primitives
 from neurosym.pddl.validation import Validation, validate
-from neurosym.planners.by_places import unmet
 from neurosym.planners.registry import Replanner
 from neurosym.planners.result import PlanStatus
 from neurosym.problems import Problem
@@ -147,7 +146,7 @@ def _for_fewer(problem: Problem, experience: Experience) -> Iterator[Problem]:
     """List problems with fewer goals: all that can be carried to, and then those met now and one more."""
     believed, grounding = experience.believed(problem)
     carried = [name for name in carried_objects(believed, grounding) if name in problem.goals]
-    missed = sorted(unmet(problem), key=lambda name: (name not in carried, name))
+    missed = sorted(problem.unmet, key=lambda name: (name not in carried, name))
     met = problem.goals.keys() - set(missed)
     every = {*met, *carried}
     for names in (every, *({*met, name} for name in missed)):

@@ -36,8 +36,8 @@ def goal_spots(problem: Problem, table: Table, names: tuple[str, ...]) -> dict[s
     if not names:
         return {}
     here = problem.scene().positions
-    at_goal = {name for name, miss in problem.distances(here).items() if miss <= problem.tolerance}
-    stays = [name not in problem.goals or name in at_goal for name in problem.object_names]
+    unmet = problem.unmet
+    stays = [name not in unmet for name in problem.object_names]
     chosen = [row for row, name in enumerate(problem.object_names) if stays[row] or name in names]
     moves = np.array([not stays[row] for row in chosen], dtype=bool)  # (M,)
     goals = np.array(

@@ -5,7 +5,6 @@ What is led then keeps clear of what was carried, which a plan for all at once d
 
 import dataclasses
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from itertools import product
 
 import msgspec
 import numpy as np
@@ -16,7 +15,6 @@ from neurosym.operators import Vector, vector
 from neurosym.pddl.footprints import footprints_apart
 from neurosym.pddl.place_problem import carried_objects
 from neurosym.pddl.places import PARK, with_places
-from neurosym.pddl.plan_text import PlanStep
 from neurosym.pddl.validation import validate
 from neurosym.planners.result import PlanResult, PlanStatus
 from neurosym.problems import Problem, SceneObject
@@ -51,24 +49,42 @@ def plan_in_turns(problem: Problem, grounding: Grounding, carry: _Solve, lead: _
     result = PlanResult(PlanStatus.FAILED, (), 0.0, "everything that has a goal can be carried")
     if not led:
         return result
-    befores = _carried_before(problem, grounding, can_be, carried, led, lead)
-    for before, near in product(befores, (1.0, NEARER)):
-        now, steps = problem, list[PlanStep]()
-        for solve, goals, share in ((carry, before, 1.0), (lead, led, near), (carry, carried, 1.0)):
-            task = msgspec.structs.replace(now, goals=dict(goals), tolerance=share * problem.tolerance)
-            if not goals or task.is_met(task.scene().positions):
+    for before in _carried_before(problem, grounding, can_be, carried, led, lead):
+        first, begun = _turn(carry, problem, before, problem.tolerance, grounding)
+        if first.status is not PlanStatus.SOLVED:
+            result = first
+            continue
+        for near in (1.0, NEARER):
+            second, now = _turn(lead, begun, led, near * problem.tolerance, grounding)
+            if second.status is not PlanStatus.SOLVED:
+                result = second
                 continue
-            result = solve(task)
-            if result.status is not PlanStatus.SOLVED:
-                break
-            steps += result.steps
-            now = _after(result.steps, task, grounding)
-        else:
+            third, _ = _turn(carry, now, carried, problem.tolerance, grounding)
+            if third.status is not PlanStatus.SOLVED:
+                result = third
+                continue
+            steps = (*first.steps, *second.steps, *third.steps)
             checked = validate(steps, problem, grounding)
             if checked.valid:
-                return dataclasses.replace(result, steps=tuple(steps))
-            result = dataclasses.replace(result, status=PlanStatus.FAILED, steps=(), reason=checked.reason)
+                return dataclasses.replace(third, steps=steps)
+            result = dataclasses.replace(third, status=PlanStatus.FAILED, steps=(), reason=checked.reason)
     return result
+
+
+def _turn(
+    solve: _Solve, problem: Problem, goals: _Goals, tolerance: float, grounding: Grounding
+) -> tuple[PlanResult, Problem]:
+    """Plan for some goals, and return the plan and the problem with the objects where it leads them."""
+    task = msgspec.structs.replace(problem, goals=dict(goals), tolerance=tolerance)
+    if not goals or not task.unmet:
+        return PlanResult(PlanStatus.SOLVED, (), 0.0), problem
+    result = solve(task)
+    if result.status is not PlanStatus.SOLVED:
+        return result, problem
+    ends = validate(result.steps, task, grounding).positions[-1]
+    moved = zip(problem.objects, map(vector, ends), strict=True)
+    objects = tuple(msgspec.structs.replace(item, position=end) for item, end in moved)
+    return result, msgspec.structs.replace(problem, objects=objects)
 
 
 def _carried_before(
@@ -121,11 +137,3 @@ def _out_of_the_way(
                 parks.remove(free[0])
                 before[name] = (*free[0], problem.object_named(name).position[2])
     return before, {name: goal for name, goal in before.items() if name in in_it}
-
-
-def _after(steps: Sequence[PlanStep], problem: Problem, grounding: Grounding) -> Problem:
-    """Return a problem with the objects where a plan leads them."""
-    ends = validate(steps, problem, grounding).positions[-1]
-    moved = zip(problem.objects, map(vector, ends), strict=True)
-    objects = tuple(msgspec.structs.replace(item, position=end) for item, end in moved)
-    return msgspec.structs.replace(problem, objects=objects)

@@ -29,7 +29,7 @@ from neurosym.pddl.problem import STEPS, problem_text
 from neurosym.pddl.sas import sas_text
 from neurosym.planners.aiming import aim
 from neurosym.planners.around import plan_around
-from neurosym.planners.by_places import MOST_LED, is_by_places, not_found, not_proved, plan_by_places, unmet
+from neurosym.planners.by_places import MOST_LED, is_by_places, not_found, not_proved, plan_by_places
 from neurosym.planners.edges import away_from_edges
 from neurosym.planners.effort import TimeIsUp, check_time, within
 from neurosym.planners.fast_downward import PLACES_SUFFIX, SAS_SUFFIX
@@ -168,7 +168,7 @@ class _Asked:
         turns = plan_in_turns(problem, grounding, partial(carry, slack=_Slack(STEPS)), lead)
         if turns.status is PlanStatus.SOLVED:
             return turns
-        if len(unmet(problem)) > MOST_LED:
+        if len(problem.unmet) > MOST_LED:
             return not_found(result)
         return not_proved(self._over_cells(problem, deadline))
 

@@ -5,6 +5,7 @@ from statistics import mean, stdev
 from typing import Any
 
 from neurosym.markdown import markdown_table
+from neurosym.wording import counted
 
 
 def page(summary: Mapping[str, Any]) -> str:
@@ -30,11 +31,13 @@ def page(summary: Mapping[str, Any]) -> str:
     ]
     sections = [
         "# Carried to places",
-        f"`{summary['command']}` wrote this page. {summary['seeds']} seeds, each with {summary['steps']} "
-        f"interactions and {summary['places']} more that were aimed at places; Fast Downward; means and "
+        f"`{summary['command']}` wrote this page. {counted(summary['seeds'], 'seed')}, each with "
+        f"{summary['steps']} interactions and {summary['places']} more that were aimed at places; Fast "
+        "Downward; means and "
         "standard deviations of the seeds. Goals lie anywhere on the table, at least 15 cm away. *Graspable* "
         "are objects that an action written by hand can grasp. Within 50 mm where nothing else is said. In a "
-        "*crowd*, objects stand within 5 cm of the next. *Motions* are primitives that were performed.",
+        "*crowd*, objects stand within 5 cm of the next. *Motions* are primitives that were performed. "
+        "A cell without figures was not tried yet.",
         markdown_table(
             ["tasks", "number", "followed blindly", "with replanning", "motions: median, most"], rows
         ),
