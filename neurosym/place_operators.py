@@ -17,8 +17,8 @@ NEVER_CARRIES = "never carries"
 """Why an operator is not in the domain."""
 
 
-class Occupied(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
-    """How an operator turned out where another object stood on the place.
+class Kept(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
+    """How an operator turned out where there were other objects.
 
     Attributes:
         name: Name of the operator.
@@ -33,6 +33,11 @@ class Occupied(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     def __post_init__(self) -> None:
         check_fields(self)
 
+    @property
+    def share(self) -> float:
+        """The share that ended so; 1 if there were no rehearsals."""
+        return self.kept / self.trials if self.trials else 1.0
+
 
 class PlaceOperators(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     """Operators that carry objects to places.
@@ -40,11 +45,13 @@ class PlaceOperators(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     Attributes:
         operators: What each primitive does to each category; effects are relative to the place.
         occupied: How they turned out where another object stood on the place.
+        beside: How they turned out where others stood close around the object.
         format: Version of this table.
     """
 
     operators: OperatorTable
-    occupied: tuple[Occupied, ...] = ()
+    occupied: tuple[Kept, ...] = ()
+    beside: tuple[Kept, ...] = ()
     format: str = FORMAT
 
     def __post_init__(self) -> None:

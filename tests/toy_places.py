@@ -5,7 +5,7 @@ import toy_domain
 from neurosym.grounding import Grounding
 from neurosym.operators import Category, Mode, Operator, OperatorTable, Primitive
 from neurosym.pddl import compile_domain
-from neurosym.place_operators import Occupied, PlaceOperators
+from neurosym.place_operators import Kept, PlaceOperators
 from neurosym.problems import Problem, SceneObject
 
 CARRY = (0, 0, 0, 1.0, 0.01, 0, 0, 0.0, 0.03, -0.02, 0, 0.0)
@@ -45,7 +45,7 @@ def grounding(cell: float = 0.02) -> Grounding:
         cell=cell,
         table_bounds=world.table,
         lift_height=world.lift_height,
-        places=PlaceOperators(carriers, (Occupied(NAME, 10, 0),)),
+        places=PlaceOperators(carriers, (Kept(NAME, 10, 0),)),
     )
 
 

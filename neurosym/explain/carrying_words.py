@@ -32,7 +32,7 @@ def explain_carrying(places: PlaceOperators, gripper: Sequence[bool] = ()) -> tu
             symbol,
             _title(places, symbol),
             " ".join(_about(places, symbol, gripper)),
-            " ".join(_occupied(places, symbol)),
+            " ".join(_among_others(places, symbol)),
             tuple(_row(one, mode) for one in _of(places, symbol) for mode in one.modes),
         )
         for symbol in table.symbols
@@ -98,13 +98,16 @@ def _action_in_words(primitive: Primitive, gripper: Sequence[bool]) -> tuple[str
     return (*told[:2], f"What it grips then it lifts, carries to {spot}, lowers and lets go.")
 
 
-def _occupied(places: PlaceOperators, symbol: Symbol) -> list[str]:
+def _among_others(places: PlaceOperators, symbol: Symbol) -> list[str]:
     names = {one.name for one in _of(places, symbol)}
-    found = [one for one in places.occupied if one.name in names and one.trials]
-    trials, kept = sum(one.trials for one in found), sum(one.kept for one in found)
-    return (
-        [f"With another object on the place it went as promised {kept} of {trials} times."] if trials else []
-    )
+    tables = {"others close beside it": places.beside, "another object on the place": places.occupied}
+    said = []
+    for company, table in tables.items():
+        found = [one for one in table if one.name in names]
+        if trials := sum(one.trials for one in found):
+            kept = sum(one.kept for one in found)
+            said.append(f"With {company} it went as promised {kept} of {trials} times.")
+    return said
 
 
 def _row(operator: Operator, mode: Mode) -> EffectRow:

@@ -17,6 +17,7 @@ NOWHERE = "nowhere"
 LOOK, REACH, LEAVE = "look-on", "reach-place", "leave-start"
 """Actions, free of cost, that note something: no step of a plan in the world."""
 NOTES = (LOOK, REACH, LEAVE)
+_NEVER = 0.01  # as how rare counts what was never seen
 
 
 def carriers_of(grounding: Grounding) -> tuple[Operator, ...]:
@@ -35,6 +36,8 @@ def carriers_of(grounding: Grounding) -> tuple[Operator, ...]:
 def carriers_for(item: SceneObject, grounding: Grounding, tolerance: float) -> tuple[Operator, ...]:
     """List the operators that carry an object to places, as they promise for it, the surest first.
 
+    How sure they are counts what rehearsals beside others showed, since a scene may hold others.
+
     Args:
         item: The object.
         grounding: The learned domain.
@@ -43,7 +46,9 @@ def carriers_for(item: SceneObject, grounding: Grounding, tolerance: float) -> t
     of_item = promised(grounding, item, tolerance)
     found = [of_item[one.name] for one in carriers_of(grounding) if one.category == item.category]
     fit = [one for one in found if one.successes >= LEAST_CHANCE * one.trials and one.successes]
-    return tuple(sorted(fit, key=lambda one: (step_cost(one, grounding), one.name)))
+    beside = {one.name: one.share for one in grounding.places.beside} if grounding.places else {}
+    costs = {one.name: step_cost(one, grounding) / (beside.get(one.name, 1.0) or _NEVER) for one in fit}
+    return tuple(sorted(fit, key=lambda one: (costs[one.name], one.name)))
 
 
 def constants(grounding: Grounding) -> list[str]:
@@ -103,13 +108,20 @@ def _about(operator: Operator, grounding: Grounding) -> list[str]:
     assert grounding.places is not None
     x, y, _ = promise.resting_spread
     trials = f"{operator.trials} rehearsals"
-    occupied = {one.name: one for one in grounding.places.occupied}.get(operator.name)
+    occupied, beside = (
+        {one.name: one for one in table}.get(operator.name)
+        for table in (grounding.places.occupied, grounding.places.beside)
+    )
     action = " ".join(f"{value:.4f}" for value in grounding.primitive_of(operator).action)
     lines = [
         f"Primitive {operator.primitive} on category {operator.category} ({_type(operator, grounding)}): "
         f"carries to the place in {promise.count} of {trials}, "
         f"spread ({millimetres(x)}, {millimetres(y)}) mm.",
     ]
+    if beside and beside.trials:
+        lines.append(
+            f"With others close beside the object, {beside.kept} of {beside.trials} went so, and moved none."
+        )
     if occupied and occupied.trials:
         lines.append(
             f"With another object on the place it stood there in {occupied.kept} of {occupied.trials}; the "

@@ -12,7 +12,7 @@ from neurosym.errors import InvalidValue
 from neurosym.grounding import Grounding
 from neurosym.operators import TOLERANCE, Operator
 from neurosym.pddl.place_domain import carriers_of
-from neurosym.primitives.carrying import MARGIN
+from neurosym.primitives.among_others import MARGIN
 from neurosym.primitives.rehearsal import rehearsal_sample
 from neurosym.symbols import Categorise, Symbol
 from neurosym.table import Reference

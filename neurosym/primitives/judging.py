@@ -31,12 +31,14 @@ class Performance:
         outcome: Its displacement as it ended: held in the air, or else at rest [m].
         peak_height: Its greatest height on the way [m].
         turn: By what angle it was turned in the end [rad].
+        disturbs: Whether another object was moved.
     """
 
     kind: OutcomeKind
     outcome: Effect
     peak_height: float
     turn: float
+    disturbs: bool = False
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -57,14 +59,15 @@ class Judgement:
 def performance(outcome: Outcome) -> Performance:
     """Say of an outcome what is judged."""
     ended = outcome.effect if outcome.kind == "held" else outcome.resting_effect
-    return Performance(outcome.kind, tuple(ended.tolist()), outcome.peak_height, outcome.turn)
+    effect = tuple(ended.tolist())
+    return Performance(outcome.kind, effect, outcome.peak_height, outcome.turn, bool(outcome.disturbed))
 
 
 def judge(performances: Sequence[Performance]) -> Judgement:
     """Judge what an action did to objects of one category.
 
-    Sureness is the share that ends in the main way, times the share that is not turned, times how exactly
-    they end alike. Moving by no more than `LITTLE` halves it.
+    Sureness is the share that ends in the main way, times the share that is not turned, times the share that
+    moves nothing else, times how exactly they end alike. Moving by no more than `LITTLE` halves it.
 
     Args:
         performances: One for each object.
@@ -75,9 +78,10 @@ def judge(performances: Sequence[Performance]) -> Judgement:
         return Judgement(None, np.zeros(4), 0.0)
     rows = np.array([[*one.outcome, one.peak_height] for one in performances if one.kind == kind])
     unturned = np.mean([one.turn <= TURNED for one in performances])
+    alone = np.mean([not one.disturbs for one in performances])
     share = len(rows) / len(performances)
     exact = likeness(rows[:, :-1]) if kind == "carried" else exactness(rows[:, :-1])
-    return Judgement(kind, rows.mean(0), float(share * unturned * exact))
+    return Judgement(kind, rows.mean(0), float(share * unturned * alone * exact))
 
 
 def foresee_displacement(predicted: Float[np.ndarray, "N O"]) -> Judgement:

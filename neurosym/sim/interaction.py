@@ -6,11 +6,12 @@ until it stands, let go, rise, settle; record the resting effect.
 
 With a reference, the third waypoint is relative to it. If the target hangs from the hand after the second and
 a short rise, it is lifted clear of everything, carried over the third, lowered there until it stands, and let
-go. If not, the hand rises where it is.
+go. If not, the hand rises where it is. The hand then opens no further than the target needs, since there may
+be neighbours.
 """
 
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 
 import numpy as np
 from jaxtyping import Float
@@ -18,7 +19,9 @@ from jaxtyping import Float
 from neurosym.sim.arm import Arm
 from neurosym.sim.bullet import pybullet
 from neurosym.sim.camera import Camera
+from neurosym.sim.contacts import connected
 from neurosym.sim.landing import landing_shift
+from neurosym.sim.opening import NARROW_RELEASE, WIDE_RELEASE, grasp_opening
 from neurosym.sim.robot import LOWEST_TOOL_POINT, Robot
 from neurosym.sim.simulation import Simulation
 from neurosym.sim.toppling import has_toppled, rotation
@@ -27,8 +30,6 @@ from neurosym.world import Disturbance, FrameSink, Outcome, Scene
 
 CLEARANCE = 0.005
 """The hand starts at least this far above whatever it would otherwise touch [m]."""
-RELEASE_OPENINGS = (0.005, 0.015)
-"""How far each finger opens, first to let a standing object fall flat, then to leave it behind [m]."""
 LOWERING_SPEED = 0.25
 """Greatest speed of a held object on its way down [m/s]."""
 PARKING_CLEARANCE, LEAST_PARKING_CLEARANCE = 0.25, 0.05
@@ -66,6 +67,7 @@ class Interaction:
         self._target = target
         self._phase = "start"
         self._peak = -math.inf
+        self._is_narrow = False
         self._touched: set[int] = set()
         self._robot = Robot(simulation, arm, visible=on_frame is not None)
         self._on_frame = on_frame
@@ -83,6 +85,7 @@ class Interaction:
             reference: What the third waypoint is relative to instead, if anything.
         """
         waypoints = action.reshape(3, 4)
+        self._is_narrow = reference is not None
         self._park_robot()
         self._simulation.settle()
         start = self._simulation.observe()
@@ -152,7 +155,7 @@ class Interaction:
 
         From there the first motion leads straight down, as a hand coming from above would.
         """
-        half_opening = self._arm.half_opening if is_open else 0.0
+        half_opening = self._opening(float(point[1])) if is_open else 0.0
         height = max(float(point[2]), LOWEST_TOOL_POINT, self._clear_height(point, half_opening))
         self._robot.place_at(np.array([point[0], point[1], height]), half_opening)
 
@@ -179,9 +182,18 @@ class Interaction:
                     heights.append(high[2] + CLEARANCE - above_tool_point)
         return max(heights)
 
+    def _opening(self, y: float) -> float:
+        """Return how far each finger opens where the middle of the hand is there along y [m]."""
+        widest = self._arm.half_opening
+        return grasp_opening(self._simulation, self._target, y, widest) if self._is_narrow else widest
+
     def _set_gripper(self, is_open: bool) -> None:
-        if is_open != self._robot.is_open:
-            self._robot.open() if is_open else self._robot.close()
+        if is_open == self._robot.is_open:
+            return
+        if is_open:
+            self._robot.open(self._opening(float(self._robot.tool_point()[1])))
+        else:
+            self._robot.close()
 
     def _rise(self) -> None:
         lift = np.array([0.0, 0.0, self._simulation.config.lift_height])
@@ -191,8 +203,8 @@ class Interaction:
         """List the objects that the robot carries, in its hand or on one another, clear of the table."""
         bodies = self._simulation.bodies
         touching = {body: self._simulation.touched_by(body) for body in bodies}
-        standing = _connected(self._simulation.table, touching)
-        carried = _connected(self._robot.body, touching)
+        standing = connected(self._simulation.table, touching)
+        carried = connected(self._robot.body, touching)
         return [index for index, body in enumerate(bodies) if body in carried - standing]
 
     def _carry(self, point: Float[np.ndarray, "3"]) -> bool:
@@ -254,7 +266,7 @@ class Interaction:
             peak_speed=LOWERING_SPEED,
             until=lambda: self._has_landed(hanging),
         )
-        for opening in RELEASE_OPENINGS:
+        for opening in NARROW_RELEASE if self._is_narrow else WIDE_RELEASE:
             self._robot.open(self._robot.half_opening() + opening)
 
     def _has_landed(self, hanging: Sequence[int]) -> bool:
@@ -275,18 +287,3 @@ class Interaction:
                 yield index, "toppled"
             elif math.dist(end.positions[index], start.positions[index]) > LEAST_DISTURBANCE:
                 yield index, "moved"
-
-
-def _connected(body: int, touching: Mapping[int, set[int]]) -> set[int]:
-    """Return the objects that touch a body, those that touch them, and so on.
-
-    Args:
-        body: The table or the robot.
-        touching: What each object touches.
-    """
-    found: set[int] = set()
-    front = {body}
-    while front:
-        front = {other for other, touched in touching.items() if touched & front} - found
-        found |= front
-    return found

@@ -86,6 +86,10 @@ class AimedFactory:
         """What makes the same worlds in the process that calls it, if they are a user's own."""
         return AimedFactory(self.plain.here, self.margin) if isinstance(self.plain, OwnFactory) else self
 
+    def world(self) -> World:
+        """Make the world that they are made of."""
+        return made(self.plain)
+
     def __call__(self) -> World:
         """Make a world."""
-        return Aimed(made(self.plain), self.margin)
+        return Aimed(self.world(), self.margin)

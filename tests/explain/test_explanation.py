@@ -16,7 +16,7 @@ from neurosym.explain.explanation import explain
 from neurosym.explain.likeness import Likenesses, typical
 from neurosym.explain.object_words import objects_in_words, type_shares
 from neurosym.operators import Category, Operator, OperatorTable, Primitive
-from neurosym.place_operators import Occupied, PlaceOperators
+from neurosym.place_operators import Kept, PlaceOperators
 
 GRIPPER = three_waypoints().gripper.tolist()
 FEATURES = ("s_x", "s_y", "d", "t")
@@ -242,7 +242,7 @@ def carrying(*ends) -> PlaceOperators:
     operator = Operator("carry-to-0-thing", "0", "0", 20, ends)
     category = Category("0", "thing", 0.5, (1.0,), (0.0,))
     table_of = OperatorTable((category,), (Primitive("0", action, 0.0),), (operator,))
-    return PlaceOperators(table_of, (Occupied("carry-to-0-thing", 20, 3),))
+    return PlaceOperators(table_of, (Kept("carry-to-0-thing", 20, 3),))
 
 
 def test_carrying_is_told_with_the_third_waypoint_at_the_place():
