@@ -79,12 +79,13 @@ def test_what_cannot_be_grasped_is_missed():
     assert best.successes / best.trials == pytest.approx(narrow, abs=1e-9)
 
 
-def test_in_a_world_where_things_pass_through_one_another_occupied_places_do_no_harm():
-    occupied = {one.name: one for one in found().occupied}
-    assert occupied
-    for operator in found().operators.operators:
-        if operator.category == "1" and operator.successes == operator.trials:
-            assert occupied[operator.name].kept == occupied[operator.name].trials > 0
+def test_in_a_world_where_things_pass_through_one_another_others_do_no_harm():
+    for table in (found().occupied, found().beside):
+        among = {one.name: one for one in table}
+        assert among
+        for operator in found().operators.operators:
+            if operator.category == "1" and operator.successes == operator.trials:
+                assert among[operator.name].kept == among[operator.name].trials > 0
 
 
 def test_same_bytes_with_any_number_of_workers():

@@ -39,6 +39,11 @@ def test_turning_counts_against_an_action():
     assert half.sureness == pytest.approx(whole.sureness / 2)
 
 
+def test_moving_something_else_counts_against_an_action():
+    among = [ended(0.2), Performance("resting", (0.2, 0.0, 0.0), 0.0, 0.0, disturbs=True)]
+    assert judge(among * 2).sureness == pytest.approx(judge([ended(0.2)] * 4).sureness / 2)
+
+
 def test_turn_is_the_angle_between_start_and_end_whatever_the_sign_of_a_quaternion():
     def scene(*orientation):
         return Scene(np.ones((1, 4)), np.zeros((1, 3)), np.array([orientation]))

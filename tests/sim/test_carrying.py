@@ -4,6 +4,9 @@ import numpy as np
 import pytest
 
 from neurosym.errors import InvalidValue
+from neurosym.sim.config import TabletopConfig
+from neurosym.sim.opening import grasp_opening
+from neurosym.sim.simulation import Simulation
 from neurosym.sim.tabletop import Tabletop
 from neurosym.table import Place
 from neurosym.world import Scene
@@ -70,6 +73,28 @@ def test_neighbours_of_the_place_stay_where_they_are():
     outcome = Tabletop().interact(boxes(BOX, beside), CARRY, 0, reference=FAR)
     assert outcome.carried
     assert not outcome.disturbed
+
+
+@pytest.mark.parametrize("side", [-1, 1])
+def test_neighbours_two_centimetres_from_the_target_stay_where_they_are(side):
+    """The hand opens along y to 14 cm where it need not heed them."""
+    beside = (0.05, 0.05, 0.06, 0, 0.5, -0.1 + side * 0.07)
+    narrow = Tabletop().interact(boxes(BOX, beside), CARRY, 0, reference=FAR)
+    assert narrow.carried
+    assert not narrow.disturbed
+    assert Tabletop().interact(boxes(BOX, beside), CARRY, 0).touched == (1,)
+
+
+@pytest.mark.parametrize(("shift", "opening"), [(0.0, 0.031), (0.01, 0.041), (-0.01, 0.041)])
+def test_hand_opens_around_what_it_can_span(shift, opening):
+    simulation = Simulation(Tabletop().client(), TabletopConfig(), boxes(BOX))
+    assert grasp_opening(simulation, 0, BOX[5] + shift, 0.07) == pytest.approx(opening, abs=0.003)
+
+
+def test_hand_opens_around_the_nearest_wall_of_what_is_too_wide():
+    simulation = Simulation(Tabletop().client(), TabletopConfig(), boxes(WIDE))
+    assert grasp_opening(simulation, 0, WIDE[5] + 0.08, 0.07) == pytest.approx(0.011, abs=0.003)
+    assert grasp_opening(simulation, 0, WIDE[5], 0.07) == 0.07
 
 
 def test_hand_waits_above_a_tower():
