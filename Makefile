@@ -1,30 +1,39 @@
 # Two commands do everything on a fresh machine: `make demo` and `make test`.
-# Another Python than python3.11: make demo PYTHON=/path/to/python
+# They take the first of PYTHONS that runs and is supported. Another: make demo PYTHON=/path/to/python
 VENV ?= .venv
-PYTHON ?= $(firstword $(shell command -v python3.11) $(shell command -v python3))
+PYTHONS ?= python3.11 python3.12 python3.13 python3
+SUPPORTED := import sys; sys.exit(not (3, 11) <= sys.version_info[:2] <= (3, 13))
+PYTHON ?= $(shell for each in $(PYTHONS); do $$each -c '$(SUPPORTED)' 2>/dev/null && echo $$each && break; done)
 BIN := $(VENV)/bin
+comma := ,
 
-.PHONY: install demo test lint fuzz evaluate evaluate-world evaluate-learning evaluate-planning evaluate-practice evaluate-places evaluate-bits evaluate-planners evaluate-scale faults tutorial architecture clean
+.PHONY: install demo test test-pythons lint fuzz evaluate evaluate-world evaluate-learning evaluate-planning evaluate-practice evaluate-places evaluate-bits evaluate-planners evaluate-scale faults tutorial architecture clean
 
 install: $(VENV)/.installed
 
 $(VENV)/.installed: pyproject.toml constraints.txt
-	@$(PYTHON) -c 'import sys; sys.exit(sys.version_info[:2] != (3, 11))' || \
-	  { echo "neurosym is tested on Python 3.11, and PyBullet has no wheels for newer ones;"; \
-	    echo "install Python 3.11, or name another with: make $(or $(MAKECMDGOALS),install) PYTHON=..."; \
-	    $(if $(filter command line environment,$(origin PYTHON)),true,exit 2); }
+	@$(or $(PYTHON),false) -c '$(SUPPORTED)' || \
+	  { echo "neurosym needs Python 3.11, 3.12 or 3.13$(if $(PYTHON),$(comma) and $(PYTHON) is none of these);"; \
+	    echo "install one, or name it with: make $(or $(MAKECMDGOALS),install) PYTHON=/path/to/python"; exit 2; }
 	$(PYTHON) -m venv $(VENV)
 	$(BIN)/pip install --quiet --constraint constraints.txt --editable '.[dev]'
 	@touch $@
 
 # Plans with the shipped domain, executes in the simulator, writes pictures to demo/.
 demo: install
-	$(BIN)/python tools/demo.py
+	$(BIN)/neurosym demo
 
 # A test that hangs is named, after many times what the slowest takes [s].
 test: install
 	$(BIN)/pytest -m "not evaluation" --numprocesses auto --dist loadfile --no-loadscope-reorder \
 	  --timeout 900 --timeout-method thread
+
+# The same on each supported Python that runs here, in an environment of its own.
+test-pythons:
+	@for each in python3.11 python3.12 python3.13; do \
+	  if $$each -c '$(SUPPORTED)' 2>/dev/null; \
+	  then $(MAKE) --no-print-directory test PYTHON=$$each VENV=.venv-$$each || exit; \
+	  else echo "$$each does not run here; its tests are left out"; fi; done
 
 lint: install
 	$(BIN)/ruff format --check .

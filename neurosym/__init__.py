@@ -86,9 +86,9 @@ if not TYPE_CHECKING:  # a type checker would take every name for granted
 
     def __getattr__(name: str) -> object:
         if name == "__version__":
-            from importlib.metadata import version
+            from neurosym.distribution import version_of
 
-            return version("neurosym")
+            return version_of("neurosym")
         if name in _HOMES:
             return getattr(import_module(_HOMES[name]), name)
         raise AttributeError(f"module 'neurosym' has no attribute {name!r}")

@@ -128,6 +128,8 @@ def progress_bar(label: str) -> Iterator[Advance]:
     task = progress.add_task(label, total=None)
 
     def advance(done: int, total: int, label: str | None = None) -> None:
+        if console.quiet:
+            return
         progress.start()
         if label is not None and label != progress.tasks[0].description:
             progress.reset(task, description=label, total=total)
@@ -171,6 +173,25 @@ def say(text: str) -> None:
     """Print a line for the user."""
     with naming_output():
         console.print(text, markup=False)
+
+
+def print_raw(text: str) -> None:
+    """Print a text as it is, for programs to read.
+
+    Args:
+        text: It needs no new line at its end.
+    """
+    with naming_output():
+        console.print(text.rstrip("\n"), markup=False, soft_wrap=True)
+
+
+def be_quiet(quiet: bool) -> None:
+    """Print nothing but what goes wrong, or everything again.
+
+    Args:
+        quiet: Which of both.
+    """
+    console.quiet = quiet
 
 
 def say_next(command: str) -> None:

@@ -64,6 +64,16 @@ class CannotWrite(NeurosymError, OSError):
         super().__init__(f"{path} cannot be written: {self.reason}.")
 
 
+class OtherLibrary(NeurosymError):
+    """Another library with the same import name."""
+
+    def __init__(self, version: str, own: str):
+        super().__init__(
+            f"Another library called neurosym (version {version}) is installed here, and is imported by the "
+            f"same name; install {own} in an environment of its own."
+        )
+
+
 class FolderTaken(NeurosymError):
     """A domain folder in which another process works that it cannot be shared with."""
 

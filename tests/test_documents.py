@@ -6,6 +6,8 @@ from pathlib import Path
 import pytest
 from places import DOCS, ROOT
 
+from tools.write_commands import page
+
 DOCUMENTS = [ROOT / "README.md", *sorted((ROOT / "docs").glob("*.md"))]
 MEASURED = ROOT / "docs" / "results"
 """Written by the evaluations, each when it is run."""
@@ -42,3 +44,16 @@ def test_every_file_that_the_map_names_exists():
             known = [ROOT / "neurosym" / name, ROOT / name, ROOT / "neurosym" / folder / name]
             assert any(path.exists() for path in known), name
             folder = str(Path(name).parent) if "/" in name else folder
+
+
+def test_commands_page_is_what_the_commands_say():
+    """`python -m tools.write_commands` writes it anew."""
+    assert (DOCS / "commands.md").read_text() == page()
+
+
+def test_readme_is_short_and_its_python_reaches_the_goal(capsys):
+    text = (ROOT / "README.md").read_text()
+    assert len(text.split()) <= 450
+    (block,) = re.findall(r"```python\n(.*?)```", text, flags=re.S)
+    exec(compile(block, "README.md", "exec"), {})
+    assert capsys.readouterr().out.strip().endswith("True")

@@ -5,6 +5,7 @@ from collections.abc import Callable
 from neurosym.commands.check import check
 from neurosym.commands.compare import compare
 from neurosym.commands.compile_domain import compile_domain
+from neurosym.commands.demo import demo
 from neurosym.commands.distill import distill
 from neurosym.commands.evaluate import evaluate
 from neurosym.commands.execute import execute
@@ -23,6 +24,7 @@ from neurosym.commands.show import show
 from neurosym.commands.train import train
 
 COMMANDS: dict[str, Callable[..., int]] = {
+    "demo": demo,
     "run": run,
     "init": init,
     "explore": explore,
@@ -43,10 +45,11 @@ COMMANDS: dict[str, Callable[..., int]] = {
     "report": report,
     "evaluate": evaluate,
 }
-"""The commands, in the order in which a domain folder meets them after `run`, which does it all."""
+"""The commands: what shows it, what does it all, and the rest in the order in which a folder meets them."""
 
 ABOUT = """A robot plays with objects out of curiosity; neurosym turns what it learned into a PDDL domain that
 any planner takes, and turns any planner's plan back into motions.
 
 Everything about one learned domain lies in one folder, DIR. Each command reads what stands there and adds its
-own file; `neurosym run DIR` goes the whole way. To begin: neurosym run my-domain --steps 1024"""
+own file; `neurosym run DIR` goes the whole way. To begin: neurosym demo, or neurosym run my-domain --steps
+1024. Any command prints only what goes wrong with --quiet; neurosym --version says which this is."""

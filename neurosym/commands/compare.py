@@ -5,6 +5,7 @@ from typing import TYPE_CHECKING, Annotated
 
 from tyro.conf import arg
 
+from neurosym.commands.answers import Json, answer_in
 from neurosym.commands.options import CPUS, Folder, Seed, Task, TimeLimit, Workers, check_time_limit, opened
 from neurosym.console import progress_bar, say, say_next, show_table
 from neurosym.errors import InvalidValue
@@ -29,6 +30,7 @@ def compare(
     workers: Workers = CPUS,
     tolerance: Annotated[float, arg(help="How near each object must come to its goal [m].")] = TOLERANCE,
     time_limit: TimeLimit = None,
+    json: Json = False,
 ) -> int:
     """Give the same drawn tasks to several planners, and judge each plan in the model and in the world.
 
@@ -53,7 +55,7 @@ def compare(
     for name, value, least in (("seed", seed, 0), ("objects", objects, 1)):
         if value < least:
             raise InvalidValue(f"{name} = {value} must be at least {least}.")
-    planners = tuple(dict.fromkeys(planners))
+    answer, planners = answer_in(json), tuple(dict.fromkeys(planners))
     check_planners(planners, folder)
     domain = opened(folder)
     order = Order(domain.path, objects, planners, tolerance, time_limit, task)
@@ -74,6 +76,7 @@ def compare(
     like += "" if task is None else f" --task {task}"
     like += "" if tolerance == TOLERANCE else f" --tolerance {tolerance:g}"
     say_next(f"neurosym new-problem {quoted(folder)} --name mine --seed {seed}{like}")
+    answer(comparison, file=str(order.place / "comparison.json"))
     return 0
 
 

@@ -1,16 +1,19 @@
 """How a command ends: its exit code, and the one sentence if it could not be done."""
 
 import os
+import platform
 import sys
 from collections.abc import Sequence
 from contextlib import suppress
 from pathlib import Path
 
+from neurosym.commands.answers import QUIET
 from neurosym.commands.arguments import read_arguments
 from neurosym.commands.catalogue import ABOUT, COMMANDS
 from neurosym.commands.exit_codes import BAD_INPUT, NOBODY_READS
 from neurosym.commands.signals import raised_signals, say_interrupted
-from neurosym.console import OutputClosed, error_console, naming_output
+from neurosym.console import OutputClosed, be_quiet, error_console, naming_output, say
+from neurosym.distribution import NAME, refuse_other_library, version_of
 from neurosym.errors import InvalidValue, NeurosymError
 
 _NO_MEMORY = "There is not enough memory; ask for less (workers, objects, rows), or end other programs."
@@ -32,8 +35,14 @@ def perform(typed: Sequence[str]) -> int:
     try:
         with raised_signals():
             try:
+                refuse_other_library()
                 _refuse_bytes(typed)
-                code = read_arguments(COMMANDS, ABOUT, typed)()
+                be_quiet(QUIET in typed)
+                if [*typed] == ["--version"]:
+                    code = say_version()
+                else:
+                    words = [word for word in typed if word != QUIET]
+                    code = read_arguments(COMMANDS, ABOUT, words)()
             finally:
                 with naming_output():
                     sys.stdout.flush()
@@ -52,6 +61,12 @@ def perform(typed: Sequence[str]) -> int:
     except KeyboardInterrupt as error:
         code = say_interrupted(error)
     return code
+
+
+def say_version() -> int:
+    """Print which neurosym this is, and on which Python it runs."""
+    say(f"{NAME} {version_of('neurosym')} (Python {platform.python_version()})")
+    return 0
 
 
 def _refuse(sentence: str) -> int:

@@ -1,25 +1,27 @@
 """The command `neurosym execute`: a plan, run in the world."""
 
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import Annotated
 
 from tyro.conf import Positional, arg
 
+from neurosym.commands.answers import Json, answer_in
 from neurosym.commands.exit_codes import NO_RESULT
 from neurosym.commands.options import Folder, ProblemName, TimeLimit, Tolerance, check_time_limit, opened
+from neurosym.commands.plan_streams import STANDARD, saved_plan
 from neurosym.commands.showing import Gif, Gui, Strip, say_written, showing_of
 from neurosym.console import say, say_next
 from neurosym.errors import InvalidFile, InvalidValue
 from neurosym.wording import quoted
 
-if TYPE_CHECKING:
-    pass
-
 
 def execute(
     folder: Folder,
     problem: ProblemName,
-    plan_file: Annotated[Positional[Path], arg(metavar="PLAN", help="Any planner's plan, in IPC form.")],
+    plan_file: Annotated[
+        Positional[Path],
+        arg(metavar="PLAN", help="Any planner's plan, in IPC form; - reads it from standard input."),
+    ],
     replanner: Annotated[
         str, arg(help="Whom to ask for a new plan: see `neurosym planners`, or module:factory.")
     ] = "fast-downward",
@@ -41,6 +43,7 @@ def execute(
     gif: Gif = None,
     strip: Strip = None,
     gui: Gui = False,
+    json: Json = False,
 ) -> int:
     """Run a plan in the simulator, each step beside its promise; exit code 3 if it misses.
 
@@ -53,8 +56,10 @@ def execute(
     from neurosym.stages.plan_records import planned_tolerance
 
     check_time_limit(time_limit)
-    domain = opened(folder)
+    answer, domain = answer_in(json), opened(folder)
     name = domain.problem(problem)
+    if plan_file == STANDARD:
+        plan_file = saved_plan(domain, name)
     if plan_file.exists() and not plan_file.is_file():
         raise InvalidFile(plan_file, "it is no file; name one that holds a plan")
     if not plan_file.is_file():
@@ -87,4 +92,5 @@ def execute(
     record = folder / run_file(name, plan_file)
     say_written(record, gif, strip)
     say_next(f"neurosym replay {quoted(folder)} {quoted(record)}")
+    answer(run, file=str(record), reached=run.reached)
     return 0 if run.reached else NO_RESULT

@@ -1,10 +1,11 @@
 """The command `neurosym explain`: what the symbols mean, in words."""
 
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import Annotated
 
 from tyro.conf import arg
 
+from neurosym.commands.answers import Json, answer_in
 from neurosym.commands.options import Folder, opened
 from neurosym.console import say, say_next
 from neurosym.errors import InvalidValue
@@ -13,20 +14,18 @@ from neurosym.files import check_writable, write_atomically
 from neurosym.stages.layout import GROUNDING, WORLD
 from neurosym.wording import quoted
 
-if TYPE_CHECKING:
-    pass
-
 
 def explain(
     folder: Folder,
     output: Annotated[
         Path | None, arg(metavar="FILE.md", help="Write it as Markdown here instead of printing it.")
     ] = None,
+    json: Json = False,
 ) -> int:
     """Say in words what each symbol means: what the hand does and brings about, which objects are alike."""
     from neurosym.commands.explain_text import explanation_page, show_explanation
 
-    domain = opened(folder)
+    answer, domain = answer_in(json), opened(folder)
     if output:
         _check_page_path(output)
     explanation = explain_folder(domain)
@@ -40,6 +39,7 @@ def explain(
         say_next(f"neurosym show {quoted(folder)} --primitive {explanation.actions[0].symbol}")
     elif (domain / WORLD).is_file():
         say_next(f"neurosym compile-domain {quoted(folder)}")
+    answer(explanation)
     return 0
 
 

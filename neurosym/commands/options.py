@@ -10,6 +10,7 @@ from tyro.conf import Positional, arg
 from neurosym.console import say
 from neurosym.errors import InvalidValue
 from neurosym.learning.model_config import DEFAULT_BITS, PAPER_BITS
+from neurosym.shipped import copy_shipped
 from neurosym.stages.folder import DomainFolder
 from neurosym.strategies import StrategyName
 
@@ -101,9 +102,12 @@ CPUS = os.cpu_count() or 1
 
 
 def opened(folder: Path) -> DomainFolder:
-    """Return a domain folder that prints its notes.
+    """Return a domain folder that prints its notes; a shipped domain that is named is copied there first.
 
     Raises:
         FolderNotFound: If there is none.
+        CannotWrite: If a shipped domain cannot be copied.
     """
+    if len(folder.parts) == 1 and not folder.exists() and copy_shipped(folder.name, folder):
+        say(f"copied the shipped domain {folder.name} to {folder.absolute()}; all results go there")
     return DomainFolder(folder, notify=lambda remark: say(f"note: {remark}"))

@@ -5,9 +5,11 @@ from typing import TYPE_CHECKING, Annotated, Literal
 
 from tyro.conf import arg
 
+from neurosym.commands.answers import Json, answer_in
 from neurosym.commands.exit_codes import NO_RESULT
 from neurosym.commands.options import Folder, ProblemName, TimeLimit, Tolerance, check_time_limit, opened
-from neurosym.console import say, say_next
+from neurosym.commands.plan_streams import STANDARD, check_output, hand_over
+from neurosym.console import be_quiet, console, say, say_next
 from neurosym.wording import counted, quoted
 
 if TYPE_CHECKING:
@@ -40,6 +42,11 @@ def plan(
         int, arg(metavar="K", help="Also write the K next-best plans: cheapest, of other steps.")
     ] = 0,
     tolerance: Tolerance = None,
+    output: Annotated[
+        Path | None,
+        arg(metavar="FILE", help="Write the plan here, too; - prints it to standard output, and only it."),
+    ] = None,
+    json: Json = False,
 ) -> int:
     """Plan for a problem; exit code 3 if there is no plan, with the reason.
 
@@ -51,9 +58,10 @@ def plan(
     from neurosym.stages.plan_records import PlanRecord
     from neurosym.stages.planning import plan_stage
 
-    domain = opened(folder)
-    name = domain.problem(problem)
     check_time_limit(time_limit)
+    check_output(output, json)
+    answer, domain = answer_in(json), opened(folder)
+    name = domain.problem(problem)
     stage = plan_stage(
         domain,
         name,
@@ -67,6 +75,7 @@ def plan(
         tolerance=tolerance,
     )
     plan_file, record_file = stage.outputs
+    be_quiet(console.quiet or output == STANDARD)
     had_plan = (domain / plan_file).exists()
     domain.perform(stage, again=True)
     record = read_json(domain / record_file, PlanRecord)
@@ -78,6 +87,9 @@ def plan(
         _say_alternatives(record, folder, alternatives)
         within = "" if record.tolerance is None else f" --tolerance {record.tolerance:g}"
         say_next(f"neurosym execute {quoted(folder)} {name} {quoted(folder / plan_file)}{within}")
+    if output and (domain / plan_file).exists():
+        hand_over(domain / plan_file, output)
+    answer(record, file=str(domain / plan_file) if record.steps or record.solved else None)
     return 0 if record.solved else NO_RESULT
 
 

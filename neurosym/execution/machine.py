@@ -2,11 +2,12 @@
 
 import functools
 import platform
-from importlib.metadata import version
 from pathlib import Path
 
 import msgspec
 import numpy as np
+
+from neurosym.distribution import version_of
 
 PACKAGES = ("numpy", "pybullet")
 """The packages whose arithmetic decides how a run goes."""
@@ -55,7 +56,7 @@ def this_machine() -> Machine:
         instructions=_instructions(),
         architecture=platform.machine() or _UNKNOWN,
         system=f"{platform.system()} {libc or platform.release()}".strip(),
-        versions={"python": platform.python_version(), **{name: version(name) for name in PACKAGES}},
+        versions={"python": platform.python_version(), **{name: version_of(name) for name in PACKAGES}},
     )
 
 

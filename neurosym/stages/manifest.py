@@ -4,11 +4,11 @@ import platform
 from collections.abc import Callable
 from dataclasses import dataclass, field
 from enum import IntEnum
-from importlib.metadata import version
 from typing import Any
 
 import msgspec
 
+from neurosym.distribution import version_of
 from neurosym.errors import InvalidValue
 
 
@@ -75,7 +75,7 @@ class Stage:
 def versions() -> dict[str, str]:
     """Return the versions of Python and of the packages that decide what is learned."""
     packages = ("neurosym", "numpy", "pybullet", "torch", "up-fast-downward")
-    return {"python": platform.python_version(), **{name: version(name) for name in packages}}
+    return {"python": platform.python_version(), **{name: version_of(name) for name in packages}}
 
 
 def rehearsal_options(manifest: Manifest) -> tuple[int, int]:

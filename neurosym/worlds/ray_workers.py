@@ -1,7 +1,7 @@
 """Performing interactions on a Ray cluster, in order, whatever its size and whichever of its nodes die.
 
 A world is a function without memory, so an interaction whose node died is performed again elsewhere, with the
-same result. Ray is an extra (`pip install 'neurosym[ray]'`) and is imported only when a cluster is asked for.
+same result. Ray is an extra (`pip install 'neurosym-pddl[ray]'`), imported only when a cluster is asked for.
 """
 
 import logging
@@ -13,10 +13,10 @@ import sys
 from collections.abc import Iterator
 from contextlib import contextmanager
 from functools import cache
-from importlib.metadata import version
 from pathlib import Path
 from typing import Any
 
+from neurosym.distribution import version_of
 from neurosym.errors import InvalidValue, NeurosymError
 from neurosym.guarded import made
 from neurosym.world import Outcome, World, WorldFactory
@@ -35,7 +35,7 @@ class RayMissing(NeurosymError):
     """A cluster was asked for where Ray is not installed."""
 
     def __init__(self) -> None:
-        super().__init__("Ray is not installed; install it with: pip install 'neurosym[ray]'")
+        super().__init__("Ray is not installed; install it with: pip install 'neurosym-pddl[ray]'")
 
 
 class NoCluster(NeurosymError):
@@ -141,7 +141,7 @@ def _cpus(ray: Any) -> int:
 def _origin(ray: Any, world_factory: WorldFactory) -> bytes:
     """Pack what a node needs in order to build the world, and to be sure that it is the same world."""
     path = [str(Path(entry).absolute()) for entry in sys.path]  # "" is the folder that we are in
-    versions = {package: version(package) for package in _SAME_EVERYWHERE}
+    versions = {package: version_of(package) for package in _SAME_EVERYWHERE}
     return pickle.dumps((path, versions, ray.cloudpickle.dumps(world_factory)))
 
 
@@ -150,7 +150,7 @@ def _world_from(origin: bytes) -> World:
     path, versions, factory = pickle.loads(origin)
     sys.path.extend(entry for entry in path if entry not in sys.path)
     for package, wanted in versions.items():
-        if (found := version(package)) != wanted:
+        if (found := version_of(package)) != wanted:
             raise OtherVersion(socket.gethostname(), package, found, wanted)
     world_factory = pickle.loads(factory)
     is_own = isinstance(world_factory, OwnFactory | AimedFactory)

@@ -92,7 +92,7 @@ def test_impossible_request_is_refused_in_one_sentence(folder, arguments, messag
         (["plan", "d", "p", "x" * 300], "x" * 300),
         (["plam", "d"], "There is no command 'plam'; valid: check, compare,"),
         (["--bogus"], "neurosym: unrecognized options: --bogus; `neurosym --help` says"),
-        ([], "neurosym: expected one of {run, init,"),
+        ([], "neurosym: expected one of {demo, run, init,"),
         (
             ["new-problem", "d", "--goal", "item-01=0.6,0", "item-02=0.7,0"],
             "item-02=0.7,0; --goal is given once for each object; `neurosym new-problem --help`",

@@ -32,6 +32,8 @@ READS = {
 """Which files each command reads, as patterns: mostly one of these is changed."""
 OFTEN = ("plan", "execute", "explain", "report", "train", "distill", "compile-domain", "new-problem")
 """Commands that are drawn twice as often as others: there is much that they read."""
+LONG = {"demo"}
+"""Commands that are not drawn: they read no file of a user's, and take a minute."""
 TRAINING = ("run", "train", "report")
 """Commands that are never processes of their own: they would train for long."""
 STAGES = {"whole": "*", "explored": "world.toml interactions.npz", "begun": "world.toml", "empty": ""}
@@ -112,7 +114,7 @@ def drawn_case(
         alone: How many of a hundred are processes of their own.
         signals: How many of a hundred are sent a signal.
     """
-    name = draw.choice((*sorted(commands), *OFTEN))
+    name = draw.choice((*sorted(commands.keys() - LONG), *OFTEN))
     arguments = command_line(draw, name, commands[name])
     begins = name in ("run", "explore", "train", "init") and draw.random() < 0.4
     stage = draw.choice(tuple(STAGES)) if begins else "whole"

@@ -13,7 +13,7 @@ BROWSERS = ("chromium-headless-shell", "chromium", "chromium-browser", "google-c
 @pytest.fixture(scope="module")
 def browser():
     """A browser of this machine without a window."""
-    playwright = pytest.importorskip("playwright.sync_api", reason="pip install 'neurosym[browser]'")
+    playwright = pytest.importorskip("playwright.sync_api", reason="pip install 'neurosym-pddl[browser]'")
     found = next(filter(None, map(shutil.which, BROWSERS)), None)
     if found is None:
         pytest.skip(f"none of {', '.join(BROWSERS)} is installed")

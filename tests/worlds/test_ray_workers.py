@@ -96,7 +96,7 @@ def command(*words):
 @pytest.fixture
 def cluster():
     """A head without CPUs and two nodes of one CPU each, all on this machine."""
-    pytest.importorskip("ray", reason="needs Ray: pip install 'neurosym[ray]'")
+    pytest.importorskip("ray", reason="needs Ray: pip install 'neurosym-pddl[ray]'")
     from ray.cluster_utils import Cluster
 
     small = {"object_store_memory": 80_000_000, "include_dashboard": False}

@@ -60,4 +60,4 @@ def test_command_lists_every_planner(capsys: pytest.CaptureFixture[str]):
     assert neurosym("planners") == 0
     text = capsys.readouterr().out
     assert all(name in text for name in PLANNERS)
-    assert "pip install 'neurosym[planners]'" in text
+    assert "pip install 'neurosym-pddl[planners]'" in text

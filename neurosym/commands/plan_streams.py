@@ -1,0 +1,80 @@
+"""Plans that come from standard input, and that go to it of another program."""
+
+import sys
+from pathlib import Path
+
+from neurosym.console import be_quiet, print_raw, say
+from neurosym.errors import InvalidFile, InvalidValue
+from neurosym.files import check_writable, make_folder, write_atomically
+from neurosym.reading import read_text
+from neurosym.stages.folder import DomainFolder
+from neurosym.stages.layout import GROUNDING, PLANS, WORLD
+
+STANDARD = Path("-")
+"""What names standard input or output in place of a plan file."""
+_INPUT = Path("standard input")
+
+
+def saved_plan(folder: DomainFolder, name: str) -> Path:
+    """Write the plan that standard input holds into the folder, and return its file.
+
+    Args:
+        folder: The domain folder.
+        name: Name of the problem.
+
+    Raises:
+        InvalidFile: If it holds no plan for the problem.
+    """
+    from neurosym.grounding import Grounding
+    from neurosym.pddl.plan_text import parse_plan
+    from neurosym.reading import MOST_TEXT
+    from neurosym.stages.planning import load_problem
+    from neurosym.worlds.world_file import read_world
+
+    data = sys.stdin.buffer.read(MOST_TEXT + 1) if hasattr(sys.stdin, "buffer") else sys.stdin.read().encode()
+    if len(data) > MOST_TEXT:
+        raise InvalidFile(_INPUT, f"it holds more than {MOST_TEXT} bytes")
+    try:
+        text = data.decode()
+    except UnicodeDecodeError as error:
+        raise InvalidFile(_INPUT, "it is no text") from error
+    world = read_world(folder.require(WORLD))()
+    problem = load_problem(folder, name, world)
+    parse_plan(text, _INPUT, Grounding.load(folder.require(GROUNDING)), problem)
+    make_folder(folder / PLANS)
+    file = folder / PLANS / f"{name}.stdin.plan"
+    write_atomically(file, text)
+    say(f"wrote {file}")
+    return file
+
+
+def check_output(output: Path | None, json: bool) -> None:
+    """Raise `InvalidValue` unless a plan can go there.
+
+    Args:
+        output: Where to, if anywhere.
+        json: Whether the answer is printed as JSON.
+    """
+    if output == STANDARD and json:
+        raise InvalidValue("Both --output - and --json ask for standard output; leave one of them out.")
+    if output is None or output == STANDARD:
+        return
+    if output.is_dir() or not output.absolute().parent.is_dir():
+        raise InvalidValue(f"No plan can be written to {output}; name a file in an existing folder.")
+    check_writable(output)
+
+
+def hand_over(plan_file: Path, output: Path) -> None:
+    """Copy a plan to where it was asked for.
+
+    Args:
+        plan_file: The plan.
+        output: Where to.
+    """
+    text = read_text(plan_file)
+    if output == STANDARD:
+        be_quiet(False)
+        print_raw(text)
+    else:
+        write_atomically(output, text)
+        say(f"wrote {output}")

@@ -1,0 +1,146 @@
+"""What is installed from a wheel works in an empty folder, away from the repository.
+
+The environment is fresh but for the packages that neurosym needs, which are those of this one.
+"""
+
+import os
+import subprocess
+import sys
+import sysconfig
+import tarfile
+import venv
+import zipfile
+from pathlib import Path
+
+import pytest
+from places import ROOT
+
+from neurosym.shipped import DOMAINS
+
+
+def completed(*command: object, **options: object) -> subprocess.CompletedProcess[str]:
+    kept = {name: value for name, value in os.environ.items() if name != "PYTHONPATH"}
+    return subprocess.run(
+        [str(word) for word in command], capture_output=True, text=True, env=kept, timeout=600, **options
+    )
+
+
+@pytest.fixture(scope="module")
+def built(tmp_path_factory) -> Path:
+    """The folder of an sdist, and of the wheel that was made from it."""
+    folder = tmp_path_factory.mktemp("built")
+    done = completed(sys.executable, "-m", "build", "--no-isolation", "--outdir", folder, ROOT)
+    assert done.returncode == 0, done.stdout + done.stderr
+    return folder
+
+
+@pytest.fixture(scope="module")
+def wheel(built) -> Path:
+    return next(built.glob("*.whl"))
+
+
+@pytest.fixture(scope="module")
+def environment(wheel, tmp_path_factory) -> Path:
+    """The folder of the programs of an environment into which the wheel was installed."""
+    folder = tmp_path_factory.mktemp("environment")
+    venv.create(folder, with_pip=False, symlinks=os.name != "nt")
+    programs = folder / ("Scripts" if os.name == "nt" else "bin")
+    python = programs / Path(sys.executable).name
+    python = python if python.exists() else programs / "python"
+    site = completed(python, "-c", "import sysconfig; print(sysconfig.get_path('purelib'))").stdout.strip()
+    (Path(site) / "needed.pth").write_text(sysconfig.get_path("purelib") + "\n")
+    pip = (sys.executable, "-m", "pip", "--python", python, "install", "--quiet", "--no-deps", wheel)
+    done = completed(*pip)
+    assert done.returncode == 0, done.stderr
+    return programs
+
+
+@pytest.fixture
+def neurosym(environment, tmp_path):
+    """Call the installed command in an empty folder."""
+    program = environment / "neurosym"
+    return lambda *arguments: completed(program, *arguments, cwd=tmp_path)
+
+
+def test_archives_are_what_the_package_index_takes(built):
+    archives = sorted(built.iterdir())
+    assert [path.suffix for path in archives] == [".whl", ".gz"]
+    assert completed(sys.executable, "-m", "twine", "check", "--strict", *archives).returncode == 0
+    judged = completed(sys.executable, "-m", "check_wheel_contents", archives[0], cwd=ROOT)
+    assert judged.returncode == 0, judged.stdout
+
+
+def test_wheel_holds_what_is_read_at_run_time_and_nothing_that_is_made_again(wheel):
+    with zipfile.ZipFile(wheel) as archive:
+        names = set(archive.namelist())
+    package = {path.relative_to(ROOT).as_posix() for path in (ROOT / "neurosym").rglob("*") if path.is_file()}
+    assert {name for name in package if "__pycache__" not in name} <= names
+    for domain in DOMAINS:
+        assert f"neurosym/shipped_domains/{domain}/grounding.json" in names
+    assert not [name for name in names if "/plans/" in name or "/runs/" in name]
+
+
+def test_sdist_holds_the_tests_and_what_builds_the_wheel(built):
+    with tarfile.open(next(built.glob("*.tar.gz"))) as archive:
+        names = {name.partition("/")[2] for name in archive.getnames()}
+    assert {"hatch_build.py", "Makefile", "tests/places.py", "domains/tabletop/grounding.json"} <= names
+
+
+def test_shipped_domain_is_named_by_its_name_and_copied_before_it_is_used(neurosym, environment, tmp_path):
+    done = neurosym("plan", "tabletop", "task-01")
+    assert done.returncode == 0, done.stderr
+    assert f"copied the shipped domain tabletop to {tmp_path / 'tabletop'}" in done.stdout.replace("\n", "")
+    plan = Path("tabletop") / "plans" / "task-01.fast-downward.plan"
+    assert (tmp_path / plan).is_file()
+    executed = neurosym("execute", "tabletop", "task-01", plan)
+    assert executed.returncode == 0, executed.stdout + executed.stderr
+    assert "copied" not in executed.stdout
+    home = next(environment.parent.rglob("shipped_domains/tabletop"))
+    assert not (home / "plans").exists()
+    assert (home / "manifest.json").read_bytes() != (tmp_path / "tabletop" / "manifest.json").read_bytes()
+
+
+def test_unknown_domain_is_refused_and_says_which_come_along(neurosym, tmp_path):
+    done = neurosym("explain", "tabeltop")
+    assert done.returncode == 2
+    assert len(done.stderr.strip().splitlines()) == 1
+    assert not list(tmp_path.iterdir())
+
+
+@pytest.mark.skipif(os.name == "nt" or os.geteuid() == 0, reason="root may write everywhere")
+def test_folder_that_cannot_be_written_is_refused_in_one_sentence(neurosym, tmp_path):
+    tmp_path.chmod(0o500)
+    done = neurosym("plan", "tabletop", "task-01")
+    tmp_path.chmod(0o700)
+    assert done.returncode == 2
+    assert "cannot be written: Permission denied." in done.stderr
+    assert not list(tmp_path.iterdir())
+
+
+def test_other_library_of_the_same_name_is_named_in_one_sentence(neurosym, environment):
+    site = next(environment.parent.rglob("needed.pth")).parent
+    other = site / "neurosym-0.0.90.dist-info"
+    other.mkdir()
+    (other / "METADATA").write_text("Metadata-Version: 2.1\nName: neurosym\nVersion: 0.0.90\n")
+    try:
+        done = neurosym("planners")
+        assert done.returncode == 2
+        assert "Another library called neurosym (version 0.0.90)" in " ".join(done.stderr.split())
+        (other / "entry_points.txt").write_text(
+            "[console_scripts]\nneurosym = neurosym.commands.cli:main\n"
+        )  # ours was called so once
+        assert neurosym("planners").returncode == 0
+    finally:
+        for path in other.iterdir():
+            path.unlink()
+        other.rmdir()
+
+
+@pytest.mark.evaluation
+def test_demonstration_and_page_are_made_without_the_repository(neurosym, tmp_path):
+    shown = neurosym("demo")
+    assert shown.returncode == 0, shown.stdout + shown.stderr
+    assert len([*(tmp_path / "demo").glob("*.gif")]) == 4
+    reported = neurosym("report", Path("demo") / "tabletop")
+    assert reported.returncode == 0, reported.stderr
+    assert (tmp_path / "demo" / "tabletop" / "report.html").stat().st_size > 1e6
