@@ -34,6 +34,8 @@ if TYPE_CHECKING:
     from neurosym.planners.result import PlannerAnswer as PlannerAnswer
     from neurosym.planners.result import PlanResult as PlanResult
     from neurosym.planners.result import PlanStatus as PlanStatus
+    from neurosym.planners.unified_planning import from_unified_planning as from_unified_planning
+    from neurosym.planners.unified_planning import to_unified_planning as to_unified_planning
     from neurosym.primitives.audition import choose as choose
     from neurosym.primitives.distillation import distill as distill
     from neurosym.primitives.rehearsal import Rehearsals as Rehearsals
@@ -66,6 +68,7 @@ _PLACES = {
     "neurosym.planners.refinement": ("pddl_planner",),
     "neurosym.planners.registry": ("plan", "register_planner"),
     "neurosym.planners.result": ("PlannerAnswer", "PlanResult", "PlanStatus"),
+    "neurosym.planners.unified_planning": ("from_unified_planning", "to_unified_planning"),
     "neurosym.primitives.audition": ("choose",),
     "neurosym.primitives.distillation": ("distill",),
     "neurosym.primitives.rehearsal": ("Rehearsals", "rehearse", "tabulate"),

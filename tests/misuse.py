@@ -380,6 +380,10 @@ CALLS = [
     *each((("speed",), None, 3), "takes", lambda takes: planner(takes=takes), PLANNER),
     *each(("cards",), "reads", lambda reads: planner(reads=reads), PLANNER),
     *each((None, 3, "counting"), "Planner", ns.register_planner, PLANNER),
+    *each((None, 3), "problem", lambda task: ns.to_unified_planning(task, GROUNDING)),
+    *each((None, 3), "grounding", lambda found: ns.to_unified_planning(PROBLEM, found)),
+    *each(("runes",), "encoding", lambda found: ns.to_unified_planning(PROBLEM, GROUNDING, found), CHOICE),
+    *each((None, "plan", 3), "no plan", lambda found: ns.from_unified_planning(found, PROBLEM, GROUNDING)),
     *each((None, 3), "call", lambda call: ns.pddl_planner("mine", "mine", call), PLANNER),
     *each(
         (NAN, -1.0, "fine"), "cell", lambda cell: ns.pddl_planner("mine", "mine", print, cell=cell), PLANNER

@@ -1,4 +1,4 @@
-"""Planning through unified-planning, with the engine of it that is called `fast-downward`.
+"""Problems for unified-planning, plans from it, and planning with its engine that is called `fast-downward`.
 
 The engine runs in a process of its own, because its import is slow, it writes files into the current folder,
 and its own time-outs leave processes behind. This module is also the program that runs there:
@@ -8,12 +8,74 @@ and its own time-outs leave processes behind. This module is also the program th
 import sys
 import time
 from pathlib import Path
+from typing import TYPE_CHECKING
 
+from neurosym.checks import check_kind
+from neurosym.errors import InvalidValue
+from neurosym.grounding import Grounding
+from neurosym.pddl.domain import domain_text
+from neurosym.pddl.moves import PLACES, Encoding
+from neurosym.pddl.place_domain import carriers_of
+from neurosym.pddl.plan_text import PlanStep, parse_plan
+from neurosym.pddl.problem import problem_text
 from neurosym.planners.process import Finished, read_text, run_limited
 from neurosym.planners.result import PlannerAnswer, PlanStatus
 from neurosym.planners.scratch import scratch_folder
+from neurosym.problems import Problem
+
+if TYPE_CHECKING:
+    from unified_planning.model import Problem as Task
+    from unified_planning.plans import SequentialPlan
 
 _EXIT = {PlanStatus.SOLVED: 0, PlanStatus.UNSOLVABLE: 10, PlanStatus.TIMEOUT: 21, PlanStatus.FAILED: 3}
+
+
+def to_unified_planning(problem: Problem, grounding: Grounding, encoding: Encoding | None = None) -> "Task":
+    """Return a problem as unified-planning has it, which any of its engines may solve.
+
+    Args:
+        problem: The problem.
+        grounding: The learned domain.
+        encoding: How it is encoded; `places` if anything can be carried to places, else `stepwise`.
+
+    Raises:
+        InvalidValue: If something is not what it should be.
+        UnknownChoice: If there is no such encoding.
+    """
+    from unified_planning.io import PDDLReader
+
+    check_kind("problem", problem, Problem, "a Problem")
+    check_kind("grounding", grounding, Grounding, "a Grounding")
+    usual: Encoding = PLACES if grounding.is_refined and carriers_of(grounding) else "stepwise"
+    chosen = encoding or usual
+    texts = domain_text(grounding, chosen), problem_text(problem, grounding, chosen)
+    return PDDLReader().parse_problem_string(*texts)
+
+
+def from_unified_planning(
+    plan: "SequentialPlan", problem: Problem, grounding: Grounding
+) -> tuple[PlanStep, ...]:
+    """Return the steps of a plan that an engine of unified-planning made, as `execute` takes them.
+
+    Args:
+        plan: The plan.
+        problem: The problem that `to_unified_planning` was given.
+        grounding: The learned domain.
+
+    Raises:
+        InvalidValue: If it is no sequence of actions.
+        InvalidPlan: If it names an operator, object or pair that does not exist.
+    """
+    check_kind("problem", problem, Problem, "a Problem")
+    check_kind("grounding", grounding, Grounding, "a Grounding")
+    if not hasattr(plan, "actions"):
+        raise InvalidValue(f"{plan!r} is no plan; valid: a SequentialPlan of unified-planning.")
+    return parse_plan(_text(plan), Path("the plan"), grounding, problem)
+
+
+def _text(plan: "SequentialPlan") -> str:
+    lines = (" ".join((one.action.name, *map(str, one.actual_parameters))) for one in plan.actions)
+    return "".join(f"({line})\n" for line in lines)
 
 
 def plan_unified_planning(
@@ -60,8 +122,7 @@ def _main(domain: str, problem: str, plan: str, engine: str) -> tuple[PlanStatus
         result = planner.solve(task)
     said = f"{engine} through unified-planning says {result.status.name}"
     if result.plan is not None:
-        lines = (" ".join((a.action.name, *map(str, a.actual_parameters))) for a in result.plan.actions)
-        Path(plan).write_text("".join(f"({line})\n" for line in lines))
+        Path(plan).write_text(_text(result.plan))
         return PlanStatus.SOLVED, said
     if result.status in (Status.UNSOLVABLE_PROVEN, Status.UNSOLVABLE_INCOMPLETELY):
         return PlanStatus.UNSOLVABLE, said
