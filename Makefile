@@ -7,7 +7,7 @@ PYTHON ?= $(shell for each in $(PYTHONS); do $$each -c '$(SUPPORTED)' 2>/dev/nul
 BIN := $(VENV)/bin
 comma := ,
 
-.PHONY: install demo test test-pythons lint fuzz evaluate evaluate-world evaluate-learning evaluate-planning evaluate-practice evaluate-places evaluate-bits evaluate-planners evaluate-scale faults tutorial architecture clean
+.PHONY: install demo test test-pythons lint fuzz evaluate evaluate-world evaluate-learning evaluate-planning evaluate-practice evaluate-places evaluate-bits evaluate-planners evaluate-scale faults tutorial architecture docs clean
 
 install: $(VENV)/.installed
 
@@ -94,6 +94,10 @@ faults: install
 # Runs docs/tutorial.ipynb and stores what its cells say: some minutes.
 tutorial: install
 	$(BIN)/python tools/run_tutorial.py
+
+# Builds the site into site/, offline; a warning, as of a dead link, fails.
+docs: install
+	$(BIN)/sphinx-build -q -W --keep-going -b html docs site
 
 # Draws the folders and their imports anew, into docs/images/architecture.svg.
 architecture: install

@@ -6,6 +6,7 @@ from pathlib import Path
 import pytest
 from places import DOCS, ROOT
 
+import neurosym
 from tools.write_commands import page
 
 DOCUMENTS = [ROOT / "README.md", *sorted((ROOT / "docs").glob("*.md"))]
@@ -57,3 +58,9 @@ def test_readme_is_short_and_its_python_reaches_the_goal(capsys):
     (block,) = re.findall(r"```python\n(.*?)```", text, flags=re.S)
     exec(compile(block, "README.md", "exec"), {})
     assert capsys.readouterr().out.strip().endswith("True")
+
+
+def test_every_name_of_the_python_api_is_in_the_reference_and_documented():
+    listed = set(re.findall(r"^\.\. auto\w+:: neurosym\.(\w+)$", (DOCS / "api.md").read_text(), flags=re.M))
+    assert listed == {*neurosym.__all__} - {"__version__"}
+    assert all((getattr(neurosym, name).__doc__ or "").strip() for name in listed)
