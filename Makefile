@@ -95,9 +95,9 @@ faults: install
 tutorial: install
 	$(BIN)/python tools/run_tutorial.py
 
-# Builds the site into site/, offline; a warning, as of a dead link, fails.
+# Builds the site into site/html/, offline; a warning, as of a dead link, fails.
 docs: install
-	$(BIN)/sphinx-build -q -W --keep-going -b html docs site
+	$(BIN)/sphinx-build -q -W --keep-going -b html docs site/html
 
 # Draws the folders and their imports anew, into docs/images/architecture.svg.
 architecture: install

@@ -2,6 +2,7 @@
 
 import math
 import os
+from difflib import get_close_matches
 from pathlib import Path
 from typing import Annotated, Literal
 
@@ -10,9 +11,10 @@ from tyro.conf import Positional, arg
 from neurosym.console import say
 from neurosym.errors import InvalidValue
 from neurosym.learning.model_config import DEFAULT_BITS, PAPER_BITS
-from neurosym.shipped import copy_shipped
+from neurosym.shipped import DOMAINS, copy_shipped
 from neurosym.stages.folder import DomainFolder
 from neurosym.strategies import StrategyName
+from neurosym.wording import quoted
 
 Folder = Annotated[Positional[Path], arg(metavar="DIR", help="The domain folder.")]
 DataPath = Annotated[
@@ -110,4 +112,9 @@ def opened(folder: Path) -> DomainFolder:
     """
     if len(folder.parts) == 1 and not folder.exists() and copy_shipped(folder.name, folder):
         say(f"copied the shipped domain {folder.name} to {folder.absolute()}; all results go there")
+    if not folder.exists() and (meant := get_close_matches(str(folder), DOMAINS, n=1)):
+        raise InvalidValue(
+            f"There is no folder {folder}; the shipped domain is called {meant[0]}, and `neurosym init "
+            f"{quoted(folder)}` makes a new one."
+        )
     return DomainFolder(folder, notify=lambda remark: say(f"note: {remark}"))
