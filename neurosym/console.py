@@ -6,6 +6,7 @@ import sys
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager, suppress
 from pathlib import Path
+from time import monotonic
 from typing import IO, Any, Protocol, TextIO, cast
 
 from rich.console import Console
@@ -27,6 +28,7 @@ from neurosym.wording import harmless
 
 _LONG = re.compile(r"\S{1000,}")
 _PIPE_WIDTH = 160  # columns, where there is no terminal to ask
+_LEAST_PAUSE = 5.0  # between lines that say how far some work has come [s]
 
 
 class OutputClosed(BaseException):
@@ -107,9 +109,38 @@ class _Rate(ProgressColumn):
         return Text(f"{task.speed:.1f}/s" if task.speed else "-/s", style="progress.data.speed")
 
 
+class _Lines:
+    """Says how far some work has come in a line now and then, where there is no terminal to show a bar on."""
+
+    def __init__(self, label: str):
+        self._restart(label)
+
+    def _restart(self, label: str) -> None:
+        self._label, self._tenths = label, 0
+        self._begin = self._last = monotonic()
+
+    def advance(self, done: int, total: int, label: str | None = None) -> None:
+        """Say how much is done, if that is a tenth more, and not long after the last line."""
+        if label is not None and label != self._label:
+            self._restart(label)
+        now, tenths = monotonic(), 10 * done // total if total else 0
+        if tenths <= self._tenths or now - self._last < _LEAST_PAUSE:
+            return
+        self._tenths, self._last = tenths, now
+        taken = now - self._begin
+        left = "" if done >= total else f", about {_minutes(taken * (total - done) / done)} left"
+        error_console.print(f"{self._label}: {done} of {total} after {_minutes(taken)}{left}", markup=False)
+
+
+def _minutes(seconds: float) -> str:
+    return f"{int(seconds) // 60}:{int(seconds) % 60:02d} min"
+
+
 @contextmanager
 def progress_bar(label: str) -> Iterator[Advance]:
     """Show a bar with rate and remaining time while some long work goes on, once it has begun.
+
+    Where the output is no terminal, a line now and then says as much.
 
     Args:
         label: What is being done.
@@ -124,11 +155,14 @@ def progress_bar(label: str) -> Iterator[Advance]:
         TextColumn("elapsed"),
         TimeElapsedColumn(),
     )
-    progress = Progress(*columns, console=error_console)
+    progress, lines = Progress(*columns, console=error_console), _Lines(label)
     task = progress.add_task(label, total=None)
 
     def advance(done: int, total: int, label: str | None = None) -> None:
         if console.quiet:
+            return
+        if not error_console.is_terminal:
+            lines.advance(done, total, label)
             return
         progress.start()
         if label is not None and label != progress.tasks[0].description:

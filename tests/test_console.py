@@ -1,0 +1,59 @@
+"""Where there is no terminal, long work says in a line now and then how far it has come."""
+
+import io
+
+import pytest
+
+from neurosym import console
+
+
+@pytest.fixture
+def said(monkeypatch):
+    """What is printed about progress, and a clock that the test moves."""
+    stream, now = io.StringIO(), [0.0]
+    monkeypatch.setattr(console, "error_console", console.ErrorConsole(file=stream, soft_wrap=True))
+    monkeypatch.setattr(console, "monotonic", lambda: now[0])
+    return stream, now
+
+
+def work(now, seconds: float, parts: int = 100) -> None:
+    with console.progress_bar("digging") as advance:
+        for done in range(1, parts + 1):
+            now[0] += seconds / parts
+            advance(done, parts)
+
+
+def test_a_line_for_each_tenth_says_what_is_left(said):
+    stream, now = said
+    work(now, 600.0)
+    lines = stream.getvalue().splitlines()
+    assert len(lines) == 10
+    assert lines[0] == "digging: 10 of 100 after 1:00 min, about 9:00 min left"
+    assert lines[-1] == "digging: 100 of 100 after 10:00 min"
+
+
+def test_short_work_is_done_in_silence(said):
+    stream, now = said
+    work(now, 4.0)
+    assert stream.getvalue() == ""
+
+
+def test_quiet_commands_keep_quiet_about_it(said):
+    stream, now = said
+    console.be_quiet(True)
+    try:
+        work(now, 600.0)
+    finally:
+        console.be_quiet(False)
+    assert stream.getvalue() == ""
+
+
+def test_another_label_begins_anew(said):
+    stream, now = said
+    with console.progress_bar("digging") as advance:
+        for label in ("first", "second"):
+            now[0] += 30.0
+            advance(1, 2, label)
+            now[0] += 30.0
+            advance(2, 2, label)
+    assert [line.split(":")[0] for line in stream.getvalue().splitlines()] == ["first", "second"]
