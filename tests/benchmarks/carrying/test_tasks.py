@@ -1,6 +1,7 @@
 """The tasks that carrying is measured by: they can be done, and are what they are called."""
 
 from functools import cache
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -8,7 +9,8 @@ from places import SHIPPED
 
 from neurosym.evaluation.comparison_tasks import Bench
 from neurosym.stages.folder import DomainFolder
-from tools.benchmarks.carrying import tasks
+from tools.benchmarks.carrying import baselines, tasks
+from tools.benchmarks.carrying.by_hand import ByHand, carry_by_hand
 from tools.benchmarks.carrying.evaluate import KEPT, keep, restore
 
 
@@ -52,3 +54,21 @@ def test_what_it_takes_to_try_a_learned_domain_is_kept_and_restored(tmp_path):
     assert (again / "seed-2" / KEPT[0]).read_text() == KEPT[0]
     keep(again, tmp_path / "twice.zip")
     assert (tmp_path / "twice.zip").read_bytes() == archive.read_bytes()
+
+
+def test_a_person_carries_one_object_and_swaps_two_without_a_planner():
+    world = bench().setting.world
+    one = tasks.far(bench(), 1, 5, graspable=True)
+    assert carry_by_hand(one, world, 0) == ByHand(reached=True, motions=1)
+    swapped = carry_by_hand(tasks.swap(bench(), 5), world, 0)
+    assert swapped.reached
+    assert 3 <= swapped.motions <= 6
+
+
+def test_baselines_are_tried_on_every_cell_of_graspable_objects_and_told():
+    cells = tasks.cells(0.01)
+    found = {name: [True, False] for name in baselines.jobs(Path("seed-1"), 1, cells)}
+    told = baselines.summary(found, cells)
+    assert set(told[baselines.BY_HAND]) == {name for name, *_ in cells if not name.startswith("all")}
+    assert set(told[baselines.WITHOUT]) == set(baselines.LED)
+    assert {share for of in told.values() for share in of.values()} == {0.5}

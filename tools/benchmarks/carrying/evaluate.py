@@ -32,7 +32,7 @@ from neurosym.stages.exploring import explore_stage
 from neurosym.stages.folder import DomainFolder
 from neurosym.stages.layout import GROUNDING, MODEL, WORLD
 from neurosym.stages.training import train_stage
-from tools.benchmarks.carrying import tasks
+from tools.benchmarks.carrying import baselines, tasks
 from tools.benchmarks.carrying.tables import page
 from tools.benchmarks.jobs import Job, as_text, load_jobs, machine, pack, perform, unpack
 from tools.benchmarks.planning import figures
@@ -68,16 +68,20 @@ def main(
     unpack(results / RECORDS, work / "jobs")
     restore(results / DOMAINS, work)
     tried: dict[int, dict[str, dict[str, Job]]] = {}
+    every_cell = tasks.cells(scale)
     for seed in range(1, seeds + 1):
         folder = work / f"seed-{seed}"
         learning = {f"learn-{seed}": partial(learn, folder, seed, steps, places)}
         perform(work / "jobs", learning, workers, lambda: None, label=f"seed {seed}, learning")
         keep(work, results / DOMAINS)
-        tried[seed] = {cell[0]: _jobs(folder, seed, cell) for cell in tasks.cells(scale)}
+        tried[seed] = {cell[0]: _jobs(folder, seed, cell) for cell in every_cell}
         every = {name: job for jobs in tried[seed].values() for name, job in jobs.items()}
         report = partial(write_results, work, results, tried, steps=steps, places=places)
         perform(work / "jobs", every, workers, report, label=f"seed {seed}, tasks")
         report()
+    compared = baselines.jobs(work / "seed-1", FIRST_TASK + 10_000, every_cell)
+    perform(work / "jobs", compared, workers, report, label="baselines")
+    report()
     say(f"wrote {results / 'places.md'}")
 
 
@@ -279,6 +283,7 @@ def summarise(
         "crowded": whole("crowded"),
         "carry_seeds": sum(one is not None and one["right"] >= RIGHT for one in can),
         "carries": can,
+        "baselines": baselines.summary(found, tasks.cells(1.0)),
         "table": table,
     }
 

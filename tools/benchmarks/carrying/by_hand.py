@@ -1,0 +1,80 @@
+"""What a person would write without a planner: carry each object to its goal by hand-written actions.
+
+An object whose goal is free is carried there, the first in order. Where none is free, the first object waits
+on a free spot that is drawn. What is missed is tried again; there are three motions for each object.
+"""
+
+import msgspec
+import numpy as np
+from jaxtyping import Float
+
+from neurosym.pddl.footprints import footprints_apart, overlapping
+from neurosym.problems import Problem
+from neurosym.table import Table
+from neurosym.world import Scene, World, relative_to
+from tools.benchmarks.world.hand_written import carry_to
+
+MOTIONS = 3
+"""Motions for each object at most."""
+ROOM = 0.03
+"""How far objects are kept apart where they are set down to wait [m]."""
+_DRAWS = 500
+
+
+class ByHand(msgspec.Struct, frozen=True):
+    """What became of a task.
+
+    Attributes:
+        reached: Whether every object ended within the tolerance of its goal.
+        motions: How many actions were performed.
+    """
+
+    reached: bool
+    motions: int
+
+
+def carry_by_hand(problem: Problem, world: World, seed: int) -> ByHand:
+    """Carry the objects of a task to their goals.
+
+    Args:
+        problem: The task, whose objects can all be grasped.
+        world: Where it is done.
+        seed: Where the spots to wait on are drawn from.
+    """
+    rng, apart = np.random.default_rng(seed), footprints_apart(problem)
+    goals = np.array([problem.goals[name][:2] for name in problem.object_names])
+    scene, most = problem.scene(), MOTIONS * len(problem.objects)
+    for motions in range(most + 1):
+        away = np.linalg.norm(scene.positions[:, :2] - goals, axis=1)
+        unmet = np.flatnonzero(away > problem.tolerance)
+        if not len(unmet) or motions == most:
+            return ByHand(not len(unmet), motions)
+        target, spot = _next(scene, unmet, goals, apart, world.table, rng)
+        action = carry_to(scene.features[target])
+        assert action is not None, "it can be grasped"
+        place = world.table.nearest(*spot.tolist())
+        scene = world.interact(scene, action, target, **relative_to(world, place)).end
+    raise AssertionError("returned by then")
+
+
+def _next(
+    scene: Scene,
+    unmet: np.ndarray,
+    goals: Float[np.ndarray, "M 2"],
+    apart: Float[np.ndarray, "M M 2"],
+    table: Table,
+    rng: np.random.Generator,
+) -> tuple[int, Float[np.ndarray, "2"]]:
+    """Return which object is carried next, and where to."""
+
+    def is_free(target: int, spot: Float[np.ndarray, "2"], room: float) -> bool:
+        others = np.arange(len(scene)) != target
+        return not overlapping(spot, scene.positions[others, :2], apart[target, others] + room).any()
+
+    for target in unmet.tolist():
+        if is_free(target, goals[target], 0.0):
+            return target, goals[target]
+    first = int(unmet[0])
+    low, high = np.array([table.x, table.y]).T
+    spots = (rng.uniform(low, high) for _ in range(_DRAWS))
+    return first, next((spot for spot in spots if is_free(first, spot, ROOM)), goals[first])
