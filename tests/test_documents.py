@@ -1,9 +1,11 @@
 """The documents: what they point to and the tests that they name exist."""
 
 import re
+import warnings
 from pathlib import Path
 
 import pytest
+from documents import python_blocks
 from places import DOCS, ROOT
 
 import neurosym
@@ -64,3 +66,11 @@ def test_every_name_of_the_python_api_is_in_the_reference_and_documented():
     listed = set(re.findall(r"^\.\. auto\w+:: neurosym\.(\w+)$", (DOCS / "api.md").read_text(), flags=re.M))
     assert listed == {*neurosym.__all__} - {"__version__"}
     assert all((getattr(neurosym, name).__doc__ or "").strip() for name in listed)
+
+
+def test_a_plan_of_unified_planning_comes_true(capsys):
+    (block,) = python_blocks("other-plans.md")
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")  # unified-planning and what it imports, not ours to mend
+        exec(compile(block, "other-plans.md", "exec"), {})
+    assert capsys.readouterr().out.strip().endswith("3 True")
