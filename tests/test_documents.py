@@ -9,6 +9,7 @@ from documents import python_blocks
 from places import DOCS, ROOT
 
 import neurosym
+from tools import prose
 from tools.write_commands import page
 
 DOCUMENTS = [ROOT / "README.md", *sorted((ROOT / "docs").glob("*.md"))]
@@ -47,6 +48,21 @@ def test_every_file_that_the_map_names_exists():
             known = [ROOT / "neurosym" / name, ROOT / name, ROOT / "neurosym" / folder / name]
             assert any(path.exists() for path in known), name
             folder = str(Path(name).parent) if "/" in name else folder
+
+
+def test_sentences_are_short():
+    """`python -m tools.prose --longest 20` prints those that are not."""
+    middle, most = prose.measured(
+        [one for path in prose.pages(ROOT) for one in prose.sentences(path.read_text())]
+    )
+    assert middle <= prose.MEDIAN
+    assert most <= prose.MOST
+
+
+def test_sentences_are_told_apart():
+    text = "# Head\n\nOne thing (`a.b`). Another is [here](x.md).\n\n- A point of it\n- Is this one?\n\n| a | b |\n"
+    found = prose.sentences(text)
+    assert found == ["One thing (`a.b`).", "Another is here.", "A point of it", "Is this one?"]
 
 
 def test_commands_page_is_what_the_commands_say():
