@@ -60,9 +60,16 @@ def test_sentences_are_short():
 
 
 def test_sentences_are_told_apart():
-    text = "# Head\n\nOne thing (`a.b`). Another is [here](x.md).\n\n- A point of it\n- Is this one?\n\n| a | b |\n"
-    found = prose.sentences(text)
-    assert found == ["One thing (`a.b`).", "Another is here.", "A point of it", "Is this one?"]
+    text = (
+        "# A heading does not count\n\nThis is one thing (`a.b`). `code` is [another thing](x.md) here.\n\n"
+        "- A point of a list\n- Is this a question?\n\n| a table | does not count |\n"
+    )
+    assert prose.sentences(text) == [
+        "This is one thing (`a.b`).",
+        "`code` is another thing here.",
+        "A point of a list",
+        "Is this a question?",
+    ]
 
 
 def test_commands_page_is_what_the_commands_say():

@@ -16,7 +16,7 @@ from neurosym.console import say, show_table
 PAGES = ("README.md", "CONTRIBUTING.md", "SECURITY.md", "CODE_OF_CONDUCT.md", "docs/*.md")
 MEDIAN, MOST = 18, 35
 """Words that the median sentence has at most, and 95 of a hundred."""
-_END = re.compile(r"(?<=[.!?])[\"')*_`]*\s+(?=[\"'(*_`\[]*[A-Z0-9])|:\n")
+_END = re.compile(r"(?<=[.!?])[\"')*_`]*\s+(?=[\"'(*_\[]*(?:[A-Z0-9]|`))|:\n")
 
 
 def main(
