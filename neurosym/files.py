@@ -11,7 +11,7 @@ import msgspec
 
 from neurosym.drafts import Draft, collecting, naming, remove_leftovers
 from neurosym.errors import InvalidFile
-from neurosym.reading import digest
+from neurosym.reading import digest, refuse_other_kinds
 
 _BLOCK = bytes(4096)  # as much as any file system sets aside for a small file
 
@@ -102,12 +102,11 @@ def check_writable(path: Path) -> None:
         path: The file; folders above it that do not exist yet are made later.
 
     Raises:
-        InvalidFile: If it is a folder, or one of the folders above it is a file.
+        InvalidFile: If it is a folder or a device, or one of the folders above it is a file.
         CannotWrite: If the folder, or the disk, takes no file.
     """
     with naming(path):
-        if path.is_dir():
-            raise InvalidFile(path, "it is a folder, and should be a file; move it away")
+        refuse_other_kinds(path)
         folder = next(place for place in path.absolute().parents if place.exists())
         if not folder.is_dir():
             raise InvalidFile(folder, "it is a file, and should be a folder; move it away")

@@ -3,6 +3,7 @@
 import io
 import json
 import sys
+from pathlib import Path
 
 import pytest
 from command_line import neurosym, refusal
@@ -90,6 +91,13 @@ def test_what_is_no_plan_is_refused_and_leaves_nothing(folder, capsys, monkeypat
         assert not (folder / "plans" / "task-02.stdin.plan").exists()
     else:
         assert neurosym("execute", folder, "task-02", "-") in (0, 3)
+
+
+@pytest.mark.parametrize("device", ["/dev/full", "/dev/null"])
+def test_devices_stay_what_they_are(planned, capsys, device):
+    said = refusal(capsys, "plan", planned, "task-01", "--output", device)
+    assert "should be a file" in said
+    assert Path(device).is_char_device()
 
 
 @pytest.mark.parametrize("output", ["", "missing/a.plan", "."])

@@ -58,7 +58,7 @@ def test_errors_survive_the_way_between_processes_as_themselves():
 
 def test_without_ray_a_sentence_says_how_to_install_it(monkeypatch):
     monkeypatch.setitem(sys.modules, "ray", None)
-    with pytest.raises(RayMissing, match=r"pip install 'neurosym\[ray\]'"):
+    with pytest.raises(RayMissing, match=r"pip install 'neurosym-pddl\[ray\]'"):
         enter("auto")
 
 
