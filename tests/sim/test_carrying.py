@@ -134,7 +134,8 @@ def test_impossible_place_is_refused(values):
 
 def test_carrying_can_be_filmed():
     phases = []
-    filmed = Tabletop().interact(
+    world = Tabletop(TabletopConfig(frame_every=48))  # a film of few pictures
+    filmed = world.interact(
         boxes(BOX), CARRY, 0, reference=FAR, on_frame=lambda _, phase: phases.append(phase)
     )
     plain = Tabletop().interact(boxes(BOX), CARRY, 0, reference=FAR)
