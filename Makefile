@@ -23,9 +23,10 @@ $(VENV)/.installed: pyproject.toml constraints.txt
 demo: install
 	$(BIN)/neurosym demo
 
-# A test that hangs is named, after many times what the slowest takes [s].
+# A test that hangs is named, after many times what the slowest takes [s]. Each process computes in one thread, since
+# there is one for each core.
 test: install
-	$(BIN)/pytest -m "not evaluation" --numprocesses auto --dist loadfile --no-loadscope-reorder \
+	OMP_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1 $(BIN)/pytest -m "not evaluation" --numprocesses auto --dist loadfile --no-loadscope-reorder \
 	  --timeout 900 --timeout-method thread
 
 # The same on each supported Python that runs here, in an environment of its own.
