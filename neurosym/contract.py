@@ -11,12 +11,10 @@ from neurosym.errors import InvalidWorld, NeurosymError
 from neurosym.factories import told
 from neurosym.problems import LEGAL_NAME
 from neurosym.table import Reference, ReferenceKind, Table
-from neurosym.world import Disturbance, Outcome, Scene, World
+from neurosym.world import REQUIRED, Disturbance, Outcome, Scene, World, is_world
 
 Result = TypeVar("Result")
 
-REQUIRED = tuple(name for name in vars(World) if not name.startswith("_"))
-"""What a world must have."""
 ENDINGS: tuple[str, ...] = get_args(Disturbance)
 """How a bystander may be disturbed."""
 KINDS_OF_REFERENCE: tuple[str, ...] = get_args(ReferenceKind)
@@ -62,8 +60,8 @@ def check_attributes(world: object, name: str | None = None) -> None:
 
 
 def _check_attributes(world: object, called: str) -> None:
-    missing = [attribute for attribute in REQUIRED if not hasattr(world, attribute)]
-    if missing or not isinstance(world, World):
+    if not is_world(world):
+        missing = [attribute for attribute in REQUIRED if not hasattr(world, attribute)]
         raise InvalidWorld(called, f"is no World: {type(world).__name__} lacks {', '.join(missing)}")
     if isinstance(world, type):
         raise InvalidWorld(called, "is the class of a world; valid: a world, as the class makes one")

@@ -15,7 +15,7 @@ from neurosym.actions import ActionBox
 from neurosym.contract import attempt, check_attributes, check_drawn, check_outcome
 from neurosym.errors import InvalidValue, InvalidWorld, NeurosymError
 from neurosym.table import Reference, Table
-from neurosym.world import Frame, FrameSink, Outcome, Scene, World, WorldFactory, relative_to
+from neurosym.world import Frame, FrameSink, Outcome, Scene, World, WorldFactory, is_world, relative_to
 
 OPTIONAL = ("picture", "open_window")
 """Methods that a world may have besides."""
@@ -127,7 +127,7 @@ def guarded(world: object) -> World:
     Raises:
         InvalidWorld: If it is none.
     """
-    return world if _is_ours(world) and isinstance(world, World) else Guarded(world)
+    return world if _is_ours(world) and is_world(world) else Guarded(world)
 
 
 def made(factory: WorldFactory) -> World:
@@ -141,7 +141,7 @@ def made(factory: WorldFactory) -> World:
         InvalidWorld: If it fails, or what it makes is no world.
     """
     if not callable(factory):
-        instead = "a world itself" if isinstance(factory, World) else f"a {type(factory).__name__}"
+        instead = "a world itself" if is_world(factory) else f"a {type(factory).__name__}"
         raise InvalidValue(
             f"The factory of worlds is {instead}; valid: a function that makes one, like its class."
         )

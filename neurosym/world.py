@@ -8,7 +8,7 @@ executed by feeding each outcome's end into the next interaction.
 import math
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import Any, Literal, Protocol, runtime_checkable
+from typing import Any, Literal, Protocol, TypeGuard, runtime_checkable
 
 import numpy as np
 from jaxtyping import Float, UInt8
@@ -199,6 +199,21 @@ class World(Protocol):
                 reference lies off the table.
         """
         ...
+
+
+REQUIRED = tuple(name for name in vars(World) if not name.startswith("_"))
+"""What a world must have."""
+
+
+def is_world(thing: object) -> TypeGuard[World]:
+    """Say whether an object has what a world has, wherever it has it from.
+
+    From Python 3.12 on, `isinstance` overlooks what `__getattr__` gives.
+
+    Args:
+        thing: The object.
+    """
+    return all(hasattr(thing, name) for name in REQUIRED)
 
 
 WorldFactory = Callable[[], World]

@@ -9,8 +9,9 @@ from typing import Any
 import numpy as np
 from jaxtyping import Float
 
+from neurosym.actions import ActionBox
 from neurosym.guarded import made
-from neurosym.table import Place, Reference
+from neurosym.table import Place, Reference, Table
 from neurosym.world import Outcome, Scene, World, WorldFactory, relative_to
 from neurosym.worlds.hosted import OwnFactory
 
@@ -44,10 +45,35 @@ class Aimed:
         self._world, self._margin = world, margin
 
     def __getattr__(self, name: str) -> Any:
-        """Give what the world has."""
+        """Give what else the world has, like its limits of objects."""
         if name.startswith("_"):
             raise AttributeError(name)
         return getattr(self._world, name)
+
+    @property
+    def name(self) -> str:
+        """Name of the world that it is made of."""
+        return self._world.name
+
+    @property
+    def feature_names(self) -> tuple[str, ...]:
+        """Names of the object features."""
+        return self._world.feature_names
+
+    @property
+    def action_box(self) -> ActionBox:
+        """The box of the action parameters."""
+        return self._world.action_box
+
+    @property
+    def table(self) -> Table:
+        """Where objects may stand."""
+        return self._world.table
+
+    @property
+    def lift_height(self) -> float:
+        """How far the hand rises after the last waypoint [m]."""
+        return self._world.lift_height
 
     def sample_scene(self, rng: np.random.Generator, objects: int) -> AimedScene:
         """Draw a scene, and then a place anywhere on the table, where an object may stand.

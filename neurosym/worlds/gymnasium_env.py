@@ -17,7 +17,7 @@ from neurosym.checks import check_kind
 from neurosym.errors import InvalidValue, UnknownChoice
 from neurosym.guarded import guarded, made
 from neurosym.table import Place, Reference
-from neurosym.world import Frame, Outcome, Pictured, Scene, World, relative_to
+from neurosym.world import Frame, Outcome, Pictured, Scene, World, is_world, relative_to
 from neurosym.worlds.world_file import make_world
 
 Observation = dict[str, Any]
@@ -156,7 +156,9 @@ class WorldEnv(gymnasium.Env[Observation, np.ndarray]):
 def _made(world: World | Callable[[], World] | str) -> World:
     if isinstance(world, str):
         return make_world(world, {})
-    return made(world) if isinstance(world, type) or not isinstance(world, World) else guarded(world)
+    if is_world(world) and not isinstance(world, type):
+        return guarded(world)
+    return made(world)  # type: ignore[arg-type]  # no world, so it makes one
 
 
 def _observation(scene: Scene) -> Observation:

@@ -28,6 +28,7 @@ from neurosym.planners.fast_downward import plan_fast_downward
 from neurosym.planners.result import PlanResult
 from neurosym.problems import Problem, SceneObject
 from neurosym.table import Place
+from neurosym.worlds.aimed import Aimed
 
 
 def texts() -> dict[str, str]:
@@ -182,17 +183,14 @@ def test_what_fails_is_not_done_again_the_same_way():
     """The hand is told to carry something that is nailed down: after that, nothing is left to try."""
     world, learned, problem = toy_domain.WORLD, grounding(), swap()
 
-    class Nailed:
-        def __getattr__(self, name):
-            return getattr(world, name)
-
+    class Nailed(Aimed):
         def interact(self, scene, action, target, **options):
             return world.interact(scene, np.zeros(12) if target == 0 else action, target, **options)
 
     def replanner(task, known):
         return plan(task, known)
 
-    run = execute(Nailed(), problem, learned, solved(problem), replanner=replanner)
+    run = execute(Nailed(world), problem, learned, solved(problem), replanner=replanner)
     assert not run.reached
     tried = [record for record in run.steps if record.object == "item-01"]
     assert 1 <= len(tried) <= 4
