@@ -71,9 +71,10 @@ class Child:
                     )
             except OSError as error:
                 raise CannotStart("process", str(error.strerror)) from error
-            except KeyboardInterrupt:  # right after it was started
-                self.process.kill()
-                self.process.wait()
+            except KeyboardInterrupt:
+                if hasattr(self, "process"):  # heard right after it was started
+                    self.process.kill()
+                    self.process.wait()
                 raise
         self._is_up = False
         self._end = weakref.finalize(self, _end, self.process, (self._connection, self._said, held))
