@@ -8,6 +8,7 @@ import pytest
 
 from neurosym import check_world
 from neurosym.errors import InvalidWorld
+from neurosym.world import REQUIRED
 from neurosym.worlds.toy import make_world as make_toy
 from neurosym.worlds.world_file import make_world
 
@@ -33,10 +34,12 @@ class Wrong:
     """A toy world, one thing about it changed."""
 
     def __init__(self, **changes):
-        self._world, self._changes = make_toy(), changes
+        self._world = make_toy()
+        for name in (*REQUIRED, *changes):  # which newer Pythons look for without `__getattr__`
+            setattr(self, name, changes.get(name, getattr(self._world, name, None)))
 
     def __getattr__(self, name):
-        return self._changes[name] if name in self._changes else getattr(self._world, name)
+        return getattr(self._world, name)
 
 
 def box(**changes):

@@ -11,6 +11,7 @@ from gymnasium.utils.env_checker import check_env
 
 from neurosym.errors import InvalidValue, InvalidWorld, UnknownChoice
 from neurosym.table import Place
+from neurosym.world import REQUIRED
 from neurosym.worlds.gymnasium_env import MOST_STEPS, WorldEnv
 from neurosym.worlds.toy import ToyWorld, make_world
 
@@ -138,6 +139,8 @@ def test_world_that_only_films_shows_the_last_picture_of_the_last_step():
     class Filmed:
         def __init__(self):
             self._world = make_world()
+            for name in REQUIRED:  # which newer Pythons look for without `__getattr__`
+                setattr(self, name, getattr(self._world, name))
 
         def __getattr__(self, name):
             if name == "picture":
