@@ -100,6 +100,13 @@ def test_shipped_domain_is_named_by_its_name_and_copied_before_it_is_used(neuros
     assert (home / "manifest.json").read_bytes() != (tmp_path / "tabletop" / "manifest.json").read_bytes()
 
 
+def test_plan_goes_through_a_pipe_without_a_word_about_the_copy(neurosym, tmp_path):
+    done = neurosym("plan", "tabletop", "task-01", "--output", "-")
+    assert done.returncode == 0, done.stderr
+    assert all(line.startswith("(") for line in done.stdout.splitlines())
+    assert (tmp_path / "tabletop").is_dir()
+
+
 def test_unknown_domain_is_refused_and_says_which_come_along(neurosym, tmp_path):
     done = neurosym("explain", "tabeltop")
     assert done.returncode == 2

@@ -4,7 +4,6 @@ For one object and for two, it takes the first shipped problem that Fast Downwar
 which it passed over.
 """
 
-import shutil
 from pathlib import Path
 from typing import Annotated
 
@@ -47,14 +46,10 @@ def demo(
 
 
 def _copied(output: Path) -> DomainFolder:
-    """Copy the domain anew; what an earlier demonstration made is removed, and nothing else."""
+    """Copy the domain; what an earlier demonstration left is used again, and nothing is removed."""
     target = output / DOMAIN
-    if target.exists():
-        if not (target / "manifest.json").is_file():
-            raise InvalidValue(f"{target} is none of ours and stays as it is; name another folder.")
-        shutil.rmtree(target)
     make_folder(output)
-    if not copy_shipped(DOMAIN, target):
+    if not target.exists() and not copy_shipped(DOMAIN, target):
         raise InvalidValue("No domain came with this installation; install neurosym-pddl again.")
     return DomainFolder(target)
 

@@ -60,6 +60,7 @@ def plan(
 
     check_time_limit(time_limit)
     check_output(output, json)
+    be_quiet(console.quiet or output == STANDARD)
     answer, domain = answer_in(json), opened(folder)
     name = domain.problem(problem)
     stage = plan_stage(
@@ -75,7 +76,6 @@ def plan(
         tolerance=tolerance,
     )
     plan_file, record_file = stage.outputs
-    be_quiet(console.quiet or output == STANDARD)
     had_plan = (domain / plan_file).exists()
     domain.perform(stage, again=True)
     record = read_json(domain / record_file, PlanRecord)

@@ -1,4 +1,4 @@
-"""Plans that come from standard input, and that go to it of another program."""
+"""Plans that come from standard input, and plans that go to standard output or to another file."""
 
 import sys
 from pathlib import Path
