@@ -13,6 +13,7 @@ from neurosym.errors import InvalidValue, UnknownChoice
 from neurosym.files import write_json
 from neurosym.operators import TOLERANCE, Length, Vector
 from neurosym.reading import read_json
+from neurosym.spots import spot_named
 from neurosym.symbols import Symbol
 from neurosym.table import Table
 from neurosym.world import Scene
@@ -101,15 +102,16 @@ class Problem(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
         raise UnknownChoice("object", str(name), self.object_names)
 
     def place_named(self, name: str) -> tuple[float, float]:
-        """Return where a place lies [m].
+        """Return where a place of the problem or a spot lies [m].
 
         Raises:
             UnknownChoice: If there is none of that name.
         """
         places = self.places if isinstance(self.places, dict) else {}
-        if name not in places:
+        found = places.get(name) or spot_named(name)
+        if found is None:
             raise UnknownChoice("place", name, places)
-        return places[name]
+        return found
 
     def within(self, tolerance: float | None) -> "Problem":
         """Return the problem with another tolerance, or as it is.

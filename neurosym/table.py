@@ -40,6 +40,20 @@ class Table:
         x, y = float(position[0]), float(position[1])
         return self.x[0] <= x <= self.x[1] and self.y[0] <= y <= self.y[1]
 
+    def check(self, name: str, x: float, y: float) -> None:
+        """Raise `InvalidValue` unless a place lies on the table.
+
+        Args:
+            name: What the place is called.
+            x: Where it lies [m].
+            y: The same for the other axis [m].
+        """
+        if not self.contains(np.array([x, y, 0.0])):
+            raise InvalidValue(
+                f"The place {name} lies at x = {x:g}, y = {y:g} m, off the table; valid: "
+                f"x {self.x[0]:g} to {self.x[1]:g}, y {self.y[0]:g} to {self.y[1]:g} m."
+            )
+
 
 @dataclass(frozen=True, slots=True)
 class Place:

@@ -120,10 +120,10 @@ def _check(
 
 
 def _check_places(problem: Problem, grounding: Grounding, plan: Sequence[PlanStep]) -> None:
-    """Refuse steps that carry an object nowhere, or to a place that there is not."""
+    """Refuse steps that carry an object nowhere, off the table, or to a place that there is not."""
     for step in plan:
         if grounding.carries(grounding.operator_named(step.base)):
-            problem.place_named(step.place)
+            grounding.table.check(step.place, *problem.place_named(step.place))
         elif step.place:
             raise InvalidValue(f"{step.operator} carries nothing, so it cannot lead to {step.place}.")
 

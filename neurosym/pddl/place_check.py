@@ -13,8 +13,9 @@ from neurosym.pddl.place_domain import NOWHERE, carriers_of
 from neurosym.pddl.place_problem import START
 from neurosym.pddl.places import PARK, is_at
 from neurosym.problems import Problem, check_names
+from neurosym.spots import SPOT
 
-_CELL = r"[xyz]\d*"
+_TAKEN = rf"[xyz]\d*|{START}.*|{SPOT.pattern}"
 
 
 def check_places(problem: Problem, grounding: Grounding) -> None:
@@ -35,13 +36,9 @@ def check_places(problem: Problem, grounding: Grounding) -> None:
     check_names(names)
     table = grounding.table
     for name, (x, y) in problem.places.items():
-        if name in problem.object_names or name == NOWHERE or re.fullmatch(f"{_CELL}|{START}.*", name):
+        if name in problem.object_names or name == NOWHERE or re.fullmatch(_TAKEN, name):
             raise InvalidValue(f"No place can be called {name}, the problem uses that; try shelf-01.")
-        if not table.contains(np.array([x, y, 0.0])):
-            raise InvalidValue(
-                f"The place {name} lies at x = {x:g}, y = {y:g} m, off the table; valid: "
-                f"x {table.x[0]:g} to {table.x[1]:g}, y {table.y[0]:g} to {table.y[1]:g} m."
-            )
+        table.check(name, x, y)
     for one, other in combinations(names, 2):
         _check_apart(one, other, problem)
 

@@ -1,40 +1,44 @@
 """Planning in turns for what can be carried and for what must be led over cells.
 
-What is led then keeps clear of what was carried, which a plan for all at once does not know.
+A plan for all at once does not know that what is led must keep clear of what was carried. So a way is looked
+for as if there were nothing that can be carried; what stands in it is carried out of it, and then it is free.
 """
 
 import dataclasses
 from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
+from itertools import islice, permutations
 
 import msgspec
-import numpy as np
-from jaxtyping import Float
 
 from neurosym.grounding import Grounding
 from neurosym.operators import Vector, vector
-from neurosym.pddl.footprints import footprints_apart
 from neurosym.pddl.place_problem import carried_objects
-from neurosym.pddl.places import PARK, with_places
+from neurosym.pddl.places import with_places
+from neurosym.pddl.plan_text import PlanStep
 from neurosym.pddl.validation import validate
+from neurosym.planners.making_way import Way
 from neurosym.planners.result import PlanResult, PlanStatus
-from neurosym.problems import Problem, SceneObject
-
-BESIDE = 0.02
-"""Room for the hand beside the way of what is led [m]."""
+from neurosym.problems import Problem
+from neurosym.spots import spot_name
 
 NEARER = 0.5
 """What is led is to come so near to its goal if others have no room else, as a share of the tolerance."""
+MOST_ORDERS = 6
+"""In how many orders objects are led one after another at most, where all ways at once cannot be cleared."""
 
 _Solve = Callable[[Problem], PlanResult]
 _Goals = Mapping[str, Vector]
+_Turn = tuple[PlanResult, Problem]
+"""A plan, and the problem with the objects where the plan leads them."""
 
 
 def plan_in_turns(problem: Problem, grounding: Grounding, carry: _Solve, lead: _Solve) -> PlanResult:
     """Carry what stands in the way of what must be led, then lead this, and then carry the rest.
 
-    A way is looked for as if there were nothing that can be carried. What has its goal beside that way is
-    carried there first, and what stands in it and has its goal there is put aside. If that fails, only what
-    stands in the way is carried first; and if that fails, nothing is.
+    At first all ways are cleared at once, and what has its goal beside them is carried there before; or only
+    what stands in them. If that fails, one object is led after another, each way cleared when it is needed.
+    If that fails, objects are led around all others as they stand.
 
     Args:
         problem: The problem.
@@ -42,98 +46,134 @@ def plan_in_turns(problem: Problem, grounding: Grounding, carry: _Solve, lead: _
         carry: Plans for objects that can be carried.
         lead: Plans for others.
     """
-    problem = with_places(problem, grounding)
     can_be = carried_objects(problem, grounding)
     carried = {name: goal for name, goal in problem.goals.items() if name in can_be}
     led = {name: goal for name, goal in problem.goals.items() if name not in can_be}
     result = PlanResult(PlanStatus.FAILED, (), 0.0, "everything that has a goal can be carried")
     if not led:
         return result
-    for before in _carried_before(problem, grounding, can_be, carried, led, lead):
-        first, begun = _turn(carry, problem, before, problem.tolerance, grounding)
-        if first.status is not PlanStatus.SOLVED:
-            result = first
-            continue
-        for near in (1.0, NEARER):
-            second, now = _turn(lead, begun, led, near * problem.tolerance, grounding)
-            if second.status is not PlanStatus.SOLVED:
-                result = second
-                continue
-            third, _ = _turn(carry, now, carried, problem.tolerance, grounding)
-            if third.status is not PlanStatus.SOLVED:
-                result = third
-                continue
-            steps = (*first.steps, *second.steps, *third.steps)
-            checked = validate(steps, problem, grounding)
-            if checked.valid:
-                return dataclasses.replace(third, steps=steps)
-            result = dataclasses.replace(third, status=PlanStatus.FAILED, steps=(), reason=checked.reason)
+    turns = _Turns(problem, grounding, carry, lead, can_be, carried)
+    for result in turns.plans(led):
+        if result.status is PlanStatus.SOLVED:
+            return result
     return result
 
 
-def _turn(
-    solve: _Solve, problem: Problem, goals: _Goals, tolerance: float, grounding: Grounding
-) -> tuple[PlanResult, Problem]:
-    """Plan for some goals, and return the plan and the problem with the objects where it leads them."""
-    task = msgspec.structs.replace(problem, goals=dict(goals), tolerance=tolerance)
-    if not goals or not task.unmet:
-        return PlanResult(PlanStatus.SOLVED, (), 0.0), problem
-    result = solve(task)
-    if result.status is not PlanStatus.SOLVED:
-        return result, problem
-    ends = validate(result.steps, task, grounding).positions[-1]
-    moved = zip(problem.objects, map(vector, ends), strict=True)
-    objects = tuple(msgspec.structs.replace(item, position=end) for item, end in moved)
-    return result, msgspec.structs.replace(problem, objects=objects)
+@dataclass(frozen=True, slots=True)
+class _Turns:
+    """What is asked, and who plans the turns.
+
+    Attributes:
+        problem: The problem; if it names places of its own, objects are carried to no others.
+        grounding: The learned domain.
+        carry: Plans for objects that can be carried.
+        lead: Plans for others.
+        can_be: Names of the objects that can be carried.
+        carried: Goals of those among them that have one.
+        known: The ways that were looked for already.
+    """
+
+    problem: Problem
+    grounding: Grounding
+    carry: _Solve
+    lead: _Solve
+    can_be: Sequence[str]
+    carried: _Goals
+    known: dict[bytes, PlanResult] = field(default_factory=dict)
+
+    def plans(self, led: _Goals) -> Iterator[PlanResult]:
+        """List what becomes of one attempt after another.
+
+        Args:
+            led: Goals of the objects that must be led.
+        """
+        for everything in (True, False):
+            yield self._rounds((led,), 1.0, everything=everything)
+        yield self._rounds((led,), NEARER, everything=False)
+        for order in islice(permutations(self._nearest_first(led)), MOST_ORDERS) if len(led) > 1 else ():
+            yield self._rounds([{name: led[name]} for name in order], 1.0, everything=False)
+        task = self._task(self.problem, led)
+        begun, now = self._after(self.lead(task), task)
+        yield begun if begun.status is not PlanStatus.SOLVED else self._finished(begun, now)
+
+    def _nearest_first(self, led: _Goals) -> list[str]:
+        away = self.problem.distances(self.problem.scene().positions)
+        return sorted(led, key=lambda name: (away[name], name))
+
+    def _rounds(self, rounds: Sequence[_Goals], near: float, *, everything: bool) -> PlanResult:
+        """Lead some objects after others, and then carry what is left to carry."""
+        steps, now = tuple[PlanStep, ...](), self.problem
+        for led in rounds:
+            result, now = self._round(now, led, near, everything=everything)
+            if result.status is not PlanStatus.SOLVED:
+                return result
+            steps += result.steps
+        return self._finished(PlanResult(PlanStatus.SOLVED, steps, 0.0), now)
+
+    def _finished(self, begun: PlanResult, now: Problem) -> PlanResult:
+        """Carry what is left to carry, and believe the whole plan if it is true when replayed."""
+        last, _ = self._carry(now, self.carried)
+        if last.status is not PlanStatus.SOLVED:
+            return last
+        steps = (*begun.steps, *last.steps)
+        checked = validate(steps, self.problem, self.grounding)
+        if checked.valid:
+            return dataclasses.replace(last, steps=steps)
+        return PlanResult(PlanStatus.FAILED, (), 0.0, checked.reason)
+
+    def _round(self, now: Problem, led: _Goals, near: float, *, everything: bool) -> _Turn:
+        """Clear the way of some objects, and lead them."""
+        others = tuple(item for item in now.objects if item.name not in self.can_be)
+        alone = self._task(msgspec.structs.replace(now, objects=others, goals={}), led, near)
+        way = self._way(alone)
+        if way.status is not PlanStatus.SOLVED:
+            return way, now
+        positions = validate(way.steps, alone, self.grounding).positions
+        to_clear = Way(positions, alone.object_names, now, self.grounding.table)
+        before = to_clear.cleared(self.can_be, self.carried, everything=everything)
+        first, begun = self._carry(now, before)
+        if first.status is not PlanStatus.SOLVED:
+            return first, now
+        return self._after(way, self._task(begun, led, near), first)
+
+    def _way(self, alone: Problem) -> PlanResult:
+        """Look for a way of objects among those that cannot be carried."""
+        if not alone.unmet:
+            return PlanResult(PlanStatus.SOLVED, (), 0.0)
+        case = msgspec.json.encode(alone)
+        if case not in self.known:
+            self.known[case] = self.lead(alone)
+        return self.known[case]
+
+    def _task(self, now: Problem, goals: _Goals, near: float = 1.0) -> Problem:
+        tolerance = near * self.problem.tolerance
+        return msgspec.structs.replace(now, goals=dict(goals), tolerance=tolerance)
+
+    def _carry(self, now: Problem, goals: _Goals) -> _Turn:
+        """Carry objects to some goals, by way of places that suit where everything stands now."""
+        task = self._task(now, goals)
+        if not task.unmet:
+            return PlanResult(PlanStatus.SOLVED, (), 0.0), now
+        placed = with_places(task, self.grounding)
+        result = self.carry(placed)
+        spots = tuple(_to_spot(step, placed) for step in result.steps)
+        return self._after(dataclasses.replace(result, steps=spots), task)
+
+    def _after(self, result: PlanResult, task: Problem, first: PlanResult | None = None) -> _Turn:
+        """Put a plan behind another, if it is true where that one ends."""
+        if result.status is not PlanStatus.SOLVED:
+            return result, task
+        checked = validate(result.steps, task, self.grounding)
+        if not checked.valid:
+            return PlanResult(PlanStatus.FAILED, (), 0.0, checked.reason), task
+        moved = zip(task.objects, map(vector, checked.positions[-1]), strict=True)
+        objects = tuple(msgspec.structs.replace(item, position=end) for item, end in moved)
+        steps = (*(first.steps if first else ()), *result.steps)
+        return PlanResult(PlanStatus.SOLVED, steps, 0.0), msgspec.structs.replace(task, objects=objects)
 
 
-def _carried_before(
-    problem: Problem,
-    grounding: Grounding,
-    can_be: Sequence[str],
-    carried: _Goals,
-    led: _Goals,
-    lead: _Solve,
-) -> Iterator[_Goals]:
-    """List to where things may be carried before anything is led."""
-    others = tuple(item for item in problem.objects if item.name not in can_be)
-    alone = msgspec.structs.replace(problem, objects=others, goals=dict(led))
-    way = lead(alone)
-    if way.status is PlanStatus.SOLVED:
-        positions = validate(way.steps, alone, grounding).positions
-        everything, needed = _out_of_the_way(positions, others, problem, can_be, carried)
-        yield everything
-        if needed.keys() < everything.keys():
-            yield needed
-    yield {}
-
-
-def _out_of_the_way(
-    way: Float[np.ndarray, "steps M 3"],
-    led: Sequence[SceneObject],
-    problem: Problem,
-    can_be: Sequence[str],
-    carried: _Goals,
-) -> tuple[_Goals, _Goals]:
-    """Return goals that lie beside a way, with places aside for others that stand in it; and what must go."""
-    apart = footprints_apart(problem) + BESIDE
-    rows = {name: row for row, name in enumerate(problem.object_names)}
-    columns = [rows[item.name] for item in led]
-
-    def is_in_it(name: str, spot: Sequence[float]) -> bool:
-        away = np.abs(way[..., :2] - np.array(spot[:2]))  # (steps, M, 2)
-        return bool(np.any(np.all(away < apart[rows[name], columns], axis=-1)))
-
-    places = problem.places if isinstance(problem.places, dict) else {}
-    parks = [spot for name, spot in places.items() if name.startswith(PARK)]
-    before = dict[str, Vector]()
-    in_it = [name for name in can_be if is_in_it(name, problem.object_named(name).position)]
-    for name in can_be:
-        if name in carried and not is_in_it(name, carried[name]):
-            before[name] = carried[name]
-        elif name in in_it:
-            free = [spot for spot in parks if not is_in_it(name, spot)]
-            if free:
-                parks.remove(free[0])
-                before[name] = (*free[0], problem.object_named(name).position[2])
-    return before, {name: goal for name, goal in before.items() if name in in_it}
+def _to_spot(step: PlanStep, problem: Problem) -> PlanStep:
+    """Name the place of a step by where it lies: other turns have other places."""
+    return (
+        dataclasses.replace(step, place=spot_name(*problem.place_named(step.place))) if step.place else step
+    )

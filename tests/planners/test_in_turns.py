@@ -52,3 +52,17 @@ def test_where_all_can_be_carried_there_are_no_turns():
     result = plan_in_turns(problem, grounding(), plan, plan)
     assert result.status is PlanStatus.FAILED
     assert "everything that has a goal can be carried" in result.reason
+
+
+def test_where_all_ways_cannot_be_cleared_at_once_each_is_cleared_when_it_is_needed():
+    """Two slabs, and a cube in the way of each with its goal in the other's; only one can wait elsewhere."""
+    things = [("slab", 0.7, -0.16), ("slab", 0.5, -0.16), ("cube", 0.7, 0.0), ("cube", 0.5, 0.0)]
+    goals = {
+        "item-01": (0.7, 0.24, 0.025),
+        "item-02": (0.5, 0.24, 0.025),
+        "item-03": (0.5, 0.1, 0.025),
+        "item-04": (0.7, 0.1, 0.025),
+    }
+    places = {"goal-item-03": (0.5, 0.1), "goal-item-04": (0.7, 0.1), "park-01": (0.85, 0.0)}
+    led = order(Problem("crossed", scene(*things), goals, 0.02, places=places))
+    assert led == ["item-03", "item-01", "item-04", "item-02"]

@@ -1,0 +1,69 @@
+"""Spots are places whose names say where they lie."""
+
+import numpy as np
+import pytest
+from toy_domain import WORLD
+from toy_places import NAME, grounding, scene, swap
+
+from neurosym.errors import InvalidValue, UnknownChoice
+from neurosym.execution.executor import execute
+from neurosym.execution.rerun import rerun
+from neurosym.pddl.place_check import check_places
+from neurosym.pddl.plan_text import PlanStep, print_plan, read_plan
+from neurosym.pddl.validation import validate
+from neurosym.problems import Problem
+from neurosym.spots import spot_name, spot_named
+
+
+def test_names_tell_where_spots_lie():
+    assert spot_name(0.55, -0.12) == "spot-5500-m1200"
+    assert spot_named("spot-5500-m1200") == (0.55, -0.12)
+
+
+def test_every_spot_is_found_again_to_a_twentieth_of_a_millimetre():
+    for x, y in np.random.default_rng(0).uniform(-1, 1, size=(200, 2)).tolist():
+        there = spot_named(spot_name(x, y))
+        assert there is not None
+        assert np.allclose(there, (x, y), rtol=0, atol=5.1e-5)
+
+
+@pytest.mark.parametrize(
+    "name", ["spot", "spot-1", "spot-1-2-3", "spot-m-1", "spot-1-x", "goal-item-01", "spot-1-1\n"]
+)
+def test_other_names_are_no_spots(name: str):
+    assert spot_named(name) is None
+    with pytest.raises(UnknownChoice):
+        swap().place_named(name)
+
+
+def by_a_spot() -> tuple[Problem, tuple[PlanStep, ...]]:
+    """A cube that is carried to a spot, and from there to its goal."""
+    problem = Problem("detour", scene(("cube", 0.5, -0.1)), {"item-01": (0.8, 0.1, 0.025)}, 0.02)
+    return problem, (PlanStep(NAME, "item-01", "spot-6000-m2000"), PlanStep(NAME, "item-01", "goal-item-01"))
+
+
+def test_plan_leads_over_a_spot_that_the_problem_does_not_name(tmp_path):
+    problem, steps = by_a_spot()
+    learned = grounding()
+    file = tmp_path / "detour.plan"
+    file.write_text(print_plan(steps))
+    assert read_plan(file, learned, problem) == steps
+    checked = validate(steps, problem, learned)
+    assert checked.valid, checked.reason
+    assert np.allclose(checked.positions[1], [(0.6, -0.2, 0.025)])
+    run = execute(WORLD, problem, learned, steps)
+    assert run.reached
+    assert np.allclose(run.steps[0].positions["item-01"], (0.6, -0.2, 0.025), atol=1e-6)
+    assert rerun(WORLD, problem, learned, run) == run
+
+
+def test_spot_off_the_table_is_refused_before_anything_moves():
+    problem, _ = by_a_spot()
+    with pytest.raises(InvalidValue, match=r"The place spot-90000-0 lies at x = 9, y = 0 m, off the table"):
+        execute(WORLD, problem, grounding(), [PlanStep(NAME, "item-01", "spot-90000-0")])
+
+
+def test_no_place_of_a_problem_is_called_like_a_spot():
+    problem = Problem("own", swap().objects, swap().goals, places={"spot-1-2": (0.6, 0.0)})
+    with pytest.raises(InvalidValue, match="No place can be called spot-1-2"):
+        check_places(problem, grounding())
