@@ -14,9 +14,9 @@ from neurosym.planners.result import PlanResult, PlanStatus
 from neurosym.problems import Problem
 
 MOST_LED = 4
-"""Objects that could be carried are led over cells, where no plan carries them, if no more are to be moved.
+"""Objects that could be carried are led over cells, where no plan carries them, if there are no more.
 
-With eight, the search for such a plan took tens of seconds.
+With eight, the search for such a plan took tens of seconds, though some of them had no goal.
 """
 
 
@@ -84,5 +84,5 @@ def not_found(result: PlanResult) -> PlanResult:
     if result.status is PlanStatus.TIMEOUT:
         return result
     said = result.reason or "no plan with the places that were drawn"
-    reason = f"{said}; more than {MOST_LED} objects are led over cells only if none can be carried"
+    reason = f"{said}; among more than {MOST_LED} objects, none is led over cells that could be carried"
     return dataclasses.replace(result, status=PlanStatus.NOT_FOUND, steps=(), reason=reason)

@@ -17,6 +17,7 @@ from neurosym.pddl.place_problem import carried_objects
 from neurosym.pddl.places import with_places
 from neurosym.pddl.plan_text import PlanStep
 from neurosym.pddl.validation import validate
+from neurosym.planners.by_places import MOST_LED
 from neurosym.planners.making_way import Way
 from neurosym.planners.result import PlanResult, PlanStatus
 from neurosym.problems import Problem
@@ -26,7 +27,6 @@ NEARER = 0.5
 """What is led is to come so near to its goal if others have no room else, as a share of the tolerance."""
 MOST_ORDERS = 6
 """In how many orders objects are led one after another at most, where all ways at once cannot be cleared."""
-
 _Solve = Callable[[Problem], PlanResult]
 _Goals = Mapping[str, Vector]
 _Turn = tuple[PlanResult, Problem]
@@ -38,7 +38,7 @@ def plan_in_turns(problem: Problem, grounding: Grounding, carry: _Solve, lead: _
 
     At first all ways are cleared at once, and what has its goal beside them is carried there before; or only
     what stands in them. If that fails, one object is led after another, each way cleared when it is needed.
-    If that fails, objects are led around all others as they stand.
+    If that fails, and there are few objects, they are led around all others as they stand.
 
     Args:
         problem: The problem.
@@ -70,7 +70,8 @@ class _Turns:
         lead: Plans for others.
         can_be: Names of the objects that can be carried.
         carried: Goals of those among them that have one.
-        known: The ways that were looked for already.
+        ways: The ways that were looked for already.
+        rounds: What was planned already.
     """
 
     problem: Problem
@@ -79,7 +80,8 @@ class _Turns:
     lead: _Solve
     can_be: Sequence[str]
     carried: _Goals
-    known: dict[bytes, PlanResult] = field(default_factory=dict)
+    ways: dict[bytes, PlanResult] = field(default_factory=dict)
+    rounds: dict[bytes, _Turn] = field(default_factory=dict)
 
     def plans(self, led: _Goals) -> Iterator[PlanResult]:
         """List what becomes of one attempt after another.
@@ -92,9 +94,10 @@ class _Turns:
         yield self._rounds((led,), NEARER, everything=False)
         for order in islice(permutations(self._nearest_first(led)), MOST_ORDERS) if len(led) > 1 else ():
             yield self._rounds([{name: led[name]} for name in order], 1.0, everything=False)
-        task = self._task(self.problem, led)
-        begun, now = self._after(self.lead(task), task)
-        yield begun if begun.status is not PlanStatus.SOLVED else self._finished(begun, now)
+        if len(self.problem.objects) <= MOST_LED:
+            task = self._task(self.problem, led)
+            begun, now = self._after(self.lead(task), task)
+            yield begun if begun.status is not PlanStatus.SOLVED else self._finished(begun, now)
 
     def _nearest_first(self, led: _Goals) -> list[str]:
         away = self.problem.distances(self.problem.scene().positions)
@@ -104,7 +107,7 @@ class _Turns:
         """Lead some objects after others, and then carry what is left to carry."""
         steps, now = tuple[PlanStep, ...](), self.problem
         for led in rounds:
-            result, now = self._round(now, led, near, everything=everything)
+            result, now = self._round_once(now, led, near, everything=everything)
             if result.status is not PlanStatus.SOLVED:
                 return result
             steps += result.steps
@@ -121,8 +124,14 @@ class _Turns:
             return dataclasses.replace(last, steps=steps)
         return PlanResult(PlanStatus.FAILED, (), 0.0, checked.reason)
 
+    def _round_once(self, now: Problem, led: _Goals, near: float, *, everything: bool) -> _Turn:
+        """Clear the way of some objects, and lead them; orders that begin alike share their first rounds."""
+        case = msgspec.json.encode((now, led, near, everything))
+        if case not in self.rounds:
+            self.rounds[case] = self._round(now, led, near, everything=everything)
+        return self.rounds[case]
+
     def _round(self, now: Problem, led: _Goals, near: float, *, everything: bool) -> _Turn:
-        """Clear the way of some objects, and lead them."""
         others = tuple(item for item in now.objects if item.name not in self.can_be)
         alone = self._task(msgspec.structs.replace(now, objects=others, goals={}), led, near)
         way = self._way(alone)
@@ -141,9 +150,9 @@ class _Turns:
         if not alone.unmet:
             return PlanResult(PlanStatus.SOLVED, (), 0.0)
         case = msgspec.json.encode(alone)
-        if case not in self.known:
-            self.known[case] = self.lead(alone)
-        return self.known[case]
+        if case not in self.ways:
+            self.ways[case] = self.lead(alone)
+        return self.ways[case]
 
     def _task(self, now: Problem, goals: _Goals, near: float = 1.0) -> Problem:
         tolerance = near * self.problem.tolerance

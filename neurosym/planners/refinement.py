@@ -168,7 +168,7 @@ class _Asked:
         turns = plan_in_turns(problem, grounding, partial(carry, slack=_Slack(STEPS)), lead)
         if turns.status is PlanStatus.SOLVED:
             return turns
-        if len(problem.unmet) > MOST_LED:
+        if len(problem.objects) > MOST_LED:
             return not_found(result)
         return not_proved(self._over_cells(problem, deadline))
 

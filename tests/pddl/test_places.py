@@ -288,7 +288,8 @@ if __name__ == "__main__":
 
 
 @pytest.mark.parametrize(
-    ("most", "said"), [(1, "more than 1 objects are led over cells only"), (2, "without: ")]
+    ("most", "said"),
+    [(1, "among more than 1 objects, none is led over cells that could be carried"), (2, "without: ")],
 )
 def test_many_objects_that_could_be_carried_are_not_led_instead(monkeypatch, most, said):
     monkeypatch.setattr("neurosym.planners.refinement.MOST_LED", most)
