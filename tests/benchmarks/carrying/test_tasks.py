@@ -11,7 +11,8 @@ from neurosym.evaluation.comparison_tasks import Bench
 from neurosym.stages.folder import DomainFolder
 from tools.benchmarks.carrying import baselines, tasks
 from tools.benchmarks.carrying.by_hand import ByHand, carry_by_hand
-from tools.benchmarks.carrying.evaluate import KEPT, keep, restore
+from tools.benchmarks.carrying.evaluate import KEPT, keep, restore, take_shipped
+from tools.benchmarks.carrying.evaluate import SHIPPED as SHIPPED_PLACES
 
 
 @cache
@@ -72,3 +73,14 @@ def test_baselines_are_tried_on_every_cell_of_graspable_objects_and_told():
     assert set(told[baselines.BY_HAND]) == {name for name, *_ in cells if not name.startswith("all")}
     assert set(told[baselines.WITHOUT]) == set(baselines.LED)
     assert {share for of in told.values() for share in of.values()} == {0.5}
+
+
+def test_shipped_domain_is_that_of_the_first_seed(tmp_path):
+    """On a new machine, too, where its job is done and its folder is not there."""
+    take_shipped(tmp_path)
+    assert (tmp_path / "seed-1" / "grounding.json").read_bytes() == (
+        SHIPPED_PLACES / "grounding.json"
+    ).read_bytes()
+    (tmp_path / "seed-1" / "grounding.json").write_text("kept")
+    take_shipped(tmp_path)
+    assert (tmp_path / "seed-1" / "grounding.json").read_text() == "kept"

@@ -67,6 +67,8 @@ def main(
     (work / "jobs").mkdir(parents=True, exist_ok=True)
     unpack(results / RECORDS, work / "jobs")
     restore(results / DOMAINS, work)
+    if (steps, places) == (STEPS, PLACES):
+        take_shipped(work)
     tried: dict[int, dict[str, dict[str, Job]]] = {}
     every_cell = tasks.cells(scale)
     for seed in range(1, seeds + 1):
@@ -147,6 +149,16 @@ def restore(archive: Path, work: Path) -> None:
                 shutil.copy(path, work / folder / name)
 
 
+def take_shipped(work: Path) -> None:
+    """Copy the shipped domain, which is that of its seed, unless it is there.
+
+    Args:
+        work: The working folder.
+    """
+    if SHIPPED.exists() and not (work / f"seed-{SEED}").exists():
+        shutil.copytree(SHIPPED, work / f"seed-{SEED}")
+
+
 def learn(folder: Path, seed: int, steps: int, places: int) -> dict[str, Any]:
     """Learn a domain with places; what was done is not done again.
 
@@ -160,9 +172,6 @@ def learn(folder: Path, seed: int, steps: int, places: int) -> dict[str, Any]:
         How well it carries graspable objects; see `carries`.
     """
     if (folder / GROUNDING).exists():
-        return carries(_carriers(folder))
-    if (seed, steps, places) == (SEED, STEPS, PLACES) and SHIPPED.exists():
-        shutil.copytree(SHIPPED, folder)
         return carries(_carriers(folder))
     if not (folder / WORLD).exists():
         init(folder)
