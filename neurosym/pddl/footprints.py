@@ -27,3 +27,16 @@ def overlapping(
 ) -> Bool[np.ndarray, " M"]:
     """Say which of some objects an object would stand in; see `footprints_apart`."""
     return np.asarray(np.all(np.abs(others - spot) < apart, axis=-1))
+
+
+def near_some(
+    spots: Float[np.ndarray, "N 2"], others: Float[np.ndarray, "K 2"], apart: Float[np.ndarray, "K 2"]
+) -> Bool[np.ndarray, " N"]:
+    """Say which of some spots are nearer to some other than they must be, on both axes.
+
+    Args:
+        spots: The spots [m].
+        others: Where others are [m].
+        apart: How far apart the centres must be, for each of the others [m].
+    """
+    return np.asarray(np.any(np.all(np.abs(spots[:, None] - others) < apart, axis=-1), axis=-1))

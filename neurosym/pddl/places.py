@@ -8,6 +8,7 @@ import numpy as np
 from jaxtyping import Float
 
 from neurosym.grounding import Grounding
+from neurosym.pddl.footprints import near_some
 from neurosym.pddl.goal_spots import goal_spots
 from neurosym.problems import Problem
 from neurosym.table import Table
@@ -65,25 +66,20 @@ def _parks(
     largest, usual, smallest = sizes.max(0), np.median(sizes, axis=0), sizes.min(0)
     for size, gap in ((largest, GAP), (largest, LEAST_GAP), (usual, LEAST_GAP), (smallest, LEAST_GAP)):
         inside = np.minimum(size / 2 + _EDGE, (high - low) / 2)
-        for spot in low + inside + drawn * (high - low - 2 * inside):
-            if len(parks) == parks_wanted(problem):
-                return parks
-            if _is_free(spot, np.array(spots), (np.array(rooms) + size) / 2 + gap):
-                parks.append((round(float(spot[0]), 4), round(float(spot[1]), 4)))
-                spots.append(spot)
-                rooms.append(size)
+        candidates = low + inside + drawn * (high - low - 2 * inside)
+        free = ~near_some(candidates, np.array(spots), (np.array(rooms) + size) / 2 + gap)
+        while free.any() and len(parks) < parks_wanted(problem):
+            spot = candidates[free.argmax()]
+            parks.append((round(float(spot[0]), 4), round(float(spot[1]), 4)))
+            spots.append(spot)
+            rooms.append(size)
+            free &= ~near_some(candidates, spot[None], (size + gap)[None])
     return parks
 
 
 def parks_wanted(problem: Problem) -> int:
     """Return how many places to park on a problem has where there is room."""
     return min(len(problem.objects), MOST_PARKS)
-
-
-def _is_free(
-    spot: Float[np.ndarray, "2"], others: Float[np.ndarray, "N 2"], apart: Float[np.ndarray, "N 2"]
-) -> bool:
-    return not bool(np.any(np.all(np.abs(others - spot) < apart, axis=1)))
 
 
 def blockers(

@@ -8,7 +8,7 @@ import numpy as np
 from jaxtyping import Bool, Float
 
 from neurosym.operators import Vector
-from neurosym.pddl.footprints import footprints_apart
+from neurosym.pddl.footprints import footprints_apart, near_some
 from neurosym.pddl.places import GAP, LEAST_GAP
 from neurosym.problems import Problem
 from neurosym.table import Table
@@ -82,7 +82,7 @@ class Way:
         for gap, keeps_off in ((GAP, True), (LEAST_GAP, True), (LEAST_GAP, False)):
             fit = self._is_free(name, spots, moved, gap)
             if keeps_off:
-                fit &= ~_overlap(spots, wanted, apart + gap)
+                fit &= ~near_some(spots, wanted, apart + gap)
             if fit.any():
                 x, y = spots[fit.argmax()].tolist()
                 return x, y
@@ -105,22 +105,15 @@ class Way:
         others = [row for row, other in enumerate(self.names) if other != name]
         here = _spots(*(moved.get(item.name, item.position) for item in self.now.objects))
         apart = self.apart[self.names.index(name), others] + gap
-        return np.asarray(~(_overlap(spots, here[others], apart) | self._in_it(name, spots)))
+        return np.asarray(~(near_some(spots, here[others], apart) | self._in_it(name, spots)))
 
     def _in_it(self, name: str, spots: _Spots) -> Bool[np.ndarray, " N"]:
         """Say at which spots an object would stand in the way."""
         columns = [self.names.index(one) for one in self.led]
         apart = self.apart[self.names.index(name), columns] + BESIDE
         apart = np.broadcast_to(apart, (len(self.path), *apart.shape))  # (steps, L, 2)
-        return _overlap(spots, self.path[..., :2].reshape(-1, 2), apart.reshape(-1, 2))
+        return near_some(spots, self.path[..., :2].reshape(-1, 2), apart.reshape(-1, 2))
 
 
 def _spots(*positions: Sequence[float]) -> _Spots:
     return np.array([position[:2] for position in positions], dtype=float).reshape(-1, 2)
-
-
-def _overlap(
-    spots: _Spots, others: Float[np.ndarray, "K 2"], apart: Float[np.ndarray, "K 2"]
-) -> Bool[np.ndarray, " N"]:
-    """Say which spots are too near to some other."""
-    return np.asarray(np.any(np.all(np.abs(spots[:, None] - others) < apart, axis=-1), axis=-1))
