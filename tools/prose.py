@@ -1,7 +1,8 @@
-"""How long are the sentences of the documents? `python -m tools.prose` prints it; a test holds the limits.
+"""How long are the sentences that users read? `python -m tools.prose` prints it; a test holds the limits.
 
-Code, tables, headings and links' addresses do not count. A sentence ends at a full stop, a question mark, an
-exclamation mark, a colon at the end of a line, or with its paragraph or point of a list.
+These are the documents, and what the program itself says: messages, help, comments of domains, the page of
+`report`. Code, tables, headings and links' addresses do not count. A sentence ends at a full stop, a question
+mark, an exclamation mark, a colon at the end of a line, or with its paragraph or point of a list.
 """
 
 import re
@@ -12,10 +13,22 @@ from typing import Annotated
 import tyro
 
 from neurosym.console import say, show_table
+from tools.program_texts import program_texts
 
 PAGES = ("README.md", "CONTRIBUTING.md", "SECURITY.md", "CODE_OF_CONDUCT.md", "docs/*.md")
 MEDIAN, MOST = 18, 35
 """Words that the median sentence has at most, and 95 of a hundred."""
+PLAIN = {
+    r"reckon\w*": "estimate",
+    r"somebody's own|one's own": "custom",
+    r"utili[sz]e\w*": "use",
+    r"in order to": "to",
+    r"prior to": "before",
+    r"whilst": "while",
+    r"aforementioned": "this",
+    r"leverag\w+": "use",
+}
+"""Words that users do not read here, and what stands for them."""
 _END = re.compile(r"(?<=[.!?])[\"')*_`]*\s+(?=[\"'(*_\[]*(?:[A-Z0-9]|`))|:\n")
 
 
@@ -24,23 +37,35 @@ def main(
 ) -> None:
     """Print for each page how many sentences it has, and how long they are in words."""
     rows, every = [], list[str]()
-    for path in pages(Path()):
-        found = sentences(path.read_text())
+    for name, found in read_by_users(Path()).items():
         every += found
-        rows.append([str(path), str(len(found)), *map(str, measured(found))])
+        rows.append([name, str(len(found)), *map(str, measured(found))])
     show_table("Words in a sentence", ["page", "sentences", "median", "95 %"], rows)
     say(f"all: median and 95 % are {measured(every)}; at most {MEDIAN} and {MOST}")
     for sentence in sorted(every, key=lambda one: -len(one.split()))[:longest]:
         say(f"{len(sentence.split())}: {sentence}")
 
 
-def pages(root: Path) -> list[Path]:
-    """List the documents.
+def read_by_users(root: Path) -> dict[str, list[str]]:
+    """Return the sentences of each document, and of what the program says.
 
     Args:
         root: Of the repository.
     """
-    return [path for pattern in PAGES for path in sorted(root.glob(pattern))]
+    pages = [path for pattern in PAGES for path in sorted(root.glob(pattern))]
+    found = {str(path.relative_to(root)): sentences(path.read_text()) for path in pages}
+    for kind, texts in program_texts(root).items():
+        found[kind] = list(dict.fromkeys(one for text in texts for one in sentences(text)))
+    return found
+
+
+def unplain(sentence: str) -> list[str]:
+    """Say which plainer words a sentence ought to have; see `PLAIN`.
+
+    Args:
+        sentence: The sentence.
+    """
+    return [better for word, better in PLAIN.items() if re.search(rf"\b(?:{word})\b", sentence, flags=re.I)]
 
 
 def sentences(text: str) -> list[str]:

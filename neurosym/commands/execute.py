@@ -48,7 +48,7 @@ def execute(
     """Run a plan in the simulator, each step beside its promise; exit code 3 if it misses.
 
     After every step what is left of the plan is replayed from what is seen. If it would miss the goal, a new
-    plan is made, which reckons with what each object did so far.
+    plan is made, which takes into account what each object did so far.
     """
     from neurosym.commands.tables import show_run
     from neurosym.stages.executing import execute_stage, load_run
