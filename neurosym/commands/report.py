@@ -5,7 +5,7 @@ from typing import Annotated
 
 from tyro.conf import arg
 
-from neurosym.commands.options import Folder, opened
+from neurosym.commands.options import CPUS, Folder, Workers, opened
 from neurosym.console import progress_bar, say
 from neurosym.errors import InvalidValue
 from neurosym.files import check_writable, write_atomically
@@ -22,6 +22,7 @@ def report(
     curve: Annotated[
         bool, arg(help="Also fit to the first 512, 1024, ... interactions, for a learning curve: minutes.")
     ] = False,
+    workers: Workers = CPUS,
 ) -> int:
     """Write one HTML page about a domain: symbols in words and pictures, exploration, operators, plans, PDDL.
 
@@ -30,7 +31,9 @@ def report(
     """
     from neurosym.report.page import gather, render
     from neurosym.report.strips import curve_stage
+    from neurosym.worlds.workers import check_workers
 
+    check_workers(workers)
     domain = opened(folder)
     path = output or domain / PAGE
     if path.suffix.lower() != ".html" or path.is_dir() or not path.absolute().parent.is_dir():
@@ -42,7 +45,7 @@ def report(
         with progress_bar("learning curve") as advance:
             domain.perform(curve_stage(domain, advance), again=False)
     with progress_bar("pictures") as advance:
-        page = gather(domain, advance)
+        page = gather(domain, advance, workers=workers)
     text = render(page)
     write_atomically(path, text)
     say(f"wrote {path} ({len(text) / _MEGABYTE:.1f} MB)")

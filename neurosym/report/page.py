@@ -1,9 +1,10 @@
 """The page: gathered from what a domain folder holds, and written as one HTML file."""
 
 from collections import Counter
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
+from concurrent.futures import Future
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from neurosym.errors import InvalidValue, UnknownChoice
 from neurosym.evaluation.comparison_summary import Comparison
@@ -18,11 +19,12 @@ from neurosym.report.exploration import Aimed, Explored, aimed, explored
 from neurosym.report.learning import Learned, curve_charts, learned
 from neurosym.report.operators import OperatorRow, operator_rows
 from neurosym.report.plans import PlannerSummary, PlanRow, plan_rows, summaries
-from neurosym.report.strips import Shown, operator_stage, primitive_stage, run_stage, shown
+from neurosym.report.strips import Picture, Shown, operator_picture, primitive_picture, run_picture, shown
 from neurosym.stages.folder import DomainFolder
 from neurosym.stages.layout import GROUNDING, INTERACTIONS, MODEL, PLACE_INTERACTIONS, PRIMITIVES, WORLD
-from neurosym.stages.manifest import Stage, versions
+from neurosym.stages.manifest import versions
 from neurosym.stages.practising import operator_table
+from neurosym.worlds.pool import worker_pool
 
 if TYPE_CHECKING:
     from neurosym.explain.explanation import Explanation
@@ -82,12 +84,13 @@ class Page:
     versions: dict[str, str] = field(default_factory=versions)
 
 
-def gather(folder: DomainFolder, progress: Progress) -> Page:
+def gather(folder: DomainFolder, progress: Progress, *, workers: int = 1) -> Page:
     """Read a domain folder, and make the pictures that are not there yet.
 
     Args:
         folder: The domain folder.
         progress: Called after each picture.
+        workers: Processes that make pictures; their number does not change these.
 
     Raises:
         InvalidFile: If a file is damaged, other than a plan's record, a run or a problem: those are named.
@@ -107,7 +110,9 @@ def gather(folder: DomainFolder, progress: Progress) -> Page:
     domains = sorted(folder.path.glob("domain*.pddl"))
     texts = {path.name: read_bytes(path).decode(errors="replace") for path in domains}
     report, curves = learned(folder), curve_charts(folder)
-    pictures, carried, without_picture, examples, unlike = _pictures(folder, grounding, runs, progress)
+    pictures, carried, without_picture, examples, unlike = _pictures(
+        folder, grounding, runs, progress, workers
+    )
     return Page(
         name=folder.path.resolve().name,
         path=str(folder.path),
@@ -132,7 +137,11 @@ def gather(folder: DomainFolder, progress: Progress) -> Page:
 
 
 def _pictures(
-    folder: DomainFolder, grounding: Grounding | None, runs: Sequence[Example], progress: Progress
+    folder: DomainFolder,
+    grounding: Grounding | None,
+    runs: Sequence[Example],
+    progress: Progress,
+    workers: int,
 ) -> tuple[dict[str, Shown], tuple[Shown, ...], dict[str, str], tuple[Shown, ...], tuple[str, ...]]:
     """Make the strips of primitives, carriers and example runs, as far as there is what they need."""
     if grounding is None or not (folder / WORLD).is_file():
@@ -140,12 +149,12 @@ def _pictures(
     symbols, others = _pictured(grounding) if (folder / MODEL).is_file() else ([], [])
     carriers = [one.name for one in surest_carriers(grounding)] if (folder / MODEL).is_file() else []
     chosen = telling_examples(runs)[:EXAMPLES]
-    stages = [
-        *(primitive_stage(folder, symbol) for symbol in symbols),
-        *(operator_stage(folder, name) for name in carriers),
-        *(run_stage(folder, example) for example in chosen),
+    pictures = [
+        *(primitive_picture(folder, symbol) for symbol in symbols),
+        *(operator_picture(folder, name) for name in carriers),
+        *(run_picture(folder, example) for example in chosen),
     ]
-    made = list(_made(folder, stages, progress))
+    made = list(_made(folder, pictures, progress, workers))
     primitives = dict(zip(symbols, made, strict=False))
     carried, ran = made[len(symbols) :][: len(carriers)], made[len(symbols) + len(carriers) :]
     strips = dict(zip([example.name for example in chosen], ran, strict=True))
@@ -167,16 +176,35 @@ def _pictured(grounding: Grounding) -> tuple[list[str], list[str]]:
     return [one for one in symbols if one in chosen], [one for one in symbols if one not in chosen]
 
 
-def _made(folder: DomainFolder, stages: Sequence[Stage], progress: Progress) -> list[Shown | str]:
-    """Return what each stage shows, or why it cannot."""
+def _made(
+    folder: DomainFolder, pictures: Sequence[Picture], progress: Progress, workers: int
+) -> list[Shown | str]:
+    """Return each picture, or why it cannot be made; what is missing is made by so many processes."""
+    left = [one for one in pictures if not folder.is_current(one.stage(folder))]
+    if min(workers, len(left)) <= 1:
+        return _kept(folder, pictures, {}, progress)
+    with worker_pool(min(workers, len(left)), _begin, ()) as submit:
+        return _kept(folder, pictures, {one.name: submit(one.make) for one in left}, progress)
+
+
+def _begin() -> None:
+    """Do nothing: workers that draw need nothing before."""
+
+
+def _kept(
+    folder: DomainFolder, pictures: Sequence[Picture], drawing: Mapping[str, Future[Any]], progress: Progress
+) -> list[Shown | str]:
+    """Put pictures into the folder, as soon as they are made, and return what they show."""
     made: list[Shown | str] = []
-    for stage in stages:
+    for picture in pictures:
+        elsewhere = drawing.get(picture.name)
+        stage = picture.stage(folder, elsewhere.result if elsewhere else None)
         try:
             folder.perform(stage, again=False)
             made.append(shown(folder, stage))
         except (InvalidValue, UnknownChoice) as error:
             made.append(str(error))
-        progress(len(made), len(stages))
+        progress(len(made), len(pictures))
     return made
 
 

@@ -3,6 +3,8 @@
 import base64
 import io
 from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
 
 import msgspec
@@ -73,64 +75,93 @@ def curve_stage(folder: DomainFolder, progress: Progress | None = None) -> Stage
     return Stage("learning curve", (INTERACTIONS,), (CURVE,), work, claim=Claim.NONE)
 
 
-def primitive_stage(folder: DomainFolder, symbol: str) -> Stage:
+Drawn = tuple[bytes, Strip]
+"""An image, and what it shows."""
+
+
+@dataclass(frozen=True, slots=True)
+class Picture:
+    """A strip that may be made by another process.
+
+    Attributes:
+        name: What its files are called, without an ending.
+        inputs: The files of the folder that it is made from.
+        make: Makes it; survives pickling.
+        options: What else it depends on.
+    """
+
+    name: str
+    inputs: tuple[str, ...]
+    make: Callable[[], Drawn]
+    options: dict[str, int]
+
+    def stage(self, folder: DomainFolder, make: Callable[[], Drawn] | None = None) -> Stage:
+        """Return the stage that makes the strip and writes it into the folder.
+
+        Args:
+            folder: The domain folder.
+            make: Returns the strip if it is made elsewhere.
+        """
+        files = image_file, about_file = (
+            f"{REPORT_PICTURES}/{self.name}.webp",
+            f"{REPORT_PICTURES}/{self.name}.json",
+        )
+
+        def work() -> None:
+            image, strip = (make or self.make)()
+            make_folder(folder / REPORT_PICTURES)
+            write_atomically(folder / image_file, image)
+            write_json(folder / about_file, strip)
+
+        return Stage(f"picture {self.name}", self.inputs, files, work, self.options, Claim.NONE)
+
+
+def primitive_picture(folder: DomainFolder, symbol: str) -> Picture:
     """Perform a primitive: world, model and grounding -> `pictures/report/primitive-CODE.webp`."""
-    return _motion_stage(folder, f"primitive-{symbol}", symbol, primitive_stills)
+    return _motion(folder, f"primitive-{symbol}", symbol, primitive_stills)
 
 
-def operator_stage(folder: DomainFolder, name: str) -> Stage:
+def operator_picture(folder: DomainFolder, name: str) -> Picture:
     """Perform an operator: world, model and grounding -> `pictures/report/operator-NAME.webp`."""
-    return _motion_stage(folder, f"operator-{name}", name, operator_stills)
+    return _motion(folder, f"operator-{name}", name, operator_stills)
 
 
-def _motion_stage(folder: DomainFolder, name: str, what: str, stills: Callable[..., Stills]) -> Stage:
+def _motion(folder: DomainFolder, name: str, what: str, stills: Callable[..., Stills]) -> Picture:
     objects, seed = rehearsal_options(folder.manifest())
-
-    def make() -> Stills:
-        from neurosym.grounding import Grounding
-        from neurosym.learning.effect_model import EffectModel
-        from neurosym.worlds.world_file import read_world
-
-        world = read_world(folder.require(WORLD))()
-        grounding = Grounding.load(folder.require(GROUNDING))
-        categorise = EffectModel.load(folder.require(MODEL)).object_symbols
-        return stills(world, grounding, what, categorise, objects=objects, seed=seed)
-
-    options = {"objects": objects, "seed": seed}
-    return _strip_stage(folder, name, (WORLD, GROUNDING, MODEL), make, options)
+    make = partial(_draw_motion, folder.path, what, stills, objects, seed)
+    return Picture(name, (WORLD, GROUNDING, MODEL), make, {"objects": objects, "seed": seed})
 
 
-def run_stage(folder: DomainFolder, example: Example) -> Stage:
+def run_picture(folder: DomainFolder, example: Example) -> Picture:
     """Perform a run again: world, grounding, problem and run -> `pictures/report/run-NAME.webp`."""
-
-    def make() -> Stills:
-        from neurosym.grounding import Grounding
-        from neurosym.worlds.world_file import read_world
-
-        world = read_world(folder.require(WORLD))()
-        grounding = Grounding.load(folder.require(GROUNDING))
-        return run_stills(world, example.problem, grounding, example.run)
-
     inputs = (WORLD, GROUNDING, scene_file(example.problem.name), f"{RUNS}/{example.path.name}")
-    return _strip_stage(folder, f"run-{example.name}", inputs, make, {})
+    return Picture(f"run-{example.name}", inputs, partial(_draw_run, folder.path, example), {})
 
 
-def _strip_stage(
-    folder: DomainFolder,
-    name: str,
-    inputs: tuple[str, ...],
-    make: Callable[[], Stills],
-    options: dict[str, int],
-) -> Stage:
-    files = image_file, about_file = f"{REPORT_PICTURES}/{name}.webp", f"{REPORT_PICTURES}/{name}.json"
+def _draw_motion(path: Path, what: str, stills: Callable[..., Stills], objects: int, seed: int) -> Drawn:
+    from neurosym.grounding import Grounding
+    from neurosym.learning.effect_model import EffectModel
+    from neurosym.worlds.world_file import read_world
 
-    def work() -> None:
-        stills = make()
-        make_folder(folder / REPORT_PICTURES)
-        write_atomically(folder / image_file, side_by_side(stills.frames))
-        write_json(folder / about_file, Strip(stills.title, stills.captions))
+    folder = DomainFolder(path)
+    world = read_world(folder.require(WORLD))()
+    grounding = Grounding.load(folder.require(GROUNDING))
+    categorise = EffectModel.load(folder.require(MODEL)).object_symbols
+    return _drawn(stills(world, grounding, what, categorise, objects=objects, seed=seed))
 
-    return Stage(f"picture {name}", inputs, files, work, options, Claim.NONE)
+
+def _draw_run(path: Path, example: Example) -> Drawn:
+    from neurosym.grounding import Grounding
+    from neurosym.worlds.world_file import read_world
+
+    folder = DomainFolder(path)
+    world = read_world(folder.require(WORLD))()
+    grounding = Grounding.load(folder.require(GROUNDING))
+    return _drawn(run_stills(world, example.problem, grounding, example.run))
+
+
+def _drawn(stills: Stills) -> Drawn:
+    return side_by_side(stills.frames), Strip(stills.title, stills.captions)
 
 
 def side_by_side(frames: Sequence[Frame]) -> bytes:

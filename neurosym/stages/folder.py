@@ -186,7 +186,7 @@ class DomainFolder:
         self.manifest()  # refuses a damaged one before anything is written
         for name in (*stage.outputs, MANIFEST):
             refuse_other_kinds(self.path / name)
-        if not again and self._is_current(stage):
+        if not again and self.is_current(stage):
             return False
         self.prepare(*stage.outputs, MANIFEST)
         if remarks := self.outdated(stage.inputs):
@@ -246,7 +246,8 @@ class DomainFolder:
                 remarks.append(f"{files} came from another {others}; `neurosym {command}` makes it anew")
         return remarks
 
-    def _is_current(self, stage: Stage) -> bool:
+    def is_current(self, stage: Stage) -> bool:
+        """Say whether a stage was done with the files and options that are there now."""
         record = self.manifest().stages.get(stage.name)
         return (
             record is not None

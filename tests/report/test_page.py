@@ -116,6 +116,15 @@ def test_pictures_are_made_once_and_the_page_is_the_same(reported):
     assert {path: path.stat().st_mtime_ns for path in (reported / "pictures/report").iterdir()} == pictures
 
 
+def test_number_of_workers_does_not_change_pictures(reported, tmp_path):
+    """The usual number, that of the machine's cores, made those of the fixture."""
+    one = shutil.copytree(reported, tmp_path / "one")
+    shutil.rmtree(one / "pictures")
+    assert neurosym("report", one, "--workers", "1") == 0
+    for path in (reported / "pictures/report").iterdir():
+        assert (one / "pictures/report" / path.name).read_bytes() == path.read_bytes()
+
+
 def test_hostile_texts_are_shown_and_not_obeyed(reported, tmp_path):
     folder = shutil.copytree(reported, tmp_path / "<i>toy")
     (folder / "domain.pddl").write_text(f"; {EVIL}\n")

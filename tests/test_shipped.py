@@ -1,0 +1,54 @@
+"""Shipped domains are copied whole or not at all."""
+
+import errno
+import shutil
+
+import pytest
+
+from neurosym.errors import CannotWrite
+from neurosym.shipped import DOMAINS, copy_shipped, shipped_domain
+
+
+@pytest.mark.parametrize("name", DOMAINS)
+def test_copy_has_what_a_user_needs_and_nothing_that_is_made_again(name, tmp_path):
+    assert copy_shipped(name, tmp_path / "mine")
+    assert (tmp_path / "mine/grounding.json").read_bytes() == (
+        shipped_domain(name) / "grounding.json"
+    ).read_bytes()
+    assert not {"plans", "runs", "pictures"} & {path.name for path in (tmp_path / "mine").iterdir()}
+
+
+def test_other_names_are_no_shipped_domains(tmp_path):
+    assert not copy_shipped("kitchen", tmp_path / "mine")
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_folder_that_is_there_already_stays_as_it_is(tmp_path):
+    (tmp_path / "mine").mkdir()
+    assert copy_shipped("tabletop", tmp_path / "mine")
+    assert list((tmp_path / "mine").iterdir()) == []
+
+
+def test_disk_that_is_full_half_way_leaves_nothing(tmp_path, monkeypatch):
+    copied, real = [], shutil.copyfile
+
+    def copyfile(source, target, **options):
+        copied.append(target)
+        if len(copied) == 3:
+            raise OSError(errno.ENOSPC, "No space left on device")
+        return real(source, target, **options)
+
+    monkeypatch.setattr(shutil, "copyfile", copyfile)
+    with pytest.raises(CannotWrite, match="mine cannot be written: No space left on device"):
+        copy_shipped("tabletop", tmp_path / "mine")
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_file_that_cannot_be_read_is_named_in_a_sentence(tmp_path, monkeypatch):
+    def copyfile(source, target, **options):
+        raise PermissionError(errno.EACCES, "Permission denied")
+
+    monkeypatch.setattr(shutil, "copyfile", copyfile)
+    with pytest.raises(CannotWrite, match="mine cannot be written: Permission denied"):
+        copy_shipped("places", tmp_path / "mine")
+    assert list(tmp_path.iterdir()) == []
