@@ -7,30 +7,40 @@ from tyro.conf import arg
 from neurosym.commands.options import Folder, opened
 from neurosym.console import say, say_next
 from neurosym.pddl.compiler import CELL
-from neurosym.stages.layout import GROUNDING
-from neurosym.wording import quoted
+from neurosym.stages.layout import DURATIVE_DOMAIN, GROUNDING, durative_file
+from neurosym.wording import counted, quoted
 
 if TYPE_CHECKING:
     pass
 
 
 def compile_domain(
-    folder: Folder, cell: Annotated[float, arg(help="Edge of a grid cell [m].")] = CELL
+    folder: Folder,
+    cell: Annotated[float, arg(help="Edge of a grid cell [m].")] = CELL,
+    durative: Annotated[
+        bool, arg(help="Also what carries objects to places with durations, for PlanSys2.")
+    ] = False,
 ) -> int:
     """Compile the PDDL domain: `primitives.json` -> `domain.pddl` and its like, and `grounding.json`.
 
     All domains say the same. `domain.pddl` moves one axis at a time and stays small on fine grids;
     `domain-operators.pddl` has one action for each operator, reads best, and takes the same problems;
     `domain-numeric.pddl` has numbers instead of a grid, and takes the problems NAME.numeric.pddl.
+    With `--durative` there is `domain-durative.pddl`, too: it carries objects to places by actions that
+    take time, and takes the problems NAME.durative.pddl. From then on it is kept up to date.
     """
     from neurosym.grounding import Grounding
     from neurosym.stages.compiling import compile_stage
 
     domain = opened(folder)
-    domain.perform(compile_stage(domain, cell=cell), again=True)
+    domain.perform(compile_stage(domain, cell=cell, durative=durative), again=True)
     grounding = Grounding.load(domain / GROUNDING)
     say(f"{len(grounding.live)} operators in {folder / 'domain.pddl'}; left out: {len(grounding.left_out)}")
     for name, reason in grounding.left_out.items():
         say(f"  {name}: {reason}")
+    if durative:
+        names = domain.problem_names()
+        printed = sum((domain / durative_file(name)).exists() for name in names)
+        say(f"{folder / DURATIVE_DOMAIN} takes {printed} of {counted(len(names), 'problem')}")
     say_next(f"neurosym new-problem {quoted(folder)}")
     return 0

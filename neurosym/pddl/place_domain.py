@@ -98,11 +98,16 @@ def _carry(operator: Operator, grounding: Grounding) -> str:
         f"(increase (total-cost) (cost-of-{operator.name} ?o))",
     ]
     text = action_text(operator.name, f"?o - {category} ?from ?to - place", before, after)
-    return f"{comment(_about(operator, grounding), '  ')}\n{text}"
+    return f"{comment(about_carrier(operator, grounding), '  ')}\n{text}"
 
 
-def _about(operator: Operator, grounding: Grounding) -> list[str]:
-    """Say what was seen of an operator, and which motion it is."""
+def about_carrier(operator: Operator, grounding: Grounding) -> list[str]:
+    """Say what was seen of an operator that carries, and which motion it is.
+
+    Args:
+        operator: The operator.
+        grounding: The learned domain.
+    """
     promise = operator.promise
     assert promise is not None
     assert grounding.places is not None

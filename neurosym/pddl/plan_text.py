@@ -230,8 +230,8 @@ def _read_line(line: str, grounding: Grounding, problem: Problem) -> PlanStep | 
 
 
 def _carrying(step: PlanStep, places: list[str], problem: Problem) -> PlanStep:
-    """Return a step with the place that it carries its object to, the last that is named."""
-    place = places[-1] if places else ""
+    """Return a step with the place that it carries its object to: the only one named, or the second."""
+    place = places[min(1, len(places) - 1)] if places else ""
     problem.place_named(place)
     return dataclasses.replace(step, place=place)
 

@@ -16,6 +16,7 @@ from collections.abc import Iterator, Sequence
 import numpy as np
 from jaxtyping import Float
 
+from neurosym.motion import CLEARANCE, GRASP_TEST, LOWERING_SPEED, TRANSIT_CLEARANCE
 from neurosym.sim.arm import Arm
 from neurosym.sim.bullet import pybullet
 from neurosym.sim.camera import Camera
@@ -28,18 +29,10 @@ from neurosym.sim.toppling import has_toppled, rotation
 from neurosym.table import Reference
 from neurosym.world import Disturbance, FrameSink, Outcome, Scene
 
-CLEARANCE = 0.005
-"""The hand starts at least this far above whatever it would otherwise touch [m]."""
-LOWERING_SPEED = 0.25
-"""Greatest speed of a held object on its way down [m/s]."""
 PARKING_CLEARANCE, LEAST_PARKING_CLEARANCE = 0.25, 0.05
 """How far above the tallest object there can be the hand waits at first; and at least above any stack [m]."""
 LEAST_DISTURBANCE = 0.005
 """A bystander that ends further away than this has been moved [m]."""
-GRASP_TEST = 0.03
-"""How far the hand rises to find whether the target hangs from it, before it carries it away [m]."""
-TRANSIT_CLEARANCE = 0.02
-"""What is carried passes at least this far above everything else [m]."""
 _WATCH_EVERY, _TOUCH_EVERY = 8, 4
 
 

@@ -6,16 +6,14 @@ from collections.abc import Callable, Sequence
 import numpy as np
 from jaxtyping import Float
 
+from neurosym.motion import FINGER_SPEED, PEAK_SPEED, way_seconds
 from neurosym.sim.arm import Arm
 from neurosym.sim.bullet import pybullet
 from neurosym.sim.simulation import Simulation
 
-PEAK_SPEED = 0.45
-"""Greatest speed of the hand [m/s]; faster pushes make objects coast on."""
 CLOSING_FORCE, HOLDING_FORCE = 10.0, 20.0
 OPENING_FORCE = 0.4
 """Force while opening [N]: too little to carry an object by spreading inside it."""
-FINGER_SPEED = 0.25
 FINGER_FRICTION = 0.9
 FINGER_TWISTING_FRICTION = 0.03
 """Resistance of a soft fingertip to twisting [m]; without it, objects held by an edge swing and tilt."""
@@ -23,7 +21,6 @@ STALL_ERROR = 0.005
 """A motion stops when the hand lags this far behind its path [m]."""
 LOWEST_TOOL_POINT = 0.013
 """The tool point stays this high above the table [m]."""
-_QUINTIC_PEAK = 1.875  # peak over mean speed of the smooth profile
 _CHECK_EVERY = 4
 
 
@@ -132,7 +129,7 @@ class Robot:
         start = self.tool_point()
         goal = np.array([point[0], point[1], max(point[2], LOWEST_TOOL_POINT)])
         distance = float(np.linalg.norm(goal - start))
-        count = max(1, int(np.ceil(distance * _QUINTIC_PEAK / peak_speed / self._time_step)))
+        count = max(1, int(np.ceil(way_seconds(distance, peak_speed) / self._time_step)))
         path = start + _smooth(count)[:, None] * (goal - start)  # (T, 3)
         joints = self._arm.inverse_kinematics(path)  # (T, J)
         velocities = np.gradient(joints, self._time_step, axis=0) if count > 1 else np.zeros_like(joints)

@@ -12,6 +12,8 @@ from neurosym.pddl import compile_domain, domain_text, problem_text
 from neurosym.pddl.compiler import check_axes
 from neurosym.pddl.moves import PLACES, Encoding
 from neurosym.pddl.place_domain import carriers_of
+from neurosym.pddl.places import with_places
+from neurosym.pddl.problem import check_object
 from neurosym.place_operators import PlaceOperators
 from neurosym.problems import Problem
 from neurosym.stages.folder import DomainFolder, load_scene
@@ -32,18 +34,27 @@ from neurosym.stages.layout import (
     scene_file,
 )
 from neurosym.stages.manifest import Claim, Stage
+from neurosym.stages.other_tools import (
+    write_durative_domain,
+    write_durative_problem,
+    write_new_problem,
+    write_pictures,
+)
 from neurosym.stages.practising import operator_table
 from neurosym.wording import quoted
 from neurosym.worlds.tasks import TaskKind, draw_task
 from neurosym.worlds.world_file import read_world
 
 
-def compile_stage(folder: DomainFolder, *, cell: float, with_places: bool | None = None) -> Stage:
+def compile_stage(
+    folder: DomainFolder, *, cell: float, with_places: bool | None = None, durative: bool = False
+) -> Stage:
     """Compile the domain: `primitives.json` -> a domain in each encoding, and `grounding.json`.
 
     After practice, the operators are those in `practice.json`. What carries objects to places stands in
     `places/operators.json`, if it was learned, or will be by then.
     Problems that are there already are printed again, so that they fit the new domain.
+    If asked, what carries objects to places is printed with durations, too.
     """
 
     def work() -> None:
@@ -68,10 +79,16 @@ def compile_stage(folder: DomainFolder, *, cell: float, with_places: bool | None
         write_atomically(folder / NUMERIC_DOMAIN, domain_text(grounding, "numeric"))
         if has_places:
             write_atomically(folder / PLACES_DOMAIN, domain_text(grounding, PLACES))
+        write_durative_domain(folder, grounding, is_wanted=durative)
         grounding.save(folder / GROUNDING)
+        problems = []
         for scene in sorted((folder / PROBLEMS).glob(f"*{SCENE}")):
-            for file, text in _printed(load_scene(scene), grounding).items():
+            problem = _placed(load_scene(scene), grounding)
+            for file, text in _printed(problem, grounding).items():
                 write_atomically(folder / file, text)
+            write_durative_problem(folder, problem, grounding, is_wanted=durative)
+            problems.append(problem)
+        write_pictures(folder, grounding, problems, durative=durative)
 
     has_places = (folder / PLACE_OPERATORS).exists() if with_places is None else with_places
     inputs = (WORLD, *TABLE_FILES, *([PLACE_OPERATORS] if has_places else []))
@@ -111,10 +128,12 @@ def problem_stage(
         else:
             problem = set_problem(world, categorise, goals, name=name, objects=objects, seed=seed)
         problem = problem.within(tolerance)
-        printed = _printed(problem, grounding)
+        placed = _placed(problem, grounding)
+        printed = _printed(placed, grounding)
         make_folder(folder / PROBLEMS)
         for file, text in printed.items():
             write_atomically(folder / file, text)
+        write_new_problem(folder, placed, grounding)
         problem.save(folder / scene)
 
     options = {"objects": objects, "actions": actions, "seed": seed, "goals": _plain(goals)}
@@ -136,9 +155,20 @@ def print_problem(
         grounding: The learned domain.
         only_missing: Leave what is there as it is.
     """
-    for file, text in _printed(problem, grounding).items():
-        if not (only_missing and (folder / file).exists()):
-            write_atomically(folder / file, text)
+    problem = _placed(problem, grounding)
+    printed = _printed(problem, grounding)
+    wanted = {file for file in printed if not (only_missing and (folder / file).exists())}
+    for file in sorted(wanted):
+        write_atomically(folder / file, printed[file])
+    if wanted:
+        write_new_problem(folder, problem, grounding)
+
+
+def _placed(problem: Problem, grounding: Grounding) -> Problem:
+    """Return a problem with its places, which are drawn once for all that is printed of it."""
+    for item in problem.objects:
+        check_object(item, grounding)
+    return with_places(problem, grounding)
 
 
 def _printed(problem: Problem, grounding: Grounding) -> dict[str, str]:

@@ -31,6 +31,7 @@ from neurosym.stages.layout import (
     BY_PLACES,
     COMMANDS,
     COMPARISONS,
+    DURATIVE,
     GROUNDING,
     INTERACTIONS,
     MANIFEST,
@@ -286,4 +287,6 @@ def load_scene(path: Path) -> Problem:
 
 def _problem_of(file: str) -> str:
     """Return the name of the problem that a file is of."""
-    return file.removesuffix(SCENE).removesuffix(NUMERIC).removesuffix(BY_PLACES).removesuffix(".pddl")
+    for ending in (SCENE, NUMERIC, BY_PLACES, DURATIVE):
+        file = file.removesuffix(ending)
+    return file.removesuffix(".pddl")

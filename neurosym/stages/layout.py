@@ -42,8 +42,12 @@ NUMERIC_DOMAIN = "domain-numeric.pddl"
 """`compile-domain`: the same in numbers (PDDL 2.1)."""
 PLACES_DOMAIN = "domain-places.pddl"
 """`compile-domain`: the same with places that objects are carried to, if that was learned."""
+DURATIVE_DOMAIN = "domain-durative.pddl"
+"""`compile-domain --durative`: what can be carried, by actions that take time; no command reads it."""
 GROUNDING = "grounding.json"
 """`compile-domain`: what planning and execution need to know; no network is needed from here on."""
+PLANVIZ_SCRIPT = "planviz.js"
+"""`compile-domain`, `new-problem`: draws plans from above in an editor, with the scenes of all problems."""
 PROBLEMS = "problems"
 """`new-problem`: NAME.scene.json (the problem), NAME.pddl and NAME.numeric.pddl (for other planners)."""
 PLANS = "plans"
@@ -88,6 +92,10 @@ NUMERIC = ".numeric.pddl"
 """What the file of a problem in the numeric encoding ends with; the one on a grid is NAME.pddl."""
 BY_PLACES = ".places.pddl"
 """What the file of a problem in the encoding `places` ends with."""
+DURATIVE = ".durative.pddl"
+"""What the file of a problem with durative actions ends with."""
+PLANVIZ = ".planviz.json"
+"""What the file ends with that names the script to an editor; it is called as the domain beside it is."""
 RECORD = ".run.json"
 """What the file of a record of a run ends with."""
 
@@ -105,6 +113,16 @@ def problem_files(problem: str) -> tuple[str, str]:
 def places_file(problem: str) -> str:
     """Name a problem's file for other planners in the encoding `places`."""
     return f"{PROBLEMS}/{problem}{BY_PLACES}"
+
+
+def durative_file(problem: str) -> str:
+    """Name a problem's file for temporal planners."""
+    return f"{PROBLEMS}/{problem}{DURATIVE}"
+
+
+def planviz_file(domain: str) -> str:
+    """Name the file that says what draws the plans of a domain, from the name of the domain's file."""
+    return domain.removesuffix(".pddl") + PLANVIZ
 
 
 def plan_files(problem: str, planner: str) -> tuple[str, str]:

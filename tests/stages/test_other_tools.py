@@ -1,0 +1,127 @@
+"""What a domain folder holds for other tools: temporal planners, and an editor that draws plans."""
+
+import json
+from pathlib import Path
+
+import pytest
+import toy_domain
+import toy_places
+from command_line import neurosym, refusal
+
+from neurosym.files import write_json
+from neurosym.grounding import Grounding
+from neurosym.pddl.durative import durative_domain_text, durative_problem_text
+from neurosym.pddl.planviz import planviz_json, planviz_script, scenes_of
+from neurosym.problems import Problem
+from neurosym.stages.compiling import compile_stage
+from neurosym.stages.folder import DomainFolder
+
+CELL = ("--cell", "0.02")
+
+
+@pytest.fixture
+def folder(tmp_path: Path) -> Path:
+    """What distilling would have left of the toy world with places, and two problems by hand."""
+    place = tmp_path / "domain"
+    (place / "places").mkdir(parents=True)
+    (place / "problems").mkdir()
+    (place / "world.toml").write_text('world = "toy"\n')
+    learned = toy_places.grounding()
+    write_json(place / "primitives.json", learned.operators)
+    write_json(place / "places/operators.json", learned.places)
+    for problem in (toy_places.swap(), toy_places.mixed()):
+        problem.save(place / f"problems/{problem.name}.scene.json")
+    return place
+
+
+def names(folder: Path, pattern: str) -> set[str]:
+    return {path.relative_to(folder).as_posix() for path in folder.rglob(pattern)}
+
+
+def test_durative_domain_is_written_if_asked_for_and_kept_up_to_date(folder, capsys):
+    assert neurosym("compile-domain", folder, *CELL) == 0
+    assert names(folder, "*durative*") == set()
+    assert neurosym("compile-domain", folder, *CELL, "--durative") == 0
+    assert f"{folder}/domain-durative.pddl takes 1 of 2 problems" in capsys.readouterr().out
+    learned = Grounding.load(folder / "grounding.json")
+    durative = ("domain-durative.pddl", "domain-durative.planviz.json", "problems/swap.durative.pddl")
+    assert names(folder, "*durative*") == set(durative)
+    assert (folder / durative[0]).read_text() == durative_domain_text(learned)
+    assert (folder / durative[2]).read_text() == durative_problem_text(toy_places.swap(), learned)
+    assert DomainFolder(folder).problem_names() == ("mixed", "swap")
+    for file in (durative[0], durative[2]):
+        (folder / file).write_text("stale")
+    assert neurosym("compile-domain", folder, *CELL) == 0
+    assert (folder / durative[0]).read_text() == durative_domain_text(learned)
+    assert (folder / durative[2]).read_text() == durative_problem_text(toy_places.swap(), learned)
+
+
+def test_new_problem_has_a_durative_file_while_it_can(folder, tmp_path):
+    assert neurosym("compile-domain", folder, *CELL, "--durative") == 0
+    scene, file = tmp_path / "mine.json", folder / "problems/mine.durative.pddl"
+    toy_places.swap().save(scene)
+    assert neurosym("new-problem", folder, "--scene", scene) == 0
+    learned = Grounding.load(folder / "grounding.json")
+    mine = Problem.load(folder / "problems/mine.scene.json")
+    assert file.read_text() == durative_problem_text(mine, learned)
+    toy_places.mixed().save(scene)
+    assert neurosym("new-problem", folder, "--scene", scene, "--name", "mine") == 0
+    assert not file.exists()
+
+
+def test_durative_domain_of_what_is_only_pushed_is_refused_and_nothing_is_written(folder, capsys):
+    (folder / "places/operators.json").unlink()
+    said = refusal(capsys, "compile-domain", folder, *CELL, "--durative")
+    assert "Nothing in the domain toy carries objects to places" in said
+    assert names(folder, "*.pddl") == set()
+
+
+def test_editor_is_told_what_draws_the_plans_of_each_domain_over_cells_or_places(folder):
+    assert neurosym("compile-domain", folder, *CELL) == 0
+    domains = ("domain", "domain-operators", "domain-places")
+    assert names(folder, "*.planviz.json") == {f"{domain}.planviz.json" for domain in domains}
+    for domain in domains:
+        text = (folder / f"{domain}.planviz.json").read_text()
+        assert text == planviz_json()
+        assert (folder / json.loads(text)["customVisualization"]).is_file()
+    learned = Grounding.load(folder / "grounding.json")
+    both = planviz_script(learned, [toy_places.swap(), toy_places.mixed()])
+    assert (folder / "planviz.js").read_text() == both
+
+
+def test_new_problem_is_added_to_the_script_with_the_bytes_that_compiling_gives(folder, tmp_path):
+    assert neurosym("compile-domain", folder, *CELL) == 0
+    scene, script = tmp_path / "mine.json", folder / "planviz.js"
+    toy_places.swap().save(scene)
+    (folder / "problems/swap.scene.json").unlink()
+    assert neurosym("new-problem", folder, "--scene", scene) == 0
+    assert scenes_of(script.read_text()).keys() == {"mixed", "mine"}
+    added = script.read_bytes()
+    assert neurosym("compile-domain", folder, *CELL) == 0
+    assert script.read_bytes() == added
+    script.unlink()
+    (folder / "problems/broken.scene.json").write_text("{")
+    assert neurosym("new-problem", folder, "--scene", scene, "--name", "mine") == 0
+    assert script.read_bytes() == added
+
+
+def test_stage_is_not_out_of_date_for_what_other_tools_read(folder):
+    domain = DomainFolder(folder)
+    assert domain.perform(compile_stage(domain, cell=0.02, durative=True), again=False)
+    (folder / "planviz.js").unlink()
+    (folder / "domain-durative.pddl").unlink()
+    assert not domain.perform(compile_stage(domain, cell=0.02), again=False)
+
+
+def test_domain_without_places_is_drawn_over_cells(tmp_path):
+    (tmp_path / "world.toml").write_text('world = "toy"\n')
+    toy_domain.grounding().save(tmp_path / "grounding.json")
+    scene = tmp_path / "mine.json"
+    toy_domain.problem({"item-01": (0.6, 0.16, 0.025)}).save(scene)
+    assert neurosym("new-problem", tmp_path, "--scene", scene) == 0
+    assert names(tmp_path, "*planviz*") == {
+        "planviz.js",
+        "domain.planviz.json",
+        "domain-operators.planviz.json",
+    }
+    assert scenes_of((tmp_path / "planviz.js").read_text()).keys() == {"mine"}
