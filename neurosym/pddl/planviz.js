@@ -35,12 +35,17 @@ module.exports = (function (data) {
         return state;
     }
 
+    /** Returns where a place lies, or null: names of spots say so themselves, in tenths of a millimetre. */
+    function placeNamed(scene, place) {
+        const spot = /^spot-(m?\d+)-(m?\d+)$/.exec(place);
+        if (Object.hasOwn(scene.places, place)) { return scene.places[place].slice(); }
+        return spot && spot.slice(1).map(word => Number(word.replace("m", "-")) / 10000);
+    }
+
     function moveToPlace(state, scene, name, place) {
-        if (Object.hasOwn(scene.places, place)) {
-            state[name] = { at: scene.places[place].slice(), z: 0 };
-            return true;
-        }
-        return false;
+        const at = placeNamed(scene, place);
+        if (at) { state[name] = { at: at, z: 0 }; }
+        return at !== null;
     }
 
     /** Moves an object along an axis, as far from where it started as its cell is from the one it started in. */

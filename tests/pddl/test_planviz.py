@@ -144,6 +144,14 @@ def near(spot: tuple[float, float], *wanted: float) -> bool:
 
 
 @needs_node
+def test_spot_that_the_problem_does_not_name_is_drawn_where_its_name_says():
+    text = problem_text(mixed(), grounding(), PLACES)
+    task = serialised(["(carry-to-01-cube item-01 spot-6000-m2000)"], mixed(), text)
+    states = pictures(call("visualizePlanHtml", mixed(), task, WIDTH))
+    assert near(states[1]["item-01"][0], 0.6, -0.2)
+
+
+@needs_node
 def test_plan_that_carries_and_pushes_is_drawn_state_by_state():
     steps = plan(mixed(), grounding()).steps
     lines = print_ground_plan(steps, mixed(), grounding()).splitlines()
