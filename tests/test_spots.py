@@ -11,6 +11,10 @@ from neurosym.execution.rerun import rerun
 from neurosym.pddl.place_check import check_places
 from neurosym.pddl.plan_text import PlanStep, print_plan, read_plan
 from neurosym.pddl.validation import validate
+from neurosym.planners import PlanStatus
+from neurosym.planners.custom import solve_checked
+from neurosym.planners.planner import Planner, Query
+from neurosym.planners.result import PlanResult
 from neurosym.problems import Problem
 from neurosym.spots import spot_name, spot_named
 
@@ -67,3 +71,16 @@ def test_no_place_of_a_problem_is_called_like_a_spot():
     problem = Problem("own", swap().objects, swap().goals, places={"spot-1-2": (0.6, 0.0)})
     with pytest.raises(InvalidValue, match="No place can be called spot-1-2"):
         check_places(problem, grounding())
+
+
+@pytest.mark.parametrize(
+    ("spot", "said"),
+    [("spot-6000-m2000", ""), ("spot-90000-0", "leaves the table"), ("spot", "the place 'spot'")],
+)
+def test_planner_of_ones_own_may_carry_to_spots_on_the_table(spot, said):
+    problem, steps = by_a_spot()
+    steps = (PlanStep(NAME, "item-01", spot), *steps[1:])
+    mine = Planner("mine", "Mine", lambda _: PlanResult(PlanStatus.SOLVED, steps, 0.0))
+    result = solve_checked(mine, Query(problem, grounding()))
+    assert (result.status is PlanStatus.SOLVED) == (not said)
+    assert said in result.reason

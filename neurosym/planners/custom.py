@@ -15,6 +15,7 @@ from neurosym.pddl.plan_text import PlanStep
 from neurosym.pddl.validation import validate
 from neurosym.planners.planner import Planner, PlannerMissing, Query
 from neurosym.planners.result import LONGEST_REASON, PlanResult, PlanStatus
+from neurosym.spots import spot_named
 
 
 def load_planner(name: str, domain_folder: Path | None, taken: Container[str]) -> Planner:
@@ -137,6 +138,6 @@ def _unknown(result: PlanResult, query: Query) -> str:
         if step.object not in names:
             return f"the object {shortened(step.object)!r}, which the problem does not have"
         known = places if carries[step.base] and isinstance(places, dict) else {"": None}
-        if step.place not in known:
+        if step.place not in known and not (carries[step.base] and spot_named(step.place)):
             return f"the place {shortened(step.place)!r} for {step.operator}, which the problem does not have"
     return ""
