@@ -11,8 +11,10 @@ from neurosym.evaluation.comparison_tasks import Bench
 from neurosym.stages.folder import DomainFolder
 from tools.benchmarks.carrying import baselines, tasks
 from tools.benchmarks.carrying.by_hand import ByHand, carry_by_hand
-from tools.benchmarks.carrying.evaluate import KEPT, keep, restore, take_shipped
-from tools.benchmarks.carrying.evaluate import SHIPPED as SHIPPED_PLACES
+from tools.benchmarks.carrying.evaluate import summarise
+from tools.benchmarks.carrying.keeping import KEPT, keep, restore, take_shipped
+from tools.benchmarks.carrying.keeping import SHIPPED as SHIPPED_PLACES
+from tools.benchmarks.carrying.tables import page
 
 
 @cache
@@ -34,9 +36,9 @@ def test_far_goals_of_graspable_objects_are_drawn_until_all_can_be_grasped():
     assert not all(tasks.is_graspable(np.array(item.features)) for one in drawn for item in one.objects)
 
 
-def test_every_cell_of_the_table_draws_tasks():
+def test_every_cell_of_the_table_draws_tasks_in_whole_blocks():
     for name, draw, count in tasks.cells(0.01):
-        assert count == 1
+        assert count == tasks.BLOCK
         assert draw(bench(), 7).goals, name
 
 
@@ -84,3 +86,17 @@ def test_shipped_domain_is_that_of_the_first_seed(tmp_path):
     (tmp_path / "seed-1" / "grounding.json").write_text("kept")
     take_shipped(tmp_path)
     assert (tmp_path / "seed-1" / "grounding.json").read_text() == "kept"
+
+
+def test_page_tells_what_was_tried_and_leaves_out_what_was_not():
+    trials = {name: [[], []] for name, *_ in tasks.cells(1.0)}
+    can = {"symbol": "101", "right": 0.97, "median_mm": 1.5}
+    found = {"learn-1": can, "random-2": can | {"symbol": "", "right": 0.0}, "by-hand-swap": [True, False]}
+    summary = summarise(found, trials, seeds=2, steps=8, places=2)
+    assert summary["carry_seeds"] == 1
+    text = page(summary)
+    assert "| swap | 0 | - | - | - | 50 % | - |" in text
+    assert "| 1 | 101 | 97% | 1.5 | - | - | - |" in text
+    assert "| 2 | - | - | - | none | 0% | 1.5 |" in text
+    summary["table"]["swap"] |= {"replanned": [1.0, 0.5], "tasks": 20}
+    assert "| swap | 20 | - | 75 % ± 35 (53 to 89) | - | 50 % | - |" in page(summary)

@@ -5,53 +5,33 @@ nothing was chosen on: goals anywhere on the table for one to eight objects, swa
 where it was interrupted: what was tried, and what it takes to try more, is kept beside the results.
 """
 
-import filecmp
-import math
 import os
-import shutil
 from collections.abc import Mapping, Sequence
 from functools import partial
 from pathlib import Path
 from statistics import mean, median
-from tempfile import TemporaryDirectory
 from typing import Annotated, Any
 
-import numpy as np
 import tyro
 
-from neurosym.commands.init import init
 from neurosym.console import say
 from neurosym.files import write_atomically
-from neurosym.grounding import Grounding
-from neurosym.operators import OperatorTable
-from neurosym.pddl.compiler import CELL
-from neurosym.stages.aiming import distill_places_stage, explore_places_stage, train_places_stage
-from neurosym.stages.compiling import compile_stage
-from neurosym.stages.distilling import distill_stage
-from neurosym.stages.exploring import explore_stage
-from neurosym.stages.folder import DomainFolder
-from neurosym.stages.layout import GROUNDING, MODEL, WORLD
-from neurosym.stages.training import train_stage
 from tools.benchmarks.carrying import baselines, tasks
+from tools.benchmarks.carrying.keeping import keep, restore, take_shipped
+from tools.benchmarks.carrying.learned import learn, learn_at_random
 from tools.benchmarks.carrying.tables import page
 from tools.benchmarks.jobs import Job, as_text, load_jobs, machine, pack, perform, unpack
 from tools.benchmarks.planning import figures
-from tools.benchmarks.planning.measures import REHEARSALS, bench_of
+from tools.benchmarks.planning.measures import bench_of
 from tools.benchmarks.planning.trials import Trial, from_json, to_json, try_task
-from tools.relearn_places import PLACES, SEED, STEPS
+from tools.relearn_places import PLACES, STEPS
 
 RESULTS, WORK = Path("docs/results"), Path("evaluation/places")
 RECORDS, DOMAINS = "places-records.zip", "places-domains.zip"
-SHIPPED = Path("domains/places")
-KEPT = (WORLD, MODEL, GROUNDING)
-"""What is needed of a learned domain to try it."""
-STRATEGY, REGIME = "disagreement", "default"
 FIRST_TASK = 700_000
 """Seed of the first task, far from those of other evaluations."""
-BLOCK = 5
-"""Tasks in one job."""
-RIGHT, WITHIN = 0.9, 0.015
-"""A domain can carry if some operator symbol ends graspable objects so often so near to its mean [m]."""
+RIGHT = 0.9
+"""A domain can carry if some action symbol ends graspable objects so often where it should."""
 
 
 def main(
@@ -83,6 +63,13 @@ def main(
         report()
     compared = baselines.jobs(work / "seed-1", FIRST_TASK + 10_000, every_cell)
     perform(work / "jobs", compared, workers, report, label="baselines")
+    at_random = {
+        f"random-{seed}": partial(
+            learn_at_random, work / f"seed-{seed}", work / f"random-{seed}", seed, places
+        )
+        for seed in tried
+    }
+    perform(work / "jobs", at_random, workers, report, label="learning from random actions")
     report()
     say(f"wrote {results / 'places.md'}")
 
@@ -113,125 +100,15 @@ def write_results(
     write_atomically(results / "places.md", page(summary))
 
 
-def keep(work: Path, archive: Path) -> None:
-    """Put what it takes to try the learned domains into an archive, but for the one that is shipped.
-
-    Args:
-        work: The working folder.
-        archive: A zip file.
-    """
-    with TemporaryDirectory() as flat:
-        for path in work.glob("seed-*/*"):
-            if path.name in KEPT and is_worth_keeping(path.parent / GROUNDING):
-                shutil.copy(path, Path(flat) / f"{path.parent.name}.{path.name}")
-        pack(Path(flat), archive, "seed-*")
-
-
-def is_worth_keeping(grounding: Path) -> bool:
-    """Say whether a domain was learned, and is not the shipped one."""
-    shipped = SHIPPED / GROUNDING
-    return grounding.exists() and not (shipped.exists() and filecmp.cmp(grounding, shipped, shallow=False))
-
-
-def restore(archive: Path, work: Path) -> None:
-    """Take from an archive what `keep` put there, for domains that are not in the working folder yet.
-
-    Args:
-        archive: A zip file, if there is one.
-        work: The working folder.
-    """
-    with TemporaryDirectory() as flat:
-        unpack(archive, Path(flat))
-        for path in Path(flat).iterdir():
-            folder, name = path.name.split(".", 1)
-            if not (work / folder / name).exists():
-                (work / folder).mkdir(exist_ok=True)
-                shutil.copy(path, work / folder / name)
-
-
-def take_shipped(work: Path) -> None:
-    """Copy the shipped domain, which is that of its seed, unless it is there.
-
-    Args:
-        work: The working folder.
-    """
-    if SHIPPED.exists() and not (work / f"seed-{SEED}").exists():
-        shutil.copytree(SHIPPED, work / f"seed-{SEED}")
-
-
-def learn(folder: Path, seed: int, steps: int, places: int) -> dict[str, Any]:
-    """Learn a domain with places; what was done is not done again.
-
-    Args:
-        folder: Where it lies.
-        seed: Of everything.
-        steps: Interactions of its exploration.
-        places: Interactions besides that are aimed at places.
-
-    Returns:
-        How well it carries graspable objects; see `carries`.
-    """
-    if (folder / GROUNDING).exists():
-        return carries(_carriers(folder))
-    if not (folder / WORLD).exists():
-        init(folder)
-    domain = DomainFolder(folder)
-    for stage in (
-        explore_stage(domain, strategy=STRATEGY, steps=steps, seed=seed, regime=REGIME, workers=1),
-        train_stage(domain, seed=seed, regime=REGIME),
-        distill_stage(domain, objects=REHEARSALS, seed=seed, workers=1),
-        explore_places_stage(domain, strategy=STRATEGY, steps=places, seed=seed, regime=REGIME, workers=1),
-        train_places_stage(domain, seed=seed, regime=REGIME),
-        distill_places_stage(domain, objects=REHEARSALS, seed=seed, workers=1),
-    ):
-        domain.perform(stage, again=False)
-    domain.perform(compile_stage(domain, cell=CELL), again=False)
-    return carries(_carriers(folder))
-
-
-def _carriers(folder: Path) -> OperatorTable:
-    places = Grounding.load(folder / GROUNDING).places
-    assert places is not None, "places were learned"
-    return places.operators
-
-
-def carries(table: OperatorTable) -> dict[str, Any]:
-    """Say how often the best action symbol carries graspable objects, and how nearly alike.
-
-    Args:
-        table: The operators that carry.
-
-    Returns:
-        Of that symbol: the share of rehearsals on graspable objects, drawn as the world draws them, that end
-        within 15 mm of what the operator does on average; and the median distance from it [mm].
-    """
-    best: dict[str, Any] = {"symbol": "", "right": 0.0, "median_mm": math.nan}
-    objects = {category.symbol: category.objects for category in table.categories}
-    for symbol in table.symbols:
-        away = []
-        for one in (one for one in table.operators if one.primitive == symbol):
-            rows = zip(one.rehearsals[: one.trials], one.objects or objects[one.category], strict=False)
-            ends = [row for row, features in rows if tasks.is_graspable(np.array(features))]
-            centre = one.promise.outcome if one.promise and one.promise.kind == "carried" else None
-            away += [
-                math.dist(row.outcome, centre) if centre and row.kind == "carried" else math.inf
-                for row in ends
-            ]
-        right = float(np.mean([distance <= WITHIN for distance in away])) if away else 0.0
-        if right > best["right"]:
-            best = {"symbol": symbol, "right": right, "median_mm": 1000 * float(np.median(away))}
-    return best
-
-
 def _jobs(folder: Path, seed: int, cell: tasks.Cell) -> dict[str, Job]:
     name, draw, count = cell
     slug = name.replace(", ", "-").replace(" ", "-")
     first = FIRST_TASK + 10_000 * seed
     return {
         f"try-{seed}-{slug}-{start}": partial(
-            try_all, folder, draw, [first + n for n in range(start, min(start + BLOCK, count))]
+            try_all, folder, draw, [first + n for n in range(start, start + tasks.BLOCK)]
         )
-        for start in range(0, count, BLOCK)
+        for start in range(0, count, tasks.BLOCK)
     }
 
 
@@ -275,7 +152,9 @@ def summarise(
     def sizes(kind: str, ending: str = "") -> dict[str, float | None]:
         return {str(n): whole(f"{kind} {n}{ending}") for n in (1, 2, 4, 8)}
 
-    can = [found.get(f"learn-{seed}") for seed in range(1, seeds + 1)]
+    can, at_random = (
+        [found.get(f"{how}-{seed}") for seed in range(1, seeds + 1)] for how in ("learn", "random")
+    )
     return {
         "command": "make evaluate-places",
         "versions": machine("numpy", "pybullet", "torch", "up-fast-downward"),
@@ -290,6 +169,7 @@ def summarise(
         "crowded": whole("crowded"),
         "carry_seeds": sum(one is not None and one["right"] >= RIGHT for one in can),
         "carries": can,
+        "carries_at_random": at_random,
         "baselines": baselines.summary(found, tasks.cells(1.0)),
         "table": table,
     }

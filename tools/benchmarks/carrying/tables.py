@@ -6,6 +6,7 @@ from typing import Any
 
 from neurosym.markdown import markdown_table
 from neurosym.wording import counted
+from tools.benchmarks.planning.figures import wilson
 
 
 def page(summary: Mapping[str, Any]) -> str:
@@ -18,29 +19,30 @@ def page(summary: Mapping[str, Any]) -> str:
         [
             name,
             str(cell["tasks"]),
-            _percent(cell["blind"]),
-            _percent(cell["replanned"]),
+            _over_seeds(cell["blind"], cell["tasks"]),
+            _over_seeds(cell["replanned"], cell["tasks"]),
             _said(cell["motions"]),
-            *(_percent([of.get(name)]) for of in summary["baselines"].values()),
+            *(_percent(of.get(name)) for of in summary["baselines"].values()),
         ]
         for name, cell in summary["table"].items()
     ]
     can = [
-        [str(seed), one["symbol"], f"{one['right']:.0%}", f"{one['median_mm']:.1f}"]
-        for seed, one in enumerate(summary["carries"], start=1)
-        if one
+        [str(seed), *_carrier(one), *_carrier(at_random)]
+        for seed, (one, at_random) in enumerate(
+            zip(summary["carries"], summary["carries_at_random"], strict=True), start=1
+        )
     ]
     sections = [
         "# Carried to places",
         f"`{summary['command']}` wrote this page. {counted(summary['seeds'], 'seed')}, each with "
         f"{summary['steps']} interactions and {summary['places']} more that were aimed at places; Fast "
-        "Downward; means and "
-        "standard deviations of the seeds. Goals lie anywhere on the table, at least 15 cm away. *Graspable* "
-        "are objects that an action written by hand can grasp. Within 50 mm where nothing else is said. In a "
-        "*crowd*, objects stand within 5 cm of the next. *Motions* are primitives that were performed. "
-        "A cell without figures was not tried yet. Baselines: *by hand*, each object is carried by an action "
-        "that a person wrote, three motions an object at most; *without places*, the same domain leads "
-        "objects over cells. Both are tried on the tasks of seed 1.",
+        "Downward. Shares are means over the seeds, with their standard deviation; in brackets stands "
+        "the Wilson interval of all tasks at 95 %. Goals lie anywhere on the table, at least 15 cm away."
+        " *Graspable* are objects that an action written by hand can grasp. Within 50 mm where nothing "
+        "else is said. In a *crowd*, objects stand within 5 cm of the next. *Motions* are primitives "
+        "that were performed. A cell without figures was not tried yet. Baselines: *by hand*, each "
+        "object is carried by an action that a person wrote, three motions an object at most; *without "
+        "places*, the same domain leads objects over cells. Both are tried on the tasks of seed 1.",
         markdown_table(
             [
                 "tasks",
@@ -54,8 +56,11 @@ def page(summary: Mapping[str, Any]) -> str:
         ),
         "## What was discovered",
         "The action symbol that carries graspable objects most surely: the share of its rehearsals that end "
-        "within 15 mm of what its operator does on average, and the median distance from that.",
-        markdown_table(["seed", "symbol", "right", "median [mm]"], can),
+        "within 15 mm of what its operator does on average, and the median distance from that. Beside it "
+        "stands what is learned from as many actions at places that were drawn at random.",
+        markdown_table(
+            ["seed", "symbol", "right", "median [mm]", "at random: symbol", "right", "median [mm]"], can
+        ),
     ]
     return "\n\n".join(sections) + "\n"
 
@@ -64,8 +69,20 @@ def _said(motions: Mapping[str, float] | None) -> str:
     return "-" if motions is None else f"{motions['median']:g}, {motions['most']:g}"
 
 
-def _percent(values: Sequence[float | None]) -> str:
-    known = [100 * share for share in values if share is not None]
+def _carrier(one: Mapping[str, Any] | None) -> tuple[str, str, str]:
+    if one is None:
+        return ("-", "-", "-")
+    return (one["symbol"] or "none", f"{one['right']:.0%}", f"{one['median_mm']:.1f}")
+
+
+def _over_seeds(shares: Sequence[float | None], tasks: int) -> str:
+    known = [share for share in shares if share is not None]
     if not known:
         return "-"
-    return f"{mean(known):.1f} %" + (f" ± {stdev(known):.1f}" if len(known) > 1 else "")
+    low, high = wilson(round(mean(known) * tasks), tasks)
+    spread = f" ± {100 * stdev(known):.0f}" if len(known) > 1 else ""
+    return f"{100 * mean(known):.0f} %{spread} ({100 * low:.0f} to {100 * high:.0f})"
+
+
+def _percent(share: float | None) -> str:
+    return "-" if share is None else f"{100 * share:.0f} %"

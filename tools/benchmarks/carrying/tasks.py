@@ -1,5 +1,6 @@
 """The tasks that carrying is measured by, beside those that `neurosym compare` draws."""
 
+import math
 from collections.abc import Callable
 from functools import partial
 
@@ -16,6 +17,8 @@ Draw = Callable[[Bench, int], Problem]
 """Draws the task of a seed."""
 NEAR = 0.02
 """The smaller tolerance [m]."""
+BLOCK = 5
+"""Tasks that are tried together."""
 
 
 def is_graspable(features: Float[np.ndarray, " F"]) -> bool:
@@ -47,11 +50,11 @@ def cells(scale: float) -> tuple[Cell, ...]:
     """List what is tried.
 
     Args:
-        scale: How many tasks, as a share of the full number.
+        scale: How many tasks, as a share of the full number; whole blocks, so that more can be tried later.
     """
 
     def some(count: int) -> int:
-        return max(1, round(count * scale))
+        return BLOCK * math.ceil(count * scale / BLOCK)
 
     of_size = {1: some(40), 2: some(20), 4: some(20), 8: some(10)}
     return (
