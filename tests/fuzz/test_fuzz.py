@@ -15,7 +15,7 @@ from fuzz.seeds import complete
 from neurosym.commands.catalogue import COMMANDS
 from neurosym.stages import layout
 
-ROUND = range(70)
+ROUND = range(45)
 """The cases of the short round, by the numbers that they are drawn from."""
 FINE = Ending(0, 0, 0, (), (), "", "", "", 1.0)
 TRACEBACK = """Traceback (most recent call last):
