@@ -7,4 +7,9 @@ from places import DOCS
 
 def python_blocks(document: str) -> list[str]:
     """The blocks of Python in a document, as a reader would copy them."""
-    return re.findall(r"```python\n(.*?)```", (DOCS / document).read_text(), flags=re.S)
+    return blocks(document, "python")
+
+
+def blocks(document: str, language: str) -> list[str]:
+    """The blocks of one language in a document, as a reader would copy them."""
+    return re.findall(rf"```{language}\n(.*?)```", (DOCS / document).read_text(), flags=re.S)

@@ -7,7 +7,8 @@ import warnings
 from pathlib import Path
 
 import pytest
-from documents import python_blocks
+from command_line import neurosym as command
+from documents import blocks, python_blocks
 from places import DOCS, ROOT
 
 import neurosym
@@ -56,6 +57,14 @@ def test_every_file_that_the_map_names_exists():
             known = [ROOT / "neurosym" / name, ROOT / name, ROOT / "neurosym" / folder / name]
             assert any(path.exists() for path in known), name
             folder = str(Path(name).parent) if "/" in name else folder
+
+
+def test_scene_written_by_hand_is_taken_and_planned_for(tmp_path, monkeypatch):
+    (text,) = blocks("manual.md", "json")
+    (tmp_path / "mine.scene.json").write_text(text)
+    monkeypatch.chdir(tmp_path)
+    assert command("new-problem", "tabletop", "--scene", "mine.scene.json") == 0
+    assert command("plan", "tabletop", "mine") == 0
 
 
 def test_sentences_are_short(sentences):
