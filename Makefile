@@ -7,7 +7,7 @@ PYTHON ?= $(shell for each in $(PYTHONS); do $$each -c '$(SUPPORTED)' 2>/dev/nul
 BIN := $(VENV)/bin
 comma := ,
 
-.PHONY: install demo test test-pythons lint fuzz evaluate evaluate-world evaluate-learning evaluate-planning evaluate-practice evaluate-places evaluate-bits evaluate-planners evaluate-scale faults tutorial architecture docs clean
+.PHONY: install demo test test-pythons lint fuzz evaluate evaluate-world evaluate-learning evaluate-planning evaluate-practice evaluate-places evaluate-relations evaluate-bits evaluate-planners evaluate-scale faults tutorial architecture docs clean
 
 install: $(VENV)/.installed
 
@@ -77,6 +77,10 @@ evaluate-practice: install
 # How well objects are carried to places, over seeds, into docs/results/places.*; goes on where it was interrupted.
 evaluate-places: install
 	$(BIN)/python -m tools.benchmarks.carrying.evaluate
+
+# What one object can be done relative to another, into docs/results/relations.*; goes on where it was interrupted.
+evaluate-relations: install
+	$(BIN)/python -m tools.benchmarks.relations.evaluate
 
 # How many bits the data carry, over seeds, into docs/results/bits.*; goes on where it was interrupted.
 evaluate-bits: install

@@ -43,6 +43,7 @@ if TYPE_CHECKING:
     from neurosym.primitives.rehearsal import tabulate as tabulate
     from neurosym.problems import Problem as Problem
     from neurosym.problems import SceneObject as SceneObject
+    from neurosym.table import OtherObject as OtherObject
     from neurosym.table import Place as Place
     from neurosym.table import Table as Table
     from neurosym.world import Outcome as Outcome
@@ -73,7 +74,7 @@ _PLACES = {
     "neurosym.primitives.distillation": ("distill",),
     "neurosym.primitives.rehearsal": ("Rehearsals", "rehearse", "tabulate"),
     "neurosym.problems": ("Problem", "SceneObject"),
-    "neurosym.table": ("Place", "Table"),
+    "neurosym.table": ("OtherObject", "Place", "Table"),
     "neurosym.world": ("Outcome", "Scene", "World"),
     "neurosym.worlds.check": ("check_world",),
     "neurosym.worlds.problem_drawing": ("draw_problem",),

@@ -181,6 +181,23 @@ def check_outcome(
     if not is_number(outcome.peak_height):
         raise InvalidWorld(name, f"gives outcome.peak_height = {outcome.peak_height!r}; valid: metres")
     _check_bystanders(name, outcome, count)
+    _check_contacts(name, outcome, count)
+
+
+def _check_contacts(name: str, outcome: Outcome, count: int) -> None:
+    pairs = outcome.contacts
+    if not isinstance(pairs, tuple) or not all(
+        isinstance(pair, tuple)
+        and len(pair) == 2
+        and all(map(_is_index, pair))
+        and 0 <= pair[0] < pair[1] < count
+        for pair in pairs
+    ):
+        raise InvalidWorld(
+            name,
+            f"gives outcome.contacts = {pairs!r}; valid: a tuple of pairs of numbers from 0 to {count - 1}, "
+            "the smaller one first",
+        )
 
 
 def _check_bystanders(name: str, outcome: Outcome, count: int) -> None:

@@ -187,6 +187,7 @@ def _plain_outcome(outcome: Outcome) -> Outcome:
         disturbed=tuple((int(number), str(how)) for number, how in outcome.disturbed),  # type: ignore[misc]
         reference=outcome.reference,
         carried=bool(outcome.carried),
+        contacts=tuple((int(one), int(other)) for one, other in outcome.contacts),
     )
 
 

@@ -1,4 +1,4 @@
-"""The table, and the places on it that actions may be aimed at."""
+"""The table, and what actions may be aimed at besides their target: places on it, and other objects."""
 
 import math
 from dataclasses import dataclass
@@ -81,20 +81,59 @@ class Place:
         return np.array([self.x, self.y, 0.0])
 
 
-Reference = Place
+@dataclass(frozen=True, slots=True)
+class OtherObject:
+    """Another object of the scene that an action may be aimed at besides its target.
+
+    Attributes:
+        index: Which object of the scene, counted from 0.
+    """
+
+    index: int
+
+    def __post_init__(self) -> None:
+        if isinstance(self.index, bool) or not isinstance(self.index, int | np.integer):
+            raise InvalidValue(f"OtherObject.index = {self.index!r} must be the number of an object.")
+
+
+Reference = Place | OtherObject
 """What an action may be relative to besides its target."""
-ReferenceKind = Literal["place"]
+ReferenceKind = Literal["place", "object"]
 
 
-def check_reference(reference: Reference, table: Table) -> None:
+def centre_of(reference: Reference, positions: Float[np.ndarray, "M 3"]) -> Float[np.ndarray, "3"]:
+    """Return what an action is relative to in the world frame [m].
+
+    Args:
+        reference: What it is aimed at besides its target.
+        positions: Where the centres of all objects are [m].
+    """
+    return reference.centre if isinstance(reference, Place) else np.asarray(positions[reference.index])
+
+
+def kind_of_reference(reference: Reference) -> ReferenceKind:
+    """Say of which kind a reference is."""
+    return "place" if isinstance(reference, Place) else "object"
+
+
+def check_reference(reference: Reference, table: Table, objects: int, target: int) -> None:
     """Raise `InvalidValue` unless an action can be relative to that.
 
     Args:
         reference: What it should be relative to besides its target.
         table: Where objects may stand.
+        objects: How many objects the scene has.
+        target: Index of the target.
     """
-    check_kind("reference", reference, Place, "a Place")
-    if not table.contains(reference.centre):
+    check_kind("reference", reference, Reference, "a Place or an OtherObject")
+    if isinstance(reference, OtherObject):
+        if not 0 <= reference.index < objects:
+            raise InvalidValue(
+                f"There is no object {reference.index} to aim at; the scene has objects 0 to {objects - 1}."
+            )
+        if reference.index == target:
+            raise InvalidValue(f"Object {target} is the target; it cannot be the reference, too.")
+    elif not table.contains(reference.centre):
         (left, right), (near, far) = table.y, table.x
         raise InvalidValue(
             f"The place ({reference.x:g}, {reference.y:g}) lies off the table; valid: x from {near:g} to "

@@ -16,7 +16,14 @@ from jaxtyping import Float, UInt8
 from neurosym.actions import ActionBox
 from neurosym.checks import check_array, check_kind
 from neurosym.errors import InvalidValue
-from neurosym.table import Reference, ReferenceKind, Table, check_reference
+from neurosym.table import (
+    Reference,
+    ReferenceKind,
+    Table,
+    centre_of,
+    check_reference,
+    kind_of_reference,
+)
 
 Disturbance = Literal["moved", "toppled", "lost"]
 OutcomeKind = Literal["resting", "held", "toppled", "lost", "carried", "missed"]
@@ -62,6 +69,7 @@ class Outcome:
         disturbed: Indices of the bystanders that ended elsewhere, each with how it ended.
         reference: What the action was relative to besides the target, if anything.
         carried: Whether the target hung from the hand until it was over the reference, and was set down.
+        contacts: Pairs of objects that touch in the end, each with the smaller index first.
     """
 
     start: Scene
@@ -76,6 +84,7 @@ class Outcome:
     disturbed: tuple[tuple[int, Disturbance], ...] = ()
     reference: Reference | None = None
     carried: bool = False
+    contacts: tuple[tuple[int, int], ...] = ()
 
     @property
     def kind(self) -> OutcomeKind:
@@ -106,11 +115,12 @@ class Outcome:
 
     @property
     def _origin(self) -> Float[np.ndarray, "3"]:
-        """Where the target stood, or would have stood on the reference that it was carried to [m]."""
+        """Where the target stood, or would have stood where the reference was that it was carried to [m]."""
         centre: np.ndarray = self.start.positions[self.target]
         if self.reference is None or not self.carried:
             return centre
-        return np.array([self.reference.x, self.reference.y, float(centre[2])])
+        x, y, _ = centre_of(self.reference, self.start.positions)
+        return np.array([float(x), float(y), float(centre[2])])
 
     @property
     def turn(self) -> float:
@@ -196,7 +206,7 @@ class World(Protocol):
 
         Raises:
             InvalidValue: If the action has another shape, is not finite, the target does not exist, or the
-                reference lies off the table.
+                reference lies off the table, does not exist, or is the target.
         """
         ...
 
@@ -251,10 +261,11 @@ def relative_to(world: World, reference: Reference | None) -> dict[str, Any]:
     """
     if reference is None:
         return {}
-    if "place" not in references_of(world):
+    kind = kind_of_reference(reference)
+    if kind not in references_of(world):
         raise InvalidValue(
-            f"The {world.name} world takes no place as a reference; valid: a world whose `references` "
-            "hold 'place'."
+            f"The {world.name} world takes no {kind} as a reference; valid: a world whose `references` "
+            f"hold {kind!r}."
         )
     return {"reference": reference}
 
@@ -291,4 +302,5 @@ def check_action(
     if not 0 <= target < len(scene):
         raise InvalidValue(f"There is no object {target}; the scene has objects 0 to {len(scene) - 1}.")
     if reference is not None:
-        check_reference(reference, world.table)
+        relative_to(world, reference)
+        check_reference(reference, world.table, len(scene), target)

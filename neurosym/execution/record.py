@@ -165,7 +165,7 @@ def record_step(
         disturbed={problem.object_names[index]: how for index, how in outcome.disturbed},
         put_down=put_down,
         place=step.place or msgspec.UNSET,
-        aim=(outcome.reference.x, outcome.reference.y) if outcome.reference else msgspec.UNSET,
+        aim=(aim.x, aim.y) if isinstance(aim := outcome.reference, Place) else msgspec.UNSET,
     )
 
 

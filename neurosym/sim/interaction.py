@@ -26,7 +26,7 @@ from neurosym.sim.opening import NARROW_RELEASE, WIDE_RELEASE, grasp_opening
 from neurosym.sim.robot import LOWEST_TOOL_POINT, Robot
 from neurosym.sim.simulation import Simulation
 from neurosym.sim.toppling import has_toppled, rotation
-from neurosym.table import Reference
+from neurosym.table import Reference, centre_of
 from neurosym.world import Disturbance, FrameSink, Outcome, Scene
 
 PARKING_CLEARANCE, LEAST_PARKING_CLEARANCE = 0.25, 0.05
@@ -83,16 +83,17 @@ class Interaction:
         self._simulation.settle()
         start = self._simulation.observe()
         centre = start.positions[self._target]
+        aim = centre if reference is None else centre_of(reference, start.positions)
         self._peak = float(centre[2])
         if self._camera:
-            origins = np.array([centre, centre, centre if reference is None else reference.centre])
+            origins = np.array([centre, centre, aim])
             self._camera.mark(origins + waypoints[:, :3])
         self._approach(centre + waypoints[0, :3], bool(waypoints[0, 3] >= 0.5))
         for number, waypoint in enumerate(waypoints if reference is None else waypoints[:2], 1):
             self._phase = f"waypoint {number}"
             self._set_gripper(bool(waypoint[3] >= 0.5))
             self._robot.move_to(centre + waypoint[:3])
-        carried = reference is not None and self._carry(reference.centre + waypoints[2, :3])
+        carried = reference is not None and self._carry(aim + waypoints[2, :3])
         self._phase = "rise"
         self._rise()
         self._simulation.settle()
@@ -118,6 +119,7 @@ class Interaction:
             disturbed=tuple(self._disturbed(start, end)),
             reference=reference,
             carried=carried and not held,
+            contacts=tuple(self._contacts()),
         )
 
     def _watch(self) -> None:
@@ -267,6 +269,14 @@ class Interaction:
         ground = [simulation.table]
         ground += [body for index, body in enumerate(simulation.bodies) if index not in hanging]
         return any(simulation.touch(simulation.bodies[index], other) for index in hanging for other in ground)
+
+    def _contacts(self) -> Iterator[tuple[int, int]]:
+        """List the pairs of objects that touch now."""
+        for index, body in enumerate(self._simulation.bodies):
+            touched = self._simulation.touched_by(body)
+            for number in range(index + 1, len(self._simulation.bodies)):
+                if self._simulation.bodies[number] in touched:
+                    yield index, number
 
     def _disturbed(self, start: Scene, end: Scene) -> Iterator[tuple[int, Disturbance]]:
         """Tell which bystanders ended elsewhere, and how."""

@@ -47,7 +47,7 @@ class Tabletop:
     name: str = "tabletop"
     feature_names: tuple[str, ...] = FEATURE_NAMES
     arm: Arm = UR10
-    references: ClassVar[tuple[ReferenceKind, ...]] = ("place",)
+    references: ClassVar[tuple[ReferenceKind, ...]] = ("place", "object")
     wanted_pictures: Container[int] | None = field(default=None, init=False)
     _client: int | None = field(default=None, init=False)
 

@@ -11,7 +11,7 @@ from jaxtyping import Float
 
 from neurosym.actions import ActionBox
 from neurosym.guarded import made
-from neurosym.table import Place, Reference, Table
+from neurosym.table import Place, Table
 from neurosym.world import Outcome, Scene, World, WorldFactory, relative_to
 from neurosym.worlds.hosted import OwnFactory
 
@@ -28,7 +28,7 @@ class AimedScene(Scene):
         reference: What they are aimed at.
     """
 
-    reference: Reference
+    reference: Place
 
 
 class Aimed:

@@ -16,7 +16,7 @@ from gymnasium.error import ResetNeeded
 from neurosym.checks import check_kind
 from neurosym.errors import InvalidValue, UnknownChoice
 from neurosym.guarded import guarded, made
-from neurosym.table import Place, Reference
+from neurosym.table import Reference
 from neurosym.world import Frame, Outcome, Pictured, Scene, World, is_world, relative_to
 from neurosym.worlds.world_file import make_world
 
@@ -83,12 +83,13 @@ class WorldEnv(gymnasium.Env[Observation, np.ndarray]):
         Args:
             seed: Where all draws of this environment start from now on, if given.
             options: `target`, the index of the object acted upon (0 if not given), `scene`, a `Scene` to
-                begin with, and `reference`, a `Place` that actions are relative to besides their target.
+                begin with, and `reference`, a `Place` or an `OtherObject` that actions are relative to
+                besides their target.
 
         Raises:
             UnknownChoice: If there is no such option.
             InvalidValue: If the scene has another number of objects, the target does not exist, or the
-                reference is no `Place`.
+                reference is neither a `Place` nor an `OtherObject`.
         """
         super().reset(seed=seed)
         chosen = {"target": 0, "scene": None, "reference": None, **(options or {})}
@@ -105,7 +106,7 @@ class WorldEnv(gymnasium.Env[Observation, np.ndarray]):
             raise InvalidValue(f"The scene has {len(scene)} objects; this environment takes {self.objects}.")
         if target not in range(self.objects):
             raise InvalidValue(f"target = {target} must be one of the objects 0 to {self.objects - 1}.")
-        check_kind("reference", chosen["reference"], Place | None, "a Place")
+        check_kind("reference", chosen["reference"], Reference | None, "a Place or an OtherObject")
         self._scene, self._target, self._frame = scene, int(target), None
         self._reference = chosen["reference"]
         return _observation(scene), {"target": self._target}

@@ -29,7 +29,7 @@ from PIL import Image, ImageDraw
 from neurosym.actions import three_waypoints
 from neurosym.errors import InvalidValue
 from neurosym.object_limits import ObjectLimits
-from neurosym.table import Reference, ReferenceKind, Table
+from neurosym.table import Reference, ReferenceKind, Table, centre_of
 from neurosym.waypoint_dots import draw_dots
 from neurosym.world import Frame, FrameSink, Outcome, Scene, check_action
 
@@ -184,7 +184,7 @@ class ToyWorld:
         size, held, carried = scene.features[target], False, False
         if reference is not None:
             carried = _is_grasped(size, waypoints[:2])
-            shift = _carry(scene.positions[target], waypoints, reference) if carried else np.zeros(3)
+            shift = _carry(scene, target, waypoints, reference) if carried else np.zeros(3)
         elif held := _is_grasped(size, waypoints):
             shift = np.array([0.0, 0.0, self.lift_height])
         else:
@@ -193,7 +193,8 @@ class ToyWorld:
         end = scene if held and put_down else lifted
         if on_frame is not None:
             centre = scene.positions[target]
-            origins = np.array([centre, centre, centre if reference is None else reference.centre])
+            aim = centre if reference is None else centre_of(reference, scene.positions)
+            origins = np.array([centre, centre, aim])
             dots = self._pixels(origins + waypoints[:, :3])
             for share in np.linspace(0, 1, FRAMES):
                 moved = self.picture(_moved(scene, target, share * shift), ghosts)
@@ -261,9 +262,10 @@ def _is_grasped(size: Float[np.ndarray, "F"], waypoints: Float[np.ndarray, "N 4"
 
 
 def _carry(
-    centre: Float[np.ndarray, "3"], waypoints: Float[np.ndarray, "3 4"], reference: Reference
+    scene: Scene, target: int, waypoints: Float[np.ndarray, "3 4"], reference: Reference
 ) -> Float[np.ndarray, "3"]:
-    shift = reference.centre + waypoints[2, :3] - centre - waypoints[1, :3]
+    there, here = centre_of(reference, scene.positions), scene.positions[target]
+    shift = there + waypoints[2, :3] - here - waypoints[1, :3]
     return np.asarray(shift * [1.0, 1.0, 0.0])
 
 

@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+from standing import CARRY, CLOSED, FAR, boxes
 
 from neurosym.errors import InvalidValue
 from neurosym.sim.config import TabletopConfig
@@ -9,26 +10,10 @@ from neurosym.sim.opening import grasp_opening
 from neurosym.sim.simulation import Simulation
 from neurosym.sim.tabletop import Tabletop
 from neurosym.table import Place
-from neurosym.world import Scene
 from neurosym.worlds.workers import Task, perform_all
 
-OPEN, CLOSED = 1.0, 0.0
-CARRY = np.array([0, 0, 0, OPEN, 0, 0, 0, CLOSED, 0, 0, 0, CLOSED])
 MISS = np.array([0, 0, 0.025, CLOSED, 0, 0, 0.025, CLOSED, 0, 0, 0, CLOSED])
 CORNERS = [Place(0.37, -0.28), Place(0.93, 0.28)]
-FAR = Place(0.85, 0.2)
-
-
-def boxes(*rows: tuple[float, float, float, float, float, float]) -> Scene:
-    """A scene of boxes, each given as s_x, s_y, d, t and where it stands."""
-    table = np.array(rows)
-    return Scene(
-        features=table[:, :4],
-        positions=np.column_stack([table[:, 4:], table[:, 2] / 2]),
-        orientations=np.tile([0.0, 0.0, 0.0, 1.0], (len(rows), 1)),
-    )
-
-
 BOX = (0.05, 0.05, 0.06, 0, 0.5, -0.1)
 WIDE = (0.17, 0.17, 0.06, 0, 0.5, -0.1)
 THERE = (0.05, 0.05, 0.06, 0, FAR.x, FAR.y)

@@ -98,7 +98,7 @@ def fail(*arguments, **options):
         ({"feature_names": ()}, "feature_names = .*one name or more"),
         ({"lift_height": 0.0}, "lift_height = 0.0; valid: a length above 0 m"),
         ({"table": ((0, 1), (0, 1))}, "table of type tuple; valid: Table"),
-        ({"references": ("moon",)}, "references = .*valid: a tuple of 'place', or none"),
+        ({"references": ("moon",)}, "references = .*valid: a tuple of 'place', 'object', or none"),
         ({"interact": outcome_with(reference=None)}, "gives the reference None when asked for Place"),
         ({"interact": outcome_with(carried=True)}, "carried = True without a reference"),
         ({"interact": outcome_with(carried=1)}, "outcome.carried = 1; valid: a bool"),

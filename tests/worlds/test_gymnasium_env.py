@@ -173,7 +173,7 @@ def test_environments_run_side_by_side():
         ({"target": 2}, "target = 2 must be one of the objects 0 to 1"),
         ({"target": -1}, "target = -1"),
         ({"goal": 1}, "no reset option 'goal'; valid: reference, scene, target"),
-        ({"reference": (0.5, 0.0)}, "reference .* a Place"),
+        ({"reference": (0.5, 0.0)}, "reference .* a Place or an OtherObject"),
         ({"scene": scene_of_pucks(3)}, "has 3 objects; this environment takes 2"),
     ],
 )

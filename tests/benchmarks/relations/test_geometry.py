@@ -1,0 +1,67 @@
+"""The relations that judge: each is told from where two objects are, and what touches."""
+
+import math
+
+import numpy as np
+import pytest
+
+from neurosym.world import Outcome, Scene
+from tools.benchmarks.relations import by_hand
+from tools.benchmarks.relations.evaluate import page
+from tools.benchmarks.relations.geometry import relation
+
+SOLID, TRAY, TILTED = 0, 1, (0.0, math.sin(0.3), 0.0, math.cos(0.3))
+UPRIGHT = (0.0, 0.0, 0.0, 1.0)
+UNDER = (0.7, 0.1, 0.02)
+
+
+def outcome(kind: int, where: tuple[float, float, float], *, touching: bool, turn=UPRIGHT) -> Outcome:
+    scene = Scene(
+        np.array([[0.05, 0.05, 0.06, 0], [0.15, 0.15, 0.04, kind]]),
+        np.array([where, UNDER]),
+        np.array([turn, UPRIGHT]),
+    )
+    return Outcome(scene, scene, scene, 0, False, False, False, 0.0, contacts=((0, 1),) if touching else ())
+
+
+@pytest.mark.parametrize(
+    ("found", "name"),
+    [
+        (outcome(SOLID, (0.72, 0.1, 0.07), touching=True), "on"),
+        (outcome(TRAY, (0.7, 0.1, 0.07), touching=True), "on"),
+        (outcome(TRAY, (0.7, 0.12, 0.036), touching=False), "in"),
+        (outcome(TRAY, (0.7, 0.12, 0.04), touching=True, turn=TILTED), "leaning"),
+        (outcome(SOLID, (0.78, 0.1, 0.05), touching=True, turn=TILTED), "leaning"),
+        (outcome(SOLID, (0.8, 0.1, 0.03), touching=True), "against"),
+        (outcome(SOLID, (0.8, 0.1, 0.03), touching=False), "beside"),
+        (outcome(TRAY, (0.5, -0.2, 0.03), touching=False), "apart"),
+    ],
+)
+def test_relation_is_told(found, name):
+    assert relation(found, 0, 1) == name
+
+
+def test_quarter_turned_object_counts_by_the_sizes_it_shows():
+    quarter = (0.0, math.sin(math.pi / 4), 0.0, math.cos(math.pi / 4))
+    assert relation(outcome(SOLID, (0.7, 0.1, 0.065), touching=True, turn=quarter), 0, 1) == "on"
+
+
+def test_actions_by_hand_put_over_take_away_and_build():
+    def nothing(done: int, total: int) -> None:
+        pass
+
+    found = {
+        "command": "this",
+        "put_over": by_hand.put_over(1, 1, 1, nothing),
+        "towers_by_hand": by_hand.towers(1, 2, 1, nothing),
+        "random": by_hand.predictability(8, 3, 1, nothing),
+    }
+    assert len(found["put_over"]) == 16
+    assert all(cell["tried"] == 1 for cell in found["put_over"].values())
+    assert found["put_over"]["box over box"] == {
+        "tried": 1, "carried": 1, "ends": {"on": 1}, "taken_on": [1, 1], "taken_in": [0, 0]
+    }  # fmt: skip
+    assert found["towers_by_hand"] == {n: {"tried": 1, "stand": 1} for n in ("3", "4")}
+    text = page(found)
+    assert "| box over box | 1 of 1 | 1 |" in text
+    assert "Of 8 random actions" in text

@@ -1,0 +1,1 @@
+"""How well objects are put on and into one another."""

@@ -1,0 +1,148 @@
+"""Objects put on and into one another, and taken off and out again, by an action that a person wrote.
+
+What an object is put over is another object of the scene. The action is the one that carries to places; see
+`carry_to`. A pair of shapes is tried on objects of random sizes, one of which can be grasped.
+"""
+
+from collections import Counter
+from collections.abc import Sequence
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+
+from neurosym.sim.config import TabletopConfig
+from neurosym.sim.scenes import sample_features, sample_scene
+from neurosym.sim.shapes import SHAPES
+from neurosym.table import OtherObject
+from neurosym.world import Outcome, Scene
+from neurosym.worlds.workers import Perform, Task, crew
+from tools.benchmarks.relations.geometry import relation
+from tools.benchmarks.world.hand_written import carry_to
+from tools.benchmarks.world.measures import (
+    MARGIN,
+    NUDGE,
+    Advance,
+    Results,
+    factory,
+    perform_watched,
+    random_place,
+    random_tasks,
+)
+
+TARGET, UNDER = 0, 1
+"""Which object of a scene is carried, and which one it is put over."""
+
+
+def put_over(objects: int, seed: int, workers: int, advance: Advance) -> Results:
+    """Put objects of each shape over objects of each shape, and take away again what stands on or in them."""
+    table: Results = {}
+    pairs = [(shape, under) for shape in SHAPES for under in SHAPES]
+    with crew(factory(), workers) as perform:
+        for done, (shape, under) in enumerate(pairs, 1):
+            tasks = [_task(shape, under, [seed, done, number]) for number in range(objects)]
+            put = [*perform(tasks)]
+            table[f"{shape} over {under}"] = _told(put) | _taken(put, perform, [seed, done])
+            advance(done, len(pairs))
+    return table
+
+
+def _task(shape: str, under: str, seed: Sequence[int]) -> Task:
+    """Draw an object that can be grasped, and another."""
+    rng, config = np.random.default_rng(seed), TabletopConfig()
+    while True:
+        scene = _with_shapes(sample_scene(config, rng, 2), shape, under, rng)
+        action = carry_to(scene.features[TARGET])
+        if action is not None and _is_apart(scene):
+            return Task(scene, action, TARGET, reference=OtherObject(UNDER))
+
+
+def _with_shapes(scene: Scene, shape: str, under: str, rng: np.random.Generator) -> Scene:
+    """Return a scene with objects of these shapes in the places of those that are there."""
+    features = np.vstack(
+        [sample_features(TabletopConfig(shapes={name: 1.0}), rng, 1) for name in (shape, under)]
+    )
+    positions = np.column_stack([scene.positions[:, :2], features[:, 2] / 2])
+    return Scene(features, positions, scene.orientations)
+
+
+def _is_apart(scene: Scene) -> bool:
+    """Say whether the hand has room between two objects."""
+    gap = np.abs(np.subtract(*scene.positions)) - scene.features[:, :3].sum(0) / 2
+    return bool(gap[:2].max() >= MARGIN)
+
+
+def _told(put: Sequence[Outcome]) -> dict[str, Any]:
+    carried = [outcome for outcome in put if outcome.kind == "carried"]
+    ends = Counter(relation(outcome, TARGET, UNDER) for outcome in carried)
+    return {"tried": len(put), "carried": len(carried), "ends": dict(sorted(ends.items()))}
+
+
+def _taken(put: Sequence[Outcome], perform: Perform, seed: Sequence[int]) -> dict[str, Any]:
+    """Take what stands on or in another to a place, and count how often it came there alone."""
+    tasks, of = list[Task](), Counter[str]()
+    names = []
+    for number, outcome in enumerate(put):
+        name = relation(outcome, TARGET, UNDER)
+        action = carry_to(outcome.end.features[TARGET])
+        if outcome.kind == "carried" and name in ("on", "in") and action is not None:
+            place = random_place(np.random.default_rng([*seed, number, 1]), TabletopConfig().table, MARGIN)
+            tasks.append(Task(outcome.end, action, TARGET, reference=place))
+            names.append(name)
+    for name, outcome in zip(names, perform(tasks), strict=True):
+        of[name] += outcome.kind == "carried" and not outcome.disturbed
+    return {f"taken_{name}": [of[name], names.count(name)] for name in ("on", "in")}
+
+
+def towers(count: int, seed: int, workers: int, advance: Advance) -> Results:
+    """Build towers of solid objects that can be grasped, the widest below, and count those that stand."""
+    table: Results = {}
+    with crew(factory(), workers) as perform:
+        for done, height in enumerate((3, 4), 1):
+            scenes = [_solids(height, [seed, height, number]) for number in range(count)]
+            for level in range(1, height):
+                tasks = [_next_level(scene, level) for scene in scenes]
+                outcomes = [*perform(tasks)]
+                scenes = [outcome.end for outcome in outcomes]
+            stand = [
+                all(relation(outcome, n, n - 1) == "on" for n in range(1, height)) for outcome in outcomes
+            ]
+            table[str(height)] = {"tried": count, "stand": sum(stand)}
+            advance(done, 2)
+    return table
+
+
+def _solids(objects: int, seed: Sequence[int]) -> Scene:
+    """Draw solid objects that can be grasped, the widest first."""
+    rng, config = np.random.default_rng(seed), TabletopConfig(shapes={"box": 1.0, "plank": 1.0})
+    while True:
+        scene = sample_scene(config, rng, objects)
+        if all(carry_to(features) is not None for features in scene.features):
+            order = np.argsort(-scene.features[:, :2].prod(1))
+            return Scene(scene.features[order], scene.positions[order], scene.orientations[order])
+
+
+def _next_level(scene: Scene, level: int) -> Task:
+    action = carry_to(scene.features[level])
+    assert action is not None, "only what can be grasped is drawn"
+    return Task(scene, action, level, reference=OtherObject(level - 1))
+
+
+def predictability(count: int, seed: int, workers: int, advance: Advance) -> Results:
+    """Aim random actions at another object, and once more with the action changed by 0.1 mm."""
+    runs = [random_tasks(count, seed, nudge=nudge, objects=2) for nudge in (0.0, NUDGE)]
+    tasks = [replace(task, reference=OtherObject(UNDER)) for run in runs for task in run]
+    outcomes = perform_watched(factory(), tasks, workers, advance)
+    ends = [relation(outcome, TARGET, UNDER) for outcome in outcomes]
+    carried = [outcome.carried for outcome in outcomes]
+    first, again = ends[:count], ends[count:]
+    return {
+        "interactions": count,
+        "carried": sum(carried[:count]) / count,
+        "ends_of_carried": dict(
+            sorted(
+                Counter(end for end, is_carried in zip(first, carried, strict=False) if is_carried).items()
+            )
+        ),
+        "another_relation": sum(one != other for one, other in zip(first, again, strict=True)),
+    }

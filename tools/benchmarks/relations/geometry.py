@@ -1,0 +1,53 @@
+"""Which relation two objects have, by geometry that a person wrote. It judges; the robot is never told it."""
+
+import math
+from typing import Literal
+
+import numpy as np
+
+from neurosym.sim.shapes import OPEN_TOP, SOLID
+from neurosym.sim.toppling import rotation
+from neurosym.world import Outcome, Scene
+
+Relation = Literal["on", "in", "leaning", "against", "beside", "apart"]
+UPRIGHT_COSINE = math.cos(math.radians(10))
+"""An object is upright when some face of it points up, but for so much."""
+SUNK = 0.005
+"""What stands in another reaches at least so far below its top [m]."""
+NEAR = 0.05
+"""What stands beside another is so near at most [m]."""
+
+
+def relation(outcome: Outcome, one: int, other: int) -> Relation:
+    """Say how one object stands to another in the end.
+
+    Args:
+        outcome: What an interaction did.
+        one: Index of the object.
+        other: Index of what it may stand on, in, or beside.
+    """
+    scene, pair = outcome.end, (min(one, other), max(one, other))
+    low, high = spans(scene, one)
+    below, above = spans(scene, other)
+    centre = scene.positions[one][:2]
+    is_over = bool(np.all((below[:2] <= centre) & (centre <= above[:2])))
+    is_hollow = scene.features[other][3] > (SOLID + OPEN_TOP) / 2
+    if is_over and is_hollow and is_upright(scene, other) and low[2] < above[2] - SUNK:
+        return "in" if is_upright(scene, one) else "leaning"
+    if pair in outcome.contacts:
+        if not is_upright(scene, one):
+            return "leaning"
+        return "on" if low[2] >= above[2] - SUNK else "against"
+    gap = float(np.max(np.maximum(below - high, low - above)[:2]))
+    return "beside" if gap <= NEAR else "apart"
+
+
+def is_upright(scene: Scene, index: int) -> bool:
+    """Say whether an object lies on a face of it, and not on an edge."""
+    return bool(np.abs(rotation(scene.orientations[index])[2]).max() >= UPRIGHT_COSINE)
+
+
+def spans(scene: Scene, index: int) -> tuple[np.ndarray, np.ndarray]:
+    """Return the least and the greatest coordinates of an object, as of a box around it [m]."""
+    half = np.abs(rotation(scene.orientations[index])) @ (scene.features[index][:3] / 2)
+    return scene.positions[index] - half, scene.positions[index] + half
