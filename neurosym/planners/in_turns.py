@@ -24,7 +24,10 @@ from neurosym.problems import Problem
 from neurosym.spots import spot_name
 
 NEARER = 0.5
-"""What is led is to come so near to its goal if others have no room else, as a share of the tolerance."""
+"""What is led is to come so near to its goal if others have no room else, as a share of the tolerance.
+
+What makes way comes as near to where it is to wait, lest it be set down beside that, and in the way.
+"""
 MOST_ORDERS = 6
 """In how many orders objects are led one after another at most, where all ways at once cannot be cleared."""
 _Solve = Callable[[Problem], PlanResult]
@@ -132,15 +135,22 @@ class _Turns:
         return self.rounds[case]
 
     def _round(self, now: Problem, led: _Goals, near: float, *, everything: bool) -> _Turn:
-        others = tuple(item for item in now.objects if item.name not in self.can_be)
-        alone = self._task(msgspec.structs.replace(now, objects=others, goals={}), led, near)
-        way = self._way(alone)
-        if way.status is not PlanStatus.SOLVED:
-            return way, now
-        positions = validate(way.steps, alone, self.grounding).positions
-        to_clear = Way(positions, alone.object_names, now, self.grounding.table)
-        before = to_clear.cleared(self.can_be, self.carried, everything=everything)
-        first, begun = self._carry(now, before)
+        """Look for a way, around what there is no room for elsewhere, then clear it and lead along it."""
+        stays = frozenset[str]()
+        while True:
+            others = tuple(one for one in now.objects if one.name not in self.can_be or one.name in stays)
+            alone = self._task(msgspec.structs.replace(now, objects=others, goals={}), led, near)
+            way = self._way(alone)
+            if way.status is not PlanStatus.SOLVED:
+                return way, now
+            positions = validate(way.steps, alone, self.grounding).positions
+            to_clear = Way(positions, alone.object_names, now, self.grounding.table)
+            can_be = [name for name in self.can_be if name not in stays]
+            before = to_clear.cleared(can_be, self.carried, everything=everything)
+            if not (stuck := to_clear.in_the_way(can_be) - before.keys()):
+                break
+            stays |= stuck
+        first, begun = self._carry(now, before, NEARER)
         if first.status is not PlanStatus.SOLVED:
             return first, now
         return self._after(way, self._task(begun, led, near), first)
@@ -158,9 +168,9 @@ class _Turns:
         tolerance = near * self.problem.tolerance
         return msgspec.structs.replace(now, goals=dict(goals), tolerance=tolerance)
 
-    def _carry(self, now: Problem, goals: _Goals) -> _Turn:
+    def _carry(self, now: Problem, goals: _Goals, near: float = 1.0) -> _Turn:
         """Carry objects to some goals, by way of places that suit where everything stands now."""
-        task = self._task(now, goals)
+        task = self._task(now, goals, near)
         if not task.unmet:
             return PlanResult(PlanStatus.SOLVED, (), 0.0), now
         placed = with_places(task, self.grounding)

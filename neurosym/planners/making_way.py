@@ -57,10 +57,10 @@ class Way:
             goals: The goals of some of them [m].
             everything: Whether others are carried to their goals, too, if these are beside the way.
         """
-        items = [item for item in self.now.objects if item.name in can_be]
+        items, in_it = [one for one in self.now.objects if one.name in can_be], self.in_the_way(can_be)
         before = dict[str, Vector]()
         for item in sorted(items, key=lambda one: (-max(one.features[:2]), one.name)):
-            is_in_it = bool(self._in_it(item.name, _spots(item.position))[0])
+            is_in_it = item.name in in_it
             if not is_in_it and not everything:
                 continue
             goal = goals.get(item.name)
@@ -69,6 +69,15 @@ class Way:
             elif is_in_it and (spot := self._aside(item.name, before, goals)):
                 before[item.name] = (*spot, item.position[2])
         return before
+
+    def in_the_way(self, names: Collection[str]) -> set[str]:
+        """Name those of some objects that stand in the way.
+
+        Args:
+            names: Names of the objects.
+        """
+        items = [item for item in self.now.objects if item.name in names]
+        return {item.name for item in items if self._in_it(item.name, _spots(item.position))[0]}
 
     def _aside(
         self, name: str, moved: Mapping[str, Vector], goals: Mapping[str, Vector]

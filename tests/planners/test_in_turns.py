@@ -66,3 +66,12 @@ def test_where_all_ways_cannot_be_cleared_at_once_each_is_cleared_when_it_is_nee
     places = {"goal-item-03": (0.5, 0.1), "goal-item-04": (0.7, 0.1), "park-01": (0.85, 0.0)}
     led = order(Problem("crossed", scene(*things), goals, 0.02, places=places))
     assert led == ["item-03", "item-01", "item-04", "item-02"]
+
+
+def test_what_is_led_goes_around_what_can_be_carried_but_has_no_room_elsewhere():
+    """The cube has no place but one in the slab's way; with five objects, none is led around all others."""
+    goals = {"item-01": (0.62, 0.24, 0.025), "item-02": (0.62, 0.1, 0.025)}
+    corners = [("cube", x, y) for x, y in ((0.45, 0.0), (0.9, 0.25), (0.9, -0.25))]
+    things = scene(("slab", 0.54, -0.16), ("cube", 0.62, 0.0), *corners)
+    problem = Problem("around", things, goals, 0.02, places={"goal-item-02": (0.62, 0.1)})
+    assert order(problem) == ["item-01", "item-02"]
