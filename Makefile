@@ -41,9 +41,9 @@ lint: install
 	$(BIN)/ruff check .
 	$(BIN)/mypy
 
-# The tests that need minutes of physics or training; each prints its figures.
+# The tests that need minutes of physics or training; each prints its figures. Shapes of arrays are checked everywhere.
 evaluate: install
-	$(BIN)/pytest -m evaluation -s
+	$(BIN)/pytest -m evaluation -s --jaxtyping-packages=neurosym,beartype.beartype
 
 # Fuzzes the command line for MINUTES, with files and arguments of all kinds. What it finds is kept in FUZZ, and the
 # same command goes on. A short round is part of the tests.

@@ -16,14 +16,7 @@ from jaxtyping import Float, UInt8
 from neurosym.actions import ActionBox
 from neurosym.checks import check_array, check_kind
 from neurosym.errors import InvalidValue
-from neurosym.table import (
-    Reference,
-    ReferenceKind,
-    Table,
-    centre_of,
-    check_reference,
-    kind_of_reference,
-)
+from neurosym.table import Reference, ReferenceKind, Table, centre_of, check_reference, kind_of_reference
 
 Disturbance = Literal["moved", "toppled", "lost"]
 OutcomeKind = Literal["resting", "held", "toppled", "lost", "carried", "missed"]

@@ -312,6 +312,7 @@ CALLS = [
         lambda sides: ns.Table(*sides),
     ),
     *each((NAN, INF, None, "0.5", True), "Place.", lambda x: ns.Place(x, 0.0)),
+    *each((NAN, None, "0", True), "OtherObject.index", ns.OtherObject),
     *each((np.zeros(3), np.full((3, 4), NAN), None, [[0.1] * 4]), "features", lambda f: columns(features=f)),
     *each(
         (np.zeros((2, 12)), np.zeros(12), np.full((3, 12), INF)),
