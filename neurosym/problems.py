@@ -105,12 +105,17 @@ class Problem(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
         """Return where a place of the problem or a spot lies [m].
 
         Raises:
+            InvalidValue: If no name is given.
             UnknownChoice: If there is none of that name.
         """
         places = self.places if isinstance(self.places, dict) else {}
+        if not name:
+            raise InvalidValue(
+                f"What carries an object needs a place to carry it to; valid: {', '.join(places)}."
+            )
         found = places.get(name) or spot_named(name)
         if found is None:
-            raise UnknownChoice("place", name, places)
+            raise UnknownChoice("place", name, (*places, "spots such as spot-5500-m1200"))
         return found
 
     def within(self, tolerance: float | None) -> "Problem":

@@ -112,7 +112,12 @@ def centre_of(reference: Reference, positions: Float[np.ndarray, "M 3"]) -> Floa
 
 
 def kind_of_reference(reference: Reference) -> ReferenceKind:
-    """Say of which kind a reference is."""
+    """Say of which kind a reference is.
+
+    Raises:
+        InvalidValue: If it is none.
+    """
+    check_kind("reference", reference, Reference, "a Place or an OtherObject")
     return "place" if isinstance(reference, Place) else "object"
 
 
@@ -125,7 +130,6 @@ def check_reference(reference: Reference, table: Table, objects: int, target: in
         objects: How many objects the scene has.
         target: Index of the target.
     """
-    check_kind("reference", reference, Reference, "a Place or an OtherObject")
     if isinstance(reference, OtherObject):
         if not 0 <= reference.index < objects:
             raise InvalidValue(

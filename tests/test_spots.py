@@ -1,5 +1,6 @@
 """Spots are places whose names say where they lie."""
 
+import msgspec
 import numpy as np
 import pytest
 from toy_domain import WORLD
@@ -65,6 +66,22 @@ def test_spot_off_the_table_is_refused_before_anything_moves():
     problem, _ = by_a_spot()
     with pytest.raises(InvalidValue, match=r"The place spot-90000-0 lies at x = 9, y = 0 m, off the table"):
         execute(WORLD, problem, grounding(), [PlanStep(NAME, "item-01", "spot-90000-0")])
+
+
+@pytest.mark.parametrize("place", ["shelf", "", "spot-5500-m5200"])
+def test_record_that_carries_to_no_place_there_can_have_been_is_refused(place):
+    problem, steps = by_a_spot()
+    run = execute(WORLD, problem, grounding(), steps)
+    first = msgspec.structs.replace(run.steps[0], place=place)
+    with pytest.raises((InvalidValue, UnknownChoice), match=r"shelf|needs a place|off the table"):
+        rerun(WORLD, problem, grounding(), msgspec.structs.replace(run, steps=(first, *run.steps[1:])))
+
+
+def test_missed_object_is_not_compared_with_a_promise_that_is_seen_from_elsewhere():
+    problem, steps = by_a_spot()
+    carried = execute(WORLD, problem, grounding(), steps).steps[0]
+    assert carried.apart == carried.deviation is not None
+    assert msgspec.structs.replace(carried, happened="missed").apart is None
 
 
 def test_no_place_of_a_problem_is_called_like_a_spot():

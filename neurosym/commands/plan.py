@@ -39,7 +39,11 @@ def plan(
         arg(help="If there is no plan, plan as near to the goal as objects come (exit code 3 if it misses)."),
     ] = False,
     alternatives: Annotated[
-        int, arg(metavar="K", help="Also write the K next-best plans: cheapest, of other steps.")
+        int,
+        arg(
+            metavar="K",
+            help="Also write the K next-best plans that lead objects over cells: cheapest, of other steps.",
+        ),
     ] = 0,
     tolerance: Tolerance = None,
     output: Annotated[

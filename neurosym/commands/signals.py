@@ -45,7 +45,9 @@ def say_interrupted(error: KeyboardInterrupt) -> int:
         f"ended by {error.name}" if isinstance(error, Ended) and error.code != INTERRUPTED else "interrupted"
     )
     with suppress(OSError):
-        error_console.print(f"{how}; the same command goes on from what is written", markup=False)
+        error_console.print(
+            f"{how}; the same command goes on from what is written, or begins again", markup=False
+        )
     return error.code if isinstance(error, Ended) else INTERRUPTED
 
 

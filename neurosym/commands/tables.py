@@ -114,13 +114,15 @@ def show_run(run: Run) -> None:
             f"{step.operator} {step.object}",
             f"{step.promised} {_millimetres(step.promised_effect)}" if step.promised_effect else "nothing",
             f"{step.happened} {_millimetres(step.effect)}",
-            "" if step.deviation is None else f"{1000 * step.deviation:.0f}",
+            "" if step.apart is None else f"{1000 * step.apart:.0f}",
             "yes" if step.as_promised else "no",
         ]
         for number, step in enumerate(run.steps, 1)
     ]
     columns = ["", "step", "promised [mm]", "happened [mm]", "apart [mm]", "as promised"]
     show_table(f"run of {run.problem}", columns, rows)
+    if any(step.place for step in run.steps):
+        say("what is carried is seen from the point that the hand aimed at; all else from where it stood")
     far = ", ".join(f"{name} {1000 * distance:.0f} mm" for name, distance in run.distances.items())
     allowed = "" if run.tolerance is None else f", {1000 * run.tolerance:g} mm are allowed in this run"
     say(f"goal {'reached' if run.reached else 'missed'}: {far} from it{allowed}")

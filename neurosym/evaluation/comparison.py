@@ -19,6 +19,7 @@ from neurosym.errors import InvalidPlanner, InvalidValue, UnknownChoice
 from neurosym.execution.executor import execute
 from neurosym.execution.summary import Execution, summarise_run
 from neurosym.grounding import Grounding, is_lift
+from neurosym.pddl.places import with_places
 from neurosym.pddl.plan_text import PlanStep, Steps, named_steps, primitives
 from neurosym.pddl.validation import Validation, validate
 from neurosym.planners import PLANNERS, PlanResult, PlanStatus, plan, planner_named
@@ -192,6 +193,8 @@ def _attempt(
 def predicted_end(setting: Setting, problem: Problem, steps: Sequence[PlanStep]) -> Float[np.ndarray, "M 3"]:
     """Follow a plan by the network's predictions; where a put-down lands is what the rehearsals saw.
 
+    What is carried to a place is taken to stand there: the network of displacements knows nothing of places.
+
     Args:
         setting: Where the network is.
         problem: What the plan is for.
@@ -201,12 +204,16 @@ def predicted_end(setting: Setting, problem: Problem, steps: Sequence[PlanStep])
         Centres of the objects at its end [m].
     """
     grounding, positions = setting.grounding, problem.scene().positions
+    placed = with_places(problem, grounding)
     symbols = grounding.operators.symbols
     effects = setting.predict(problem.scene().features)  # (M, P, 3)
     for step, then in zip(steps, [*steps[1:], None], strict=True):
         if step.puts_down:
             continue
         operator, moved = grounding.operator_named(step.operator), problem.object_names.index(step.object)
+        if step.place:
+            positions[moved, :2] = placed.place_named(step.place)
+            continue
         put_down = is_lift(operator) and then is not None and then.puts_down
         promise = operator.promise if put_down else None
         positions[moved] += at_rest(promise) if promise else effects[moved, symbols.index(operator.primitive)]

@@ -59,6 +59,14 @@ class StepRecord(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     aim: tuple[Length, Length] | msgspec.UnsetType = msgspec.UNSET
 
     @property
+    def apart(self) -> float | None:
+        """How far the object ended from the promise [m]; None where the two are not seen from one point.
+
+        A promise to carry is seen from the place, and where a missed object ended from where it stood.
+        """
+        return self.deviation if (self.promised == "carried") == (self.happened == "carried") else None
+
+    @property
     def step(self) -> PlanStep:
         """The step of the plan."""
         return PlanStep(self.operator, self.object, self.place or "")
@@ -255,8 +263,8 @@ def _first_otherwise(records: Sequence[StepRecord]) -> str:
         if not record.as_promised:
             apart = (
                 ""
-                if record.deviation is None
-                else f", {in_millimetres(record.deviation, TOLERANCE)} from the promise"
+                if record.apart is None
+                else f", {in_millimetres(record.apart, TOLERANCE)} from the promise"
             )
             told = f"promised {record.promised}, ended {record.happened}{apart}"
             return f"step {number}, {record.operator}: {told}"

@@ -15,6 +15,7 @@ from neurosym.execution.nudges import nudged
 from neurosym.execution.performing import perform
 from neurosym.execution.record import Run, StepRecord, record_refusal, record_step
 from neurosym.grounding import Grounding
+from neurosym.pddl.places import GOAL, PARK, with_places
 from neurosym.problems import Problem
 from neurosym.world import FrameSink, World
 
@@ -58,9 +59,12 @@ def rerun(
         on_step: Called with each step's record as soon as it is done, if given.
 
     Raises:
-        UnknownChoice: If the record names an operator that the grounding does not have.
+        UnknownChoice: If the record names an operator that the grounding does not have, or a place that
+            the problem does not have.
+        InvalidValue: If a step carries an object to no place, or off the table.
     """
     scene, records = problem.scene(), []
+    _check_places(problem, grounding, run)
     for number, recorded in enumerate(run.steps, start=1):
         if run.nudge and run.nudge.before_step == number:
             scene = nudged(scene, run.nudge, problem)
@@ -85,6 +89,14 @@ def rerun(
         reached=problem.is_met(scene.positions),
         distances=problem.distances(scene.positions),
     )
+
+
+def _check_places(problem: Problem, grounding: Grounding, run: Run) -> None:
+    """Refuse places that there cannot have been; those of new plans are not known by now."""
+    placed = with_places(problem, grounding)
+    for step in (one.step for one in run.steps):
+        if grounding.carries(grounding.operator_named(step.base)) and not step.place.startswith((GOAL, PARK)):
+            grounding.table.check(step.place, *placed.place_named(step.place))
 
 
 def compare_runs(recorded: Run, again: Run) -> Agreement:

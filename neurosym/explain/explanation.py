@@ -222,10 +222,11 @@ def _verbs(table: OperatorTable, operators: Sequence[Operator]) -> str:
     """Say what a primitive does to which share of the objects, in the words of the operators' names."""
     names = _names(table)
     weights = {category.symbol: category.share for category in table.categories}
-    shares: dict[str, float] = {}
+    done_to: dict[str, set[Symbol]] = {}
     for operator in operators:
         verb = operator.name.removesuffix(f"-{operator.label}-{names[operator.category]}")
-        shares[verb] = shares.get(verb, 0.0) + weights[operator.category]
+        done_to.setdefault(verb, set()).add(operator.category)
+    shares = {verb: sum(weights[symbol] for symbol in sorted(symbols)) for verb, symbols in done_to.items()}
     ordered = sorted(shares.items(), key=lambda entry: (-entry[1], entry[0]))
     return ", ".join(f"{verb} ({share:.0%} of objects)" for verb, share in ordered) or "never tried"
 

@@ -12,10 +12,11 @@ from neurosym.pddl.footprints import footprints_apart
 from neurosym.pddl.place_domain import NOWHERE, carriers_of
 from neurosym.pddl.place_problem import START
 from neurosym.pddl.places import PARK, is_at
+from neurosym.pddl.problem import is_taken
 from neurosym.problems import Problem, check_names
 from neurosym.spots import SPOT
 
-_TAKEN = rf"[xyz]\d*|{START}.*|{SPOT.pattern}"
+_TAKEN = rf"{NOWHERE}|{START}.*|{SPOT.pattern}"
 
 
 def check_places(problem: Problem, grounding: Grounding) -> None:
@@ -36,7 +37,7 @@ def check_places(problem: Problem, grounding: Grounding) -> None:
     check_names(names)
     table = grounding.table
     for name, (x, y) in problem.places.items():
-        if name in problem.object_names or name == NOWHERE or re.fullmatch(_TAKEN, name):
+        if name in problem.object_names or is_taken(name, grounding) or re.fullmatch(_TAKEN, name):
             raise InvalidValue(f"No place can be called {name}, the problem uses that; try shelf-01.")
         table.check(name, x, y)
     for one, other in combinations(names, 2):

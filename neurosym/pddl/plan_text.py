@@ -31,10 +31,11 @@ from neurosym.pddl.moves import (
 )
 from neurosym.pddl.own_steps import step_name
 from neurosym.pddl.place_domain import NOTES
-from neurosym.pddl.place_problem import PlaceNotes
+from neurosym.pddl.place_problem import START, PlaceNotes
 from neurosym.pddl.places import with_places
 from neurosym.problems import Problem, SceneObject
 from neurosym.reading import MEGABYTE, read_text
+from neurosym.table import Table
 from neurosym.wording import counted
 
 MOST_PLAN = 16 * MEGABYTE
@@ -225,14 +226,18 @@ def _read_line(line: str, grounding: Grounding, problem: Problem) -> PlanStep | 
     operator = grounding.operator_named(step.base)
     _check_fit(step, operator, grounding, problem)
     if grounding.carries(operator):
-        return _carrying(step, words[2:], with_places(problem, grounding))
+        return _carrying(step, words[2:], with_places(problem, grounding), grounding.table)
     return None if is_carried or name.startswith(FINISH) else step
 
 
-def _carrying(step: PlanStep, places: list[str], problem: Problem) -> PlanStep:
+def _carrying(step: PlanStep, places: list[str], problem: Problem, table: Table) -> PlanStep:
     """Return a step with the place that it carries its object to: the only one named, or the second."""
     place = places[min(1, len(places) - 1)] if places else ""
-    problem.place_named(place)
+    if place.startswith(START):
+        raise InvalidValue(
+            f"Nothing is carried to {place}: no object goes back to where one stood at the start"
+        )
+    table.check(place, *problem.place_named(place))
     return dataclasses.replace(step, place=place)
 
 

@@ -26,6 +26,7 @@ from neurosym.pddl.place_domain import NOTES, carriers_of
 from neurosym.pddl.place_problem import declared, facts, led_objects
 from neurosym.pddl.places import with_places
 from neurosym.problems import Problem, SceneObject
+from neurosym.spots import SPOT
 
 STEPS = 1
 """How many steps the rounding of is reckoned with, unless the caller says otherwise.
@@ -77,14 +78,19 @@ def problem_text(
 
 def _place_problem(problem: Problem, grounding: Grounding, grid: Grid, steps: int, margin: int) -> str:
     """Print a problem whose objects are carried as far as they can be; only the others need cells."""
+    names = led_objects(problem, grounding)
+    headers = [
+        _place_header(problem, grounding),
+        *([_grid_header(problem, grounding, steps)] if names else []),
+    ]
     sections = [
-        _header(problem, grounding, steps),
+        "\n".join(headers),
         f"(define (problem {problem.name})\n  (:domain {grounding.name})",
         "\n".join(["  (:objects", *_item_objects(problem, grounding), declared(problem)]),
         "  (:init\n    (hand-empty) (ready) (= (total-cost) 0)",
         *(f"    {line}" for line in facts(problem, grounding)),
     ]
-    if names := led_objects(problem, grounding):
+    if names:
         items, goals = (
             tuple(problem.object_named(name) for name in names),
             {name: problem.goals[name] for name in names},
@@ -109,11 +115,15 @@ def check_object(item: SceneObject, grounding: Grounding) -> None:
     """Raise `InvalidValue` unless an object stands on the table and its name is free in the domain."""
     grounding.category(item.category)
     check_on_table(item, grounding)
-    reserved = r"[xyz](\d*|-(step|(plus|minus)-\d+))" if grounding.is_refined else r"[xyz]\d*"
-    if grounding.places:
-        reserved += r"|nowhere|(start|goal|park)-.*"
-    if item.name in _words(grounding) or re.fullmatch(reserved, item.name):
+    taken = rf"nowhere|(start|goal|park)-.*|{SPOT.pattern}" if grounding.places else ""
+    if is_taken(item.name, grounding) or re.fullmatch(taken, item.name):
         raise InvalidValue(f"No object can be called {item.name}, the domain uses that; try item-01.")
+
+
+def is_taken(name: str, grounding: Grounding) -> bool:
+    """Say whether the domain itself uses a name, so that no object or place of a problem can have it."""
+    reserved = r"[xyz](\d*|-(step|(plus|minus)-\d+))" if grounding.is_refined else r"[xyz]\d*"
+    return name in _words(grounding) or bool(re.fullmatch(reserved, name))
 
 
 @lru_cache(maxsize=8)
@@ -132,10 +142,29 @@ def _words(grounding: Grounding) -> frozenset[str]:
 
 
 def _header(problem: Problem, grounding: Grounding, steps: int) -> str:
+    first = f"; Problem {problem.name} of the learned domain {grounding.name}, for its encodings on a grid."
+    return "\n".join([first, _provenance(problem), _grid_header(problem, grounding, steps)])
+
+
+def _place_header(problem: Problem, grounding: Grounding) -> str:
     return "\n".join(
         [
-            f"; Problem {problem.name} of the learned domain {grounding.name}, for its encodings on a grid.",
-            f"; How it came about: {' '.join(problem.provenance.split())}.",
+            f"; Problem {problem.name} of the learned domain {grounding.name}, with places.",
+            _provenance(problem),
+            "; A place starting with start- is where an object stands at first, goal- one that meets a goal,",
+            "; park- one to wait at. room names the places that must be free for an object, one after",
+            "; another; look-on notes that one is. can names what carries an object, at which cost.",
+        ]
+    )
+
+
+def _provenance(problem: Problem) -> str:
+    return f"; How it came about: {' '.join(problem.provenance.split())}."
+
+
+def _grid_header(problem: Problem, grounding: Grounding, steps: int) -> str:
+    return "\n".join(
+        [
             f"; A goal is met within {problem.tolerance * 1000:g} mm. goal-xy and goal-z list the cells from",
             "; which it is met whatever the grid rounds on the way, in plans of at most",
             f"; {steps} step(s) and cells of {grounding.cell * 1000:g} mm.",

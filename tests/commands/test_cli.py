@@ -174,7 +174,11 @@ def test_explored_data_say_by_what_effect_their_actions_were_filtered(tmp_path):
 @pytest.mark.parametrize(
     ("raised", "code", "said"),
     [
-        (KeyboardInterrupt(), 130, "interrupted; the same command goes on from what is written"),
+        (
+            KeyboardInterrupt(),
+            130,
+            "interrupted; the same command goes on from what is written, or begins again",
+        ),
         (InvalidValue("seed = -1 must be at least 0."), 2, "seed = -1 must be at least 0."),
         (FileNotFoundError(2, "No such file", "a.npz"), 2, "a.npz: No such file"),
     ],

@@ -6,6 +6,7 @@ from pathlib import Path
 import msgspec
 import numpy as np
 import pytest
+import toy_places
 from command_line import neurosym, refusal
 from toy_domain import WORLD, grounding, problem
 
@@ -59,6 +60,15 @@ def test_planners_with_true_models_agree_and_their_plans_come_true():
         assert attempt.open_loop.reached
         assert attempt.open_loop.kept == attempt.open_loop.interactions == 1
     assert why_not_found(record, "bfs", BOTH) == ""
+
+
+def test_plans_that_carry_are_compared_though_the_network_knows_no_places():
+    nowhere = np.zeros((2, 2, 3))
+    with_places = Setting(WORLD, toy_places.grounding(), lambda features: nowhere[: len(features)])
+    attempt = compare(with_places, toy_places.swap(), ("fast-downward",)).attempts["fast-downward"]
+    assert attempt.valid
+    assert attempt.replanned.reached
+    assert attempt.predicted_miss == pytest.approx(0.0, abs=1e-6)
 
 
 def test_network_that_errs_makes_bfs_miss_and_the_record_says_so():

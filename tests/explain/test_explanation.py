@@ -267,3 +267,11 @@ def test_what_never_carries_is_not_in_the_domain():
     (told,) = explain_carrying(carrying(mode((0.0, 0.0, 0.0), kind="missed", near=0)), GRIPPER)
     assert told.title == "carries nothing"
     assert [row.domain for row in told.effects] == ["no: never carries"]
+
+
+def test_each_category_counts_once_for_what_is_done_to_it():
+    """The shipped domain has several operators that lift objects of one category."""
+    titles = " ".join(one.title for one in explain(GROUNDING.operators).actions)
+    shares = [int(share) for share in re.findall(r"\((\d+)%", titles)]
+    assert len(shares) > 10
+    assert max(shares) <= 100

@@ -127,9 +127,21 @@ def test_printed_plans_are_read_back_and_accepted_by_others(problem, tmp_path: P
 
 
 def test_unknown_places_are_refused_in_one_sentence(tmp_path: Path):
-    for line in (f"({NAME} item-01 moon)", f"({NAME} item-01)"):
-        with pytest.raises(InvalidPlan, match=r"no place .*; valid: goal-item-01, goal-item-02, park-01"):
-            parse_plan(line, tmp_path, grounding(), swap())
+    for words, said in (
+        ("moon", "no place 'moon'; valid: goal-item-01, goal-item-02, park-01"),
+        ("", "needs a place to carry it to; valid: goal-item-01, goal-item-02"),
+        ("start-item-01 start-item-02", "Nothing is carried to start-item-02"),
+        ("spot-5500-m5200", "The place spot-5500-m5200 lies .* off the table"),
+    ):
+        with pytest.raises(InvalidPlan, match=f"line 1: .*{said}"):
+            parse_plan(f"({NAME} item-01 {words})", tmp_path, grounding(), swap())
+
+
+@pytest.mark.parametrize("name", ["place", "object", "move", "cube", NAME, "nowhere", "start-item-01"])
+def test_places_of_a_problem_have_no_names_of_the_domain(name):
+    own = msgspec.structs.replace(swap(), places={name: (0.5, 0.2)})
+    with pytest.raises(InvalidValue, match=f"No place can be called {name}"):
+        check_places(own, grounding())
 
 
 @pytest.mark.parametrize(
@@ -139,7 +151,7 @@ def test_unknown_places_are_refused_in_one_sentence(tmp_path: Path):
             PlanStep(NAME, "item-01", place="moon"),
             "no place 'moon'; valid: goal-item-01, goal-item-02, park-01",
         ),
-        (PlanStep(NAME, "item-01"), "no place ''; valid: goal-item-01"),
+        (PlanStep(NAME, "item-01"), "needs a place to carry it to; valid: goal-item-01"),
         (
             PlanStep("push-left-001-slab", "item-01", place="park-01"),
             "carries nothing, so it cannot lead to park-01",

@@ -1,8 +1,8 @@
-; Problem anywhere-2-04 of the learned domain tabletop, for its encodings on a grid.
+; Problem anywhere-2-04 of the learned domain tabletop, with places.
 ; How it came about: anywhere, drawn with seed 5; draw 1.
-; A goal is met within 50 mm. goal-xy and goal-z list the cells from
-; which it is met whatever the grid rounds on the way, in plans of at most
-; 1 step(s) and cells of 5 mm.
+; A place starting with start- is where an object stands at first, goal- one that meets a goal,
+; park- one to wait at. room names the places that must be free for an object, one after
+; another; look-on notes that one is. can names what carries an object, at which cost.
 (define (problem anywhere-2-04)
   (:domain tabletop)
   (:objects
