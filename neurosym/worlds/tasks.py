@@ -78,6 +78,8 @@ def draw_task(
         check_callable("fits", fits, "a function from features (F,) to True or False")
     if kind == "swap" and objects < 2:
         raise InvalidValue("One object has no other to change places with; ask for at least 2.")
+    if kind == "crowded" and objects < 2:
+        raise InvalidValue("One object is no crowd; ask for at least 2.")
     number = TASK_KINDS.index(kind)
     for draw in range(_DRAWS):
         rng = np.random.default_rng([_STREAM, objects, seed, draw, *([number] if number else [])])

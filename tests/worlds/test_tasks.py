@@ -106,6 +106,7 @@ def test_objects_without_room_are_told():
     [
         ("row", 9, "9 objects find no places on the table for the task 'row'; ask for fewer"),
         ("swap", 1, "One object has no other to change places with"),
+        ("crowded", 1, "One object is no crowd"),
         ("anywhere", 0, "objects = 0 must be at least 1"),
     ],
 )
