@@ -96,7 +96,7 @@ def test_page_tells_what_was_tried_and_leaves_out_what_was_not():
     assert summary["carry_seeds"] == 1
     text = page(summary)
     assert "| swap | 0 | - | - | - | 50 % | - |" in text
-    assert "| 1 | 101 | 97% | 1.5 | - | - | - |" in text
-    assert "| 2 | - | - | - | none | 0% | 1.5 |" in text
+    assert "| 1 | 101 | 97.0% | 1.5 | - | - | - |" in text
+    assert "| 2 | - | - | - | none | 0.0% | 1.5 |" in text
     summary["table"]["swap"] |= {"replanned": [1.0, 0.5], "tasks": 20}
     assert "| swap | 20 | - | 75 % ± 35 (53 to 89) | - | 50 % | - |" in page(summary)

@@ -72,7 +72,7 @@ def _said(motions: Mapping[str, float] | None) -> str:
 def _carrier(one: Mapping[str, Any] | None) -> tuple[str, str, str]:
     if one is None:
         return ("-", "-", "-")
-    return (one["symbol"] or "none", f"{one['right']:.0%}", f"{one['median_mm']:.1f}")
+    return (one["symbol"] or "none", f"{one['right']:.1%}", f"{one['median_mm']:.1f}")
 
 
 def _over_seeds(shares: Sequence[float | None], tasks: int) -> str:
