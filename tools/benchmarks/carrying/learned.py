@@ -11,6 +11,7 @@ from neurosym.commands.init import init
 from neurosym.grounding import Grounding
 from neurosym.operators import OperatorTable
 from neurosym.pddl.compiler import CELL
+from neurosym.place_operators import PlaceOperators
 from neurosym.stages.aiming import distill_places_stage, explore_places_stage, train_places_stage
 from neurosym.stages.compiling import compile_stage
 from neurosym.stages.distilling import distill_stage
@@ -72,7 +73,7 @@ def learn_at_random(learned: Path, folder: Path, seed: int, places: int) -> dict
     for name in (WORLD, MODEL):
         shutil.copy(learned / name, folder / name)
     _learn_places(DomainFolder(folder), "random", seed, places)
-    return carries(OperatorTable.load(folder / PLACE_OPERATORS))
+    return carries(PlaceOperators.load(folder / PLACE_OPERATORS).operators)
 
 
 def _learn_places(domain: DomainFolder, strategy: StrategyName, seed: int, places: int) -> None:
