@@ -15,7 +15,7 @@ from neurosym.primitives.categories import rounded
 from neurosym.primitives.distillation import distill
 from neurosym.primitives.judging import Judgement, judge, performance
 from neurosym.primitives.modes import sort_into_modes
-from neurosym.primitives.own import DIFFERENT, KEPT, OBJECTS, moved, shortlist_own
+from neurosym.primitives.own import DIFFERENT, ROUNDS, moved, shortlist_own
 from neurosym.primitives.performing import perform
 from neurosym.primitives.rehearsal import rehearsal_of
 from neurosym.primitives.sampling import MOST_DRAWS, draw_scene
@@ -135,14 +135,15 @@ def audition_others(
         category: Its category.
         turn: Number of the turn, for which candidates and objects are drawn.
     """
-    scenes = shop.scenes(category, 2 * OBJECTS, turn)
-    if len(scenes) < 2 * OBJECTS:
+    first, last = ROUNDS
+    scenes = shop.scenes(category, first.objects + last.objects, turn)
+    if len(scenes) < first.objects + last.objects:
         return Improved(operator, None, 0)
     rivals = [primitive, *_rivals(shop, primitive, category, turn)]
     seen: list[list[Outcome]] = [[] for _ in rivals]
-    _audition(shop, rivals, seen, scenes[:OBJECTS], range(len(rivals)))
-    best = _ranked(seen)[:KEPT]
-    _audition(shop, rivals, seen, scenes[OBJECTS:], sorted({0, *best}))
+    _audition(shop, rivals, seen, scenes[: first.objects], range(len(rivals)))
+    best = _ranked(seen)[: last.candidates]
+    _audition(shop, rivals, seen, scenes[first.objects :], sorted({0, *best}))
     spent = sum(map(len, seen))
     winner = next(number for number in _ranked(seen) if number in {0, *best})
     if winner == 0:
@@ -185,7 +186,9 @@ def _rivals(shop: Workshop, primitive: Primitive, category: Category, turn: int)
         for one, mean in zip(found, predicted[1:], strict=True)
         if one.symbol == primitive.symbol and np.linalg.norm(mean - predicted[0]) <= DIFFERENT
     ]
-    (shortlisted,) = shortlist_own([alike], shop.direct.predict_outcomes, features, box, shop.seed)
+    (shortlisted,) = shortlist_own(
+        [alike], shop.direct.predict_outcomes, features, box, ROUNDS[0].candidates, shop.seed
+    )
     return shortlisted
 
 

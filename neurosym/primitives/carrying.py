@@ -21,7 +21,7 @@ from neurosym.place_operators import PlaceOperators
 from neurosym.primitives.among_others import MARGIN, rehearse_beside, rehearse_occupied
 from neurosym.primitives.distillation import distill
 from neurosym.primitives.judging import foresee_carrying
-from neurosym.primitives.own import choose_own
+from neurosym.primitives.own import CARRYING_ROUNDS, choose_own
 from neurosym.primitives.rehearsal import rehearse, tabulate
 from neurosym.primitives.table import NothingDistilled, silent
 from neurosym.primitives.unsure import rehearse_unsure
@@ -84,6 +84,7 @@ def find_carriers(
             interactions.features,
             categorise,
             foresee=foresee_carrying,
+            rounds=CARRYING_ROUNDS,
             **options,
             progress=advance,
         )

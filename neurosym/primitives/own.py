@@ -2,13 +2,14 @@
 
 One action for a symbol has to serve every category, and is exact on few. So candidates are shortlisted for
 each category by what a network without a bottleneck predicts, and auditioned on objects of that category:
-a few of them first, the best of those once more. Each performance has its action moved by about a millimetre,
-so that what lies on an edge, and does something else a hair beside it, looks as bad as it is.
+many candidates on a few of them first, then fewer on others. Each performance has its action moved by about a
+millimetre, so that what lies on an edge, and does something else a hair beside it, looks as bad as it is.
 """
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from functools import cache
+from itertools import accumulate
 
 import numpy as np
 from jaxtyping import Float
@@ -38,10 +39,24 @@ from neurosym.symbols import Categorise, symbols_of
 from neurosym.world import Scene, WorldFactory
 from neurosym.worlds.workers import Task
 
-SHORTLISTED, KEPT = 6, 3
-"""Candidates of a symbol that are auditioned for a category, the first time and again."""
-OBJECTS = 8
-"""Objects of the category on which each of them is performed, others each time."""
+
+@dataclass(frozen=True, slots=True)
+class Round:
+    """One round of auditions.
+
+    Attributes:
+        candidates: How many of a symbol are auditioned for a category.
+        objects: On how many objects of the category each performs, others than in the rounds before.
+    """
+
+    candidates: int
+    objects: int
+
+
+ROUNDS = Round(6, 8), Round(3, 8)
+"""Auditions of actions that displace objects."""
+CARRYING_ROUNDS = Round(16, 4), Round(8, 4), Round(4, 8), Round(2, 16)
+"""Auditions of actions that carry objects: plans use the best of them only, so that it must be sure."""
 OBJECTS_TO_PREDICT = 40
 """Objects of the category on which the effects of every candidate are predicted."""
 MOVED = 0.001
@@ -85,6 +100,7 @@ def choose_own(
     categorise: Categorise,
     *,
     foresee: Foresee = foresee_displacement,
+    rounds: Sequence[Round] = ROUNDS,
     seed: int,
     workers: int = 1,
     progress: Progress | None = None,
@@ -99,12 +115,14 @@ def choose_own(
         features: Objects to predict the effects on.
         categorise: Gives the object symbols of features.
         foresee: Judges actions by what is predicted.
+        rounds: Of the auditions, with fewer candidates in each.
         seed: Where all draws start.
         workers: How many processes; their number does not change the result.
         progress: Called after each performance.
     """
     world = made(world_factory)
-    sample = sample_by_category(world, categorise, least=2 * OBJECTS, seed=seed, stream=_STREAM)
+    ends = list(accumulate(one.objects for one in rounds))
+    sample = sample_by_category(world, categorise, least=ends[-1], seed=seed, stream=_STREAM)
     symbols = np.array(symbols_of(categorise, features))
     rivals = [
         [other for other in candidates if other.symbol == one.symbol and other != one] for one in shared
@@ -112,13 +130,16 @@ def choose_own(
     contests = {}
     for category, scenes in sample.scenes.items():
         objects = np.concatenate([features[symbols == category], *(scene.features for scene in scenes)])
-        few = shortlist_own(rivals, predict, objects[:OBJECTS_TO_PREDICT], world.action_box, seed, foresee)
+        objects = objects[:OBJECTS_TO_PREDICT]
+        few = shortlist_own(rivals, predict, objects, world.action_box, rounds[0].candidates, seed, foresee)
         groups = [[one, *best] for one, best in zip(shared, few, strict=True)]
         contests[category] = _Contest(scenes, groups)
-    for again in (False, True):
-        _audition([*contests.values()], again, world_factory, world.action_box, seed, workers, progress)
+    kept = [one.candidates for one in rounds[1:]] + [1]
+    for count, end, one in zip(kept, ends, rounds, strict=True):
+        part = slice(end - one.objects, end)
+        _audition([*contests.values()], part, world_factory, world.action_box, seed, workers, progress)
         for contest in contests.values():
-            contest.groups[:] = _keep_best(contest, 1 if again else KEPT)
+            contest.groups[:] = _keep_best(contest, count)
     return with_own(shared, {category: _chosen(contest) for category, contest in contests.items()})
 
 
@@ -127,6 +148,7 @@ def shortlist_own(
     predict: PredictOutcomes,
     features: Float[np.ndarray, "M F"],
     box: ActionBox,
+    count: int,
     seed: int,
     foresee: Foresee = foresee_displacement,
 ) -> list[list[Primitive]]:
@@ -137,6 +159,7 @@ def shortlist_own(
         predict: A network that sees the objects themselves and not their symbols.
         features: Objects of one category.
         box: What actions must stay inside.
+        count: How many are kept of each symbol.
         seed: Where the changes of actions are drawn from.
         foresee: Judges actions by what is predicted.
     """
@@ -148,7 +171,7 @@ def shortlist_own(
         predicted = np.split(predict(np.tile(features, (len(group), 1)), actions), len(group))
         judgements += map(foresee, predicted)
     return [
-        [group[number] for number in best[:SHORTLISTED]]
+        [group[number] for number in best[:count]]
         for group, best in zip(groups, _ranked(judged), strict=True)
     ]
 
@@ -176,15 +199,14 @@ def _moves(count: int, size: int, seed: int) -> Float[np.ndarray, "N A"]:
 
 def _audition(
     contests: Sequence[_Contest],
-    again: bool,
+    part: slice,
     world_factory: WorldFactory,
     box: ActionBox,
     seed: int,
     workers: int,
     progress: Progress | None,
 ) -> None:
-    """Have all that are left perform, on the first objects of their category or on the others."""
-    part = slice(OBJECTS, None) if again else slice(OBJECTS)
+    """Have all that are left perform on a part of the objects of their category."""
     tasks, owners = list[Task](), list[list[Performance]]()
     for contest in contests:
         for primitive in (one for group in contest.groups for one in group):

@@ -124,7 +124,7 @@ def test_moves_stay_in_the_box_and_leave_the_gripper_alone():
         return np.zeros((len(features), 4))
 
     corner = Primitive("0", tuple(box.high.tolist()), 0.0)
-    shortlist_own([[corner, PUSHING]], predict, some_features(30), box, 0)
+    shortlist_own([[corner, PUSHING]], predict, some_features(30), box, 6, 0)
     for action, moved in zip((corner.action, LEFT), np.split(asked[0], 2), strict=True):
         change = moved - np.array(action)
         assert all(map(box.contains, moved))
