@@ -75,6 +75,10 @@ class Posed(Protocol):
         """Return what the robot is drawn with."""
         ...
 
+    def robot_at_rest(self) -> Float[np.ndarray, "L 7"]:
+        """Return the poses of the robot's links while it waits; see `Pose.links`."""
+        ...
+
     def object_parts(self, features: Float[np.ndarray, "F"]) -> tuple[Part, ...]:
         """Return what an object is drawn with.
 

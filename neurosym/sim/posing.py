@@ -15,6 +15,9 @@ from neurosym.sim.robot import Robot
 from neurosym.sim.shapes import boxes_of
 from neurosym.sim.simulation import Simulation
 
+REST_HEIGHT = 0.25
+"""How far above the tallest object there can be a hand waits that is only looked at [m]."""
+
 
 class Poser:
     """Hands the poses of an interaction to a sink; it only looks, so nothing happens otherwise.
@@ -39,14 +42,32 @@ class Poser:
         simulation = self._simulation
         if simulation.ticks % self._every:
             return
-        client, scene = simulation.client, simulation.observe()
-        base = pybullet.getBasePositionAndOrientation(self._body, physicsClientId=client)
-        inertial = pybullet.getDynamicsInfo(self._body, -1, physicsClientId=client)[3:5]
-        frame = pybullet.multiplyTransforms(*base, *pybullet.invertTransform(*inertial))
-        states = pybullet.getLinkStates(self._body, self._links, physicsClientId=client)
-        links = np.array([[*frame[0], *frame[1]], *([*state[4], *state[5]] for state in states)])
+        scene, links = simulation.observe(), _links(self._body, self._links, simulation.client)
         seconds = simulation.ticks * simulation.config.time_step
         self._sink(Pose(seconds, phase, links, scene.positions, scene.orientations))
+
+
+def links_at_rest(simulation: Simulation, arm: Arm) -> Float[np.ndarray, "L 7"]:
+    """Return the poses of the links of an arm that waits above the middle of the table.
+
+    Args:
+        simulation: A scene of its own.
+        arm: The arm.
+    """
+    c, robot = simulation.config, Robot(simulation, arm)
+    point = np.array([sum(c.table_x) / 2, sum(c.table_y) / 2, c.height[1] + REST_HEIGHT])
+    robot.place_at(point, arm.half_opening)
+    links = [*range(pybullet.getNumJoints(robot.body, physicsClientId=simulation.client))]
+    return _links(robot.body, links, simulation.client)
+
+
+def _links(body: int, links: list[int], client: int) -> Float[np.ndarray, "L 7"]:
+    """Return where the frames of the base and of all links are."""
+    base = pybullet.getBasePositionAndOrientation(body, physicsClientId=client)
+    inertial = pybullet.getDynamicsInfo(body, -1, physicsClientId=client)[3:5]
+    frame = pybullet.multiplyTransforms(*base, *pybullet.invertTransform(*inertial))
+    states = pybullet.getLinkStates(body, links, physicsClientId=client)
+    return np.array([[*frame[0], *frame[1]], *([*state[4], *state[5]] for state in states)])
 
 
 def object_parts(features: Float[np.ndarray, "F"], wall: float) -> tuple[Part, ...]:

@@ -16,7 +16,7 @@ from neurosym.sim.bullet import pybullet
 from neurosym.sim.camera import Camera
 from neurosym.sim.config import MOST_OBJECTS, TabletopConfig
 from neurosym.sim.interaction import Interaction
-from neurosym.sim.posing import object_parts, robot_parts
+from neurosym.sim.posing import links_at_rest, object_parts, robot_parts
 from neurosym.sim.scenes import check_scene, sample_scene
 from neurosym.sim.shapes import FEATURE_NAMES
 from neurosym.sim.simulation import Simulation
@@ -127,6 +127,11 @@ class Tabletop:
     def robot_parts(self) -> tuple[Part, ...]:
         """Return what the arm is drawn with (see `Posed.robot_parts`)."""
         return robot_parts(self.arm)
+
+    def robot_at_rest(self) -> Float[np.ndarray, "L 7"]:
+        """Return the poses of the arm's links above the middle of the table (see `Posed.robot_at_rest`)."""
+        nothing = Scene(np.zeros((0, len(FEATURE_NAMES))), np.zeros((0, 3)), np.zeros((0, 4)))
+        return links_at_rest(Simulation(self.client(), self.config, nothing), self.arm)
 
     def object_parts(self, features: Float[np.ndarray, "F"]) -> tuple[Part, ...]:
         """Return what an object is drawn with (see `Posed.object_parts`)."""
