@@ -15,7 +15,7 @@ from neurosym.sim.robot import Robot
 from neurosym.sim.shapes import boxes_of
 from neurosym.sim.simulation import Simulation
 
-REST_HEIGHT = 0.25
+REST_HEIGHT = 0.35
 """How far above the tallest object there can be a hand waits that is only looked at [m]."""
 
 
@@ -48,14 +48,14 @@ class Poser:
 
 
 def links_at_rest(simulation: Simulation, arm: Arm) -> Float[np.ndarray, "L 7"]:
-    """Return the poses of the links of an arm that waits above the middle of the table.
+    """Return the poses of the links of an arm that waits above the near edge of the table.
 
     Args:
         simulation: A scene of its own.
         arm: The arm.
     """
     c, robot = simulation.config, Robot(simulation, arm)
-    point = np.array([sum(c.table_x) / 2, sum(c.table_y) / 2, c.height[1] + REST_HEIGHT])
+    point = np.array([c.table_x[0], sum(c.table_y) / 2, c.height[1] + REST_HEIGHT])
     robot.place_at(point, arm.half_opening)
     links = [*range(pybullet.getNumJoints(robot.body, physicsClientId=simulation.client))]
     return _links(robot.body, links, simulation.client)

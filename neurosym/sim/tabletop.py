@@ -129,7 +129,7 @@ class Tabletop:
         return robot_parts(self.arm)
 
     def robot_at_rest(self) -> Float[np.ndarray, "L 7"]:
-        """Return the poses of the arm's links above the middle of the table (see `Posed.robot_at_rest`)."""
+        """Return the poses of the arm's links while it waits (see `Posed.robot_at_rest`)."""
         nothing = Scene(np.zeros((0, len(FEATURE_NAMES))), np.zeros((0, 3)), np.zeros((0, 4)))
         return links_at_rest(Simulation(self.client(), self.config, nothing), self.arm)
 

@@ -121,7 +121,7 @@ class Stage:
         """Say which step is next, wait while the run is paused, and hand over nudges."""
         self._last = 0.0
         steps = tuple((step.operator, step.object, step.place) for step in moment.left)
-        self._connection.send(Next(moment.number, steps))
+        self._connection.send(Next(moment.number, steps, moment.scene))
         self._controls = self._controls.without_step()
         self._listen()
         while moment.left and self._waits():

@@ -20,6 +20,7 @@ from urllib.parse import parse_qs, urlsplit
 
 from neurosym.errors import CannotStart, NeurosymError
 from neurosym.studio.take_away import OPEN
+from neurosym.wording import harmless
 
 PAGE = "/page/"
 """What the path of a page begins with."""
@@ -140,13 +141,22 @@ class Front:
             server = self._loop.run_until_complete(
                 asyncio.start_server(self._serve, self._host, self._wanted, limit=MOST_HEAD)
             )
-        except OSError as error:
-            self._error = f"{self._host}:{self._wanted}: {error.strerror or error}"
+        except (OSError, ValueError) as error:
+            why = error.strerror if isinstance(error, OSError) else "that is no host"
+            self._error = f"{harmless(self._host)[:100]}:{self._wanted}: {why or error}"
+            self._loop.close()
             self._ready.set()
             return
         self.port = server.sockets[0].getsockname()[1]
         self._ready.set()
         self._loop.run_forever()
+        server.close()
+        left = asyncio.all_tasks(self._loop)
+        for task in left:
+            task.cancel()
+        self._loop.run_until_complete(asyncio.gather(*left, return_exceptions=True))
+        self._loop.run_until_complete(self._loop.shutdown_default_executor())
+        self._loop.close()
 
     async def _serve(self, reader: asyncio.StreamReader, writer: asyncio.StreamWriter) -> None:
         with suppress(ConnectionError, asyncio.TimeoutError, asyncio.IncompleteReadError, OSError):

@@ -135,12 +135,16 @@ class Seen:
     orientations: Float[np.ndarray, "M 4"]
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, eq=False)
 class Next:
-    """The number of the step that is next, and what is left of the plan: operator, object and place each."""
+    """The step that is next: its number, what is left of the plan, and where everything is [m].
+
+    What is left is operator, object and place of each step.
+    """
 
     number: int
     left: tuple[tuple[str, str, str], ...]
+    scene: Scene
 
 
 @dataclass(frozen=True, slots=True)

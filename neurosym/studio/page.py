@@ -25,12 +25,13 @@ from neurosym.studio.panel_table import TablePanel
 from neurosym.studio.panel_take import TakePanel
 from neurosym.studio.panel_tour import TourPanel
 from neurosym.studio.session import Session, Topic
-from neurosym.studio.view import COLOURS, View
+from neurosym.studio.view import COLOURS, View, aim_camera
+from neurosym.world import Scene
 
 MOST_OFTEN = 30.0
 """How often a page is drawn at most [1/s]."""
-GLIDE = 0.6
-"""How long objects glide to where a step brought them, in a world that tells no poses [s]."""
+GLIDE, GLIDE_FRAMES = 0.6, 12
+"""How long objects glide in a world that tells no poses [s], and in how many pictures."""
 WIDTH = 400
 """Of the panels [pixels]."""
 DARK, LIGHT = (24, 26, 30), (245, 246, 248)
@@ -52,7 +53,7 @@ class Page:
         self._topics: set[Topic] = set()
         self._lock = threading.Lock()
         self._changed, self._is_closed = threading.Event(), False
-        self._shown: tuple[SceneObject, ...] = ()
+        self._rested: Scene | None = None
         self._set_up()
         self.view = View(server.scene, session.library, self._grabbed)
         self.overlays = Overlays(server.scene)
@@ -122,10 +123,7 @@ class Page:
         panel = self.server.gui.main_panel
         panel.dock_right()
         panel.set_width(WIDTH)
-        x, y = self.session.library.middle
-        camera = self.server.initial_camera
-        camera.position, camera.look_at = (x + 0.95, y, 0.85), (x - 0.05, y, 0.05)
-        camera.fov = 0.75
+        aim_camera(self.server, self.session.library)
 
     def _grabbed(self, kind: str, name: str) -> Any:
         """Return what hears of drags of an object or its goal; in order, since it is a coroutine."""
@@ -150,10 +148,10 @@ class Page:
 
     def _centre(self, name: str) -> tuple[float, float, float]:
         """Return where an object stands now [m], during a run, too."""
-        records, problem = self.session.running.records, self.session.problem
+        rest, problem = self.session.running.rest, self.session.problem
         assert problem is not None, "what is dragged is there"
-        if records and name in records[-1].positions:
-            return records[-1].positions[name]
+        if rest is not None and self.session.running.is_active:
+            return _triple(rest.positions[problem.object_names.index(name)])
         return problem.object_named(name).position
 
     def _drop(self, kind: str, name: str, at: tuple[float, float], *, is_end: bool) -> None:
@@ -187,23 +185,25 @@ class Page:
             self.view.place(problem.objects, problem.goals, session.complaints())
         if "pose" in topics and running.seen:
             self._show_seen(running.seen[-1])
-        if "step" in topics and running.records and not running.seen:
-            self._glide()
+        if "step" in topics and running.rest is not None:
+            self._show_rest()
         for panel in self.panels:
             panel.refresh(topics)
 
     def _show_problem(self) -> None:
         """Draw the table as it is set; after a run, as the run left it."""
         problem, running = self.session.problem, self.session.running
+        self._rested = None
         if problem is None:
             return
         self.view.show_objects(problem.objects, problem.goals)
         self.view.set_tolerance(problem.tolerance)
         self.view.place(problem.objects, problem.goals, self.session.complaints())
-        if running.run is not None and running.seen:
+        if running.seen and running.problem is problem:
             self._show_seen(running.seen[-1])
         else:
             self.view.rest()
+            self._show_rest()
 
     def _show_scene(self) -> None:
         """Draw the objects of a scene that is not the page's own."""
@@ -222,20 +222,23 @@ class Page:
         with suppress(KeyError):  # the table was set anew meanwhile
             self.view.show(seen)
 
-    def _glide(self) -> None:
-        """Let objects glide from where they were to where a step brought them."""
-        problem, records = self.session.problem, self.session.running.records
-        if problem is None or not records:
+    def _show_rest(self) -> None:
+        """Put objects where they are between two steps; where no poses were told, let them glide there."""
+        running = self.session.running
+        problem, rest = running.problem, running.rest
+        if problem is None or rest is None or rest is self._rested:
             return
-        starts = {item.name: item.position for item in problem.objects}
-        before = records[-2].positions if len(records) > 1 else starts
-        frames = 12
+        before = self._rested.positions if self._rested is not None else problem.scene().positions
+        frames = 1 if running.seen or len(before) != len(rest) else GLIDE_FRAMES
         for share in np.linspace(1 / frames, 1, frames):
-            for name, end in records[-1].positions.items():
-                at = (1 - share) * np.array(before.get(name, end)) + share * np.array(end)
-                self.view.show_object(name, at)
-            self.server.flush()
-            time.sleep(GLIDE / frames)
+            at = (1 - share) * before + share * rest.positions if frames > 1 else rest.positions
+            with suppress(KeyError):  # the table was set anew meanwhile
+                for name, position, turn in zip(problem.object_names, at, rest.orientations, strict=True):
+                    self.view.show_object(name, position, turn)
+            if frames > 1:
+                self.server.flush()
+                time.sleep(GLIDE / frames)
+        self._rested = rest
 
 
 def _triple(row: np.ndarray) -> tuple[float, float, float]:

@@ -72,7 +72,9 @@ def set_value(field: Any, value: Any) -> None:
 
 
 def set_content(field: Any, content: str) -> None:
-    """Change what is said, unless it is said already."""
+    """Change what is said, unless it is said already; it keeps from the edges, and scrolls if too wide."""
+    if content:
+        content = f'<div style="padding:0 12px;overflow-x:auto">{content}</div>'
     if field.content != content:
         field.content = content
 

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 import viser
 
-from neurosym.studio.view import View
+from neurosym.studio.view import View, aim_camera
 
 if TYPE_CHECKING:
     from neurosym.studio.session import Session
@@ -32,9 +32,7 @@ def recording_of(session: "Session", *, is_dark: bool = False) -> bytes:
         server = _server()
         server.scene.reset()
         server.scene.set_up_direction("+z")
-        x, y = session.library.middle
-        camera = server.initial_camera
-        camera.position, camera.look_at = (x + 0.95, y, 0.85), (x - 0.05, y, 0.05)
+        aim_camera(server, session.library)
         view = View(server.scene, session.library)
         view.show_objects(problem.objects, problem.goals)
         view.set_tolerance(problem.tolerance)

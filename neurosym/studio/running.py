@@ -47,6 +47,8 @@ class Running:
         records: What each step did.
         replannings: The new plans that were asked for.
         left: What is left of the plan, the step at hand first.
+        number: Number of that step, counted from 1.
+        rest: Where everything was before that step.
         run: Its record, once it is over.
         file: Where the record lies, relative to the page's folder.
         course: Of a replay, how it agrees with the record.
@@ -83,6 +85,7 @@ class Running:
         self.replannings: list[Replanning] = []
         self.left: tuple[tuple[str, str, str], ...] = ()
         self.number = 0
+        self.rest: Scene | None = None
         self.run: Run | None = None
         self.file, self.course = "", ""
         self.seen: list[Seen] = []
@@ -221,7 +224,7 @@ class Running:
                 self.seen[-1] = said
             self._session.tell("pose")
         elif isinstance(said, Next):
-            self.number, self.left = said.number, said.left
+            self.number, self.left, self.rest = said.number, said.left, said.scene
             self._session.tell("step")
         elif isinstance(said, Step):
             self.records.append(said.record)

@@ -104,7 +104,9 @@ class Studio:
             if len(self._pages) >= MOST_PAGES:
                 self._close_one()
             server = (
-                self._servers.pop() if self._servers else viser.ViserServer("127.0.0.1", 0, verbose=False)
+                self._servers.pop()
+                if self._servers
+                else viser.ViserServer("127.0.0.1", 0, label="neurosym studio", verbose=False)
             )
             session = Session(self.library, self.planners, self.runners, problem)
             name = secrets.token_urlsafe(12)

@@ -20,10 +20,12 @@ COLOURS = (
     (237, 191, 61), (89, 186, 191), (140, 102, 77), (115, 120, 128),
 )  # fmt: skip
 """Blue, green, red, purple, yellow, turquoise, brown, grey: as in pictures, one for each object."""
-TABLE, BORDER, ARM, BAD = (219, 209, 194), (158, 143, 122), (199, 204, 212), (220, 50, 47)
+TABLE, BORDER, ARM, BAD = (178, 160, 136), (110, 94, 74), (199, 204, 212), (220, 50, 47)
 KNOB, PIN = 0.014, 0.07
 """Radius of what a goal is dragged by, and how far above the goal's top it is [m]."""
 _FLAT = 0.0015
+EYE, LOOK, LENS = (1.15, 0.0, 1.05), (-0.08, 0.0, 0.08), 0.72
+"""Where the camera is and looks at, from the middle of the table [m]; its angle of view [rad]."""
 Grabbed = Callable[[str, str], Callable[[Any], Any]]
 """Gives what hears of a drag of an object or its goal: its kind and its name."""
 
@@ -214,3 +216,16 @@ class View:
 def _shade(colour: tuple[float, float, float] | None) -> tuple[int, int, int]:
     red, green, blue = colour or (one / 255 for one in ARM)
     return round(255 * red), round(255 * green), round(255 * blue)
+
+
+def aim_camera(server: viser.ViserServer, library: Library) -> None:
+    """Have new windows look over the table at the robot.
+
+    Args:
+        server: The server of the page.
+        library: The domain, for its table.
+    """
+    x, y = library.middle
+    server.initial_camera.position = (x + EYE[0], y + EYE[1], EYE[2])
+    server.initial_camera.look_at = (x + LOOK[0], y + LOOK[1], LOOK[2])
+    server.initial_camera.fov = LENS

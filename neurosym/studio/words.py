@@ -16,7 +16,7 @@ from neurosym.pddl.moves import chance, step_cost
 from neurosym.pddl.plan_text import PlanStep
 from neurosym.problems import Problem
 from neurosym.stages.plan_records import PlanRecord
-from neurosym.wording import harmless
+from neurosym.wording import counted, harmless
 
 GOOD, BAD, DIM = "#2a9d5c", "#d9534f", "#8a8a8a"
 _TABLE = "border-collapse:collapse;font-size:12px;width:100%"
@@ -149,11 +149,15 @@ def replanning_list(replannings: Sequence[Replanning]) -> str:
     """Return why new plans were asked for."""
     lines = [
         f"before step {one.before_step}: {one.why}; "
-        + (f"a new plan of {len(one.plan)} steps" if one.plan else f"no new plan: {one.reason}")
+        + (f"a new plan of {counted(len(one.plan), 'step')}" if one.plan else _no_new_plan(one))
         for one in replannings
     ]
     items = "".join(f"<li>{safe(line)}</li>" for line in lines)
     return f'<ul style="margin:4px 0;font-size:12px;padding-left:18px">{items}</ul>' if lines else ""
+
+
+def _no_new_plan(replanning: Replanning) -> str:
+    return f"no new plan: {replanning.reason}" if replanning.reason else "nothing is left to be done"
 
 
 def pddl(text: str) -> str:

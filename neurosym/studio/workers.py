@@ -137,7 +137,7 @@ class Workers:
             self._line.clear()
             free, self._free = self._free, []
         for child in free:
-            child.close(grace=0)
+            child.close(grace=0.0)
 
     def _begin(self) -> None:
         with self._lock:
@@ -161,5 +161,5 @@ class Workers:
                 if keeps and child is not None:
                     self._free.append(child)
             if child is not None and not keeps:
-                child.close(grace=0)
+                child.close(grace=0.0)
             self._begin()
