@@ -18,7 +18,7 @@ MOST_ROWS = 2000
 """So many interactions are drawn, evenly chosen among all."""
 NEAR = 0.015
 """How near to the pointer's line an interaction must lie to be meant [m]."""
-_OVER = 0.12  # how far above its object an arrow begins, so that nothing hides it [m]
+_OVER = 0.05  # how far above its object an arrow begins, so that nothing hides it [m]
 
 
 class SymbolsPanel(Panel):

@@ -78,6 +78,8 @@ class TablePanel(Panel):
         if problem is None or item is None or not topics & {"scene", "place", "status"}:
             return
         set_options(self._object, problem.object_names, item.name)
+        if problem.name in self._problem.options:
+            set_value(self._problem, problem.name)
         set_value(self._at, (round(item.position[0], 3), round(item.position[1], 3)))
         goal = problem.goals.get(item.name)
         if goal is not None:
