@@ -1,7 +1,6 @@
 """Pages on the toy world and on the shipped domain, and waiting for what they hand to processes."""
 
-import time
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
@@ -15,7 +14,9 @@ from neurosym.stages.layout import DOMAIN, OPERATORS_DOMAIN
 from neurosym.studio.library import Library
 from neurosym.studio.session import Session
 from neurosym.studio.workers import Workers
+from tools.benchmarks.studio.browser import wait_for
 
+__all__ = ["wait_for"]
 AWAY = {"item-01": (0.6, 0.16, 0.025)}
 
 
@@ -37,14 +38,6 @@ def toy_library(path: Path, goals: dict[str, tuple[float, float, float]] = AWAY)
 def shipped_library(path: Path = SHIPPED) -> Library:
     """A shipped domain, as it is looked at without a folder of one's own."""
     return Library(DomainFolder(path), path.name, is_shipped=True)
-
-
-def wait_for(true: Callable[[], object], seconds: float = 60.0) -> None:
-    """Wait until something is true, or fail."""
-    end = time.monotonic() + seconds
-    while not true():
-        assert time.monotonic() < end, "it took too long"
-        time.sleep(0.02)
 
 
 @contextmanager

@@ -13,20 +13,14 @@ from typing import Any
 import numpy as np
 
 from neurosym.errors import NeurosymError
-from neurosym.execution.record import Nudge, Replanning, StepRecord
-from neurosym.execution.watching import STOP, Answer, Moment
 from neurosym.factories import told
-from neurosym.poses import POSE_SECONDS, Pose, Posed
-from neurosym.problems import Problem
+from neurosym.poses import Posed
 from neurosym.studio.messages import (
-    Controls,
     Drawn,
     DrawTask,
     Failed,
-    Grab,
     Job,
     Make,
-    Next,
     Perform,
     Performed,
     Planned,
@@ -35,17 +29,12 @@ from neurosym.studio.messages import (
     Recall,
     Replay,
     RunPlan,
-    Seen,
-    Step,
 )
-from neurosym.world import World
+from neurosym.studio.onlooker import Onlooker
 from neurosym.worlds.children import GRACE, end_with_parent, leave_signals_to_parent, say_up
 
 SETTING = "setting.json"
 """Where a page keeps the scene that it takes over, in its folder."""
-_PAUSED = 0.02  # how often somebody who pauses is listened to [s]
-_EARLY = 0.9  # share of a pose's time after which the next is sent, however fast a run is
-_LONGEST_WAIT = 0.2  # of one pose, so that what is said meanwhile is heard soon [s]
 
 
 def serve(requests: int, lifeline: int, errors: int) -> None:
@@ -74,91 +63,6 @@ def _done(job: Job, connection: Connection) -> Any:
         return Failed(str(error))
     except Exception as error:  # of a planner or a world of somebody's own: this job only is at its end
         return Failed(f"It failed: {told(error)}")
-
-
-class Stage:
-    """Sends what is seen of a motion, at the speed that is asked for, and heeds what is said meanwhile.
-
-    Args:
-        connection: The way to the page.
-        controls: How it begins.
-    """
-
-    def __init__(self, connection: Connection, controls: Controls):
-        self._connection, self._controls = connection, controls
-        self._due = time.monotonic()
-        self._last = 0.0
-        self._grabs: list[Grab] = []
-        self._names: tuple[str, ...] = ()
-        self._sent = 0.0
-
-    def begin(self, world: World, problem: Problem) -> None:
-        """Ask the world for its poses, if it knows any."""
-        self._names = problem.object_names
-        if isinstance(world, Posed):
-            world.on_pose = self.see
-
-    def see(self, pose: Pose) -> None:
-        """Send a pose when it is time for it."""
-        apart = pose.seconds - self._last if pose.seconds > self._last else 0.0
-        self._last = pose.seconds
-        if time.monotonic() - self._sent >= POSE_SECONDS * _EARLY:
-            self._sent = time.monotonic()
-            self._connection.send(
-                Seen(pose.seconds, pose.phase, pose.links, pose.positions, pose.orientations)
-            )
-        self._listen()
-        while self._controls.is_paused and not self._controls.is_stopped and not self._controls.one_step:
-            self._wait_for_word(_PAUSED)
-            self._due = time.monotonic()
-        if self._controls.is_stopped or self._controls.speed <= 0:
-            return
-        self._due = max(self._due + apart / self._controls.speed, time.monotonic() - _LONGEST_WAIT)
-        while (left := self._due - time.monotonic()) > 0 and not self._controls.is_stopped:
-            self._wait_for_word(min(left, _LONGEST_WAIT))
-
-    def before_step(self, moment: Moment) -> Answer:
-        """Say which step is next, wait while the run is paused, and hand over nudges."""
-        self._last = 0.0
-        steps = tuple((step.operator, step.object, step.place) for step in moment.left)
-        self._connection.send(Next(moment.number, steps, moment.scene))
-        self._controls = self._controls.without_step()
-        self._listen()
-        while moment.left and self._waits():
-            self._wait_for_word(_PAUSED)
-        if self._controls.is_stopped:
-            return STOP
-        return self._nudge(moment) if self._grabs else None
-
-    def _nudge(self, moment: Moment) -> Nudge:
-        """Turn the first of what was grabbed into a nudge from where the object is now."""
-        grab = self._grabs.pop(0)
-        x, y, _ = moment.scene.positions[self._names.index(grab.object)].tolist()
-        return Nudge(moment.number, grab.object, (grab.x - x, grab.y - y, 0.0))
-
-    def end_step(self, record: StepRecord) -> None:
-        """Send what a step did."""
-        self._connection.send(Step(record))
-
-    def replanned(self, replanning: Replanning) -> None:
-        """Send what was planned anew."""
-        self._connection.send(replanning)
-
-    def _waits(self) -> bool:
-        controls = self._controls
-        return controls.is_paused and not (controls.one_step or controls.is_stopped or self._grabs)
-
-    def _wait_for_word(self, seconds: float) -> None:
-        if self._connection.poll(seconds):
-            self._listen()
-
-    def _listen(self) -> None:
-        while self._connection.poll():
-            said = self._connection.recv()
-            if isinstance(said, Controls):
-                self._controls = said
-            elif isinstance(said, Grab) and said.object in self._names:
-                self._grabs.append(said)
 
 
 def _make(job: Make, _: Connection) -> Any:
@@ -210,7 +114,7 @@ def _run(job: RunPlan, connection: Connection) -> Any:
         plan_file,
         replanner=job.replanner,
         replans=job.replans,
-        showing=Showing(audience=Stage(connection, job.controls)),
+        showing=Showing(audience=Onlooker(connection, job.controls)),
     )
     folder.perform(stage, again=True)
     return Ran(load_run(folder, job.problem, plan_file), run_file(job.problem, plan_file))
@@ -222,7 +126,7 @@ def _replay(job: Replay, connection: Connection) -> Any:
     from neurosym.stages.layout import RECORD, RUNS
 
     folder, file = DomainFolder(job.folder), f"{RUNS}/{job.run}{RECORD}"
-    showing = Showing(audience=Stage(connection, job.controls))
+    showing = Showing(audience=Onlooker(connection, job.controls))
     run, agreement = replay_run(folder, folder / file, showing)
     return Ran(run, file, agreement.course)
 
@@ -248,11 +152,12 @@ def _perform(job: Perform, connection: Connection) -> Any:
     from neurosym.worlds.world_file import read_world
 
     world = read_world(DomainFolder(job.folder).require(WORLD))()
-    stage = Stage(connection, job.controls)
-    stage.begin(world, job.problem)
+    onlooker = Onlooker(connection, job.controls)
+    onlooker.begin(world, job.problem)
     target = job.problem.object_names.index(job.object)
     aim = relative_to(world, job.reference)
     outcome = world.interact(job.problem.scene(), np.array(job.action), target, **aim)
+    onlooker.see_outcome(outcome)
     return Performed(outcome.kind, tuple(map(float, outcome.effect)), outcome.end)
 
 
@@ -266,11 +171,12 @@ def _recall(job: Recall, connection: Connection) -> Any:
     world = read_world(job.folder / WORLD)()
     interactions = Interactions.load(job.data)
     motion, is_same = recall_interaction(world, interactions, job.row)
-    stage = Stage(connection, job.controls)
+    onlooker = Onlooker(connection, job.controls)
     connection.send(motion.scene)
     if isinstance(world, Posed):
-        world.on_pose = stage.see
+        world.on_pose = onlooker.see
     outcome = world.interact(motion.scene, motion.action, 0)
+    onlooker.see_outcome(outcome)
     said = judge(interactions, job.row, outcome, is_same)
     return Performed(outcome.kind, tuple(map(float, outcome.effect)), outcome.end, said)
 

@@ -30,8 +30,6 @@ from neurosym.world import Scene
 
 MOST_OFTEN = 30.0
 """How often a page is drawn at most [1/s]."""
-GLIDE, GLIDE_FRAMES = 0.6, 12
-"""How long objects glide in a world that tells no poses [s], and in how many pictures."""
 WIDTH = 400
 """Of the panels [pixels]."""
 DARK, LIGHT = (24, 26, 30), (245, 246, 248)
@@ -44,6 +42,10 @@ class Page:
         server: Serves this page and no other.
         session: What it shows.
         address: Where the page is, for links to it.
+
+    Attributes:
+        selected: Name of the object that the panels are about.
+        drawn: How many poses were drawn so far.
     """
 
     def __init__(self, server: viser.ViserServer, session: Session, address: str = ""):
@@ -54,6 +56,7 @@ class Page:
         self._lock = threading.Lock()
         self._changed, self._is_closed = threading.Event(), False
         self._rested: Scene | None = None
+        self.drawn = 0
         self._set_up()
         self.view = View(server.scene, session.library, self._grabbed)
         self.overlays = Overlays(server.scene)
@@ -219,25 +222,20 @@ class Page:
         self.view.show_objects(items, {})
 
     def _show_seen(self, seen: Seen) -> None:
+        self.drawn += 1
         with suppress(KeyError):  # the table was set anew meanwhile
             self.view.show(seen)
 
     def _show_rest(self) -> None:
-        """Put objects where they are between two steps; where no poses were told, let them glide there."""
+        """Put objects where they are between two steps, as after a nudge."""
         running = self.session.running
         problem, rest = running.problem, running.rest
         if problem is None or rest is None or rest is self._rested:
             return
-        before = self._rested.positions if self._rested is not None else problem.scene().positions
-        frames = 1 if running.seen or len(before) != len(rest) else GLIDE_FRAMES
-        for share in np.linspace(1 / frames, 1, frames):
-            at = (1 - share) * before + share * rest.positions if frames > 1 else rest.positions
-            with suppress(KeyError):  # the table was set anew meanwhile
-                for name, position, turn in zip(problem.object_names, at, rest.orientations, strict=True):
-                    self.view.show_object(name, position, turn)
-            if frames > 1:
-                self.server.flush()
-                time.sleep(GLIDE / frames)
+        with suppress(KeyError):  # the table was set anew meanwhile
+            rows = zip(problem.object_names, rest.positions, rest.orientations, strict=True)
+            for name, position, turn in rows:
+                self.view.show_object(name, position, turn)
         self._rested = rest
 
 

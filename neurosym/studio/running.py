@@ -75,6 +75,12 @@ class Running:
         ticket = self._ticket
         return ticket.place if ticket else 0
 
+    @property
+    def process(self) -> int | None:
+        """The number of the process that runs it, once there is one."""
+        ticket = self._ticket
+        return ticket.process if ticket else None
+
     def clear(self) -> bool:
         """Forget the last run, and say whether there was anything to forget."""
         had = bool(
@@ -241,7 +247,7 @@ class Running:
     def _end(self, said: Any) -> None:
         with self._lock:
             self._ticket = None
-        self.controls = replace(self.controls, is_stopped=False)
+        self.controls = replace(self.controls, is_stopped=False, is_paused=False)
         self.left = ()
         session = self._session
         if isinstance(said, Ran):

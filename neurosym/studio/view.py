@@ -142,7 +142,8 @@ class View:
 
     def show(self, seen: Seen) -> None:
         """Put the robot and the objects where they are at one moment of a motion."""
-        self._pose_links(seen.links)
+        if len(seen.links):
+            self._pose_links(seen.links)
         for name, position, orientation in zip(self._names, seen.positions, seen.orientations, strict=False):
             self.show_object(name, position, orientation)
 

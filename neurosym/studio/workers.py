@@ -31,6 +31,7 @@ class Ticket:
         self._queue = queue
         self._child: Child | None = None
         self._is_stopped = False
+        self._words: list[Any] = []
         self._lock = threading.Lock()
 
     @property
@@ -38,11 +39,19 @@ class Ticket:
         """How many jobs are before it in the line; 0 once it is worked on."""
         return self._queue.place_of(self)
 
+    @property
+    def process(self) -> int | None:
+        """The number of the process that works on it, while one does."""
+        child = self._child
+        return child.process.pid if child is not None else None
+
     def say(self, word: Any) -> None:
-        """Say something to the process that works on it; nothing is lost if there is none any more."""
+        """Say something to the process that works on it, or will; nothing is said of what is done."""
         with self._lock, suppress(OSError, ValueError):
             if self._child is not None:
                 self._child.send(word)
+            else:
+                self._words.append(word)
 
     def stop(self) -> None:
         """Give the job up: its process is ended, and `tell` hears that it was stopped."""
@@ -58,12 +67,14 @@ class Ticket:
         Args:
             child: The process.
         """
-        with self._lock:
-            if self._is_stopped:
-                return True
-            self._child = child
         try:
             child.send(self.job)
+            with self._lock:
+                self._child = child
+                for word in self._words:
+                    child.send(word)
+                if self._is_stopped:
+                    child.process.kill()
             while True:
                 said = child.receive()
                 if is_answer := type(said).__name__ in _ANSWERS:

@@ -3,28 +3,16 @@
 Skipped where no Chromium is at hand. Each test has a page of its own on one studio.
 """
 
-import shutil
-import time
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 import pytest
-from studio_pages import shipped_library, wait_for
+from studio_pages import shipped_library
 
-from neurosym.studio.page import Page
 from neurosym.studio.serving import Studio
-from neurosym.studio.shapes import rotation
+from tools.benchmarks.studio.browser import BROWSERS, FLAGS, SLOW, Window, browser_here
 
-BROWSERS = ("chromium-headless-shell", "chromium", "chromium-browser", "google-chrome")
-FLAGS = (
-    *("--no-sandbox", "--disable-quic", "--no-first-run", "--disable-background-networking"),
-    *("--disable-component-update", "--disable-sync", "--use-gl=angle", "--use-angle=swiftshader"),
-    *("--enable-unsafe-swiftshader", "--ignore-gpu-blocklist"),
-)
-SLOW = 90.0
-"""Seconds for what a browser that draws in software does."""
 pytestmark = pytest.mark.filterwarnings("ignore::DeprecationWarning")
 
 
@@ -32,7 +20,7 @@ pytestmark = pytest.mark.filterwarnings("ignore::DeprecationWarning")
 def browser():
     """A browser of this machine without a window."""
     playwright = pytest.importorskip("playwright.sync_api", reason="pip install 'neurosym-pddl[browser]'")
-    found = next(filter(None, map(shutil.which, BROWSERS)), None)
+    found = browser_here()
     if found is None:
         pytest.skip(f"none of {', '.join(BROWSERS)} is installed")
     with playwright.sync_playwright() as running:
@@ -48,73 +36,6 @@ def studio() -> Iterator[Studio]:
     opened.start()
     yield opened
     opened.close()
-
-
-class Window:
-    """A window of a browser that looks at a page."""
-
-    def __init__(self, browser: Any, studio: Studio, width: int = 1400, height: int = 900):
-        self.asked: list[str] = []
-        self.errors: list[str] = []
-        known = set(studio.pages)
-        self.context = browser.new_context(viewport={"width": width, "height": height})
-        self.tab = self.context.new_page()
-        self.tab.on("request", lambda request: self.asked.append(request.url))
-        self.tab.on("pageerror", lambda error: self.errors.append(str(error)))
-        self.tab.goto(studio.address)
-        self.page: Page = next(one for one in studio.pages if one not in known)
-        self.await_page()
-
-    def await_page(self) -> None:
-        """Wait until the page can be used."""
-        self.tab.get_by_text("Stands at x, y").wait_for(timeout=1000 * SLOW)
-        wait_for(lambda: self.page.server.get_clients(), SLOW)
-
-    def pixel(self, point: Any) -> tuple[float, float]:
-        """Where a point of the table is seen [pixels]."""
-        camera = next(iter(self.page.server.get_clients().values())).camera
-        w, x, y, z = camera.wxyz
-        ahead = rotation((x, y, z, w)).T @ (np.array(point) - camera.position)
-        width, height = self.tab.evaluate(
-            "(c => [c.clientWidth, c.clientHeight])(document.querySelector('canvas'))"
-        )
-        focus = height / 2 / np.tan(camera.fov / 2)
-        return width / 2 + focus * ahead[0] / ahead[2], height / 2 + focus * ahead[1] / ahead[2]
-
-    def drag(self, start: Any, end: Any) -> None:
-        """Drag what is seen at one point of the table to another [m]."""
-        (x, y), to = self.pixel(start), self.pixel(end)
-        mouse = self.tab.mouse
-        mouse.move(x, y)
-        self.tab.wait_for_timeout(400)
-        mouse.down()
-        mouse.move(x + 8, y + 4, steps=3)
-        self.tab.wait_for_timeout(400)
-        mouse.move(*to, steps=10)
-        self.tab.wait_for_timeout(1200)
-        mouse.up()
-        self.tab.wait_for_timeout(600)
-
-    def knob(self, name: str) -> tuple[float, float, float]:
-        """Where the goal of an object is dragged by [m]."""
-        problem = self.page.session.problem
-        x, y, z = problem.goals[name]
-        return x, y, z + problem.object_named(name).features[2] / 2 + 0.07
-
-    def open(self, label: str) -> None:
-        """Open a panel."""
-        self.tab.get_by_role("tab", name=label, exact=True).click()
-
-    def press(self, label: str) -> None:
-        """Press a button."""
-        self.tab.get_by_role("button", name=label, exact=True).click()
-
-    def wait(self, true: Callable[[], object], seconds: float = SLOW) -> None:
-        """Wait until something is true, while the browser goes on."""
-        end = time.monotonic() + seconds
-        while not true():
-            assert time.monotonic() < end, "it took too long"
-            self.tab.wait_for_timeout(50)
 
 
 @pytest.fixture
