@@ -193,3 +193,7 @@ class Failed:
     """Why a job was not done, in a sentence."""
 
     sentence: str
+
+
+ANSWERS = (Drawn, Planned, Ran, Performed, Failed)
+"""What a job ends with."""

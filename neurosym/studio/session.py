@@ -165,11 +165,13 @@ class Session(Desk):
     def _plan_next(self) -> None:
         job = self._next_plans.pop(0)
         self.say(f"{job.planner} is planning")
-        self._planning = self._planners.submit(job, lambda said: self._hear_plan(job, said))
+        with self._lock:  # so that the answer is not heard before it is known whom it is from
+            self._planning = self._planners.submit(job, lambda said: self._hear_plan(job, said))
         self.tell("status")
 
     def _hear_plan(self, job: PlanNew, said: Any) -> None:
-        self._planning = None
+        with self._lock:
+            self._planning = None
         if isinstance(said, Failed):
             self._next_plans = []
             self.say(said.sentence, is_bad=True)
@@ -184,6 +186,9 @@ class Session(Desk):
             if not solved:
                 text = f"{planner}: no plan to the goal" + (", but one towards it" if found else "")
             self.say(text, is_bad=not solved)
+        else:
+            self._next_plans = []
+            self.say("the table was changed meanwhile; plan again")
         self.tell("plan")
         if self._next_plans:
             self._plan_next()

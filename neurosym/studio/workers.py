@@ -8,7 +8,7 @@ from typing import Any
 
 from neurosym.errors import CannotStart
 from neurosym.studio.children import serve
-from neurosym.studio.messages import Failed, Job
+from neurosym.studio.messages import ANSWERS, Failed, Job
 from neurosym.worlds.children import Child
 
 DIED = "The process that worked on it has ended; only this is lost, so try again."
@@ -77,7 +77,7 @@ class Ticket:
                     child.process.kill()
             while True:
                 said = child.receive()
-                if is_answer := type(said).__name__ in _ANSWERS:
+                if is_answer := isinstance(said, ANSWERS):
                     with self._lock:
                         self._child = None
                 self.tell(said)
@@ -89,9 +89,6 @@ class Ticket:
             why = str(error) if isinstance(error, CannotStart) else STOPPED if self._is_stopped else DIED
             self.tell(Failed(why))
             return False
-
-
-_ANSWERS = ("Drawn", "Planned", "Ran", "Performed", "Failed")
 
 
 class Workers:

@@ -1,6 +1,7 @@
 """The studio in a real browser: what is dragged, planned, run, nudged and taken away there.
 
-Skipped where no Chromium is at hand. Each test has a page of its own on one studio.
+Skipped where no Chromium is at hand. Each test has a page of its own on one studio. The first goes the whole
+way; the others take minutes where a browser draws in software, and are run by `make evaluate`.
 """
 
 from collections.abc import Iterator
@@ -75,6 +76,7 @@ def test_goal_is_dragged_planned_to_and_run(window, tmp_path: Path):
     ] == []
 
 
+@pytest.mark.evaluation
 def test_recorded_run_turns_offline(window, browser, tmp_path):
     session = window.page.session
     session.load("task-02")
@@ -96,6 +98,7 @@ def test_recorded_run_turns_offline(window, browser, tmp_path):
     assert {url for url in asked if not url.startswith(("data:", "blob:"))} == {file.as_uri()}
 
 
+@pytest.mark.evaluation
 def test_object_is_dragged_before_a_run_and_nudged_during_one(window):
     session = window.page.session
     name = "item-01"
@@ -117,6 +120,7 @@ def test_object_is_dragged_before_a_run_and_nudged_during_one(window):
     assert session.running.run.nudges
 
 
+@pytest.mark.evaluation
 def test_page_that_is_loaded_again_during_a_run_goes_on(window):
     session = window.page.session
     session.plan("fast-downward")
@@ -133,6 +137,7 @@ def test_page_that_is_loaded_again_during_a_run_goes_on(window):
     window.tab.get_by_text("stopped before step").first.wait_for(timeout=1000 * SLOW)
 
 
+@pytest.mark.evaluation
 def test_two_windows_of_a_browser_stay_in_step(window):
     other = window.context.new_page()
     other.goto(window.tab.url)
@@ -143,6 +148,7 @@ def test_two_windows_of_a_browser_stay_in_step(window):
     other.close()
 
 
+@pytest.mark.evaluation
 def test_two_browsers_have_pages_of_their_own(browser, studio, window):
     second = Window(browser, studio)
     assert second.page is not window.page
@@ -151,12 +157,14 @@ def test_two_browsers_have_pages_of_their_own(browser, studio, window):
     second.context.close()
 
 
+@pytest.mark.evaluation
 def test_names_from_outside_are_text(window):
     window.page.session.say('<img src=x onerror="document.title=1"><b>bold</b>', is_bad=True)
     window.tab.get_by_text('<img src=x onerror="document.title=1"><b>bold</b>').wait_for(timeout=1000 * SLOW)
     assert window.tab.title() != "1"
 
 
+@pytest.mark.evaluation
 def test_dead_planner_is_said_and_the_page_stays_usable(window):
     session = window.page.session
     session.load("task-20")
@@ -171,6 +179,7 @@ def test_dead_planner_is_said_and_the_page_stays_usable(window):
     window.wait(lambda: session.plans and not session.is_planning)
 
 
+@pytest.mark.evaluation
 def test_keyboard_reaches_every_panel_and_number(window):
     window.open("Table")
     window.tab.get_by_role("tab", name="Table").focus()
@@ -185,6 +194,7 @@ def test_keyboard_reaches_every_panel_and_number(window):
     window.wait(lambda: window.page.session.problem.objects[0].position != before)
 
 
+@pytest.mark.evaluation
 def test_tour_leads_from_an_experience_to_what_went_otherwise(window):
     session = window.page.session
     window.open("Tour")
@@ -215,6 +225,7 @@ def test_tour_leads_from_an_experience_to_what_went_otherwise(window):
     assert session.running.run is not None
 
 
+@pytest.mark.evaluation
 @pytest.mark.parametrize(("width", "height"), [(1400, 900), (900, 700)])
 @pytest.mark.parametrize("name", ["task-01", "task-20"])
 def test_page_fits_the_window(browser, studio, width, height, name):
