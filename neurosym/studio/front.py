@@ -159,7 +159,7 @@ class Front:
         self._loop.close()
 
     async def _serve(self, reader: asyncio.StreamReader, writer: asyncio.StreamWriter) -> None:
-        with suppress(ConnectionError, asyncio.TimeoutError, asyncio.IncompleteReadError, OSError):
+        with suppress(OSError, asyncio.TimeoutError, asyncio.IncompleteReadError, asyncio.CancelledError):
             try:
                 raw = await asyncio.wait_for(reader.readuntil(b"\r\n\r\n"), PATIENCE)
                 head = Head(raw)
