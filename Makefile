@@ -7,7 +7,7 @@ PYTHON ?= $(shell for each in $(PYTHONS); do $$each -c '$(SUPPORTED)' 2>/dev/nul
 BIN := $(VENV)/bin
 comma := ,
 
-.PHONY: install demo test test-pythons lint fuzz evaluate evaluate-world evaluate-learning evaluate-planning evaluate-practice evaluate-places evaluate-relations evaluate-bits evaluate-planners evaluate-scale faults tutorial architecture docs clean
+.PHONY: install demo test test-pythons lint fuzz evaluate evaluate-world evaluate-learning evaluate-planning evaluate-practice evaluate-places evaluate-relations evaluate-bits evaluate-planners evaluate-scale evaluate-studio faults tutorial architecture docs clean
 
 install: $(VENV)/.installed
 
@@ -95,6 +95,12 @@ evaluate-scale: install
 KILLS ?= 50
 faults: install
 	$(BIN)/python -m tools.faults --kill $(KILLS) --kill-slow $(KILLS)
+
+# Every figure of docs/studio.md, into docs/results/, in a Chromium of this machine; and its picture.
+evaluate-studio: install
+	$(BIN)/pip install --quiet --constraint constraints.txt --editable '.[dev,browser]'
+	$(BIN)/python -m tools.benchmarks.studio.evaluate
+	$(BIN)/python -m tools.benchmarks.studio.pictures
 
 # Runs docs/tutorial.ipynb and stores what its cells say: some minutes.
 tutorial: install

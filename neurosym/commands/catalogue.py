@@ -21,6 +21,7 @@ from neurosym.commands.replay import replay
 from neurosym.commands.report import report
 from neurosym.commands.run import run
 from neurosym.commands.show import show
+from neurosym.commands.studio import studio
 from neurosym.commands.train import train
 
 COMMANDS: dict[str, Callable[..., int]] = {
@@ -38,6 +39,7 @@ COMMANDS: dict[str, Callable[..., int]] = {
     "planners": planners,
     "execute": execute,
     "replay": replay,
+    "studio": studio,
     "compare": compare,
     "show": show,
     "explain": explain,

@@ -1,6 +1,7 @@
 """The command `neurosym replay`: a record of a run, run again."""
 
 import math
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
@@ -28,6 +29,9 @@ def replay(
     gif: Gif = None,
     strip: Strip = None,
     gui: Gui = False,
+    page: Annotated[
+        Path | None, arg(help="Write the run here as one HTML page whose view can be turned.")
+    ] = None,
 ) -> int:
     """Run a record again, nudge and all, and say whether the same happens (exit code 3: no).
 
@@ -36,13 +40,21 @@ def replay(
     from neurosym.stages.executing import replay_run
 
     domain = opened(folder)
+    if page:
+        from neurosym.commands.filmed import Filmed, check_page
+
+        check_page(page)
     record = _record(domain, record)
     inside = record.resolve()
     if inside.is_relative_to(domain.path.resolve()):
         for remark in domain.outdated((inside.relative_to(domain.path.resolve()).as_posix(),)):
             say(f"note: {remark}")
-    run, agreement = replay_run(domain, record, showing_of(gif, strip, gui))
-    say_written(gif, strip)
+    film = Filmed(domain, page) if page else None
+    showing = showing_of(gif, strip, gui)
+    run, agreement = replay_run(domain, record, replace(showing, audience=film.onlooker if film else None))
+    if film:
+        film.save(run)
+    say_written(gif, strip, page)
     if agreement.course == "another":
         by = f", by {1000 * agreement.apart:.2g} mm" if math.isfinite(agreement.apart) else ""
         say(f"something else happened than {record} says, first in {agreement.where}{by}")

@@ -126,9 +126,9 @@ def show_run(run: Run) -> None:
     far = ", ".join(f"{name} {1000 * distance:.0f} mm" for name, distance in run.distances.items())
     allowed = "" if run.tolerance is None else f", {1000 * run.tolerance:g} mm are allowed in this run"
     say(f"goal {'reached' if run.reached else 'missed'}: {far} from it{allowed}")
-    if run.nudge:
-        by = 1000 * math.hypot(*run.nudge.by)
-        say(f"before step {run.nudge.before_step} {run.nudge.object} was nudged by {by:.0f} mm")
+    for nudge in run.nudges:
+        by = 1000 * math.hypot(*nudge.by)
+        say(f"before step {nudge.before_step} {nudge.object} was nudged by {by:.0f} mm")
     for new in run.replannings:
         count = counted(primitives(PlanStep(*step) for step in new.plan), "primitive")
         found = count if new.plan else new.reason or "nothing is left to do"

@@ -12,8 +12,7 @@ from dataclasses import dataclass, field
 
 import msgspec
 
-from neurosym.checks import check_all, check_callable, check_count, check_kind, check_seed
-from neurosym.errors import InvalidValue
+from neurosym.execution.beforehand import check_places, check_run
 from neurosym.execution.experience import Experience, believed_name
 from neurosym.execution.nudges import Nudger, nudged
 from neurosym.execution.performing import perform
@@ -28,9 +27,9 @@ from neurosym.execution.record import (
     why_missed,
 )
 from neurosym.execution.replanning import PATIENCE, Progress, new_plan, usual_replans, why_not_go_on
+from neurosym.execution.watching import STOP, Moment, Watcher
 from neurosym.grounding import Grounding, is_lift
 from neurosym.guarded import guarded, placed
-from neurosym.object_limits import limits_of
 from neurosym.operators import vector
 from neurosym.pddl.places import with_places
 from neurosym.pddl.plan_text import PlanStep, Steps, named_steps, primitives
@@ -53,6 +52,7 @@ def execute(
     nudge_seed: int | None = None,
     on_frame: FrameSink | None = None,
     on_step: Callable[[StepRecord], None] | None = None,
+    watcher: Watcher | None = None,
 ) -> Run:
     """Run a plan in the world with the distilled parameters of its primitives.
 
@@ -69,6 +69,7 @@ def execute(
         nudge_seed: Nudge an object once during the run, drawn from this seed, if given.
         on_frame: Called with pictures of the motion as it happens, if given.
         on_step: Called with each step's record as soon as it is done, if given.
+        watcher: Asked before each step whether to nudge an object or to stop, and told of new plans.
 
     Raises:
         InvalidValue: If something is not what it should be, or a step names an object that there is not.
@@ -76,56 +77,31 @@ def execute(
         UnknownChoice: If a step names an operator that there is not.
     """
     world = guarded(world)
-    _check(problem, grounding, plan, replans, nudge_seed)
-    if replanner is not None:
-        check_callable("replanner", replanner, "a function from a problem and a grounding to a plan result")
-    if limits := limits_of(world):
-        for item in problem.objects:
-            limits.check(item.name, item.features)
+    check_run(world, problem, grounding, plan, replanner, replans, nudge_seed)
     nudger = None
     if nudge_seed is not None:
         nudger = Nudger(nudge_seed, primitives(plan))
     most = (usual_replans(plan) if replans is None else replans) if replanner else 0
     drawn = problem.places is msgspec.UNSET
     problem = with_places(problem, grounding)
-    _check_places(problem, grounding, plan)
+    check_places(problem, grounding, plan)
     run = _Running(world, problem, grounding, list(plan), on_frame, most, drawn)
     while run.goes_on:
-        if nudger and nudger.before_step == len(run.records) + 1 and not run.nudge:
-            run.be_nudged(nudger)
+        if nudger and nudger.before_step == len(run.records) + 1 and not run.nudges:
+            run.draw_nudge(nudger)
+        if watcher and not run.heed(watcher):
+            break
         if replanner and most and (why := run.why_not_go_on()):
+            asked = len(run.replannings)
             run.replan(replanner, why)
+            if watcher and run.replannings[asked:]:
+                watcher.replanned(run.replannings[-1])
         if not run.left:
             break
         run.step()
         if on_step:
             on_step(run.records[-1])
     return run.record(named_steps(plan))
-
-
-def _check(
-    problem: Problem, grounding: Grounding, plan: Sequence[PlanStep], replans: int | None, seed: int | None
-) -> None:
-    """Refuse what cannot be executed before anything moves."""
-    check_kind("problem", problem, Problem, "a Problem")
-    check_kind("grounding", grounding, Grounding, "a Grounding")
-    check_all("plan", plan, PlanStep, "steps, as in PlanResult.steps")
-    for step in plan:
-        grounding.operator_named(step.base)
-        problem.object_named(step.object)
-    if replans is not None:
-        check_count("replans", replans, least=0)
-    if seed is not None:
-        check_seed(seed, "nudge_seed")
-
-
-def _check_places(problem: Problem, grounding: Grounding, plan: Sequence[PlanStep]) -> None:
-    """Refuse steps that carry an object nowhere, off the table, or to a place that there is not."""
-    for step in plan:
-        if grounding.carries(grounding.operator_named(step.base)):
-            grounding.table.check(step.place, *problem.place_named(step.place))
-        elif step.place:
-            raise InvalidValue(f"{step.operator} carries nothing, so it cannot lead to {step.place}.")
 
 
 @dataclass(slots=True)
@@ -144,7 +120,7 @@ class _Running:
     aimed: Problem = field(init=False)
     records: list[StepRecord] = field(default_factory=list)
     replannings: list[Replanning] = field(default_factory=list)
-    nudge: Nudge | None = None
+    nudges: list[Nudge] = field(default_factory=list)
     ended: Ended = "plan"
     progress: Progress = field(init=False)
     _lifted: tuple[PlanStep, Scene] | None = None
@@ -159,11 +135,27 @@ class _Running:
         """Whether nothing has ended the run yet."""
         return self.ended in ("plan", "budget")
 
-    def be_nudged(self, nudger: Nudger) -> None:
-        """Let somebody move an object, if there is room for that."""
-        self.nudge = nudger.nudge(self.problem, self.scene, self.world.table)
-        if self.nudge:
-            self.scene = nudged(self.scene, self.nudge, self.problem)
+    def draw_nudge(self, nudger: Nudger) -> None:
+        """Move an object somewhere drawn at random, if there is room for that."""
+        if drawn := nudger.nudge(self.problem, self.scene, self.world.table):
+            self._be_nudged(drawn)
+
+    def heed(self, watcher: Watcher) -> bool:
+        """Do what a watcher wants before the next step, and say whether the run goes on."""
+        number = len(self.records) + 1
+        while answer := watcher.before_step(Moment(number, self.scene, tuple(self.left))):
+            if answer == STOP:
+                self.ended = "stopped"
+                return False
+            self.problem.object_named(answer.object)
+            self._put_down()
+            number = len(self.records) + 1
+            self._be_nudged(msgspec.structs.replace(answer, before_step=number))
+        return True
+
+    def _be_nudged(self, nudge: Nudge) -> None:
+        self.nudges.append(nudge)
+        self.scene = nudged(self.scene, nudge, self.problem)
 
     def why_not_go_on(self) -> str:
         """Say why what is left of the plan would miss its goals by what is believed now, or nothing."""
@@ -235,7 +227,8 @@ class _Running:
             reached=reached,
             distances=distances,
             reason=why_missed(ended, self.records, self.replannings, distances, self.problem.tolerance),
-            nudge=self.nudge,
+            nudge=self.nudges[0] if self.nudges else None,
+            more_nudges=tuple(self.nudges[1:]) or msgspec.UNSET,
             replannings=tuple(self.replannings),
             ended=ended,
         )

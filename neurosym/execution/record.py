@@ -18,9 +18,12 @@ from neurosym.wording import counted, in_millimetres
 from neurosym.world import Disturbance, Outcome, OutcomeKind, Scene
 
 StepOutcome = OutcomeKind | Literal["not performed"]
-Ended = Literal["goal", "plan", "lost", "out of reach", "no plan", "budget", "no progress", "unknown"]
+Ended = Literal[
+    "goal", "plan", "lost", "out of reach", "no plan", "budget", "no progress", "stopped", "unknown"
+]
 """What ended a run: the goal was reached, or the plan was at its end; an object was lost, or out of reach;
-there was no new plan, or none left to ask for, or new ones came no nearer; old records do not say."""
+there was no new plan, or none left to ask for, or new ones came no nearer; somebody stopped it; old records
+do not say."""
 
 
 class StepRecord(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
@@ -122,6 +125,7 @@ class Run(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
         tolerance: How near objects had to come [m]; None if it was the problem's own tolerance.
         machine: What it was made on; None in records of earlier versions, and where nothing was written.
         ended: What ended it.
+        more_nudges: What was nudged besides, in that order, if somebody did so more than once.
     """
 
     problem: str
@@ -135,6 +139,13 @@ class Run(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     tolerance: float | None = None
     machine: Machine | None = None
     ended: Ended = "unknown"
+    more_nudges: tuple[Nudge, ...] | msgspec.UnsetType = msgspec.UNSET
+
+    @property
+    def nudges(self) -> tuple[Nudge, ...]:
+        """All that was nudged, in that order."""
+        more = self.more_nudges if isinstance(self.more_nudges, tuple) else ()
+        return (*([self.nudge] if self.nudge else []), *more)
 
     @property
     def replans(self) -> int:
@@ -240,6 +251,8 @@ def _what_ended(ended: Ended, records: Sequence[StepRecord], replannings: Sequen
         return f"{records[-1].object} was out of the arm's reach in step {number}"
     if ended == "no plan":
         return f"no new plan after step {number}: {replannings[-1].reason}{_toppled(records)}"
+    if ended == "stopped":
+        return f"it was stopped before step {number + 1}"
     if ended == "budget":
         return f"all {counted(len(replannings), 'new plan')} were used up{_toppled(records)}"
     if ended == "no progress":

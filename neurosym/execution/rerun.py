@@ -14,10 +14,11 @@ import msgspec
 from neurosym.execution.nudges import nudged
 from neurosym.execution.performing import perform
 from neurosym.execution.record import Run, StepRecord, record_refusal, record_step
+from neurosym.execution.watching import STOP, Moment, Watcher
 from neurosym.grounding import Grounding
 from neurosym.pddl.places import GOAL, PARK, with_places
 from neurosym.problems import Problem
-from neurosym.world import FrameSink, World
+from neurosym.world import FrameSink, Scene, World
 
 ROUNDING = 1e-6
 """Lengths of two runs that are no farther apart than this are taken for the same, rounded otherwise [m]."""
@@ -47,6 +48,7 @@ def rerun(
     *,
     on_frame: FrameSink | None = None,
     on_step: Callable[[StepRecord], None] | None = None,
+    watcher: Watcher | None = None,
 ) -> Run:
     """Perform the steps of a record again, with the same nudge, up to the first that takes another course.
 
@@ -57,6 +59,7 @@ def rerun(
         run: The record.
         on_frame: Called with pictures of the motion as it happens, if given.
         on_step: Called with each step's record as soon as it is done, if given.
+        watcher: Told of each step before it begins, and may stop there, if given.
 
     Raises:
         UnknownChoice: If the record names an operator that the grounding does not have, or a place that
@@ -66,8 +69,10 @@ def rerun(
     scene, records = problem.scene(), []
     _check_places(problem, grounding, run)
     for number, recorded in enumerate(run.steps, start=1):
-        if run.nudge and run.nudge.before_step == number:
-            scene = nudged(scene, run.nudge, problem)
+        moved = _nudged_before(number, scene, run, problem)
+        if watcher and watcher.before_step(Moment(number, moved, (recorded.step,))) == STOP:
+            break
+        scene = moved
         step, put_down = recorded.step, recorded.put_down
         outcome = perform(
             world, problem, grounding, step, scene, put_down, on_frame, reference=recorded.reference
@@ -81,14 +86,21 @@ def rerun(
             on_step(records[-1])
         if _compare(recorded, records[-1]).course == "another":
             break
-    if run.nudge and run.nudge.before_step == len(records) + 1:
-        scene = nudged(scene, run.nudge, problem)
+    scene = _nudged_before(len(records) + 1, scene, run, problem)
     return msgspec.structs.replace(
         run,
         steps=tuple(records),
         reached=problem.is_met(scene.positions),
         distances=problem.distances(scene.positions),
     )
+
+
+def _nudged_before(number: int, scene: Scene, run: Run, problem: Problem) -> Scene:
+    """Return the scene once all is nudged that was nudged before a step."""
+    for nudge in run.nudges:
+        if nudge.before_step == number:
+            scene = nudged(scene, nudge, problem)
+    return scene
 
 
 def _check_places(problem: Problem, grounding: Grounding, run: Run) -> None:

@@ -88,6 +88,20 @@ class EffectModel(EffectNetwork):
         with inference(self):
             return self.embed_objects(tensor(features)).numpy()
 
+    def object_margins(self, features: Float[np.ndarray, "N F"]) -> Float[np.ndarray, "N Ko"]:
+        """Return what the embeddings of objects are before they are squashed into [-1, 1].
+
+        The signs are the bits. How far a value is from 0 says how far a bit is from its flip, even where the
+        embedding itself is 1 or -1 already.
+
+        Raises:
+            InvalidValue: If they have not as many features as the network reads.
+        """
+        check_array("features", features, (None, self.dimensions.features))
+        with inference(self):
+            margins: np.ndarray = self.object_encoder[:-1](tensor(features)).numpy()
+        return margins
+
     def action_codes(self, actions: Float[np.ndarray, "N A"]) -> Float[np.ndarray, "N Ka"]:
         """Encode actions into embeddings, whose signs are the bits of their symbols.
 

@@ -126,9 +126,9 @@ def run_stills(world: World, problem: Problem, grounding: Grounding, run: Run) -
     captions = [f"{problem.name}: start, goal transparent"]
     start = {item.name: item.position for item in problem.objects}
     for number, record in enumerate(performed, 1):
-        if run.nudge and run.nudge.before_step == number:
-            scene = nudged(scene, run.nudge, problem)
-            captions[-1] += f"; then {run.nudge.object} was nudged"
+        for nudge in (one for one in run.nudges if one.before_step == number):
+            scene = nudged(scene, nudge, problem)
+            captions[-1] += f"; then {nudge.object} was nudged"
         ghostly = msgspec.structs.replace(problem, goals=start if number == len(performed) else {})
         frame, scene = _perform(world, ghostly, grounding, record, scene)
         _check_same(problem, record, scene, number)

@@ -17,12 +17,14 @@ import numpy as np
 from jaxtyping import Float
 
 from neurosym.motion import CLEARANCE, GRASP_TEST, LOWERING_SPEED, TRANSIT_CLEARANCE
+from neurosym.poses import PoseSink
 from neurosym.sim.arm import Arm
 from neurosym.sim.bullet import pybullet
 from neurosym.sim.camera import Camera
 from neurosym.sim.contacts import connected
 from neurosym.sim.landing import landing_shift
 from neurosym.sim.opening import NARROW_RELEASE, WIDE_RELEASE, grasp_opening
+from neurosym.sim.posing import Poser
 from neurosym.sim.robot import LOWEST_TOOL_POINT, Robot
 from neurosym.sim.simulation import Simulation
 from neurosym.sim.toppling import has_toppled, rotation
@@ -45,6 +47,7 @@ class Interaction:
         target: Index of the object acted upon.
         on_frame: Called with pictures of the motion, if given.
         camera: Takes them.
+        on_pose: Called with the poses of the motion, if given.
     """
 
     def __init__(
@@ -54,6 +57,7 @@ class Interaction:
         target: int,
         on_frame: FrameSink | None = None,
         camera: Camera | None = None,
+        on_pose: PoseSink | None = None,
     ):
         self._simulation = simulation
         self._arm = arm
@@ -65,6 +69,7 @@ class Interaction:
         self._robot = Robot(simulation, arm, visible=on_frame is not None)
         self._on_frame = on_frame
         self._camera = camera
+        self._poser = Poser(simulation, self._robot, on_pose) if on_pose else None
         simulation.after_step = self._watch
 
     def perform(
@@ -136,6 +141,8 @@ class Interaction:
             }
         if self._camera and self._on_frame and ticks % simulation.config.frame_every == 0:
             self._on_frame(self._camera.picture(), self._phase)
+        if self._poser:
+            self._poser.look(self._phase)
 
     def _park_robot(self) -> None:
         """Put the hand high above the table's middle, out of every object's way."""

@@ -10,11 +10,13 @@ from jaxtyping import Float
 from neurosym.actions import ActionBox, three_waypoints
 from neurosym.errors import InvalidValue
 from neurosym.object_limits import ObjectLimits
+from neurosym.poses import Part, PoseSink
 from neurosym.sim.arm import Arm, check_reach
 from neurosym.sim.bullet import pybullet
 from neurosym.sim.camera import Camera
 from neurosym.sim.config import MOST_OBJECTS, TabletopConfig
 from neurosym.sim.interaction import Interaction
+from neurosym.sim.posing import links_at_rest, object_parts, robot_parts
 from neurosym.sim.scenes import check_scene, sample_scene
 from neurosym.sim.shapes import FEATURE_NAMES
 from neurosym.sim.simulation import Simulation
@@ -41,6 +43,7 @@ class Tabletop:
         references: What actions may be relative to besides their target.
         wanted_pictures: Numbers of an interaction's pictures to draw, of one for each step of the
             simulation; if None, all are drawn that `config.frame_every` asks for (see `Sparing`).
+        on_pose: Called with the poses of every motion, if set (see `Posed`).
     """
 
     config: TabletopConfig = field(default_factory=TabletopConfig)
@@ -49,6 +52,7 @@ class Tabletop:
     arm: Arm = UR10
     references: ClassVar[tuple[ReferenceKind, ...]] = ("place", "object")
     wanted_pictures: Container[int] | None = field(default=None, init=False)
+    on_pose: PoseSink | None = field(default=None, init=False)
     _client: int | None = field(default=None, init=False)
 
     def __post_init__(self) -> None:
@@ -109,7 +113,7 @@ class Tabletop:
         simulation = Simulation(self.client(), config, scene)
         try:
             camera = Camera(simulation, ghosts, self.wanted_pictures) if on_frame else None
-            interaction = Interaction(simulation, self.arm, target, on_frame, camera)
+            interaction = Interaction(simulation, self.arm, target, on_frame, camera, self.on_pose)
             return interaction.perform(np.asarray(action, dtype=float), put_down, reference)
         except pybullet.error as error:
             if pybullet.isConnected(self.client()):
@@ -119,6 +123,19 @@ class Tabletop:
     def picture(self, scene: Scene, ghosts: Float[np.ndarray, "M 3"] | None = None) -> Frame:
         """Draw a scene without the arm (see `Pictured.picture`)."""
         return Camera(Simulation(self.client(), self.config, scene), ghosts).picture()
+
+    def robot_parts(self) -> tuple[Part, ...]:
+        """Return what the arm is drawn with (see `Posed.robot_parts`)."""
+        return robot_parts(self.arm)
+
+    def robot_at_rest(self) -> Float[np.ndarray, "L 7"]:
+        """Return the poses of the arm's links while it waits (see `Posed.robot_at_rest`)."""
+        nothing = Scene(np.zeros((0, len(FEATURE_NAMES))), np.zeros((0, 3)), np.zeros((0, 4)))
+        return links_at_rest(Simulation(self.client(), self.config, nothing), self.arm)
+
+    def object_parts(self, features: Float[np.ndarray, "F"]) -> tuple[Part, ...]:
+        """Return what an object is drawn with (see `Posed.object_parts`)."""
+        return object_parts(features, self.config.wall)
 
     def open_window(self) -> None:
         """Show everything that happens from now on live in a window (see `Windowed.open_window`)."""
@@ -137,4 +154,4 @@ class Tabletop:
 
     def __setstate__(self, state: tuple[TabletopConfig, str, Arm]) -> None:
         self.config, self.name, self.arm = state
-        self.feature_names, self.wanted_pictures, self._client = FEATURE_NAMES, None, None
+        self.feature_names, self.wanted_pictures, self.on_pose, self._client = FEATURE_NAMES, None, None, None

@@ -1,9 +1,8 @@
 """The stages that run plans in the world, and that run their records again."""
 
-from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
+from typing import Any, Protocol
 
 import msgspec
 
@@ -13,6 +12,7 @@ from neurosym.execution.executor import execute
 from neurosym.execution.machine import this_machine
 from neurosym.execution.record import Run, StepRecord
 from neurosym.execution.rerun import Agreement, compare_runs, rerun
+from neurosym.execution.watching import Watcher
 from neurosym.files import make_folder, write_json
 from neurosym.grounding import Grounding
 from neurosym.pddl.plan_text import read_plan
@@ -31,6 +31,18 @@ from neurosym.worlds.world_file import read_world
 REPLANNER = "fast-downward"
 
 
+class Audience(Watcher, Protocol):
+    """Watches a run from the making of its world to its record; who only watches changes no byte of it."""
+
+    def begin(self, world: World, problem: Problem) -> None:
+        """See the world and the problem before anything moves; a `Posed` world can be asked for its poses."""
+        ...
+
+    def end_step(self, record: StepRecord) -> None:
+        """See what a step did."""
+        ...
+
+
 @dataclass(frozen=True, slots=True)
 class Showing:
     """How a run is shown while it happens, or afterwards.
@@ -39,11 +51,13 @@ class Showing:
         gif: Where an animated picture of it is written, if anywhere.
         strip: Where a picture of each step is written, if anywhere.
         gui: Whether it is shown live in a window.
+        audience: Watches it, if anybody does.
     """
 
     gif: Path | None = None
     strip: Path | None = None
     gui: bool = False
+    audience: Audience | None = None
 
 
 def execute_stage(
@@ -100,6 +114,7 @@ def execute_stage(
             nudge_seed=nudge_seed,
             on_frame=shown.on_frame,
             on_step=shown.on_step,
+            watcher=showing.audience,
         )
         other = None if problem.tolerance == own.tolerance else problem.tolerance
         run = msgspec.structs.replace(run, tolerance=other, machine=this_machine())
@@ -155,12 +170,20 @@ def replay_run(folder: DomainFolder, record: Path, showing: Showing = Showing())
         for step in run.steps:
             grounding.operator_named(step.operator)
             _check_object(step.object, problem)
-        if run.nudge:
-            _check_object(run.nudge.object, problem)
+        for nudge in run.nudges:
+            _check_object(nudge.object, problem)
     except (InvalidValue, UnknownChoice) as error:
         raise InvalidFile(record, str(error).rstrip(".")) from error
     shown = _Shown(showing, world, problem)
-    again = rerun(world, problem, grounding, run, on_frame=shown.on_frame, on_step=shown.on_step)
+    again = rerun(
+        world,
+        problem,
+        grounding,
+        run,
+        on_frame=shown.on_frame,
+        on_step=shown.on_step,
+        watcher=showing.audience,
+    )
     shown.end(again)
     return run, compare_runs(run, again)
 
@@ -183,7 +206,16 @@ class _Shown:
         self.on_frame: FrameSink | None = (
             self._film.add_frame if self._film else ignore if showing.gui else None
         )
-        self.on_step: Callable[[StepRecord], None] | None = self._film.end_step if self._film else None
+        self._audience = showing.audience
+        if self._audience:
+            self._audience.begin(world, problem)
+
+    def on_step(self, record: StepRecord) -> None:
+        """Show what a step did."""
+        if self._film:
+            self._film.end_step(record)
+        if self._audience:
+            self._audience.end_step(record)
 
     def end(self, run: Run) -> None:
         """Write the pictures, or hold the window for a while."""

@@ -17,10 +17,10 @@ from typing import Annotated
 import msgspec
 import tyro
 from fuzz.cases import Case, as_json, drawn_case, from_json, read_seeds
+from fuzz.lines import ENDING
 from fuzz.running import Finding, Runner, judge, runner
 from fuzz.seeds import build
 
-from neurosym.commands.catalogue import COMMANDS
 from neurosym.console import say
 from neurosym.files import write_atomically, write_json
 
@@ -68,7 +68,7 @@ class Round:
         seeds = read_seeds(self.folder / "toy")
         while time.monotonic() < until:
             draw = Random(self.state.inputs)
-            self.try_one(drawn_case(draw, COMMANDS, seeds, alone=ALONE, signals=SIGNALS))
+            self.try_one(drawn_case(draw, ENDING, seeds, alone=ALONE, signals=SIGNALS))
             if self.state.inputs % OFTEN == 0:
                 self.save()
                 self.tell()
@@ -78,7 +78,7 @@ class Round:
         start = time.monotonic()
         ending = self.run.run(case)
         state, name = self.state, next(iter(case.arguments), "")
-        name = name if name in COMMANDS else "other"
+        name = name if name in ENDING else "other"
         state.inputs += 1
         state.commands[name] = state.commands.get(name, 0) + 1
         state.codes[str(ending.code)] = state.codes.get(str(ending.code), 0) + 1

@@ -10,6 +10,11 @@ from typing import Annotated, Any, Literal, Union, get_args, get_origin, get_typ
 
 from fuzz.values import WORDS, odd_text
 
+from neurosym.commands.catalogue import COMMANDS
+
+ENDING = {name: command for name, command in COMMANDS.items() if name != "studio"}
+"""The commands that come to an end; the studio is open until somebody closes it (tests/studio)."""
+
 FOLDER = "toy"
 """What the domain folder is called, in the folder that commands are run in."""
 _PLANS = (

@@ -8,11 +8,10 @@ from random import Random
 import pytest
 from fuzz.cases import Case, Edit, as_json, drawn_case, from_json, read_seeds
 from fuzz.files import KINDS, MUTATIONS, mutated
-from fuzz.lines import NEVER, asks_for_much, command_line
+from fuzz.lines import ENDING, NEVER, asks_for_much, command_line
 from fuzz.running import Ending, Runner, judge, runner
 from fuzz.seeds import complete
 
-from neurosym.commands.catalogue import COMMANDS
 from neurosym.stages import layout
 
 ROUND = range(45)
@@ -47,7 +46,7 @@ def run(seed) -> Runner:
 def test_short_round_finds_nothing(run, seed):
     seeds = read_seeds(seed)
     for number in ROUND:
-        case = drawn_case(Random(number), COMMANDS, seeds, alone=2)
+        case = drawn_case(Random(number), ENDING, seeds, alone=2)
         found = judge(case, run.run(case))
         assert not found, (number, as_json(case)[:500], found)
 
@@ -70,10 +69,10 @@ def test_folder_to_begin_with_has_every_file_that_a_command_reads(seed):
     assert {end for end in endings if any(name.endswith(end) for name in found)} == endings
 
 
-@pytest.mark.parametrize("name", COMMANDS)
+@pytest.mark.parametrize("name", ENDING)
 def test_every_option_of_a_command_is_drawn(name):
-    drawn = {word for n in range(300) for word in command_line(Random(n), name, COMMANDS[name])}
-    parameters = inspect.signature(COMMANDS[name]).parameters.values()
+    drawn = {word for n in range(300) for word in command_line(Random(n), name, ENDING[name])}
+    parameters = inspect.signature(ENDING[name]).parameters.values()
     options = {p.name for p in parameters if p.default is not p.empty} - NEVER
     assert {f"--{option.replace('_', '-')}" for option in options} <= drawn
 

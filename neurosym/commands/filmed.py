@@ -1,0 +1,59 @@
+"""A run that a command shows, written as a page whose view can be turned."""
+
+from pathlib import Path
+
+import rich
+
+from neurosym.console import say
+from neurosym.errors import InvalidValue
+from neurosym.execution.record import Run
+from neurosym.files import check_writable, write_atomically
+from neurosym.stages.folder import DomainFolder
+from neurosym.stages.planning import load_problem
+from neurosym.studio.extra import check_extra
+
+
+def check_page(path: Path) -> None:
+    """Raise unless a page can be written, before anything runs.
+
+    Raises:
+        StudioMissing: If what draws it is not installed.
+        InvalidValue: If the file would not be called as a page is.
+        CannotWrite: If the system does not let it be written.
+    """
+    check_extra()
+    if path.suffix.lower() not in (".html", ".htm"):
+        raise InvalidValue(f"{path} is no name of a page; valid: one that ends in .html.")
+    check_writable(path)
+
+
+class Filmed:
+    """Looks on at a run, and writes what was seen.
+
+    Args:
+        domain: The domain folder.
+        path: Where the page shall stand.
+
+    Attributes:
+        onlooker: Who looks on.
+    """
+
+    def __init__(self, domain: DomainFolder, path: Path):
+        from neurosym.studio.library import Library
+        from neurosym.studio.messages import Controls
+        from neurosym.studio.onlooker import Onlooker
+        from neurosym.studio.recording import Reel
+
+        self._library, self._path, self._reel = Library(domain, domain.path.name), path, Reel()
+        self.onlooker = Onlooker(self._reel, Controls(speed=0.0), pace=0.0)
+
+    def save(self, run: Run) -> None:
+        """Write the page; a run without a step has none."""
+        from neurosym.studio.recording import film_of
+
+        if not self._reel.seen:
+            say("no page: nothing moves in this run")
+            return
+        rich.get_console().quiet = True  # on which the server of pages announces itself
+        problem = load_problem(self._library.folder, run.problem).within(run.tolerance)
+        write_atomically(self._path, film_of(self._library, problem, self._reel.seen))

@@ -1,0 +1,89 @@
+"""The command `neurosym studio`: see, drag, plan, watch and teach, in the browser."""
+
+import os
+import sys
+import threading
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import rich
+from tyro.conf import Positional, arg
+
+from neurosym.commands.options import opened
+from neurosym.console import say
+from neurosym.errors import InvalidValue
+from neurosym.shipped import DOMAINS, shipped_domain
+from neurosym.stages.folder import DomainFolder
+
+if TYPE_CHECKING:
+    from neurosym.studio.library import Library
+
+LARGEST_PORT = 65535
+
+
+def studio(
+    folder: Annotated[
+        Positional[Path | None], arg(metavar="DIR", help="The domain folder; the shipped one without it.")
+    ] = None,
+    problem: Annotated[
+        str | None, arg(metavar="NAME", help="The problem that pages begin with; else the first one.")
+    ] = None,
+    host: Annotated[
+        str, arg(help="Who is heard. 0.0.0.0 lets other machines in: they can move the robot, too.")
+    ] = "127.0.0.1",
+    port: Annotated[int, arg(help="The port; 0 takes a free one.")] = 0,
+    no_browser: Annotated[bool, arg(help="Print the address, and open no browser.")] = False,
+) -> int:
+    """Open a page in the browser: drag objects and goals, plan, watch the robot, see what symbols mean.
+
+    It needs no network, and ends with Ctrl-C. Nothing is written into a shipped domain. Each browser has a
+    page of its own, so that a class can share one address.
+    """
+    from neurosym.studio.extra import check_extra
+
+    if not 0 <= port <= LARGEST_PORT:
+        raise InvalidValue(f"port = {port} must be 0 to {LARGEST_PORT}.")
+    check_extra()
+    rich.get_console().quiet = True  # on which the server of pages announces itself
+    library = _library(folder)
+    from neurosym.studio.serving import Studio
+
+    first = library.load_problem(library.folder.problem(problem)) if problem is not None else None
+    running = Studio(library, host, port, first)
+    running.start()
+    try:
+        say(f"the studio is at {running.address}")
+        if not running.front.is_local:
+            say("note: anybody who can reach this machine and has the address can move the robot")
+        say("Ctrl-C ends it")
+        if not no_browser:
+            _open_browser(running.address)
+        threading.Event().wait()
+    except KeyboardInterrupt:
+        say("the studio is closed")
+    finally:
+        running.close()
+    return 0
+
+
+def _library(folder: Path | None) -> "Library":
+    """Read the domain: a folder, or a shipped one by its name, which is only read."""
+    from neurosym.studio.library import Library
+
+    name = folder.name if folder is not None else DOMAINS[0]
+    shipped = shipped_domain(name)
+    if shipped is not None and (folder is None or (len(folder.parts) == 1 and not folder.exists())):
+        return Library(DomainFolder(shipped), name, is_shipped=True)
+    if folder is None:
+        raise InvalidValue("No domain came with this installation; name a domain folder.")
+    is_shipped = shipped is not None and folder.resolve() == shipped.resolve()
+    return Library(opened(folder), folder.resolve().name, is_shipped=is_shipped)
+
+
+def _open_browser(address: str) -> None:
+    """Open a browser with a window, if there is one; a browser in the terminal would take it over."""
+    import webbrowser
+
+    if sys.platform == "linux" and not (os.environ.get("DISPLAY") or os.environ.get("WAYLAND_DISPLAY")):
+        return
+    threading.Thread(target=webbrowser.open, args=(address,), daemon=True).start()

@@ -1,0 +1,141 @@
+"""The panel `Plan`: whom to ask, what was found, and the PDDL that says so."""
+
+from typing import Any
+
+from neurosym.errors import NeurosymError
+from neurosym.pddl.plan_text import PlanStep
+from neurosym.pddl.validation import validate
+from neurosym.planners import PLANNERS, PlanStatus
+from neurosym.reading import read_text
+from neurosym.stages.layout import OPERATORS_DOMAIN, PLACES_DOMAIN
+from neurosym.studio.messages import Planned
+from neurosym.studio.panel import Panel, by_user, set_content, set_options
+from neurosym.studio.session import Topic
+from neurosym.studio.view import COLOURS
+from neurosym.studio.words import action_of, paragraph, pddl, plan_summary, plan_table, safe
+
+NOBODY, USUAL = "(nobody)", "usual"
+
+
+class PlanPanel(Panel):
+    """Asks planners, and shows what they found."""
+
+    def build(self) -> None:
+        """Make the fields."""
+        gui, session = self.gui, self.session
+        names = tuple(name for name, planner in PLANNERS.items() if not planner.missing())
+        first = "fast-downward" if "fast-downward" in names else names[0]
+        self._planner = gui.add_dropdown("Planner", names, initial_value=first)
+        self._planner.on_update(by_user(lambda name: self._offer_encodings(name)))
+        self._other = gui.add_dropdown("Beside it", (NOBODY, *names), hint="A second planner, to compare.")
+        self._encoding = gui.add_dropdown("Encoding", (USUAL,))
+        self._offer_encodings(first)
+        self._go = self.button("Plan", self.plan, color="green")
+        self._stop = self.button("Stop planning", session.stop_planning, disabled=True)
+        self._text = gui.add_html("")
+        self._choose = gui.add_dropdown("Show and run", (NOBODY,), visible=False)
+        self._choose.on_update(by_user(session.choose))
+        self._accept = self.button(
+            "Accept the nearest goals", session.accept_nearest, visible=False, color="orange"
+        )
+        with gui.add_folder("PDDL of the step at hand", expand_by_default=False):
+            self._step = gui.add_slider("Step", 1, 2, 1, 1)
+            self._step.on_update(by_user(lambda _: self._show_pddl()))
+            self._pddl = gui.add_html("")
+
+    def plan(self) -> None:
+        """Ask the planners that are chosen."""
+        encoding: Any = None if self._encoding.value == USUAL else self._encoding.value
+        names = [self._planner.value]
+        if self._other.value not in (NOBODY, names[0]):
+            names.append(self._other.value)
+        self.session.plan(*names, encoding=encoding)
+
+    def refresh(self, topics: set[Topic]) -> None:
+        """Show the plans."""
+        session = self.session
+        if topics & {"status", "plan"}:
+            self._go.disabled = session.is_planning or session.running.is_active
+            self._stop.disabled = not session.is_planning
+        if topics & {"plan", "scene", "step", "run"}:
+            set_content(self._text, self.text())
+        if topics & {"plan", "scene"}:
+            self._show_choice()
+            self._show_pddl()
+            self._draw_paths()
+
+    def text(self) -> str:
+        """Return what the planners found, as HTML; the chosen plan in full."""
+        session = self.session
+        problem, grounding = session.problem, session.library.grounding
+        if problem is None or not session.plans:
+            return ""
+        parts = [plan_summary(one.record) for one in session.plans.values()]
+        if len(session.plans) > 1:
+            parts.append(paragraph(safe(difference([*session.plans.values()]))))
+        chosen = session.plan_shown
+        if chosen is not None and chosen.record.steps:
+            number = session.running.number
+            at = number - 1 if session.running.is_active and not session.running.replannings else None
+            parts.append(plan_table(chosen.record, problem, grounding, at))
+        return "".join(parts)
+
+    def _offer_encodings(self, name: str) -> None:
+        planner = PLANNERS[name]
+        more = ("places",) if "stepwise" in planner.encodings else ()
+        set_options(self._encoding, (USUAL, *planner.encodings, *more), USUAL)
+
+    def _show_choice(self) -> None:
+        session = self.session
+        self._choose.visible = len(session.plans) > 1
+        if session.plans:
+            set_options(self._choose, tuple(session.plans), session.chosen)
+        chosen = session.plan_shown
+        self._accept.visible = chosen is not None and chosen.record.status is PlanStatus.NEAREST
+        steps = len(chosen.record.steps) if chosen else 0
+        self._step.max = max(2, steps)
+        self._step.disabled = steps < 2
+
+    def _show_pddl(self) -> None:
+        chosen = self.session.plan_shown
+        if chosen is None or not chosen.record.steps:
+            set_content(self._pddl, "")
+            return
+        number = min(int(self._step.value), len(chosen.record.steps))
+        name = chosen.record.steps[number - 1][0]
+        set_content(self._pddl, pddl(self._action(name)))
+
+    def _action(self, name: str) -> str:
+        """Return the text of an action, from the domains that are for people to read."""
+        for file in (OPERATORS_DOMAIN, PLACES_DOMAIN):
+            try:
+                if text := action_of(read_text(self.session.room.path / file), name):
+                    return text
+            except NeurosymError:
+                continue
+        return f"; no domain of the folder has an action {name}"
+
+    def _draw_paths(self) -> None:
+        session, chosen = self.session, self.session.plan_shown
+        if session.problem is None or chosen is None or not chosen.record.steps:
+            self.page.overlays.clear("paths")
+            return
+        steps = [PlanStep(*step) for step in chosen.record.steps]
+        found = validate(steps, session.problem, session.library.grounding)
+        self.page.overlays.paths(found.positions, COLOURS)
+
+
+def difference(plans: list[Planned]) -> str:
+    """Say in a sentence where two plans differ."""
+    first, second = plans[0].record, plans[1].record
+    if not first.steps or not second.steps:
+        lone = next((one.planner for one in (first, second) if one.steps), "")
+        return f"Only {lone} has a plan." if lone else "Neither has a plan."
+    pairs = zip(first.steps, second.steps, strict=False)
+    same = next((number for number, (one, other) in enumerate(pairs) if one != other), None)
+    if same is None:
+        longer = len(first.steps) != len(second.steps)
+        return "One goes on where the other ends." if longer else "Both are the same."
+    odds = [f"{one.planner} {one.chance:.0%}" for one in (first, second) if one.chance is not None]
+    told = f"They part at step {same + 1}. By the rehearsals the chances are: {', '.join(odds)}."
+    return f"{told} Run both to see."

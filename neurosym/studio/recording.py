@@ -1,0 +1,95 @@
+"""A run as one file: a page without a server, with a view that can be turned."""
+
+import threading
+from collections.abc import Sequence
+from functools import cache
+from typing import TYPE_CHECKING, Any
+
+import viser
+
+from neurosym.problems import Problem
+from neurosym.studio.library import Library
+from neurosym.studio.messages import Seen
+from neurosym.studio.view import View, aim_camera
+
+if TYPE_CHECKING:
+    from neurosym.studio.session import Session
+
+PACE = 1 / 15
+"""Time between two poses that are kept, of a motion as it is [s]."""
+PAUSE = 0.4
+"""How long the end of a step is shown [s]."""
+_LOCK = threading.Lock()
+
+
+def recording_of(session: "Session", *, is_dark: bool = False) -> bytes:
+    """Return the last run of a page as one HTML file that needs nothing else; nothing if there is none.
+
+    Args:
+        session: The page.
+        is_dark: Whether it is shown dark.
+    """
+    running = session.running
+    if not running.seen or running.problem is None:
+        return b""
+    return film_of(session.library, running.problem, running.seen, is_dark=is_dark)
+
+
+def film_of(library: Library, problem: Problem, seen: Sequence[Seen], *, is_dark: bool = False) -> bytes:
+    """Return what was seen of a run as one HTML file that needs nothing else.
+
+    Args:
+        library: The domain.
+        problem: What the run was for.
+        seen: What was seen, one pose or more.
+        is_dark: Whether it is shown dark.
+    """
+    with _LOCK:
+        server = _server()
+        server.scene.reset()
+        server.scene.set_up_direction("+z")
+        aim_camera(server, library)
+        view = View(server.scene, library)
+        view.show_objects(problem.objects, problem.goals)
+        view.set_tolerance(problem.tolerance)
+        view.place(problem.objects, problem.goals, {})
+        view.show(seen[0])
+        film = server.get_scene_serializer()
+        last = -PACE
+        for one in seen:
+            if one.seconds < last:  # another motion begins
+                film.insert_sleep(PAUSE)
+                last = -PACE
+            if one.seconds - last >= PACE * 0.99:
+                film.insert_sleep(min(one.seconds - last, PACE * 4) if last >= 0 else 0.0)
+                view.show(one)
+                last = one.seconds
+        view.show(seen[-1])
+        film.insert_sleep(2 * PAUSE)
+        return film.as_html(dark_mode=is_dark).encode()
+
+
+class Reel:
+    """A run is seen and kept, for a film of it; see `Way`."""
+
+    def __init__(self) -> None:
+        self.seen: list[Seen] = []
+
+    def send(self, message: Any, /) -> None:
+        """Keep what is seen."""
+        if isinstance(message, Seen):
+            self.seen.append(message)
+
+    def poll(self, seconds: float = 0.0, /) -> bool:  # noqa: ARG002  (a `Way`)
+        """Say that nobody says anything."""
+        return False
+
+    def recv(self) -> Any:
+        """Return nothing."""
+        return None
+
+
+@cache
+def _server() -> viser.ViserServer:
+    """Return a server that nobody looks at, in which films are made, one after another."""
+    return viser.ViserServer(host="127.0.0.1", port=0, verbose=False)

@@ -1,0 +1,227 @@
+"""What a page does: the methods of one object, which know nothing of a browser.
+
+A page calls them, and is told by topic what has changed; tests call them, too. Everything that computes for
+long is handed to a process (`workers`), whose answers come in threads of their own.
+"""
+
+from pathlib import Path
+from typing import Any
+
+import msgspec
+
+from neurosym.errors import InvalidValue
+from neurosym.operators import vector
+from neurosym.pddl.moves import Encoding
+from neurosym.pddl.plan_text import PlanStep
+from neurosym.pddl.validation import validate
+from neurosym.planners import PlanStatus
+from neurosym.problems import Problem
+from neurosym.reading import decode_json
+from neurosym.stages.planning import check_scene
+from neurosym.stages.scenes import scene_stage
+from neurosym.studio.desk import MOST_OBJECTS, Desk, Topic, Word, told
+from neurosym.studio.library import Library
+from neurosym.studio.messages import Drawn, DrawTask, Failed, Grab, Planned, PlanNew
+from neurosym.studio.rooms import Room
+from neurosym.studio.running import Running
+from neurosym.studio.workers import Ticket, Workers
+from neurosym.wording import counted
+from neurosym.worlds.tasks import TaskKind
+
+MOST_FILE = 1_000_000
+"""Bytes of a scene that is opened on the page."""
+__all__ = ["MOST_OBJECTS", "Session", "Topic", "Word"]
+
+
+class Session(Desk):
+    """One table, its plans and its run; as many windows as one likes can look at it.
+
+    Args:
+        library: The domain.
+        planners: Processes that plan and draw tasks.
+        runners: Processes that run.
+        problem: What the page begins with; the first problem of the domain, if not given.
+
+    Attributes:
+        plans: What was planned for what is on the table, by planner.
+        chosen: The planner whose plan is shown and run.
+        running: The run, or what is left of it.
+    """
+
+    def __init__(self, library: Library, planners: Workers, runners: Workers, problem: Problem | None = None):
+        super().__init__(library, problem)
+        self._planners = planners
+        self.room = Room(library.folder)
+        self.plans: dict[str, Planned] = {}
+        self.chosen = ""
+        self.running = Running(self, runners)
+        self._planning: Ticket | None = None
+        self._next_plans: list[PlanNew] = []
+
+    def close(self) -> None:
+        """End what it works on, and remove its folder."""
+        self.stop_planning()
+        self.running.close()
+        self.room.close()
+
+    @property
+    def is_planning(self) -> bool:
+        """Whether a planner works, or waits in line."""
+        return self._planning is not None
+
+    @property
+    def place(self) -> int:
+        """How many plans of others are before this page's; 0 if it does not wait."""
+        ticket = self._planning
+        return ticket.place if ticket else 0
+
+    @told
+    def draw(self, objects: int, seed: int, task: TaskKind | None) -> None:
+        """Draw a task: as the paper draws them, or of a kind that people ask for."""
+        if not 1 <= objects <= MOST_OBJECTS:
+            raise InvalidValue(f"{objects} objects cannot be drawn; valid: 1 to {MOST_OBJECTS}.")
+        job = DrawTask(self.room.path, f"drawn-{task or 'paper'}-{objects}-{seed}", objects, seed, task)
+        self.say("drawing a task")
+        self._planners.submit(job, self._hear_drawn)
+
+    def _hear_drawn(self, said: Any) -> None:
+        if isinstance(said, Drawn):
+            self._change(said.problem, "scene")
+            self.say(f"a task with {len(said.problem.objects)} objects is on the table")
+        elif isinstance(said, Failed):
+            self.say(said.sentence, is_bad=True)
+
+    @told
+    def open_file(self, content: bytes) -> None:
+        """Put the scene of a file on the table.
+
+        Args:
+            content: What the file holds, as `Problem.save` writes it.
+        """
+        self._refuse_while_running()
+        if len(content) > MOST_FILE:
+            raise InvalidValue(f"The file has {len(content):,} bytes; a scene has at most {MOST_FILE:,}.")
+        path = Path("the file")
+        problem = decode_json(path, content, Problem)
+        check_scene(self.library.folder, problem, path, self.library.world)
+        if len(problem.objects) > MOST_OBJECTS:
+            raise InvalidValue(
+                f"The scene has {len(problem.objects)} objects; valid: at most {MOST_OBJECTS}."
+            )
+        self._change(problem, "scene")
+        self.say(f"{problem.name} is on the table")
+
+    @told
+    def save(self) -> None:
+        """Save the problem in the domain folder, as `neurosym new-problem` does."""
+        problem, folder = self._problem(), self.library.folder
+        if self.library.is_shipped:
+            raise InvalidValue(
+                "A shipped domain is never written into; take the scene away as a file instead."
+            )
+        file = self.room.path / "saved.json"
+        problem.save(file)
+        with folder.naming_problems():
+            folder.perform(scene_stage(folder, file, name=problem.name), again=True)
+        self.say(f"saved as {problem.name}")
+
+    @told
+    def plan(self, *planners: str, encoding: Encoding | None = None) -> None:
+        """Plan, with one planner after another; the first plan that is found is chosen.
+
+        Where there is no plan to the goals, it is one to the nearest points that are found.
+        """
+        problem = self._problem()
+        if self.is_planning:
+            raise InvalidValue("A planner is at work; stop it, or wait for it.")
+        self._refuse_while_running()
+        if not problem.goals:
+            raise InvalidValue("No object has a goal; give one a goal, and plan then.")
+        self.plans, self.chosen = {}, ""
+        self._next_plans = [
+            PlanNew(self.room.path, problem, planner, encoding, nearest=True) for planner in planners
+        ]
+        self.tell("plan")
+        self._plan_next()
+
+    def stop_planning(self) -> None:
+        """End the planner that works."""
+        ticket, self._next_plans = self._planning, []
+        if ticket is not None:
+            ticket.stop()
+
+    @told
+    def choose(self, planner: str) -> None:
+        """Show the plan of one of the planners that were asked."""
+        if planner in self.plans:
+            self.chosen = planner
+            self.tell("plan")
+
+    @property
+    def plan_shown(self) -> Planned | None:
+        """The plan that is shown and run, if there is one."""
+        return self.plans.get(self.chosen)
+
+    def _plan_next(self) -> None:
+        job = self._next_plans.pop(0)
+        self.say(f"{job.planner} is planning")
+        with self._lock:  # so that the answer is not heard before it is known whom it is from
+            self._planning = self._planners.submit(job, lambda said: self._hear_plan(job, said))
+        self.tell("status")
+
+    def _hear_plan(self, job: PlanNew, said: Any) -> None:
+        with self._lock:
+            self._planning = None
+        if isinstance(said, Failed):
+            self._next_plans = []
+            self.say(said.sentence, is_bad=True)
+        elif isinstance(said, Planned) and job.problem == self.problem:
+            planner = said.record.planner
+            self.plans[planner] = said
+            if not self.chosen or (said.plan_file and not self.plans[self.chosen].plan_file):
+                self.chosen = planner
+            found = len(said.record.steps)
+            solved = said.record.status is PlanStatus.SOLVED
+            text = f"{planner} found a plan of {counted(found, 'step')}"
+            if not solved:
+                text = f"{planner}: no plan to the goal" + (", but one towards it" if found else "")
+            self.say(text, is_bad=not solved)
+        else:
+            self._next_plans = []
+            self.say("the table was changed meanwhile; plan again")
+        self.tell("plan")
+        if self._next_plans:
+            self._plan_next()
+
+    @told
+    def accept_nearest(self) -> None:
+        """Take the points that the plan comes nearest to for goals, and plan to them."""
+        problem, planned = self._problem(), self.plan_shown
+        if planned is None or not planned.record.steps:
+            raise InvalidValue("There is no plan whose end could be a goal.")
+        steps = [PlanStep(*step) for step in planned.record.steps]
+        ends = validate(steps, problem, self.library.grounding).positions[-1]
+        goals = {name: vector(ends[problem.object_names.index(name)]) for name in problem.goals}
+        planner = planned.record.planner
+        self._change(msgspec.structs.replace(problem, goals=goals, provenance="by hand"), "scene")
+        self.plan(planner)
+
+    def _refuse_while_running(self) -> None:
+        if self.running.is_active:
+            raise InvalidValue("A plan is running; stop it first. Objects can be dragged meanwhile.")
+
+    def _grab(self, name: str, x: float, y: float) -> bool:
+        if not self.running.is_active:
+            return False
+        self.running.grab(Grab(name, x, y))
+        return True
+
+    def _changed(self, topic: Topic) -> None:
+        """What was planned for the table as it was no longer fits, and the last run is over."""
+        with self._lock:
+            had_plans, self.plans, self.chosen = bool(self.plans), {}, ""
+        if self.running.clear():
+            self.tell("run")
+        self.tell(topic)
+        if had_plans:
+            self.tell("plan")

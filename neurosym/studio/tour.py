@@ -1,0 +1,140 @@
+"""The guided tour: eight cards, from an experience to what went otherwise. Each has one thing to do."""
+
+from dataclasses import dataclass
+from enum import Enum
+
+from neurosym.studio.library import Library
+
+
+class Deed(Enum):
+    """What the button of a card does."""
+
+    EXPERIENCE = "experience"
+    EFFECT = "effect"
+    BIT = "bit"
+    CATEGORY = "category"
+    PRIMITIVE = "primitive"
+    OPERATOR = "operator"
+    PLAN = "plan"
+    RUN = "run"
+
+
+@dataclass(frozen=True, slots=True)
+class Card:
+    """One card.
+
+    Attributes:
+        title: What it is about.
+        sentences: What it says; words in braces are numbers of the domain (`numbers_of`).
+        button: What stands on its button.
+        deed: What the button does.
+    """
+
+    title: str
+    sentences: tuple[str, ...]
+    button: str
+    deed: Deed
+
+
+CARDS = (
+    Card(
+        "an experience",
+        (
+            "The robot begins without words. It moves its hand through three points near an object, opens "
+            "or closes it at each, and looks what happens.",
+            "It did so {interactions} times. Press the button to see one of them happen again.",
+        ),
+        "See one experience",
+        Deed.EXPERIENCE,
+    ),
+    Card(
+        "an effect",
+        (
+            "Of each experience three numbers are kept: how far the object moved forward, to the left and "
+            "up. That is the effect.",
+            "See another one, and watch where the object ends.",
+        ),
+        "See another effect",
+        Deed.EFFECT,
+    ),
+    Card(
+        "a bit",
+        (
+            "A network learns to predict effects, but all that it may use of an object is {object_bits} "
+            "bits. So it must choose what matters.",
+            "Press the button: the object changes size until one bit flips. On the panel Table you can do it "
+            "with the sliders, and the bars show how far each bit is from its flip.",
+        ),
+        "Flip a bit",
+        Deed.BIT,
+    ),
+    Card(
+        "a category",
+        (
+            "Objects with the same bits are one category. The robot expects the same of all of them.",
+            "Nobody told it the {categories} categories of this domain; their names were made afterwards, "
+            "from what was measured. Draw four objects and compare the bits beside their names.",
+        ),
+        "Draw four objects",
+        Deed.CATEGORY,
+    ),
+    Card(
+        "a primitive",
+        (
+            "Motions get bits, too: {action_bits} of them. For each pattern of bits the robot finds a motion "
+            "that stands for it. That is a primitive, and there are {primitives}.",
+            "See the one that it is surest of with the object that is chosen.",
+        ),
+        "Perform a primitive",
+        Deed.PRIMITIVE,
+    ),
+    Card(
+        "an operator",
+        (
+            "What a primitive does to a category is an operator. It was rehearsed many times, so the robot "
+            "knows where an object ends, and how surely: {operators} operators are in the domain.",
+            "On the panel Symbols, arrows show where each takes the object. See one that it is less sure of.",
+        ),
+        "Perform a less sure one",
+        Deed.OPERATOR,
+    ),
+    Card(
+        "a plan",
+        (
+            "Operators are printed as PDDL, a language that every planner reads. A planner that knows "
+            "nothing of arms finds which operators lead to the goal, one after another.",
+            "Drag the ghost of an object by the knob above it, and press the button. The panel Plan shows "
+            "each step.",
+        ),
+        "Plan to the goal",
+        Deed.PLAN,
+    ),
+    Card(
+        "what went otherwise",
+        (
+            "Now the arm does it. The panel Run compares what each step promised with what happened.",
+            "Where they part so far that the goal would be missed, the robot plans anew. Drag an object "
+            "while it runs, and see why it does.",
+        ),
+        "Run the plan",
+        Deed.RUN,
+    ),
+)
+
+
+def numbers_of(library: Library) -> dict[str, str]:
+    """Return the numbers of a domain that cards name.
+
+    Args:
+        library: The domain.
+    """
+    table, grounding = library.grounding.operators, library.grounding
+    rows = library.rows
+    return {
+        "interactions": f"{rows:,}" if rows else "many",
+        "object_bits": str(len(table.categories[0].symbol)) if table.categories else "some",
+        "action_bits": str(len(table.symbols[0])) if table.symbols else "some",
+        "categories": str(sum(1 for one in table.categories if one.share)),
+        "primitives": str(len(table.symbols)),
+        "operators": str(len(grounding.live)),
+    }

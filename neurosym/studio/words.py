@@ -1,0 +1,222 @@
+"""What a page says in tables, as HTML in which nothing from outside is markup.
+
+Every function escapes what it is given, so that a name of a stranger's file stays a name. Colours suit light
+and dark pages alike.
+"""
+
+import re
+from collections.abc import Iterable, Sequence
+from html import escape
+
+from neurosym.execution.record import Replanning, Run, StepRecord
+from neurosym.explain.action_words import displacement_in_words
+from neurosym.grounding import Grounding
+from neurosym.pddl.chances import promise_of
+from neurosym.pddl.moves import chance, step_cost
+from neurosym.pddl.plan_text import PlanStep
+from neurosym.problems import Problem
+from neurosym.stages.plan_records import PlanRecord
+from neurosym.wording import counted, harmless
+
+GOOD, BAD, DIM = "#2a9d5c", "#d9534f", "#8a8a8a"
+_TABLE = "border-collapse:collapse;font-size:12px;width:100%"
+_CELL = "padding:2px 5px;border-bottom:1px solid rgba(128,128,128,.3);vertical-align:top;text-align:left"
+_HERE = "background:rgba(255,190,60,.25);"
+_PDDL = re.compile(
+    r"(?P<comment>;[^\n]*)|(?P<word>:[a-z-]+)|(?P<variable>\?[\w-]+)|(?P<rest>[^;:?]+|.)", re.DOTALL
+)
+_COLOURS = {"comment": DIM, "word": "#b06fd8", "variable": "#3d8bfd"}
+
+
+def safe(text: object) -> str:
+    """Return a text such that a page shows it as it is."""
+    return escape(harmless(str(text)))
+
+
+def coloured(text: object, colour: str) -> str:
+    """Return a text in a colour."""
+    return f'<span style="color:{colour}">{safe(text)}</span>'
+
+
+def paragraph(*parts: str) -> str:
+    """Return a paragraph of what is HTML already."""
+    return f'<p style="margin:4px 0;font-size:13px">{" ".join(parts)}</p>'
+
+
+def table(head: Sequence[str], rows: Iterable[Sequence[str]], at: int | None = None, label: str = "") -> str:
+    """Return a table.
+
+    Args:
+        head: What stands above the columns, as text.
+        rows: The cells, as HTML.
+        at: Number of the row that is at hand, counted from 0.
+        label: What the table is about, for those who listen to it.
+    """
+    heads = "".join(f'<th scope="col" style="{_CELL}">{safe(one)}</th>' for one in head)
+    lines = []
+    for number, row in enumerate(rows):
+        cells = "".join(f'<td style="{_CELL}">{cell}</td>' for cell in row)
+        here = f' style="{_HERE}" aria-current="step"' if number == at else ""
+        lines.append(f"<tr{here}>{cells}</tr>")
+    return f'<table aria-label="{safe(label)}" style="{_TABLE}"><tr>{heads}</tr>{"".join(lines)}</table>'
+
+
+def plan_table(record: PlanRecord, problem: Problem, grounding: Grounding, at: int | None = None) -> str:
+    """Return a plan in words, each step with its bits, what it costs, and its chance.
+
+    Args:
+        record: How planning went.
+        problem: The problem it is for.
+        grounding: The learned domain.
+        at: Number of the step at hand, counted from 0.
+    """
+    rows = []
+    for number, parts in enumerate(record.steps, start=1):
+        step = PlanStep(*parts)
+        operator = promise_of(step, problem, grounding)
+        item = problem.object_named(step.object)
+        promise = operator.promise
+        moves = displacement_in_words(promise.outcome) if promise else "nothing"
+        if step.puts_down:
+            moves = "puts it down"
+        elif step.place:
+            moves = f"carries it to {step.place}"
+        bits = f"{item.category} · {operator.primitive}"
+        surety = "" if step.puts_down else f"{chance(operator):.0%}"
+        price = "" if step.puts_down else str(step_cost(operator, grounding))
+        what = f"{safe(step.operator)}<br>{coloured(moves, DIM)}"
+        rows.append((str(number), what, safe(step.object), f"<code>{safe(bits)}</code>", price, surety))
+    return table(("", "step", "object", "bits", "cost", "chance"), rows, at, f"plan of {record.planner}")
+
+
+def plan_summary(record: PlanRecord) -> str:
+    """Return how planning went, in a paragraph."""
+    seconds = f"{record.seconds:.2f} s"
+    if not record.steps:
+        return paragraph(
+            f"<b>{safe(record.planner)}</b>:",
+            coloured(record.status.value, BAD),
+            f"in {seconds}. ",
+            safe(record.reason),
+        )
+    odds = "" if record.chance is None else f"All steps go as promised with a chance of {record.chance:.0%}"
+    if record.chance_replanned is not None:
+        odds += f", and {record.chance_replanned:.0%} if planned anew on the way"
+    said = f"{record.primitives} primitives in {seconds}. {odds}."
+    reason = safe(record.reason)
+    return paragraph(
+        f"<b>{safe(record.planner)}</b>:", coloured(record.status.value, GOOD), safe(said), reason
+    )
+
+
+def run_table(records: Sequence[StepRecord], at: int | None = None) -> str:
+    """Return what each step promised beside what happened.
+
+    Args:
+        records: What the steps did.
+        at: Number of the step at hand, counted from 0.
+    """
+    rows = []
+    for number, record in enumerate(records, start=1):
+        verdict = coloured("as promised", GOOD) if record.as_promised else coloured("otherwise", BAD)
+        apart = "" if record.apart is None else f"<br>{1000 * record.apart:.0f} mm apart"
+        if others := ", ".join(f"{name} {how}" for name, how in record.disturbed.items()):
+            apart += f"<br>{coloured(others, BAD)}"
+        promised = displacement_in_words(record.promised_effect) if record.promised_effect else ""
+        rows.append(
+            (
+                str(number),
+                f"{safe(record.operator)}<br>{coloured(record.object, DIM)}",
+                f"{safe(record.promised)}<br>{coloured(promised, DIM)}",
+                f"{safe(record.happened)}<br>{coloured(displacement_in_words(record.effect), DIM)}",
+                verdict + apart,
+            )
+        )
+    return table(("", "step", "promised", "happened", ""), rows, at, "promised and happened")
+
+
+def run_summary(run: Run) -> str:
+    """Return what became of a run, in a paragraph."""
+    misses = ", ".join(f"{name} {1000 * miss:.0f} mm" for name, miss in run.distances.items())
+    if run.reached:
+        return paragraph(
+            coloured("goal reached", GOOD), safe(f"; from the goals: {misses}" if misses else "")
+        )
+    return paragraph(coloured("goal missed", BAD), safe(f": {run.reason}"))
+
+
+def replanning_list(replannings: Sequence[Replanning]) -> str:
+    """Return why new plans were asked for."""
+    lines = [
+        f"before step {one.before_step}: {one.why}; "
+        + (f"a new plan of {counted(len(one.plan), 'step')}" if one.plan else _no_new_plan(one))
+        for one in replannings
+    ]
+    items = "".join(f"<li>{safe(line)}</li>" for line in lines)
+    return f'<ul style="margin:4px 0;font-size:12px;padding-left:18px">{items}</ul>' if lines else ""
+
+
+def _no_new_plan(replanning: Replanning) -> str:
+    return f"no new plan: {replanning.reason}" if replanning.reason else "nothing is left to be done"
+
+
+def pddl(text: str) -> str:
+    """Return PDDL with its comments, words and variables in colours."""
+    parts = []
+    for found in _PDDL.finditer(text):
+        kind = found.lastgroup or "rest"
+        piece = found.group()
+        parts.append(coloured(piece, _COLOURS[kind]) if kind in _COLOURS else safe(piece))
+    style = "font-size:11px;line-height:1.35;white-space:pre-wrap;max-height:260px;overflow:auto;margin:4px 0"
+    return f'<pre tabindex="0" aria-label="PDDL" style="{style}">{"".join(parts)}</pre>'
+
+
+def action_of(domain: str, operator: str) -> str:
+    """Return the text of an action of a domain, with the comment above it; empty if it has none.
+
+    Args:
+        domain: The text of a domain.
+        operator: Name of the action.
+    """
+    start = domain.find(f"(:action {operator}\n")
+    if start < 0:
+        return ""
+    lines = domain[:start].split("\n")[:-1]
+    comment: list[str] = []
+    while lines and lines[-1].lstrip().startswith(";"):
+        comment.insert(0, lines.pop())
+    depth, end = 0, start
+    for end in range(start, len(domain)):
+        depth += (domain[end] == "(") - (domain[end] == ")")
+        if not depth:
+            break
+    return "\n".join([*comment, "  " + domain[start : end + 1]])
+
+
+def bits_row(symbol: str, margins: Sequence[float]) -> str:
+    """Return the bits of an object, each with how far it is from its flip.
+
+    Args:
+        symbol: The bits.
+        margins: What each bit is the sign of; empty if that is not known.
+    """
+    rows = []
+    for number, bit in enumerate(symbol):
+        margin = margins[number] if number < len(margins) else None
+        bar = "" if margin is None else margin_bar(margin)
+        shown = "" if margin is None else f"{margin:+.1f}"
+        rows.append((f"bit {number + 1}", f"<b>{safe(bit)}</b>", bar, shown))
+    return table(("", "is", "how far from its flip", "before the step"), rows, label="bits of the object")
+
+
+def margin_bar(margin: float, widest: float = 10.0) -> str:
+    """Return a bar that leaves the middle to one side, and is orange where a flip is near."""
+    share = min(1.0, abs(margin) / widest) * 50
+    colour = "#e08a00" if abs(margin) < widest / 5 else "#3d8bfd"
+    left = 50 if margin > 0 else 50 - share
+    return (
+        '<div style="position:relative;height:10px;width:120px;background:rgba(128,128,128,.25)">'
+        f'<div style="position:absolute;left:{left:.1f}%;width:{share:.1f}%;'
+        f'height:10px;background:{colour}"></div>'
+        '<div style="position:absolute;left:50%;width:1px;height:10px;background:currentColor"></div></div>'
+    )

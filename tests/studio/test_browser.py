@@ -1,0 +1,242 @@
+"""The studio in a real browser: what is dragged, planned, run, nudged and taken away there.
+
+Skipped where no Chromium is at hand. Each test has a page of its own on one studio. The first goes the whole
+way; the others take minutes where a browser draws in software, and are run by `make evaluate`.
+"""
+
+from collections.abc import Iterator
+from pathlib import Path
+
+import numpy as np
+import pytest
+from studio_pages import shipped_library
+
+from neurosym.studio.serving import Studio
+from tools.benchmarks.studio.browser import BROWSERS, FLAGS, SLOW, Window, browser_here
+
+pytestmark = pytest.mark.filterwarnings("ignore::DeprecationWarning")
+
+
+@pytest.fixture(scope="module")
+def browser():
+    """A browser of this machine without a window."""
+    playwright = pytest.importorskip("playwright.sync_api", reason="pip install 'neurosym-pddl[browser]'")
+    found = browser_here()
+    if found is None:
+        pytest.skip(f"none of {', '.join(BROWSERS)} is installed")
+    with playwright.sync_playwright() as running:
+        opened = running.chromium.launch(executable_path=found, args=list(FLAGS))
+        yield opened
+        opened.close()
+
+
+@pytest.fixture(scope="module")
+def studio() -> Iterator[Studio]:
+    library = shipped_library()
+    opened = Studio(library, problem=library.load_problem("task-02"))
+    opened.start()
+    yield opened
+    opened.close()
+
+
+@pytest.fixture
+def window(browser, studio) -> Iterator[Window]:
+    opened = Window(browser, studio)
+    yield opened
+    opened.context.close()
+    assert opened.errors == []
+
+
+def test_goal_is_dragged_planned_to_and_run(window, tmp_path: Path):
+    session = window.page.session
+    name, there = "item-01", (0.55, 0.1)
+    height = window.knob(name)[2]
+    window.drag(window.knob(name), (*there, height))
+    goal = session.problem.goals[name]
+    assert np.hypot(goal[0] - there[0], goal[1] - there[1]) < 0.01
+    session.aim(name, *goal[:2], session.problem.object_named(name).position[2])
+    window.open("Plan")
+    window.press("Plan")
+    window.wait(lambda: session.plans and not session.is_planning)
+    window.tab.get_by_text("found a plan of").wait_for(timeout=1000 * SLOW)
+    window.open("Run")
+    window.press("Run")
+    window.wait(lambda: len(session.running.seen) > 20)
+    window.wait(lambda: not session.running.is_active)
+    window.tab.get_by_text("promised", exact=True).wait_for(timeout=1000 * SLOW)
+    window.open("Take away")
+    for label, least in (("Record of the run", 500), ("The run as a page (HTML)", 500_000)):
+        with window.tab.expect_download(timeout=1000 * SLOW) as download:
+            window.press(label)
+        download.value.save_as(tmp_path / "taken")
+        assert (tmp_path / "taken").stat().st_size > least
+    assert window.asked
+    assert [
+        url for url in window.asked if "//127.0.0.1:" not in url and not url.startswith(("data:", "blob:"))
+    ] == []
+
+
+@pytest.mark.evaluation
+def test_recorded_run_turns_offline(window, browser, tmp_path):
+    session = window.page.session
+    session.load("task-02")
+    session.plan("fast-downward")
+    window.wait(lambda: session.plans and not session.is_planning)
+    session.running.set_speed(0.0)
+    session.running.begin()
+    window.wait(lambda: not session.running.is_active)
+    from neurosym.studio.recording import recording_of
+
+    file = tmp_path / "run.html"
+    file.write_bytes(recording_of(session))
+    asked, tab = [], browser.new_page()
+    tab.on("request", lambda request: asked.append(request.url))
+    tab.goto(file.as_uri())
+    tab.locator("canvas").first.wait_for(timeout=1000 * SLOW)
+    tab.wait_for_timeout(3000)
+    tab.close()
+    assert {url for url in asked if not url.startswith(("data:", "blob:"))} == {file.as_uri()}
+
+
+@pytest.mark.evaluation
+def test_object_is_dragged_before_a_run_and_nudged_during_one(window):
+    session = window.page.session
+    name = "item-01"
+    x, y, z = session.problem.object_named(name).position
+    window.drag((x, y, z), (x - 0.05, y + 0.05, z))
+    moved = session.problem.object_named(name).position
+    assert np.hypot(moved[0] - x + 0.05, moved[1] - y - 0.05) < 0.012
+    session.plan("fast-downward")
+    window.wait(lambda: session.plans and not session.is_planning)
+    session.running.pause()
+    session.running.begin()
+    window.wait(lambda: session.running.number == 1 and not session.running.place)
+    window.wait(lambda: session.running.rest is not None)
+    x, y, z = moved
+    window.drag((x, y, z), (x + 0.06, y, z))
+    window.wait(lambda: abs(session.running.rest.positions[0, 0] - x - 0.06) < 0.02)
+    session.running.stop()
+    window.wait(lambda: not session.running.is_active)
+    assert session.running.run.nudges
+
+
+@pytest.mark.evaluation
+def test_page_that_is_loaded_again_during_a_run_goes_on(window):
+    session = window.page.session
+    session.plan("fast-downward")
+    window.wait(lambda: session.plans and not session.is_planning)
+    session.running.set_speed(0.5)
+    session.running.begin()
+    window.wait(lambda: session.running.seen)
+    window.tab.reload()
+    window.await_page()
+    assert window.page.session is session
+    session.running.stop()
+    window.wait(lambda: not session.running.is_active)
+    window.open("Run")
+    window.tab.get_by_text("stopped before step").first.wait_for(timeout=1000 * SLOW)
+
+
+@pytest.mark.evaluation
+def test_two_windows_of_a_browser_stay_in_step(window):
+    other = window.context.new_page()
+    other.goto(window.tab.url)
+    other.get_by_text("Stands at x, y").wait_for(timeout=1000 * SLOW)
+    window.page.session.say("both can read this")
+    for tab in (window.tab, other):
+        tab.get_by_text("both can read this").wait_for(timeout=1000 * SLOW)
+    other.close()
+
+
+@pytest.mark.evaluation
+def test_two_browsers_have_pages_of_their_own(browser, studio, window):
+    second = Window(browser, studio)
+    assert second.page is not window.page
+    second.page.session.aim("item-01", 0.6, 0.2)
+    assert window.page.session.problem.goals != second.page.session.problem.goals
+    second.context.close()
+
+
+@pytest.mark.evaluation
+def test_names_from_outside_are_text(window):
+    window.page.session.say('<img src=x onerror="document.title=1"><b>bold</b>', is_bad=True)
+    window.tab.get_by_text('<img src=x onerror="document.title=1"><b>bold</b>').wait_for(timeout=1000 * SLOW)
+    assert window.tab.title() != "1"
+
+
+@pytest.mark.evaluation
+def test_dead_planner_is_said_and_the_page_stays_usable(window):
+    session = window.page.session
+    session.load("task-20")
+    window.open("Plan")
+    window.press("Plan")
+    window.wait(lambda: session.is_planning and session._planning._child is not None)
+    session._planning._child.process.kill()
+    window.wait(lambda: not session.is_planning)
+    window.tab.get_by_text("try again").wait_for(timeout=1000 * SLOW)
+    session.load("task-02")
+    session.plan("fast-downward")
+    window.wait(lambda: session.plans and not session.is_planning)
+
+
+@pytest.mark.evaluation
+def test_keyboard_reaches_every_panel_and_number(window):
+    window.open("Table")
+    window.tab.get_by_role("tab", name="Table").focus()
+    for label in ("Plan", "Run", "Symbols", "Tour", "Take away"):
+        window.tab.keyboard.press("ArrowRight")
+        assert window.tab.get_by_role("tab", name=label, exact=True).get_attribute("aria-selected") == "true"
+    window.open("Table")
+    field = window.tab.get_by_label("Stands at x, y").first
+    field.focus()
+    before = window.page.session.problem.objects[0].position
+    window.tab.keyboard.press("ArrowUp")
+    window.wait(lambda: window.page.session.problem.objects[0].position != before)
+
+
+@pytest.mark.evaluation
+def test_tour_leads_from_an_experience_to_what_went_otherwise(window):
+    session = window.page.session
+    window.open("Tour")
+    for number, label in enumerate(
+        (
+            "See one experience",
+            "See another effect",
+            "Flip a bit",
+            "Draw four objects",
+            "Perform a primitive",
+            "Perform a less sure one",
+            "Plan to the goal",
+            "Run the plan",
+        ),
+        start=1,
+    ):
+        window.tab.get_by_text(f"{number} of 8:").wait_for(timeout=1000 * SLOW)
+        session.running.set_speed(0.0)
+        word = session.word
+        window.press(label)
+        window.wait(lambda word=word: session.word is not word)
+        window.wait(lambda: not session.running.is_active and not session.is_planning)
+        if label == "Draw four objects":
+            window.wait(lambda: len(session.problem.objects) == 4)
+            session.load("task-02")
+        if number < 8:
+            window.press("Next card")
+    assert session.running.run is not None
+
+
+@pytest.mark.evaluation
+@pytest.mark.parametrize(("width", "height"), [(1400, 900), (900, 700)])
+@pytest.mark.parametrize("name", ["task-01", "task-20"])
+def test_page_fits_the_window(browser, studio, width, height, name):
+    window = Window(browser, studio, width, height)
+    window.page.session.load(name)
+    for is_dark in (False, True):
+        window.page.set_dark(is_dark)
+        window.tab.wait_for_timeout(1500)
+        size = window.tab.evaluate(
+            "[document.documentElement.scrollWidth, document.documentElement.scrollHeight]"
+        )
+        assert size == [width, height]
+    assert window.errors == []
+    window.context.close()

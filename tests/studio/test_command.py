@@ -1,0 +1,89 @@
+"""The command opens a page, says what is missing, and ends cleanly."""
+
+import http.client
+import os
+import signal
+import subprocess
+import sys
+import tempfile
+from importlib.metadata import PackageNotFoundError
+from pathlib import Path
+from urllib.parse import urlsplit
+
+import pytest
+from command_line import neurosym, refusal
+from places import ROOT
+
+from neurosym.studio import extra
+
+
+def started(tmp_path: Path, *arguments: str) -> tuple[subprocess.Popen[str], str]:
+    """The studio in a process of its own, and its address."""
+    environment = {**os.environ, "PYTHONPATH": str(ROOT), "TMPDIR": str(tmp_path)}
+    command = [sys.executable, "-m", "neurosym", "studio", "--no-browser", *arguments]
+    process = subprocess.Popen(
+        command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, env=environment, cwd=tmp_path
+    )
+    said = process.stdout.readline()
+    assert said.startswith("the studio is at http://"), said
+    return process, said.split()[-1]
+
+
+@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
+def test_studio_ends_in_order_and_leaves_nothing_behind(tmp_path, number):
+    process, address = started(tmp_path)
+    way = http.client.HTTPConnection(urlsplit(address).netloc, timeout=30)
+    way.request("GET", "/")
+    place = way.getresponse()
+    assert place.status == 303
+    assert list(tmp_path.glob("neurosym-studio-*"))
+    process.send_signal(number)
+    said, _ = process.communicate(timeout=30)
+    assert process.returncode == 0
+    assert said.splitlines()[-1] == "the studio is closed"
+    assert "viser" not in said
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_other_machines_are_warned_of_and_a_token_is_asked_for(tmp_path):
+    process, address = started(tmp_path, "--host", "0.0.0.0")
+    try:
+        assert "token=" in address
+        assert process.stdout.readline().startswith("note: anybody who can reach this machine")
+    finally:
+        process.send_signal(signal.SIGINT)
+        process.communicate(timeout=30)
+
+
+def test_missing_extra_is_one_sentence(capsys, monkeypatch):
+    def missing(_: str) -> str:
+        raise PackageNotFoundError
+
+    monkeypatch.setattr(extra, "version", missing)
+    assert "pip install 'neurosym-pddl[studio]'" in refusal(capsys, "studio")
+
+
+@pytest.mark.parametrize("found", ["1.0.30", "0.2.23", "2.0.0"])
+def test_version_that_will_not_do_is_named(capsys, monkeypatch, found):
+    monkeypatch.setattr(extra, "version", lambda _: found)
+    assert f"viser {found}" in refusal(capsys, "studio")
+
+
+@pytest.mark.parametrize(
+    ("arguments", "said"),
+    [
+        (["--port", "70000"], "port"),
+        (["--problem", "no-such-problem"], "no-such-problem"),
+        (["--host", "no such host"], "No server can be started"),
+        (["no-such-folder"], "no-such-folder"),
+        ([tempfile.gettempdir()], "world.toml"),
+    ],
+)
+def test_bad_input_is_one_sentence(capsys, arguments, said, monkeypatch, tmp_path):
+    monkeypatch.chdir(tmp_path)
+    assert said in refusal(capsys, "studio", *arguments)
+
+
+def test_help_tells_of_the_options(capsys):
+    assert neurosym("studio", "--help") == 0
+    assert "--no-browser" in capsys.readouterr().out

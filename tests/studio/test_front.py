@@ -1,0 +1,160 @@
+"""The door leads each browser to its page, passes all on, and refuses what other sites send."""
+
+import http.client
+import socket
+import threading
+from collections.abc import Iterator
+from contextlib import contextmanager
+from http.server import BaseHTTPRequestHandler, HTTPServer
+
+import pytest
+
+from neurosym.errors import CannotStart, InvalidValue
+from neurosym.studio.front import Front, is_loopback
+
+
+class Inner(BaseHTTPRequestHandler):
+    """A page that says which path it was asked for."""
+
+    protocol_version = "HTTP/1.1"
+
+    def do_GET(self) -> None:
+        """Answer."""
+        body = f"{self.path} {self.headers.get('Connection')} {self.headers.get('X-Mine')}".encode()
+        self.send_response(200)
+        self.send_header("Content-Length", str(len(body)))
+        self.end_headers()
+        self.wfile.write(body)
+
+    def log_message(self, *_: object) -> None:
+        """Say nothing."""
+
+
+class Pages:
+    """A doorman of pages that are all served in one place."""
+
+    def __init__(self, port: int):
+        self.port, self.links, self.open = port, [], set()
+
+    def open_page(self, link: str = "") -> str:
+        """Make a page."""
+        if link.endswith("bad"):
+            raise InvalidValue("The link holds <no> scene.")
+        self.links.append(link)
+        self.open.add(f"page{len(self.links)}")
+        return f"page{len(self.links)}"
+
+    def port_of(self, page: str) -> int | None:
+        """Say where it is."""
+        return self.port if page in self.open else None
+
+
+@contextmanager
+def door(host: str = "127.0.0.1") -> Iterator[tuple[Front, Pages]]:
+    inner = HTTPServer(("127.0.0.1", 0), Inner)
+    threading.Thread(target=inner.serve_forever, daemon=True).start()
+    pages = Pages(inner.server_port)
+    front = Front(pages, host)
+    front.start()
+    try:
+        yield front, pages
+    finally:
+        front.close()
+        inner.shutdown()
+        inner.server_close()
+
+
+def asked(front: Front, path: str, **headers: str) -> tuple[int, dict[str, str], str]:
+    """What is answered to a request: status, headers, text."""
+    connection = http.client.HTTPConnection("127.0.0.1", front.port, timeout=10)
+    connection.request(
+        "GET", path, headers={name.replace("_", "-"): value for name, value in headers.items()}
+    )
+    answer = connection.getresponse()
+    found = (
+        answer.status,
+        {name.lower(): value for name, value in answer.getheaders()},
+        answer.read().decode(),
+    )
+    connection.close()
+    return found
+
+
+def test_new_browser_gets_a_page_and_the_same_one_again():
+    with door() as (front, pages):
+        status, headers, _ = asked(front, "/")
+        assert (status, headers["location"]) == (303, "/page/page1/")
+        cookie = headers["set-cookie"].split(";")[0]
+        assert "HttpOnly" in headers["set-cookie"]
+        assert asked(front, "/", Cookie=cookie)[1]["location"] == "/page/page1/"
+        assert asked(front, "/")[1]["location"] == "/page/page2/"
+        assert len(pages.links) == 2
+
+
+def test_page_is_asked_for_what_stands_after_its_name():
+    with door() as (front, _):
+        asked(front, "/")
+        status, _, text = asked(front, "/page/page1/some/file.js?x=1", X_Mine="kept")
+        assert (status, text) == (200, "/some/file.js close kept")
+        assert asked(front, "/page/page1")[1]["location"] == "/page/page1/"
+
+
+def test_unknown_page_is_said_with_a_way_back():
+    with door() as (front, _):
+        status, _, text = asked(front, "/page/none/")
+        assert status == 404
+        assert 'href="/"' in text
+
+
+def test_link_opens_a_page_of_its_own_even_for_a_known_browser():
+    with door() as (front, pages):
+        cookie = asked(front, "/")[1]["set-cookie"].split(";")[0]
+        assert asked(front, "/open/abc", Cookie=cookie)[1]["location"] == "/page/page2/"
+        assert pages.links == ["", "/open/abc"]
+
+
+def test_bad_link_is_told_and_never_as_markup():
+    with door() as (front, _):
+        status, _, text = asked(front, "/open/bad")
+        assert status == 400
+        assert "&lt;no&gt;" in text
+
+
+@pytest.mark.parametrize(
+    "headers", [{"Host": "evil.example"}, {"Origin": "http://evil.example"}, {"Origin": "null"}]
+)
+def test_request_of_another_site_is_refused(headers):
+    with door() as (front, pages):
+        assert asked(front, "/", **headers)[0] == 403
+        assert pages.links == []
+
+
+def test_other_machines_must_know_the_token():
+    with door("0.0.0.0") as (front, pages):
+        assert asked(front, "/")[0] == 403
+        assert asked(front, "/?token=wrong")[0] == 403
+        status, headers, _ = asked(front, f"/?token={front.token}")
+        assert (status, headers["location"]) == (303, "/page/page1/")
+        assert asked(front, "/", Cookie=f"neurosym-token={front.token}")[0] == 303
+        assert len(pages.links) == 2
+
+
+@pytest.mark.parametrize("raw", [b"\r\n\r\n", b"GET\r\n\r\n", b"\x16\x03\x01\r\n\r\n", b"A" * 70_000])
+def test_what_is_no_request_is_answered_or_dropped(raw):
+    with door() as (front, _):
+        with socket.create_connection(("127.0.0.1", front.port), timeout=10) as way:
+            way.sendall(raw)
+            way.shutdown(socket.SHUT_WR)
+            answer = way.makefile("rb").read()
+        assert answer == b"" or answer.startswith(b"HTTP/1.1 400")
+        assert asked(front, "/")[0] == 303
+
+
+def test_taken_port_is_one_sentence():
+    with door() as (front, pages), pytest.raises(CannotStart, match="in use"):
+        Front(pages, "127.0.0.1", front.port).start()
+
+
+def test_this_machine_is_known_by_its_names():
+    assert all(map(is_loopback, ("127.0.0.1", "localhost", "::1", "127.9.9.9")))
+    assert not any(map(is_loopback, ("0.0.0.0", "192.168.0.2", "example.org", "")))

@@ -1,0 +1,329 @@
+"""What a page does, without a browser: set the table, plan, run, nudge, stop, and take everything away."""
+
+import io
+import json
+import zipfile
+from pathlib import Path
+
+import msgspec
+import pytest
+from command_line import neurosym
+from places import SHIPPED
+from studio_pages import planned, ran, session_on, shipped_library, toy_library, wait_for, workers
+
+from neurosym.execution.record import Run
+from neurosym.planners import PlanStatus
+from neurosym.studio import setting
+from neurosym.studio.recording import recording_of
+from neurosym.studio.session import Session
+from neurosym.studio.take_away import link_of, record_of, scene_of, zip_of
+
+
+@pytest.fixture(scope="module")
+def both():
+    with workers() as started:
+        yield started
+
+
+@pytest.fixture
+def toy(tmp_path: Path, both):
+    with session_on(toy_library(tmp_path / "toy"), both) as session:
+        yield session
+
+
+@pytest.fixture(scope="module")
+def tabletop(both):
+    """The shipped domain; each test puts on the table what it needs."""
+    with session_on(shipped_library(), both) as session:
+        yield session
+
+
+def test_page_begins_with_the_first_problem(toy):
+    assert toy.problem.name == "errand"
+
+
+def test_change_of_the_table_is_told_and_what_was_planned_is_forgotten(toy):
+    planned(toy, "counting")
+    topics = []
+    toy.listen(topics.append)
+    toy.aim("item-01", 0.6, 0.08)
+    assert toy.plans == {}
+    assert {"place", "plan"} <= set(topics)
+
+
+def test_what_cannot_be_done_is_said_and_changes_nothing(toy):
+    before = toy.problem
+    toy.load("no-such-problem")
+    assert toy.word.is_bad
+    toy.resize("item-01", (9.0, 0.05, 0.05, 0.0))
+    assert "9 m" in toy.word.text
+    toy.rename("<script>")
+    assert toy.problem == before
+
+
+def test_complaints_follow_what_is_dragged(toy):
+    assert toy.complaints() == {}
+    toy.aim("item-01", 0.6, 0.4)
+    assert toy.complaints() == {"goal item-01": "the goal of item-01 is off the table"}
+    toy.aim("item-01", 0.8, 0.1)
+    assert "knows no goals like item-01 on item-02" in toy.complaints()["goal item-01"]
+
+
+def test_objects_are_added_where_there_is_room_and_taken_away(toy):
+    while len(toy.problem.objects) < 8:
+        toy.add((0.05, 0.05, 0.05, 0.0))
+    assert toy.complaints() == {}
+    toy.add((0.05, 0.05, 0.05, 0.0))
+    assert (len(toy.problem.objects), toy.word.is_bad) == (8, True)
+    toy.remove("item-03")
+    assert "item-03" not in toy.problem.object_names
+
+
+def test_object_without_a_network_is_of_the_likest_category(toy):
+    toy.resize("item-01", (0.06, 0.05, 0.05, 0.0))
+    assert toy.problem.object_named("item-01").category == "00"
+    assert toy.library.margins((0.06, 0.05, 0.05, 0.0)) == ()
+    assert "effect_model" in toy.library.damage.sentences[0]
+
+
+def test_plan_is_made_and_run_and_its_goal_reached(toy):
+    planned(toy, "counting")
+    assert toy.plan_shown.record.status is PlanStatus.SOLVED
+    ran(toy)
+    assert toy.running.run.reached
+    assert [record.as_promised for record in toy.running.records] == [True, True]
+    assert not toy.word.is_bad
+
+
+def test_two_planners_are_asked_one_after_the_other(toy):
+    toy.plan("counting", "fast-downward")
+    wait_for(lambda: len(toy.plans) == 2)
+    assert toy.chosen == "counting"
+    toy.choose("fast-downward")
+    assert toy.plan_shown.record.planner == "fast-downward"
+
+
+def test_planner_that_there_is_not_is_said(toy):
+    toy.plan("no-such-planner")
+    wait_for(lambda: not toy.is_planning)
+    assert toy.word.is_bad
+    assert "no-such-planner" in toy.word.text
+
+
+def test_no_goal_is_said_before_anything_is_planned(toy):
+    toy.remove_goal("item-01")
+    toy.plan("counting")
+    assert "No object has a goal" in toy.word.text
+    assert not toy.is_planning
+
+
+def test_goal_out_of_reach_can_be_exchanged_for_the_nearest(toy):
+    toy.aim("item-01", 0.45, 0.0)
+    planned(toy, "counting")
+    shown = toy.plan_shown
+    assert shown.record.status is not PlanStatus.SOLVED
+    toy.aim("item-01", 0.665, 0.16)
+    toy.set_tolerance(0.01)
+    planned(toy, "counting")
+    assert toy.plan_shown.record.status is PlanStatus.NEAREST
+    toy.accept_nearest()
+    wait_for(lambda: not toy.is_planning and toy.plans)
+    assert toy.plan_shown.record.status is PlanStatus.SOLVED
+    assert toy.problem.goals["item-01"] == pytest.approx((0.68, 0.16, 0.025), abs=1e-6)
+
+
+def test_nudge_during_a_run_calls_for_a_new_plan_with_its_reason(toy):
+    planned(toy, "counting")
+    toy.running.set_speed(0.0)
+    toy.running.pause()
+    toy.running.begin()
+    wait_for(lambda: toy.running.number == 1)
+    toy.move("item-01", 0.6, -0.08)
+    wait_for(lambda: toy.running.rest.positions[0, 1] < 0)
+    assert toy.running.replannings == []
+    toy.running.resume()
+    wait_for(lambda: not toy.running.is_active)
+    run = toy.running.run
+    assert run.reached
+    assert [(nudge.before_step, nudge.object) for nudge in run.nudges] == [(1, "item-01")]
+    assert "item-01" in toy.running.replannings[0].why
+
+
+def test_run_goes_step_by_step(toy):
+    planned(toy, "counting")
+    toy.running.set_speed(0.0)
+    toy.running.pause()
+    toy.running.begin()
+    wait_for(lambda: toy.running.number == 1)
+    assert toy.running.records == []
+    toy.running.one_step()
+    wait_for(lambda: len(toy.running.records) == 1)
+    toy.running.stop()
+    wait_for(lambda: not toy.running.is_active)
+    assert (toy.running.run.ended, len(toy.running.run.steps)) == ("stopped", 1)
+
+
+def test_table_is_not_set_while_a_plan_runs(toy):
+    planned(toy, "counting")
+    toy.running.pause()
+    toy.running.begin()
+    before = toy.problem
+    toy.aim("item-01", 0.5, 0.0)
+    toy.add((0.05, 0.05, 0.05, 0.0))
+    toy.move("item-01", 5.0, 0.0)
+    assert "off the table" in toy.word.text
+    assert toy.problem == before
+    toy.running.stop()
+    wait_for(lambda: not toy.running.is_active)
+
+
+def test_dead_process_ends_its_run_only(toy):
+    planned(toy, "counting")
+    toy.running.pause()
+    toy.running.begin()
+    wait_for(lambda: toy.running.number == 1)
+    toy.running._ticket._child.process.kill()
+    wait_for(lambda: not toy.running.is_active)
+    assert "try again" in toy.word.text
+    toy.running.resume()
+    ran(toy)
+    assert toy.running.run.reached
+
+
+def test_planner_that_is_stopped_gives_way_to_the_next(tabletop):
+    tabletop.load("task-20")
+    tabletop.plan("bfs-operators")
+    wait_for(lambda: tabletop._planning is None or tabletop._planning._child is not None)
+    tabletop.stop_planning()
+    wait_for(lambda: not tabletop.is_planning)
+    tabletop.load("task-02")
+    planned(tabletop, "fast-downward")
+    assert tabletop.plan_shown.plan_file
+
+
+@pytest.mark.parametrize("name", ["task-02", "task-05"])
+def test_record_is_byte_for_byte_what_the_command_line_writes(tabletop, tmp_path, name, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    assert neurosym("plan", "tabletop", name) in (0, 3)
+    plan = f"tabletop/plans/{name}.fast-downward.plan"
+    assert neurosym("execute", "tabletop", name, plan) in (0, 3)
+    tabletop.load(name)
+    planned(tabletop, "fast-downward")
+    assert (tabletop.room.path / tabletop.plan_shown.plan_file).read_text() == Path(plan).read_text()
+    ran(tabletop)
+    assert tabletop.running.seen
+    assert record_of(tabletop) == (tmp_path / f"tabletop/runs/{name}.fast-downward.run.json").read_bytes()
+
+
+def test_shipped_run_is_replayed_and_the_same(tabletop):
+    tabletop.running.set_speed(0.0)
+    tabletop.running.replay("task-03.fast-downward")
+    wait_for(lambda: not tabletop.running.is_active)
+    assert tabletop.running.course in ("same bytes", "within rounding")
+    assert tabletop.running.seen
+
+
+def test_nothing_is_written_into_the_shipped_domain(tabletop):
+    before = {path: path.stat().st_mtime_ns for path in SHIPPED.rglob("*")}
+    tabletop.load("task-02")
+    tabletop.save()
+    assert "never written into" in tabletop.word.text
+    planned(tabletop, "fast-downward")
+    ran(tabletop)
+    zip_of(tabletop)
+    assert {path: path.stat().st_mtime_ns for path in SHIPPED.rglob("*")} == before
+
+
+def test_flipped_bit_differs_by_one_size(tabletop):
+    tabletop.load("task-02")
+    before = tabletop.problem.objects[0]
+    tabletop.flip(before.name)
+    after = tabletop.problem.objects[0]
+    assert after.category != before.category
+    changed = [one != other for one, other in zip(before.features, after.features, strict=True)]
+    assert sum(changed) == 1
+    margins = tabletop.library.margins(after.features)
+    assert "".join("1" if margin > 0 else "0" for margin in margins) == after.category
+
+
+def test_tasks_are_drawn_as_the_command_line_draws_them(tabletop, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    assert (
+        neurosym(
+            "new-problem", "tabletop", "--name", "drawn-row-3-4", "--objects", 3, "--seed", 4, "--task", "row"
+        )
+        == 0
+    )
+    tabletop.draw(3, 4, "row")
+    wait_for(lambda: tabletop.problem.name == "drawn-row-3-4")
+    made = json.loads((tmp_path / "tabletop/problems/drawn-row-3-4.scene.json").read_text())
+    assert json.loads(msgspec.json.encode(tabletop.problem))["objects"] == made["objects"]
+
+
+def test_motion_is_tried_on_an_object(tabletop):
+    tabletop.load("task-02")
+    item = tabletop.problem.objects[0]
+    promise = next(one for one in tabletop.promises(item.name) if one.lifts)
+    action = tabletop.library.grounding.primitive_of(promise.operator).action
+    tabletop.running.set_speed(0.0)
+    tabletop.running.perform(item.name, action)
+    wait_for(lambda: not tabletop.running.is_active)
+    assert tabletop.running.outcome.kind == "held"
+
+
+def test_interaction_of_the_data_happens_again(tabletop):
+    tabletop.running.set_speed(0.0)
+    tabletop.running.recall(tabletop.library.telling_row("held"))
+    wait_for(lambda: not tabletop.running.is_active)
+    assert tabletop.running.outcome.kind == "held"
+    assert tabletop.word.text.startswith("the effect is")
+
+
+def test_zip_holds_what_another_planner_needs(toy):
+    planned(toy, "counting")
+    ran(toy)
+    with zipfile.ZipFile(io.BytesIO(zip_of(toy))) as archive:
+        names = set(archive.namelist())
+        run = msgspec.json.decode(archive.read("runs/errand.counting.run.json"), type=Run)
+    assert {"domain.pddl", "problems/errand.pddl", "plans/errand.counting.plan"} <= names
+    assert run.reached
+
+
+def test_link_brings_the_scene_back(toy):
+    assert scene_of(link_of(toy.problem)) == toy.problem
+    assert len(link_of(toy.problem)) < 800
+
+
+def test_run_is_recorded_as_one_page_that_needs_nothing_else(tabletop):
+    tabletop.load("task-02")
+    planned(tabletop, "fast-downward")
+    ran(tabletop)
+    page = recording_of(tabletop).decode()
+    assert page.startswith("<!")
+    assert 500_000 < len(page) < 2_000_000
+    assert "__VISER_EMBED_DATA__" in page
+
+
+def test_saved_problem_lies_in_the_domain_folder(toy):
+    toy.aim("item-01", 0.6, 0.24)
+    toy.rename("further")
+    toy.save()
+    assert toy.library.load_problem("further").goals == toy.problem.goals
+
+
+def test_file_of_a_scene_is_opened_or_refused(toy):
+    other = setting.with_goal(toy.problem, "item-02", 0.5, -0.2)
+    toy.open_file(msgspec.json.encode(other))
+    assert toy.problem == other
+    for content in (b"", b"{}", b"\xff" * 50, b"[" * 10_000, b" " * 2_000_000):
+        toy.open_file(content)
+        assert toy.word.is_bad
+        assert toy.problem == other
+
+
+def test_closed_page_leaves_nothing_behind(tmp_path, both):
+    with session_on(toy_library(tmp_path / "toy"), both) as session:
+        assert isinstance(session, Session)
+        room = session.room.path
+        assert room.is_dir()
+    assert not room.exists()

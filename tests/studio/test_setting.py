@@ -1,0 +1,76 @@
+"""A scene is changed one thing at a time, and all that was not touched stays."""
+
+import numpy as np
+import pytest
+from toy_domain import problem
+
+from neurosym.errors import InvalidValue, UnknownChoice
+from neurosym.studio import setting
+
+SCENE = problem({"item-01": (0.6, 0.16, 0.025)})
+
+
+def by_size(features: np.ndarray) -> tuple[str, ...]:
+    return tuple("10" if row[0] > 0.1 else "00" for row in features)
+
+
+def test_moved_object_keeps_its_height_and_its_goal():
+    after = setting.moved(SCENE, "item-02", 0.7, -0.1)
+    assert after.object_named("item-02").position == (0.7, -0.1, 0.025)
+    assert after.goals == SCENE.goals
+    assert after.objects[0] == SCENE.objects[0]
+
+
+def test_goal_keeps_its_height_unless_one_is_given():
+    after = setting.with_goal(setting.with_goal(SCENE, "item-01", 0.5, 0.0, 0.2), "item-01", 0.55, 0.1)
+    assert after.goals["item-01"] == (0.55, 0.1, 0.2)
+    assert setting.with_goal(SCENE, "item-02", 0.5, 0.0).goals["item-02"] == (0.5, 0.0, 0.025)
+
+
+def test_goals_stay_in_the_order_of_the_objects():
+    after = setting.with_goal(setting.with_goal(problem({}), "item-02", 0.5, 0), "item-01", 0.6, 0)
+    assert list(after.goals) == ["item-01", "item-02"]
+
+
+def test_new_goal_does_not_lie_on_its_object():
+    after = setting.with_goal_beside(problem({}), "item-01", (0.7, 0.0))
+    start, goal = after.object_named("item-01").position, after.goals["item-01"]
+    assert np.hypot(goal[0] - start[0], goal[1] - start[1]) == pytest.approx(setting.GOAL_DISTANCE)
+
+
+def test_resized_object_rests_on_the_table_and_shows_its_new_category():
+    after = setting.resized(SCENE, "item-01", (0.12, 0.05, 0.08, 0.0), by_size)
+    item = after.object_named("item-01")
+    assert (item.category, item.position[2]) == ("10", 0.04)
+    assert after.goals["item-01"] == (0.6, 0.16, 0.04)
+
+
+def test_added_object_takes_the_first_free_name():
+    fewer = setting.without_object(SCENE, "item-01")
+    after = setting.with_object(fewer, (0.05, 0.05, 0.05, 0.0), 0.5, -0.2, by_size)
+    assert after.object_names == ("item-02", "item-01")
+    assert fewer.goals == {}
+
+
+def test_first_object_makes_a_problem():
+    assert setting.with_object(None, (0.05, 0.05, 0.05, 0.0), 0.5, 0.0, by_size).object_names == ("item-01",)
+
+
+def test_last_object_is_not_taken_away():
+    alone = setting.without_object(SCENE, "item-01")
+    with pytest.raises(InvalidValue, match="the only object"):
+        setting.without_object(alone, "item-02")
+
+
+def test_unknown_object_is_refused():
+    with pytest.raises(UnknownChoice, match="cup"):
+        setting.without_goal(SCENE, "cup")
+
+
+def test_name_that_is_markup_is_refused():
+    with pytest.raises(InvalidValue, match="legal name"):
+        setting.renamed(SCENE, "<b>scene</b>")
+
+
+def test_what_is_changed_is_by_hand_and_draws_its_places_anew():
+    assert setting.moved(SCENE, "item-01", 0.5, 0.0).provenance == "by hand"

@@ -1,0 +1,101 @@
+"""Jobs wait in line, show their place, are stopped, and a process that dies takes only its own with it."""
+
+import pytest
+from studio_pages import shipped_library, toy_library, wait_for
+
+from neurosym.errors import NeurosymError
+from neurosym.studio.messages import Controls, Failed, Make, RunPlan, Seen
+from neurosym.studio.rooms import Room
+from neurosym.studio.take_away import link_of, scene_of
+from neurosym.studio.workers import DIED, STOPPED, Workers
+
+
+@pytest.fixture
+def room(tmp_path):
+    made = Room(toy_library(tmp_path / "toy").folder)
+    yield made
+    made.close()
+
+
+def test_line_shows_places_and_gives_up_what_is_stopped(room):
+    library = toy_library(room.path.parent / "again")
+    problem = library.first_problem()
+    workers, said = Workers(1), [[] for _ in range(3)]
+    try:
+        jobs = [Make(room.path, problem) for _ in said]
+        tickets = [workers.submit(job, heard.append) for job, heard in zip(jobs, said, strict=True)]
+        assert [ticket.place for ticket in tickets] == [0, 1, 2]
+        tickets[1].stop()
+        assert said[1] == [Failed(STOPPED)]
+        assert tickets[2].place <= 1
+        wait_for(lambda: said[0] and said[2])
+        assert not isinstance(said[2][-1], Failed)
+    finally:
+        workers.close()
+
+
+def test_job_that_cannot_be_done_is_a_sentence_and_the_next_is_done(room):
+    workers, said = Workers(1), []
+    try:
+        workers.submit(RunPlan(room.path, "errand", "plans/none.plan", "fast-downward", 0), said.append)
+        wait_for(lambda: said)
+        assert isinstance(said[0], Failed)
+        assert "none.plan" in said[0].sentence
+        problem = toy_library(room.path.parent / "again").first_problem()
+        workers.submit(Make(room.path, problem), said.append)
+        wait_for(lambda: len(said) == 2)
+        assert not isinstance(said[1], Failed)
+    finally:
+        workers.close()
+
+
+def test_crash_is_told_of_its_job_only():
+    room, workers, said = Room(shipped_library().folder), Workers(1), []
+    try:
+        name = "task-03"
+        job = RunPlan(room.path, name, f"plans/{name}.fast-downward.plan", "fast-downward", 0, Controls(0.05))
+        ticket = workers.submit(job, said.append)
+        wait_for(lambda: any(isinstance(one, Seen) for one in said))
+        ticket._child.process.kill()
+        wait_for(lambda: isinstance(said[-1], Failed))
+        assert said[-1].sentence == DIED
+        workers.submit(Make(room.path, shipped_library().load_problem(name)), said.append)
+        wait_for(lambda: type(said[-1]).__name__ == "Drawn")
+    finally:
+        workers.close()
+        room.close()
+
+
+def test_room_looks_like_the_domain_and_is_written_alone():
+    library = shipped_library()
+    room = Room(library.folder)
+    try:
+        assert (room.path / "domain.pddl").read_bytes() == (library.folder / "domain.pddl").read_bytes()
+        assert (room.path / "problems" / "task-01.scene.json").is_symlink()
+        assert not (room.path / "interactions.npz").exists()
+    finally:
+        room.close()
+    assert not room.path.exists()
+    assert (library.folder / "domain.pddl").is_file()
+
+
+@pytest.mark.parametrize("link", ["", "abc", "A" * 20_000, "%00", "<script>", "eJzT0yMAAGTvBe8"])
+def test_link_that_holds_no_scene_is_refused_in_a_sentence(link):
+    with pytest.raises(NeurosymError):
+        scene_of(link)
+
+
+def test_link_that_unpacks_to_too_much_is_refused():
+    import base64
+    import zlib
+
+    bomb = base64.urlsafe_b64encode(zlib.compress(b" " * 3_000_000, 9)).decode().rstrip("=")
+    with pytest.raises(NeurosymError, match="more than"):
+        scene_of(bomb)
+
+
+def test_links_of_eight_objects_are_short_enough_for_a_browser():
+    problem = shipped_library().load_problem("task-20")
+    link = link_of(problem)
+    assert scene_of(link) == problem
+    assert len(link) < 3000

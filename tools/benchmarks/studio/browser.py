@@ -1,0 +1,107 @@
+"""A window of a real browser that looks at a page of the studio, driven as a person would."""
+
+import shutil
+import time
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+
+from neurosym.studio.page import Page
+from neurosym.studio.serving import Studio
+from neurosym.studio.shapes import rotation
+
+BROWSERS = ("chromium-headless-shell", "chromium", "chromium-browser", "google-chrome")
+FLAGS = (
+    *("--no-sandbox", "--disable-quic", "--no-first-run", "--disable-background-networking"),
+    *("--disable-component-update", "--disable-sync", "--use-gl=angle", "--use-angle=swiftshader"),
+    *("--enable-unsafe-swiftshader", "--ignore-gpu-blocklist"),
+)
+SLOW = 180.0
+"""Seconds for what a browser that draws in software does."""
+
+
+def browser_here() -> str | None:
+    """Return the path of a Chromium of this machine, if there is one."""
+    return next(filter(None, map(shutil.which, BROWSERS)), None)
+
+
+def wait_for(true: Callable[[], object], seconds: float = 300.0) -> None:
+    """Wait until something is true.
+
+    Raises:
+        TimeoutError: If it does not become so.
+    """
+    end = time.monotonic() + seconds
+    while not true():
+        if time.monotonic() > end:
+            raise TimeoutError("it took too long")
+        time.sleep(0.02)
+
+
+class Window:
+    """A window of a browser that looks at a page."""
+
+    def __init__(self, browser: Any, studio: Studio, width: int = 1400, height: int = 900):
+        self.asked: list[str] = []
+        self.errors: list[str] = []
+        known = set(studio.pages)
+        self.context = browser.new_context(viewport={"width": width, "height": height})
+        self.tab = self.context.new_page()
+        self.tab.on("request", lambda request: self.asked.append(request.url))
+        self.tab.on("pageerror", lambda error: self.errors.append(str(error)))
+        self.tab.goto(studio.address)
+        self.page: Page = next(one for one in studio.pages if one not in known)
+        self.await_page()
+
+    def await_page(self) -> None:
+        """Wait until the page can be used."""
+        self.tab.get_by_text("Stands at x, y").wait_for(timeout=1000 * SLOW)
+        wait_for(lambda: self.page.server.get_clients(), SLOW)
+
+    def pixel(self, point: Any) -> tuple[float, float]:
+        """Where a point of the table is seen [pixels]."""
+        camera = next(iter(self.page.server.get_clients().values())).camera
+        w, x, y, z = camera.wxyz
+        ahead = rotation((x, y, z, w)).T @ (np.array(point) - camera.position)
+        width, height = self.tab.evaluate(
+            "(c => [c.clientWidth, c.clientHeight])(document.querySelector('canvas'))"
+        )
+        focus = height / 2 / np.tan(camera.fov / 2)
+        return width / 2 + focus * ahead[0] / ahead[2], height / 2 + focus * ahead[1] / ahead[2]
+
+    def drag(self, start: Any, end: Any) -> None:
+        """Drag what is seen at one point of the table to another [m]."""
+        (x, y), to = self.pixel(start), self.pixel(end)
+        mouse = self.tab.mouse
+        mouse.move(x, y)
+        self.tab.wait_for_timeout(400)
+        mouse.down()
+        mouse.move(x + 8, y + 4, steps=3)
+        self.tab.wait_for_timeout(400)
+        mouse.move(*to, steps=10)
+        self.tab.wait_for_timeout(1200)
+        mouse.up()
+        self.tab.wait_for_timeout(600)
+
+    def knob(self, name: str) -> tuple[float, float, float]:
+        """Where the goal of an object is dragged by [m]."""
+        problem = self.page.session.problem
+        x, y, z = problem.goals[name]
+        return x, y, z + problem.object_named(name).features[2] / 2 + 0.07
+
+    def open(self, label: str) -> None:
+        """Open a panel."""
+        self.tab.get_by_role("tab", name=label, exact=True).click()
+
+    def press(self, label: str) -> None:
+        """Press a button."""
+        self.tab.get_by_role("button", name=label, exact=True).click()
+
+    def wait(self, true: Callable[[], object], seconds: float = SLOW) -> None:
+        """Wait until something is true, while the browser goes on."""
+        end = time.monotonic() + seconds
+        while not true():
+            if time.monotonic() > end:
+                raise TimeoutError("it took too long")
+            self.tab.wait_for_timeout(50)

@@ -1,0 +1,105 @@
+"""A class on one server: how soon a drag is answered, how smoothly others run, and what each page takes."""
+
+import os
+import threading
+import time
+from typing import Any
+
+import numpy as np
+import viser
+from websockets.sync.client import ClientConnection, connect
+
+from tools.benchmarks.studio.browser import wait_for
+from tools.benchmarks.studio.measures import cpu_seconds, memory, studio
+
+STUDENTS, RUNNING, SECONDS, GAP = 30, 5, 20.0, 0.05
+"""Pages that are looked at; of these so many run; how long it is measured, and between two drags [s]."""
+
+
+class Looker:
+    """A window that draws nothing: it takes in what a page sends, and notes when.
+
+    Args:
+        address: Of the door.
+        page: What the page is called.
+    """
+
+    def __init__(self, address: str, page: str):
+        url = f"{address.replace('http', 'ws', 1)}/page/{page}"
+        version = f"viser-v{viser.__version__}"
+        self._way: ClientConnection = connect(url, subprotocols=[version], max_size=None)  # type: ignore[list-item]
+        self.heard: list[float] = []
+        self._thread = threading.Thread(target=self._listen, daemon=True)
+        self._thread.start()
+
+    def close(self) -> None:
+        """Look away."""
+        self._way.close()
+
+    def first_after(self, moment: float) -> float | None:
+        """Return when the first message after a moment came."""
+        return next((heard for heard in self.heard if heard > moment), None)
+
+    def _listen(self) -> None:
+        for _ in self._way:
+            self.heard.append(time.monotonic())
+
+
+def measure_crowd() -> dict[str, Any]:
+    """Have a class look, some run, and the others drag goals, one after another."""
+    with studio("task-08") as opened:
+        before = memory(os.getpid())
+        names = [opened.open_page() for _ in range(STUDENTS)]
+        lookers = [Looker(opened.front.address, name) for name in names]
+        wait_for(lambda: all(looker.heard for looker in lookers), 120)
+        time.sleep(3.0)
+        after = memory(os.getpid())
+        pages = opened.pages
+        running = [page.session for page in pages[:RUNNING]]
+        for session in running:
+            session.plan("fast-downward")
+        wait_for(lambda: all(one.plans and not one.is_planning for one in running), 300)
+        for session in running:
+            session.running.begin()
+        wait_for(lambda: all(one.running.seen for one in running), 120)
+        workers = [one.running.process for one in running if one.running.process]
+        drawn = [page.drawn for page in pages[:RUNNING]]
+        began, cpu = time.monotonic(), cpu_seconds(os.getpid())
+        theirs = sum(map(cpu_seconds, workers))
+        answers, number = [], 0
+        while time.monotonic() < began + SECONDS:
+            place = RUNNING + number % (STUDENTS - RUNNING)
+            moment = time.monotonic()
+            pages[place].session.aim("item-01", 0.5 + 0.001 * (number % 100), 0.0)
+            time.sleep(GAP)
+            answers.append((lookers[place], moment))
+            number += 1
+            _keep_running(running)
+        seconds = time.monotonic() - began
+        rates = [(page.drawn - first) / seconds for page, first in zip(pages, drawn, strict=False)]
+        waits = [(looker.first_after(moment) or np.inf) - moment for looker, moment in answers]
+        found = {
+            "pages looked at": STUDENTS,
+            "of these running": RUNNING,
+            "drags": len(waits),
+            "median answer to a drag [ms]": round(1000 * float(np.median(waits))),
+            "95 % of drags are answered within [ms]": round(1000 * float(np.quantile(waits, 0.95))),
+            "fewest poses drawn a second of a run": round(min(rates), 1),
+            "CPU of the server [% of a core]": round(100 * (cpu_seconds(os.getpid()) - cpu) / seconds),
+            "CPU of all simulators [% of a core]": round(
+                100 * (sum(map(cpu_seconds, workers)) - theirs) / seconds
+            ),
+            "memory of a page [MB]": round((after - before) / STUDENTS, 1),
+            "memory of a process that runs [MB]": round(max(map(memory, workers))),
+            "cores": os.cpu_count(),
+        }
+        for looker in lookers:
+            looker.close()
+        return found
+
+
+def _keep_running(sessions: list[Any]) -> None:
+    """Begin again what came to its end."""
+    for session in sessions:
+        if not session.running.is_active and session.plan_shown:
+            session.running.begin()

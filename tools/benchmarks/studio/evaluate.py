@@ -1,0 +1,70 @@
+"""Every figure of docs/studio.md: `python -m tools.benchmarks.studio.evaluate` writes docs/results/studio.*.
+
+`--only crowd` and so on measures one part, and keeps the others as they are.
+"""
+
+import argparse
+import json
+from collections.abc import Callable
+from datetime import date
+from pathlib import Path
+from typing import Any
+
+import rich
+
+from neurosym.console import say
+from neurosym.execution.machine import this_machine
+from neurosym.files import write_atomically
+from tools.benchmarks.studio.crowd import measure_crowd
+from tools.benchmarks.studio.measures import measure_drags, measure_recording, measure_run, measure_start
+
+RESULTS = Path("docs") / "results"
+PARTS: dict[str, Callable[[], dict[str, Any]]] = {
+    "start": measure_start,
+    "run": measure_run,
+    "drags": measure_drags,
+    "recording": measure_recording,
+    "crowd": measure_crowd,
+}
+"""What is measured."""
+TITLES = {
+    "start": "Until the page can be used",
+    "run": "One run, as fast as in reality",
+    "drags": "Goals dragged by mouse",
+    "recording": "A run as one file",
+    "crowd": "A class on one server",
+}
+
+
+def page(found: dict[str, Any]) -> str:
+    """Return the results as a document."""
+    lines = ["# Studio", "", "Printed by `python -m tools.benchmarks.studio.evaluate`.", ""]
+    for part, title in TITLES.items():
+        if part not in found:
+            continue
+        lines += [f"## {title}", "", "| what | value |", "| --- | --- |"]
+        lines += [f"| {name} | {value} |" for name, value in found[part].items()]
+        lines += [""]
+    return "\n".join(lines)
+
+
+def main() -> None:
+    """Measure, and write what was found."""
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--only", choices=PARTS, help="measure this part only")
+    only = parser.parse_args().only
+    rich.get_console().quiet = True  # on which the server of pages announces itself
+    file = RESULTS / "studio.json"
+    found = json.loads(file.read_text()) if file.exists() else {}
+    for part, measure in PARTS.items():
+        if only in (None, part):
+            say(f"measuring: {TITLES[part]}")
+            here = this_machine()
+            found[part] = measure() | {"machine": f"{here.processor}, {date.today().isoformat()}"}
+            write_atomically(file, json.dumps(found, indent=1) + "\n")
+            write_atomically(RESULTS / "studio.md", page(found))
+            say(json.dumps(found[part], indent=1))
+
+
+if __name__ == "__main__":
+    main()
