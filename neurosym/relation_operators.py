@@ -1,7 +1,7 @@
 """What can be done with one object relative to another: states of pairs, kinds of pairs, and operators.
 
 A pair is a target and a reference, in this order. Its kind says what it is (what carries, what fits), its
-state how the two stand. Both are codes of bits that were learned; their names are made from what was measured.
+state how the two stand. Both are codes of learned bits; their names are made from what was measured.
 """
 
 import math
