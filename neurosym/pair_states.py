@@ -1,7 +1,8 @@
 """How one object stands to another, in numbers that do not depend on how large the two are.
 
 Distances are measured in touching units: along each axis in sums of the half sizes of both, so that 1 means
-that they touch. What a robot sees besides: whether they touch anywhere, and how far the target is tilted.
+that they touch. What a robot sees besides: whether they touch anywhere, how far the target is tilted, and how
+far it lies within the outline of the reference, seen from above.
 """
 
 import numpy as np
@@ -9,17 +10,19 @@ from jaxtyping import Float
 
 from neurosym.world import Scene
 
-DESCRIPTION = ("x [touching units]", "y [touching units]", "z [touching units]", "touching", "tilted")
-"""What the numbers of a description are."""
+DESCRIPTION = ("x", "y", "z", "touching", "tilted", "within")
+"""What the numbers of a description are, lengths in touching units."""
 FARTHEST = 2.0
 """Farther apart than this objects have nothing to do with one another [touching units]."""
+FARTHEST_WITHIN = 0.5
+"""Farther inside or outside of the outline makes no difference [touching units]."""
 _STEEPEST = 0.35  # an object leans no more than this counts [rad]
 
 
 def describe_pair(
     scene: Scene, target: int, reference: int, contacts: tuple[tuple[int, int], ...]
-) -> Float[np.ndarray, "5"]:
-    """Describe how a target stands to a reference: x, y, z, whether they touch, how far it is tilted.
+) -> Float[np.ndarray, "6"]:
+    """Describe how a target stands to a reference, in the numbers of `DESCRIPTION`.
 
     Args:
         scene: The objects, at rest.
@@ -31,7 +34,8 @@ def describe_pair(
     away = np.minimum(np.abs(units[:2]), FARTHEST)
     up = np.clip(units[2], -FARTHEST, FARTHEST)
     pair = (min(target, reference), max(target, reference))
-    return np.array([*away, up, float(pair in contacts), tilt(scene, target) / _STEEPEST])
+    tilted = tilt(scene, target) / _STEEPEST
+    return np.array([*away, up, float(pair in contacts), tilted, within(scene, target, reference)])
 
 
 def touching_units(scene: Scene, target: int, reference: int) -> Float[np.ndarray, "3"]:
@@ -45,6 +49,19 @@ def touching_units(scene: Scene, target: int, reference: int) -> Float[np.ndarra
     reach = (extent(scene, target) + extent(scene, reference)) / 2
     away: np.ndarray = (scene.positions[target] - scene.positions[reference]) / reach
     return away
+
+
+def within(scene: Scene, target: int, reference: int) -> float:
+    """Return how far inside the outline of a reference a target lies, seen from above [touching units].
+
+    Args:
+        scene: The objects.
+        target: Index of the one.
+        reference: Index of the other.
+    """
+    sizes, around = extent(scene, target), extent(scene, reference)
+    slack = (around - sizes) / (around + sizes) - np.abs(touching_units(scene, target, reference))
+    return float(np.clip(slack[:2].min(), -FARTHEST_WITHIN, FARTHEST_WITHIN))
 
 
 def extent(scene: Scene, index: int) -> Float[np.ndarray, "3"]:

@@ -171,6 +171,8 @@ class _Explorer:
                 progress(done + len(outcomes), steps)
         block = Interactions.from_outcomes(outcomes, np.stack(actions), self.origin)
         self.interactions = block if self.interactions is None else self.interactions.join(block)
+        if remember := getattr(self.world, "remember", None):
+            remember(outcomes)
         if len(block) == self.config.block:
             self.blocks += 1
             if self.curiosity is not None:
