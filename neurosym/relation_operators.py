@@ -153,12 +153,7 @@ class RelationOperators(msgspec.Struct, frozen=True, forbid_unknown_fields=True)
         Args:
             description: How the target stands to the reference.
         """
-
-        def away(state: PairState) -> float:
-            rows = zip(description, state.centre, self.scales, strict=True)
-            return math.hypot(*((one - centre) / scale for one, centre, scale in rows))
-
-        return min(self.states, key=away)
+        return nearest_state(self.states, self.scales, description)
 
     def state_named(self, name: str) -> PairState:
         """Return the state of that name or symbol.
@@ -174,6 +169,24 @@ class RelationOperators(msgspec.Struct, frozen=True, forbid_unknown_fields=True)
     def primitive_of(self, operator: RelationOperator) -> Primitive:
         """Return the primitive that an operator is performed with."""
         return next(one for one in self.primitives if one.label == operator.label)
+
+
+def nearest_state(
+    states: Sequence[PairState], scales: Description, description: Sequence[float]
+) -> PairState:
+    """Return the state of a pair: the one whose centre is nearest.
+
+    Args:
+        states: Those that there are.
+        scales: What each number of a description is divided by before distances are taken.
+        description: How the target stands to the reference.
+    """
+
+    def away(state: PairState) -> float:
+        rows = zip(description, state.centre, scales, strict=True)
+        return math.hypot(*((one - centre) / scale for one, centre, scale in rows))
+
+    return min(states, key=away)
 
 
 class _Versioned(msgspec.Struct, frozen=True):

@@ -81,7 +81,12 @@ def name_state(centre: Sequence[float] | Float[np.ndarray, "6"]) -> str:
 
 
 def _error(points: Float[np.ndarray, "N D"], labels: np.ndarray) -> float:
-    return float(sum(((rows - rows.mean(0)) ** 2).sum() for rows in map(lambda k: points[labels == k], set(labels.tolist()))))
+    return float(
+        sum(
+            ((rows - rows.mean(0)) ** 2).sum()
+            for rows in (points[labels == k] for k in set(labels.tolist()))
+        )
+    )
 
 
 def _shares(points: Float[np.ndarray, "N D"], centres: Float[np.ndarray, "L D"]) -> Float[np.ndarray, "L"]:

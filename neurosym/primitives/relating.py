@@ -1,0 +1,114 @@
+"""From actions that are aimed at other objects to operators on pairs: what brings which into which state.
+
+Candidates are distilled as ever. Of each symbol, every kind of pair gets the one that most surely brings it
+into one state, auditioned and rehearsed among bystanders. More rehearsals begin as others ended. They show
+whether it matters that the target rests on something, that something rests on it, or on the reference.
+"""
+
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+from jaxtyping import Float
+
+from neurosym.actions import ActionBox
+from neurosym.data.interactions import Interactions
+from neurosym.guarded import made
+from neurosym.learning.effect_model import EffectModel
+from neurosym.operators import Primitive
+from neurosym.primitives.by_state import by_state, foresee_relating
+from neurosym.primitives.distillation import distill
+from neurosym.primitives.own import Round, choose_own
+from neurosym.primitives.pair_rehearsal import rehearse_among, tabulate_pairs
+from neurosym.primitives.rehearsal import rehearse
+from neurosym.primitives.table import NothingDistilled, silent
+from neurosym.primitives.variety import PredictOutcomes
+from neurosym.progress import OpenBar
+from neurosym.relation_operators import Description, PairState, RelationOperators, nearest_state
+from neurosym.world import WorldFactory
+from neurosym.worlds.related import RelatedFactory
+
+RELATING_ROUNDS = Round(8, 4), Round(4, 4), Round(2, 8)
+"""Auditions of actions that are aimed at other objects."""
+WORTH_TRYING = 0.1
+"""Candidates that are foreseen to be less sure than this are not auditioned."""
+PAIRS_TO_PREDICT = 200
+"""Pairs on which the candidates of a symbol are compared for all kinds."""
+
+
+def find_relators(
+    model: EffectModel,
+    predict: PredictOutcomes,
+    interactions: Interactions,
+    box: ActionBox,
+    states: Sequence[PairState],
+    scales: Description,
+    *,
+    world_factory: WorldFactory,
+    pairs: int = 100,
+    seed: int,
+    workers: int = 1,
+    open_bar: OpenBar | None = None,
+) -> RelationOperators:
+    """Distil actions that are aimed at other objects, choose among them, and measure what they do.
+
+    Args:
+        model: Whose action symbols are distilled, and whose object symbols are kinds of pairs.
+        predict: A network without a bottleneck on the same data, which shortlists.
+        interactions: The data, each aimed at another object.
+        box: What parameters must stay inside.
+        states: The states of pairs.
+        scales: What descriptions of pairs are divided by.
+        world_factory: Builds the world, which takes objects as references.
+        pairs: How many pairs each symbol is rehearsed on, not counting those added for rare kinds.
+        seed: Where all draws start.
+        workers: How many processes; their number does not change the result.
+        open_bar: Shows how far each part has come.
+
+    Raises:
+        NothingDistilled: If no action encodes to its symbol.
+    """
+    open_bar = open_bar or silent
+    related = RelatedFactory(world_factory)
+    options: dict[str, Any] = {"seed": seed, "workers": workers}
+    with open_bar("distilling what is aimed at objects") as advance:
+        candidates = distill(model, interactions, box, seed=seed, progress=advance)
+    if not candidates:
+        raise NothingDistilled
+
+    def state_of(description: Sequence[float]) -> str:
+        return nearest_state(states, scales, description).symbol
+
+    with open_bar("auditioning what is aimed at objects") as advance:
+        chosen = choose_own(
+            related,
+            candidates,
+            _surest(candidates, predict, interactions.features[:PAIRS_TO_PREDICT]),
+            predict,
+            interactions.features,
+            model.object_symbols,
+            judging=by_state(state_of),
+            rounds=RELATING_ROUNDS,
+            least=WORTH_TRYING,
+            **options,
+            progress=advance,
+        )
+    with open_bar("rehearsing on pairs") as advance:
+        found = rehearse(related, chosen, model.object_symbols, objects=pairs, **options, progress=advance)
+    names = made(world_factory).feature_names
+    table = tabulate_pairs(found, names, states, scales)
+    with open_bar("rehearsing where pairs bear others") as advance:
+        return rehearse_among(related, table, found, model.object_symbols, **options, progress=advance)
+
+
+def _surest(
+    candidates: Sequence[Primitive], predict: PredictOutcomes, features: Float[np.ndarray, "M F"]
+) -> tuple[Primitive, ...]:
+    """Return of each symbol the candidate that is foreseen to be surest for pairs of all kinds."""
+    best: dict[str, tuple[float, Primitive]] = {}
+    for one in candidates:
+        predicted = predict(features, np.tile(np.array(one.action), (len(features), 1)))
+        sureness = foresee_relating(predicted).sureness
+        if one.symbol not in best or sureness > best[one.symbol][0]:
+            best[one.symbol] = sureness, one
+    return tuple(best[symbol][1] for symbol in sorted(best))
