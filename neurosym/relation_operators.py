@@ -43,6 +43,51 @@ class PairState(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
         check_fields(self)
 
 
+class PairStates(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
+    """The states that pairs of objects can be in.
+
+    Attributes:
+        states: In the order of their symbols; those that were seen.
+        scales: What each number of a description is divided by before distances to centres are taken.
+    """
+
+    states: tuple[PairState, ...]
+    scales: Description
+
+    def __post_init__(self) -> None:
+        check_fields(self)
+        if not self.states:
+            raise InvalidValue("Pairs need one state or more.")
+        for state in self.states:
+            if len(state.centre) != len(self.scales):
+                raise InvalidValue(
+                    f"The state {state.symbol} has {len(state.centre)} numbers; valid: "
+                    f"{len(self.scales)}, one for each scale."
+                )
+
+    @classmethod
+    def load(cls, path: Path) -> "PairStates":
+        """Read the states.
+
+        Raises:
+            InvalidFile: If the file is none.
+        """
+        return read_json(path, cls)
+
+    def of(self, description: Sequence[float]) -> PairState:
+        """Return the state of a pair: the one whose centre is nearest.
+
+        Args:
+            description: How the target stands to the reference.
+        """
+
+        def away(state: PairState) -> float:
+            rows = zip(description, state.centre, self.scales, strict=True)
+            return math.hypot(*((one - centre) / scale for one, centre, scale in rows))
+
+        return min(self.states, key=away)
+
+
 class PairEnd(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     """One way in which an operator turns out on pairs of a kind.
 
@@ -126,14 +171,7 @@ class RelationOperators(msgspec.Struct, frozen=True, forbid_unknown_fields=True)
         check_fields(self)
         if self.format != FORMAT:
             raise InvalidValue(unknown_format(self.format, (FORMAT,)))
-        if not self.states:
-            raise InvalidValue("Operators on pairs need one state of pairs or more.")
-        for state in self.states:
-            if len(state.centre) != len(self.scales):
-                raise InvalidValue(
-                    f"The state {state.symbol} has {len(state.centre)} numbers; valid: "
-                    f"{len(self.scales)}, one for each scale."
-                )
+        PairStates(self.states, self.scales)  # checks them
 
     @classmethod
     def load(cls, path: Path) -> "RelationOperators":
@@ -153,7 +191,7 @@ class RelationOperators(msgspec.Struct, frozen=True, forbid_unknown_fields=True)
         Args:
             description: How the target stands to the reference.
         """
-        return nearest_state(self.states, self.scales, description)
+        return PairStates(self.states, self.scales).of(description)
 
     def state_named(self, name: str) -> PairState:
         """Return the state of that name or symbol.
@@ -169,24 +207,6 @@ class RelationOperators(msgspec.Struct, frozen=True, forbid_unknown_fields=True)
     def primitive_of(self, operator: RelationOperator) -> Primitive:
         """Return the primitive that an operator is performed with."""
         return next(one for one in self.primitives if one.label == operator.label)
-
-
-def nearest_state(
-    states: Sequence[PairState], scales: Description, description: Sequence[float]
-) -> PairState:
-    """Return the state of a pair: the one whose centre is nearest.
-
-    Args:
-        states: Those that there are.
-        scales: What each number of a description is divided by before distances are taken.
-        description: How the target stands to the reference.
-    """
-
-    def away(state: PairState) -> float:
-        rows = zip(description, state.centre, scales, strict=True)
-        return math.hypot(*((one - centre) / scale for one, centre, scale in rows))
-
-    return min(states, key=away)
 
 
 class _Versioned(msgspec.Struct, frozen=True):

@@ -10,8 +10,10 @@ from collections.abc import Sequence
 import numpy as np
 from jaxtyping import Float
 
+from neurosym.data.interactions import Interactions
 from neurosym.learning.coclustering import gray_order, kmeans, nearest
-from neurosym.relation_operators import PairState
+from neurosym.pair_states import FARTHEST_WITHIN
+from neurosym.relation_operators import PairState, PairStates
 from neurosym.symbols import all_symbols
 
 STARTS = 20
@@ -19,6 +21,7 @@ STARTS = 20
 RARE = 0.01
 """What fresh pairs are so rarely is what actions made of them."""
 _DIGITS = 4
+_UP, _TILTED_COLUMN, _WITHIN = 2, 4, 5  # columns of descriptions
 _OVER, _TILTED, _TOUCHING, _NEAR = 0.75, 0.4, 0.5, 1.5  # how names tell states apart
 
 
@@ -28,7 +31,7 @@ def learn_states(
     turned: Float[np.ndarray, "N D"],
     bits: int,
     rng: np.random.Generator,
-) -> tuple[tuple[PairState, ...], tuple[float, ...]]:
+) -> PairStates:
     """Find typical states of pairs, as many as codes of so many bits at most.
 
     Args:
@@ -38,8 +41,6 @@ def learn_states(
         bits: How many bits a code has.
         rng: Source of randomness, owned by the caller.
 
-    Returns:
-        The states in the order of their codes, and what each number of a description is divided by.
     """
     points = np.concatenate([fresh[rng.permutation(len(fresh))[: len(ends)]], ends, turned])
     scales = np.maximum(points.std(0), 1e-3)
@@ -61,7 +62,26 @@ def learn_states(
         for row, (symbol, centre) in enumerate(zip(symbols, centres, strict=True))
     ]
     found = tuple(sorted(states, key=lambda one: one.symbol))
-    return found, tuple(round(float(scale), _DIGITS) for scale in scales)
+    return PairStates(found, tuple(round(float(scale), _DIGITS) for scale in scales))
+
+
+def ends_in(interactions: Interactions) -> tuple[Float[np.ndarray, "N D"], Float[np.ndarray, "N D"]]:
+    """Describe how pairs stand in the end if the target was carried; and the same the other way round.
+
+    Args:
+        interactions: The data, each aimed at another object.
+    """
+    carried = interactions.effects[:, -1] > 0
+    ends = np.asarray(interactions.effects[carried, :-1], dtype=np.float64)
+    ends[:, :2] = np.abs(ends[:, :2])
+    features = np.asarray(interactions.features[carried], dtype=np.float64)
+    width = features.shape[1] // 2
+    sizes, around = features[:, :2], features[:, width : width + 2]
+    turned = ends * np.where(np.arange(ends.shape[1]) == _UP, -1.0, 1.0)
+    turned[:, _TILTED_COLUMN] = 0.0
+    slack = (sizes - around) / (sizes + around) - ends[:, :2]
+    turned[:, _WITHIN] = np.clip(slack.min(1), -FARTHEST_WITHIN, FARTHEST_WITHIN)
+    return ends, turned
 
 
 def name_state(centre: Sequence[float] | Float[np.ndarray, "6"]) -> str:
@@ -83,8 +103,7 @@ def name_state(centre: Sequence[float] | Float[np.ndarray, "6"]) -> str:
 def _error(points: Float[np.ndarray, "N D"], labels: np.ndarray) -> float:
     return float(
         sum(
-            ((rows - rows.mean(0)) ** 2).sum()
-            for rows in (points[labels == k] for k in set(labels.tolist()))
+            ((rows - rows.mean(0)) ** 2).sum() for rows in (points[labels == k] for k in set(labels.tolist()))
         )
     )
 

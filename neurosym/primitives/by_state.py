@@ -5,32 +5,31 @@ neither turned over nor leaning, and nothing else moved.
 """
 
 from collections import Counter
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 
 import numpy as np
 from jaxtyping import Float
 
 from neurosym.pair_states import describe_pair, touching_units
 from neurosym.primitives.judging import TURNED, Judgement, Judging, Performance
+from neurosym.relation_operators import PairStates
 from neurosym.table import OtherObject
 from neurosym.world import Outcome, OutcomeKind
 
 EXACT = 0.5
 """A spread at which an action is still 1 / sqrt(2) as sure as one without any [touching units]."""
-StateOf = Callable[[Sequence[float]], str]
-"""Gives the code of the state that a description of a pair belongs to."""
 _TILTED, _CARRIED = 4, 6  # columns of what is predicted
 
 
-def by_state(state_of: StateOf) -> Judging:
+def by_state(states: PairStates) -> Judging:
     """Return how actions are judged that are aimed at other objects.
 
     Args:
-        state_of: Gives the states of pairs.
+        states: The states of pairs.
     """
 
     def watch(outcome: Outcome) -> Performance:
-        state = end_state(outcome, state_of)
+        state = end_state(outcome, states)
         assert isinstance(outcome.reference, OtherObject), "aimed at another object"
         where = touching_units(outcome.end, outcome.target, outcome.reference.index)
         kind: OutcomeKind = "carried" if state else "missed"
@@ -41,17 +40,17 @@ def by_state(state_of: StateOf) -> Judging:
     return Judging(foresee_relating, watch, judge_by_state)
 
 
-def end_state(outcome: Outcome, state_of: StateOf) -> str:
+def end_state(outcome: Outcome, states: PairStates) -> str:
     """Return the code of the state that a pair ended in; empty if the target was not carried there.
 
     Args:
         outcome: What happened, aimed at another object.
-        state_of: Gives the states of pairs.
+        states: The states of pairs.
     """
     if not outcome.carried or outcome.lost or not isinstance(outcome.reference, OtherObject):
         return ""
     described = describe_pair(outcome.end, outcome.target, outcome.reference.index, outcome.contacts)
-    return state_of(described.tolist())
+    return states.of(described.tolist()).symbol
 
 
 def judge_by_state(performances: Sequence[Performance]) -> Judgement:

@@ -11,19 +11,12 @@ from neurosym.naming import name_categories
 from neurosym.operators import Category
 from neurosym.pair_states import touching_units
 from neurosym.place_operators import Kept
-from neurosym.primitives.by_state import StateOf, end_state
+from neurosym.primitives.by_state import end_state
 from neurosym.primitives.categories import rounded
 from neurosym.primitives.performing import perform
 from neurosym.primitives.rehearsal import Rehearsals
 from neurosym.progress import Progress
-from neurosym.relation_operators import (
-    Description,
-    PairEnd,
-    PairState,
-    RelationOperator,
-    RelationOperators,
-    nearest_state,
-)
+from neurosym.relation_operators import PairEnd, PairStates, RelationOperator, RelationOperators
 from neurosym.symbols import Categorise, Symbol, symbols_of
 from neurosym.table import OtherObject
 from neurosym.world import Outcome, Scene, WorldFactory
@@ -36,7 +29,7 @@ _STREAM = 0x7061  # keeps these draws apart from those of other rehearsals
 
 
 def tabulate_pairs(
-    rehearsals: Rehearsals, feature_names: Sequence[str], states: Sequence[PairState], scales: Description
+    rehearsals: Rehearsals, feature_names: Sequence[str], states: PairStates
 ) -> RelationOperators:
     """Tell into which states each primitive brought pairs of each kind.
 
@@ -44,17 +37,15 @@ def tabulate_pairs(
         rehearsals: What happened.
         feature_names: What the features of one object are.
         states: The states of pairs.
-        scales: What descriptions of pairs are divided by.
     """
     kinds = _kinds(rehearsals, feature_names)
-    state_of = _states(states, scales)
-    names = {state.symbol: state.name for state in states}
+    names = {state.symbol: state.name for state in states.states}
     operators = []
     for number, primitive in enumerate(rehearsals.primitives):
         for kind in kinds:
             if not (outcomes := rehearsals.on(kind.symbol, number)):
                 continue
-            ends = _ends(outcomes, state_of)
+            ends = _ends(outcomes, states)
             promised = next((names[end.state] for end in ends if end.state), "miss")
             name = f"{promised}-by-{primitive.label}-{kind.name}"
             untried = Kept(name, 0, 0)
@@ -71,7 +62,7 @@ def tabulate_pairs(
                     variant=primitive.variant,
                 )
             )
-    return RelationOperators(tuple(states), scales, kinds, rehearsals.primitives, tuple(operators))
+    return RelationOperators(states.states, states.scales, kinds, rehearsals.primitives, tuple(operators))
 
 
 def rehearse_among(
@@ -95,14 +86,14 @@ def rehearse_among(
         workers: How many processes; their number does not change the result.
         progress: Called after each rehearsal.
     """
-    state_of = _states(table.states, table.scales)
+    states = PairStates(table.states, table.scales)
     bearing = {state.symbol for state in table.states if state.bears}
     rng = np.random.default_rng([seed, _STREAM])
     ends = [
         outcome.end
         for row in rehearsals.outcomes
         for outcome in row
-        if outcome is not None and len(outcome.end) > 2 and end_state(outcome, state_of) in bearing
+        if outcome is not None and len(outcome.end) > 2 and end_state(outcome, states) in bearing
     ]
     pool = _pool([ends[number] for number in rng.permutation(len(ends))], categorise)
     worthy = [one for one in table.operators if one.promise is not None and one.promise.state in bearing]
@@ -118,7 +109,7 @@ def rehearse_among(
     for (name, how), outcome in zip(owners, perform(factory, tasks, workers, progress), strict=True):
         others = {index for index, _ in outcome.disturbed} - ({_THIRD} if how == "laden" else set())
         went_along = how != "laden" or _went_along(outcome)
-        kept[name, how] += end_state(outcome, state_of) == promised[name] and not others and went_along
+        kept[name, how] += end_state(outcome, states) == promised[name] and not others and went_along
     return msgspec.structs.replace(
         table,
         operators=tuple(
@@ -170,9 +161,9 @@ class _End:
     where: tuple[float, float, float]
 
 
-def _ends(outcomes: Sequence[Outcome], state_of: StateOf) -> tuple[PairEnd, ...]:
+def _ends(outcomes: Sequence[Outcome], states: PairStates) -> tuple[PairEnd, ...]:
     """Sort what happened by the state that pairs ended in; what moved others counts as a miss."""
-    found = [*_found(outcomes, state_of)]
+    found = [*_found(outcomes, states)]
     counts = Counter(end.state for end in found)
     rows = {state: np.array([end.where for end in found if end.state == state]) for state in counts}
     return tuple(
@@ -187,11 +178,11 @@ def _ends(outcomes: Sequence[Outcome], state_of: StateOf) -> tuple[PairEnd, ...]
     )
 
 
-def _found(outcomes: Sequence[Outcome], state_of: StateOf) -> Iterator[_End]:
+def _found(outcomes: Sequence[Outcome], states: PairStates) -> Iterator[_End]:
     for outcome in outcomes:
         assert isinstance(outcome.reference, OtherObject), "aimed at another object"
         x, y, z = touching_units(outcome.end, outcome.target, outcome.reference.index).tolist()
-        yield _End("" if outcome.disturbed else end_state(outcome, state_of), (x, y, z))
+        yield _End("" if outcome.disturbed else end_state(outcome, states), (x, y, z))
 
 
 def _kinds(rehearsals: Rehearsals, feature_names: Sequence[str]) -> tuple[Category, ...]:
@@ -217,7 +208,3 @@ def _kinds(rehearsals: Rehearsals, feature_names: Sequence[str]) -> tuple[Catego
 
 def _is_type(feature_names: Sequence[str]) -> np.ndarray:
     return np.array([name == "t" for name in feature_names] * 2)
-
-
-def _states(states: Sequence[PairState], scales: Description) -> StateOf:
-    return lambda description: nearest_state(states, scales, description).symbol

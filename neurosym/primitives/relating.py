@@ -24,7 +24,7 @@ from neurosym.primitives.rehearsal import rehearse
 from neurosym.primitives.table import NothingDistilled, silent
 from neurosym.primitives.variety import PredictOutcomes
 from neurosym.progress import OpenBar
-from neurosym.relation_operators import Description, PairState, RelationOperators, nearest_state
+from neurosym.relation_operators import PairStates, RelationOperators
 from neurosym.world import WorldFactory
 from neurosym.worlds.related import RelatedFactory
 
@@ -41,8 +41,7 @@ def find_relators(
     predict: PredictOutcomes,
     interactions: Interactions,
     box: ActionBox,
-    states: Sequence[PairState],
-    scales: Description,
+    states: PairStates,
     *,
     world_factory: WorldFactory,
     pairs: int = 100,
@@ -58,7 +57,6 @@ def find_relators(
         interactions: The data, each aimed at another object.
         box: What parameters must stay inside.
         states: The states of pairs.
-        scales: What descriptions of pairs are divided by.
         world_factory: Builds the world, which takes objects as references.
         pairs: How many pairs each symbol is rehearsed on, not counting those added for rare kinds.
         seed: Where all draws start.
@@ -76,9 +74,6 @@ def find_relators(
     if not candidates:
         raise NothingDistilled
 
-    def state_of(description: Sequence[float]) -> str:
-        return nearest_state(states, scales, description).symbol
-
     with open_bar("auditioning what is aimed at objects") as advance:
         chosen = choose_own(
             related,
@@ -87,7 +82,7 @@ def find_relators(
             predict,
             interactions.features,
             model.object_symbols,
-            judging=by_state(state_of),
+            judging=by_state(states),
             rounds=RELATING_ROUNDS,
             least=WORTH_TRYING,
             **options,
@@ -96,7 +91,7 @@ def find_relators(
     with open_bar("rehearsing on pairs") as advance:
         found = rehearse(related, chosen, model.object_symbols, objects=pairs, **options, progress=advance)
     names = made(world_factory).feature_names
-    table = tabulate_pairs(found, names, states, scales)
+    table = tabulate_pairs(found, names, states)
     with open_bar("rehearsing where pairs bear others") as advance:
         return rehearse_among(related, table, found, model.object_symbols, **options, progress=advance)
 

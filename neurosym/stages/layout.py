@@ -30,6 +30,18 @@ PLACE_TRAINING = f"{PLACES}/{TRAINING}"
 """`train`: how well they fit."""
 PLACE_OPERATORS = f"{PLACES}/operators.json"
 """`distill`: what carries objects of each category to places, and how surely."""
+RELATIONS = "relations"
+"""What was learned of actions that are aimed at other objects, in files that are called likewise."""
+RELATION_INTERACTIONS = f"{RELATIONS}/{INTERACTIONS}"
+"""`explore --relations`: a row for each interaction that was aimed at another object."""
+RELATION_MODEL, RELATION_DIRECT_MODEL = f"{RELATIONS}/{MODEL}", f"{RELATIONS}/{DIRECT_MODEL}"
+"""`train`: the networks that were fitted to these; the object symbols are kinds of pairs."""
+RELATION_TRAINING = f"{RELATIONS}/{TRAINING}"
+"""`train`: how well they fit."""
+RELATION_STATES = f"{RELATIONS}/states.json"
+"""`train`: the states that pairs of objects can be in."""
+RELATION_OPERATORS = f"{RELATIONS}/operators.json"
+"""`distill`: what brings which pairs of objects into which state, and how surely."""
 PRACTICE = "practice.json"
 """`practise`: what was tried, what broke plans, what was practised, and the table of operators after that."""
 TABLE_FILES = (PRIMITIVES, PRACTICE)
@@ -79,6 +91,11 @@ COMMANDS = {
     PLACE_MODEL: "train",
     PLACE_DIRECT_MODEL: "train",
     PLACE_OPERATORS: "distill",
+    RELATION_INTERACTIONS: "explore",
+    RELATION_MODEL: "train",
+    RELATION_DIRECT_MODEL: "train",
+    RELATION_STATES: "train",
+    RELATION_OPERATORS: "distill",
     DOMAIN: "compile-domain",
     OPERATORS_DOMAIN: "compile-domain",
     NUMERIC_DOMAIN: "compile-domain",

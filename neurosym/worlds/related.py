@@ -5,7 +5,7 @@ thing, which has the features of the target and then those of the reference. Som
 begin as earlier interactions ended, so that towers grow by play.
 """
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -129,6 +129,29 @@ class Related(Adapted):
             if outcome.contacts and steady:
                 self.archive.append(end)
         del self.archive[:-ARCHIVED]
+
+    def memory(self) -> dict[str, np.ndarray]:
+        """Return the archive as arrays, one scene after the other."""
+        if not self.archive:
+            return {}
+        parts = ("features", "positions", "orientations")
+        rows = {name: np.concatenate([getattr(scene, name) for scene in self.archive]) for name in parts}
+        return {**rows, "objects": np.array([len(scene) for scene in self.archive])}
+
+    def recall(self, memory: Mapping[str, np.ndarray]) -> None:
+        """Take back an archive.
+
+        Args:
+            memory: What `memory` returned.
+
+        Raises:
+            ValueError: If it is damaged.
+        """
+        if not memory:
+            return
+        ends = np.cumsum(memory["objects"])[:-1]
+        columns = [np.split(memory[name], ends) for name in ("features", "positions", "orientations")]
+        self.archive = [Scene(*rows) for rows in zip(*columns, strict=True)]
 
 
 @dataclass(frozen=True, slots=True)
