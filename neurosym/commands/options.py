@@ -53,6 +53,13 @@ Places = Annotated[
     int,
     arg(help="Interactions besides that are aimed at a place, to learn what carries objects there."),
 ]
+Relations = Annotated[
+    int,
+    arg(
+        help="Interactions besides that are aimed at another object, to learn what can be done with pairs; "
+        "what carries objects to places must be known."
+    ),
+]
 Task = Annotated[
     Literal["anywhere", "swap", "row", "crowded"] | None,
     arg(help="What tasks ask for: goals anywhere, a swap, a row, or to clear a crowd; else as in the paper."),

@@ -15,6 +15,7 @@ from neurosym.naming import NO_EFFECT, name_axes, names_of_features
 from neurosym.operators import CONVERGED, Effect, Operator, OperatorTable
 from neurosym.pddl.plan_text import PlanStep, primitives
 from neurosym.reading import read_json
+from neurosym.relation_operators import RelationOperators
 from neurosym.wording import counted, listed_briefly
 
 
@@ -60,6 +61,22 @@ def show_operators(table: OperatorTable) -> None:
                 f"{primitive.label} is done by an action that hardly encodes to it: "
                 f"its mean squared error is {primitive.code_error:.2g}, and {CONVERGED} is the limit"
             )
+
+
+def show_relations(table: RelationOperators) -> None:
+    """Print the states that pairs of objects can be in, and what brings pairs of each kind into them."""
+    states = [
+        [state.name, f"{state.share:.0%}", "yes" if state.bears else "", _plain(state.centre)]
+        for state in table.states
+    ]
+    show_table("states of pairs", ["state", "of fresh pairs", "borne", "typical"], states)
+    rows = []
+    for one in table.operators:
+        if one.promise is not None:
+            among = (f"{kept.kept} of {kept.trials}" for kept in (one.borne, one.occupied, one.laden))
+            rows.append([one.name, f"{one.promise.count} of {one.trials}", *among])
+    columns = ["operator", "ends so", "target borne", "reference occupied", "target laden"]
+    show_table("operators on pairs", columns, rows)
 
 
 def show_data(interactions: Interactions, path: Path) -> None:

@@ -59,4 +59,5 @@ class KnownMotions:
         first = known[rng.integers(len(known), size=count), :-_LAST]
         length = ~self.box.gripper[:-_LAST]
         drawn[:, :-_LAST] = first + rng.normal(0.0, JITTER, first.shape) * length
-        return np.clip(drawn, self.box.low, self.box.high)
+        inside: np.ndarray = np.clip(drawn, self.box.low, self.box.high)
+        return inside
