@@ -119,7 +119,8 @@ class Grounding(msgspec.Struct, frozen=True, forbid_unknown_fields=True, omit_de
         for operator in self.every_operator:
             if operator.name == name:
                 return operator
-        known = (operator.name for operator in self.every_operator)
+        known = [operator.name for operator in self.every_operator]
+        known += [operator.name for operator in self.relations.operators] if self.relations else []
         raise UnknownChoice("operator", name, known, "`neurosym explain`")
 
     def operator_for(self, category: Symbol, primitive: Symbol) -> Operator | None:

@@ -114,11 +114,15 @@ def bearers_of(problem: Problem, relations: RelationOperators) -> dict[str, Born
         problem: The problem, with the objects as they stand now.
         relations: What was learned of pairs.
     """
+    known = {(one.pair, end.state) for one in relations.operators for end in one.ends}
+    kinds = problem.pairs if isinstance(problem.pairs, dict) else {}
     bearing = [
-        (off, names, state) for names, (state, off) in _seen(problem, relations).items() if state.bears
+        ((kinds.get(pair_key(*names), ""), state.symbol) not in known, off, names, state)
+        for names, (state, off) in _seen(problem, relations).items()
+        if state.bears
     ]
     found = dict[str, Borne]()
-    for _, (target, reference), state in sorted(bearing, key=lambda row: row[:2]):
+    for *_, (target, reference), state in sorted(bearing, key=lambda row: row[:3]):
         if target not in found and target not in chain_below(reference, found):
             found[target] = Borne(reference, state)
     return {name: found[name] for name in problem.object_names if name in found}
@@ -160,6 +164,8 @@ def carried_along(name: str, bearers: Mapping[str, Borne]) -> tuple[str, ...]:
 def unmet_relations(problem: Problem, grounding: Grounding) -> tuple[RelationGoal, ...]:
     """List the goals by relation that do not hold as the objects stand now.
 
+    Where a goal is that an object bears another one, it must be that one itself that bears it.
+
     Args:
         problem: The problem.
         grounding: The learned domain.
@@ -167,10 +173,16 @@ def unmet_relations(problem: Problem, grounding: Grounding) -> tuple[RelationGoa
     if not problem.related:
         return ()
     relations = relations_of(grounding, problem)
-    states = states_of(problem, relations)
-    return tuple(
-        goal for goal in problem.related if states[goal[:2]].symbol != relations.state_named(goal[2]).symbol
-    )
+    problem = with_pairs(problem, relations)
+    states, bearers = states_of(problem, relations), bearers_of(problem, relations)
+
+    def holds(target: str, reference: str, state: str) -> bool:
+        asked = relations.state_named(state)
+        if asked.bears:
+            return bearers.get(target) == Borne(reference, asked)
+        return states[target, reference] == asked
+
+    return tuple(goal for goal in problem.related if not holds(*goal))
 
 
 def is_reached(problem: Problem, grounding: Grounding) -> bool:
@@ -199,6 +211,16 @@ def relations_of(grounding: Grounding, problem: Problem) -> RelationOperators:
             "none; valid: a problem with goals on the table, or a domain with relations."
         )
     return grounding.relations
+
+
+def is_relational(problem: Problem, grounding: Grounding) -> bool:
+    """Say whether a problem is one of relations: it asks for some, or begins with some.
+
+    Args:
+        problem: The problem.
+        grounding: The learned domain.
+    """
+    return bool(problem.related) or bool(grounding.relations and bearers_of(problem, grounding.relations))
 
 
 def relating(name: str, grounding: Grounding) -> RelationOperator | None:
