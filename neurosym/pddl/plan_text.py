@@ -127,7 +127,7 @@ def print_ground_plan(
     steps = tuple(steps)
     if encoding in BY_RELATIONS or any(relating(step.base, grounding) for step in steps):
         rows = [(step.operator, step.object, step.place) for step in steps]
-        return print_relational_plan(rows, problem, grounding)
+        return print_relational_plan(rows, problem, grounding, encoding)
     if any(step.place for step in steps):
         problem, encoding = with_places(problem, grounding), PLACES
     notes = PlaceNotes(problem, grounding) if encoding == PLACES else None

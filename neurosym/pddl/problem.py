@@ -121,7 +121,7 @@ def check_object(item: SceneObject, grounding: Grounding) -> None:
     grounding.category(item.category)
     check_on_table(item, grounding)
     by_name = grounding.places or grounding.relations
-    taken = rf"nowhere|(start|goal|park)-.*|{SPOT.pattern}" if by_name else ""
+    taken = rf"nowhere|(start|goal|park|count)-.*|{SPOT.pattern}" if by_name else ""
     if is_taken(item.name, grounding) or re.fullmatch(taken, item.name):
         raise InvalidValue(f"No object can be called {item.name}, the domain uses that; try item-01.")
 

@@ -1,5 +1,6 @@
 """Printing a problem for the encoding `relational`, and its ground actions."""
 
+from collections import Counter
 from collections.abc import Collection
 from itertools import pairwise, product
 
@@ -33,6 +34,11 @@ from neurosym.related import Borne, bearers_of, loads_of, relations_of, with_pai
 
 COUNTS = (NONE, ONE, *(f"count-{number}" for number in range(2, 100)))
 """How many objects another one bears."""
+
+
+MOST_BORNE = 2
+"""So many objects another one bears in a plan, unless a problem has or asks for more: each count is one more
+thing for planners to look at."""
 
 
 def relational_problem_text(problem: Problem, grounding: Grounding, encoding: Encoding = RELATIONAL) -> str:
@@ -118,10 +124,11 @@ class Task:
         return lines if is_lifted or not more else [*lines, f"{' '.join(more)} - count"]
 
     def most_borne(self) -> int:
-        """Return how many objects another one bears at most."""
-        if any(put.takes_occupied for put in puts_of(self.grounding)):
-            return max(1, len(self.problem.objects) - 1)
-        return max([1, *(len(loads_of(name, self.bearers)) for name in self.problem.object_names)])
+        """Return how many objects another one bears at most in a plan: as many as asked for, or a few."""
+        wanted = Counter(reference for _, reference, _ in self.problem.related)
+        at_first = (len(loads_of(name, self.bearers)) for name in self.problem.object_names)
+        takes_more = any(put.takes_occupied for put in puts_of(self.grounding))
+        return max([MOST_BORNE if takes_more else 1, *wanted.values(), *at_first])
 
     def facts(self, is_lifted: bool) -> list[str]:
         """List what holds at the start, a line for each thing."""
@@ -185,7 +192,7 @@ class Task:
 
     def _put_costs(self, put: Put, parts: list[str], laden: bool) -> list[str]:
         function = cost_function(put.name + (LADEN if laden else ""))
-        counts = COUNTS[: self.most_borne()] if "?n - count" in parts else ("",)
+        counts = COUNTS[: self.most_borne() + 1] if "?n - count" in parts else ("",)
         said = []
         for count, origin in product(counts, (FROM_PLACE, FROM_OBJECT) if put.takes_borne else ("",)):
             borne, occupied = origin == FROM_OBJECT, count not in ("", NONE)

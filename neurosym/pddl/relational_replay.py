@@ -9,6 +9,7 @@ from jaxtyping import Float
 from neurosym.grounding import Grounding
 from neurosym.pair_states import extent
 from neurosym.pddl.footprints import overlapping
+from neurosym.pddl.moves import LIFTED, RELATIONAL, Encoding
 from neurosym.pddl.place_domain import LOOK, NOWHERE, REACH
 from neurosym.pddl.place_problem import START
 from neurosym.pddl.relational import Carrier, Put, put_named, relational_carriers
@@ -174,21 +175,30 @@ class Following:
         return Scene(scene.features, self.positions, scene.orientations)
 
 
-def print_relational_plan(steps: Sequence[Words], problem: Problem, grounding: Grounding) -> str:
+def print_relational_plan(
+    steps: Sequence[Words], problem: Problem, grounding: Grounding, encoding: Encoding = RELATIONAL
+) -> str:
     """Print a plan as ground actions of the domain, such that plan validators take it.
 
     Args:
         steps: The plan.
         problem: The problem it solves.
         grounding: The learned domain.
+        encoding: The encoding of the domain; the lifted one counts nothing, and looks at no places.
     """
     now = Following(problem, grounding)
     lines = list[str]()
     for step in steps:
-        lines += now.ground(step)
+        lines += [one for one in now.ground(step) if not (encoding == LIFTED and one.startswith(f"({LOOK} "))]
         now.do(step)
     lines += [now.reach(name) for name in sorted(problem.goals)]
-    return "\n".join(lines) + "\n"
+    return "\n".join(map(_uncounted, lines) if encoding == LIFTED else lines) + "\n"
+
+
+def _uncounted(line: str) -> str:
+    """Return a ground action of the lifted variant, which has no counts."""
+    kept = [word for word in line.strip("()").split() if word not in COUNTS]
+    return f"({' '.join(kept)})"
 
 
 def _links(others: Sequence[str]) -> list[tuple[str, str]]:

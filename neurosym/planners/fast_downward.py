@@ -46,12 +46,10 @@ PORTFOLIO = (Search("astar(blind())", memory=256 * 1024**2), Search(LAMA_FIRST))
 FOR_PLACES = (Search("astar(blind())", memory=16 * 1024**2), Search(LAMA_FIRST, memory=256 * 1024**2))
 """With places there are few steps in a plan, and so many orders of them that more memory seldom helps.
 
-Four objects fit. With eight, twice the memory took three times as long and was as seldom enough. The second
-search finds plans for thirty objects in little of its memory, or else would go on for minutes in vain.
+Relations are as places. Four objects fit. With eight, twice the memory took three times as long and was as
+seldom enough. The second search finds plans for thirty objects in little of its memory, or else would go on
+for minutes in vain.
 """
-
-FOR_RELATIONS = FOR_PLACES
-"""With relations there are as few steps as with places, and more ways to order them."""
 
 RELATIONS_SUFFIX = ".relational.pddl"
 """What files of problems in the encodings of relations end with."""
@@ -98,9 +96,7 @@ def usual_searches(file: str) -> Sequence[Search]:
     Args:
         file: Name of the problem's file.
     """
-    if file.endswith(RELATIONS_SUFFIX):
-        return FOR_RELATIONS
-    return FOR_PLACES if file.endswith(PLACES_SUFFIX) else PORTFOLIO
+    return FOR_PLACES if file.endswith((PLACES_SUFFIX, RELATIONS_SUFFIX)) else PORTFOLIO
 
 
 def _translate(
