@@ -12,6 +12,7 @@ from neurosym.pddl import compile_domain
 from neurosym.place_operators import Kept, PlaceOperators
 from neurosym.problems import Problem, SceneObject
 from neurosym.relation_operators import PairEnd, PairState, RelationOperator, RelationOperators
+from neurosym.world import World
 from neurosym.worlds.toy_relations import make_world
 
 WORLD = make_world()
@@ -58,7 +59,7 @@ def _kept(name: str, borne: int, occupied: int, laden: int) -> tuple[Kept, Kept,
     return Kept(name, 10, borne), Kept(name, 10, occupied), Kept(name, 10, laden)
 
 
-def grounding() -> Grounding:
+def grounding(world: World = WORLD) -> Grounding:
     """Everything is carried to places, and on or into one another as the table says."""
     categories = tuple(
         Category(symbol, name, 0.3, features, (0.0,) * 4) for name, (symbol, features) in KINDS.items()
@@ -72,10 +73,10 @@ def grounding() -> Grounding:
     carriers = OperatorTable(categories, (Primitive("01", CARRY, 0.0),), operators)
     return compile_domain(
         OperatorTable(categories, (), ()),
-        name="toy-relations",
+        name=world.name,
         cell=0.02,
-        table_bounds=WORLD.table,
-        lift_height=WORLD.lift_height,
+        table_bounds=world.table,
+        lift_height=world.lift_height,
         places=PlaceOperators(
             carriers,
             tuple(Kept(one.name, 10, 0) for one in operators),
