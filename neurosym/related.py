@@ -114,7 +114,7 @@ def bearers_of(problem: Problem, relations: RelationOperators) -> dict[str, Born
         problem: The problem, with the objects as they stand now.
         relations: What was learned of pairs.
     """
-    known = {(one.pair, end.state) for one in relations.operators for end in one.ends}
+    known = _known_ends(relations)
     kinds = problem.pairs if isinstance(problem.pairs, dict) else {}
     bearing = [
         ((kinds.get(pair_key(*names), ""), state.symbol) not in known, off, names, state)
@@ -126,6 +126,27 @@ def bearers_of(problem: Problem, relations: RelationOperators) -> dict[str, Born
         if target not in found and target not in chain_below(reference, found):
             found[target] = Borne(reference, state)
     return {name: found[name] for name in problem.object_names if name in found}
+
+
+def known_bearers(problem: Problem, relations: RelationOperators) -> dict[str, Borne]:
+    """Return what bears each object as far as some operator leads to that.
+
+    Args:
+        problem: The problem, with the objects as they stand now.
+        relations: What was learned of pairs.
+    """
+    problem, known = with_pairs(problem, relations), _known_ends(relations)
+    kinds = problem.pairs if isinstance(problem.pairs, dict) else {}
+    return {
+        name: borne
+        for name, borne in bearers_of(problem, relations).items()
+        if (kinds.get(pair_key(name, borne.by), ""), borne.state.symbol) in known
+    }
+
+
+def _known_ends(relations: RelationOperators) -> set[tuple[Symbol, Symbol]]:
+    """List the kinds of pairs and the states that some operator was seen to bring them to."""
+    return {(one.pair, end.state) for one in relations.operators for end in one.ends}
 
 
 def chain_below(name: str, bearers: Mapping[str, Borne]) -> tuple[str, ...]:

@@ -39,7 +39,7 @@ from neurosym.pddl.relational_problem import flattened
 from neurosym.pddl.relational_replay import print_relational_plan
 from neurosym.problems import Problem, SceneObject
 from neurosym.reading import MEGABYTE, read_text
-from neurosym.related import bearers_of, relating, with_pairs
+from neurosym.related import bearers_of, is_relational, relating, with_pairs
 from neurosym.relation_goals import pair_key
 from neurosym.relation_operators import RelationOperator
 from neurosym.table import Table
@@ -125,7 +125,8 @@ def print_ground_plan(
         InvalidValue: If an operator is not in the domain, or not for its object.
     """
     steps = tuple(steps)
-    if encoding in BY_RELATIONS or any(relating(step.base, grounding) for step in steps):
+    is_asked = encoding in BY_RELATIONS or is_relational(problem, grounding)
+    if is_asked or any(relating(step.base, grounding) for step in steps):
         rows = [(step.operator, step.object, step.place) for step in steps]
         return print_relational_plan(rows, problem, grounding, encoding)
     if any(step.place for step in steps):

@@ -1,13 +1,41 @@
 """Whether the goals by relation of a problem can be, by what was learned of its pairs."""
 
 from collections import Counter
+from collections.abc import Sequence
 
 from neurosym.errors import InvalidValue
 from neurosym.grounding import Grounding
 from neurosym.pddl.relational import Put, bearing_states, puts_of
 from neurosym.problems import Problem
 from neurosym.related import relations_of, unmet_relations, with_pairs
-from neurosym.relation_goals import pair_key
+from neurosym.relation_goals import RelationGoal, pair_key
+
+
+def relations_meant(goals: Sequence[RelationGoal], grounding: Grounding) -> tuple[RelationGoal, ...]:
+    """Return goals by relation with the names of the states that are meant.
+
+    Args:
+        goals: The goals, whose states are called by name, by symbol, or by the beginning of one name only.
+        grounding: The learned domain.
+
+    Raises:
+        InvalidValue: If the domain knows nothing of relations.
+        UnknownChoice: If no state is meant, or several are.
+    """
+    if not goals:
+        return ()
+    if grounding.relations is None:
+        raise InvalidValue(
+            f"The domain {grounding.name} has learned no relations; valid here: goals on the table, as "
+            "item-01=0.60,0.10."
+        )
+    states = grounding.relations.states
+    found = []
+    for target, reference, word in goals:
+        meant = [state.name for state in states if word and state.name.startswith(word)]
+        name = meant[0] if len(meant) == 1 else word
+        found.append((target, reference, grounding.relations.state_named(name).name))
+    return tuple(found)
 
 
 def check_relations(problem: Problem, grounding: Grounding) -> None:

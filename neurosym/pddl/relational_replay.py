@@ -12,7 +12,7 @@ from neurosym.pddl.footprints import overlapping
 from neurosym.pddl.moves import LIFTED, RELATIONAL, Encoding
 from neurosym.pddl.place_domain import LOOK, NOWHERE, REACH
 from neurosym.pddl.place_problem import START
-from neurosym.pddl.relational import Carrier, Put, put_named, relational_carriers
+from neurosym.pddl.relational import Carrier, Put, chance_of, put_named, relational_carriers
 from neurosym.pddl.relational_domain import FROM_OBJECT, FROM_PLACE, LADEN, LEAVE, LEAVE_PLACE
 from neurosym.pddl.relational_problem import COUNTS, Task
 from neurosym.problems import Problem
@@ -84,6 +84,23 @@ class Following:
         else:
             self.stands[target] = reference
         return positions
+
+    def chance(self, step: Words) -> float:
+        """Return the chance that a step goes as promised now.
+
+        Args:
+            step: The step.
+        """
+        name, target, reference = step
+        borne, laden = target in self.bearers, bool(loads_of(target, self.bearers))
+        if put := put_named(name, self.task.grounding):
+            others = {one for one in loads_of(reference, self.bearers) if one != target}
+            return put.chance(borne=borne, occupied=bool(others), laden=laden)
+        item = self.task.flat.object_named(target)
+        of_item = promised(self.task.grounding, item, self.task.problem.tolerance)
+        usual = chance_of(of_item.get(name) or self.task.grounding.operator_named(name))
+        kept = self._carriers[name].borne
+        return min(usual, (kept.kept + 1) / (kept.trials + 2)) if borne and kept.trials else usual
 
     def missed(self) -> tuple[str, str] | None:
         """Name the first object that misses a goal by relation now, and say which; None if none does."""
@@ -173,6 +190,21 @@ class Following:
     def _scene(self) -> Scene:
         scene = self.task.problem.scene()
         return Scene(scene.features, self.positions, scene.orientations)
+
+
+def chances_along(steps: Sequence[Words], problem: Problem, grounding: Grounding) -> tuple[float, ...]:
+    """Return the chance of each step of a plan to go as promised, by what rests where by then.
+
+    Args:
+        steps: The plan.
+        problem: The problem it is for.
+        grounding: The learned domain.
+    """
+    now, found = Following(problem, grounding), list[float]()
+    for step in steps:
+        found.append(now.chance(step))
+        now.do(step)
+    return tuple(found)
 
 
 def print_relational_plan(
