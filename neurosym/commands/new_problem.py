@@ -5,7 +5,7 @@ from typing import Annotated
 
 from tyro.conf import UseAppendAction, arg
 
-from neurosym.commands.options import Folder, Seed, Task, opened
+from neurosym.commands.options import AnyTaskOption, Folder, Seed, opened
 from neurosym.console import say, say_next
 from neurosym.errors import InvalidFile, InvalidValue
 from neurosym.stages.folder import DomainFolder
@@ -22,7 +22,7 @@ def new_problem(
     objects: Annotated[int, arg(help="Objects on the table: item-01, item-02, ...")] = 1,
     actions: Annotated[int, arg(help="Random actions that lead to the goal, one after another.")] = 1,
     seed: Seed = 0,
-    task: Task = None,
+    task: AnyTaskOption = None,
     goal: Annotated[
         tuple[str, ...],
         UseAppendAction,
@@ -37,6 +37,15 @@ def new_problem(
             "beginning of its name; once for each.",
         ),
     ] = (),
+    height: Annotated[int, arg(help="Objects of a tower or a stack, for --task tower and unstack.")] = 3,
+    state: Annotated[
+        str | None,
+        arg(metavar="STATE", help="The state of pairs that a drawn task of relations asks for; else any."),
+    ] = None,
+    like: Annotated[
+        str | None,
+        arg(metavar="PROBLEM", help="For --task like: the problem whose scene is to be made again."),
+    ] = None,
     scene: Annotated[
         Path | None,
         arg(
@@ -52,8 +61,12 @@ def new_problem(
 
     With `--task` it is what people ask for: `anywhere` puts each object anywhere on the table, `swap` has
     each stand where the next one stood, `row` sets them in a row, and `crowded` clears a crowd. With
-    `--relation`, one object shall be put on or into another one; goals and relations go together. With
-    `--scene` it is all yours: the file is checked, copied and printed as PDDL.
+    `--relation`, one object shall be put on or into another one; goals and relations go together.
+
+    In a domain with relations, `--task tower` asks for a tower of some of the objects, and `boxes` for things
+    each on or in one of its own. `unstack` asks for a stack to be sorted so, `exchange` for two borne things
+    to change places, and `like` for what bears what in the scene of another problem. With `--scene` it is
+    all yours: the file is checked, copied and printed as PDDL.
     """
     from neurosym.grounding import Grounding
     from neurosym.problems import Problem, check_names
@@ -69,6 +82,7 @@ def new_problem(
         )
     if bool(goal or relation) + bool(task) + (actions != 1) > 1:
         raise InvalidValue("Give --actions, --task or goals by hand, and only one of them.")
+    _check_shape(task, height, state, like)
     goals = _parse_goals(goal) if goal else None
     relations = tuple(map(_parse_relation, relation))
     if name is not None:
@@ -91,6 +105,9 @@ def new_problem(
                 goals=goals,
                 task=task,
                 relations=relations,
+                height=height,
+                state=state or "",
+                like=like,
                 tolerance=tolerance,
             )
         domain.perform(stage, again=True)
@@ -140,3 +157,13 @@ def _parse_relation(text: str) -> tuple[str, str, str]:
         raise InvalidValue(f'The relation {text!r} cannot be read; write it as "item-01 STATE item-02".')
     target, state, reference = words
     return target, reference, state
+
+
+def _check_shape(task: str | None, height: int, state: str | None, like: str | None) -> None:
+    """Refuse options of drawn relations where none are drawn."""
+    if height < 2:
+        raise InvalidValue(f"height = {height} must be at least 2.")
+    if (like is not None) != (task == "like"):
+        raise InvalidValue("Give --task like together with --like PROBLEM, whose scene is to be made again.")
+    if (state is not None or height != 3) and task not in ("tower", "boxes", "unstack", "exchange"):
+        raise InvalidValue("--state and --height are for --task tower, boxes, unstack or exchange.")

@@ -51,8 +51,9 @@ from neurosym.stages.other_tools import (
     write_pictures,
 )
 from neurosym.stages.practising import operator_table
+from neurosym.stages.task_drawing import AnyTask, draw_any_task
 from neurosym.wording import quoted
-from neurosym.worlds.tasks import TaskKind, draw_task
+from neurosym.worlds.relation_tasks import HEIGHT, RELATION_TASKS
 from neurosym.worlds.world_file import read_world
 
 
@@ -127,14 +128,17 @@ def problem_stage(
     seed: int,
     actions: int = 1,
     goals: Mapping[str, tuple[float, ...]] | None = None,
-    task: TaskKind | None = None,
+    task: AnyTask | None = None,
     relations: tuple[RelationGoal, ...] = (),
+    height: int = HEIGHT,
+    state: str = "",
+    like: str | None = None,
     tolerance: float | None = None,
 ) -> Stage:
     """Make a problem: world, model and grounding -> `problems/NAME.pddl`, `.numeric.pddl`, `.scene.json`.
 
-    It is drawn as the paper draws tasks, unless there are goals, or a task is named. Scene and goals do not
-    depend on the tolerance [m].
+    It is drawn as the paper draws tasks, unless there are goals or relations, or a task is named. Scene and
+    goals do not depend on the tolerance [m]. What is asked of relations is printed as NAME.relational.pddl.
     """
     scene = scene_file(name)
 
@@ -146,7 +150,11 @@ def problem_stage(
         grounding = Grounding.load(folder.require(GROUNDING))
         categorise = EffectModel.load(folder.require(MODEL)).object_symbols
         if task is not None:
-            problem = draw_task(world, categorise, task, name=name, objects=objects, seed=seed)
+            other = load_scene(folder / scene_file(folder.problem(like))) if like else None
+            shape: dict[str, Any] = {"height": height, "state": state, "like": other}
+            problem = draw_any_task(
+                world, categorise, grounding, task, name=name, objects=objects, seed=seed, **shape
+            )
         elif goals is None and not relations:
             problem = draw_problem(world, categorise, name=name, objects=objects, actions=actions, seed=seed)
         else:
@@ -169,8 +177,18 @@ def problem_stage(
     options |= {} if tolerance is None else {"tolerance": tolerance}
     options |= {} if task is None else {"task": task}
     options |= {"relations": _plain(relations)} if relations else {}
+    options |= {} if height == HEIGHT else {"height": height}
+    options |= {"state": state} if state else {}
+    options |= {"like": like} if like else {}
     by_places = [places_file(name)] if (folder / PLACES_DOMAIN).exists() else []
-    outputs = (*(relation_files(name) if relations else (*problem_files(name), *by_places)), scene)
+    outputs = (
+        *(
+            relation_files(name)
+            if relations or task in RELATION_TASKS
+            else (*problem_files(name), *by_places)
+        ),
+        scene,
+    )
     return Stage(f"new-problem {name}", (WORLD, MODEL, GROUNDING), outputs, work, options)
 
 
