@@ -128,9 +128,11 @@ def show_run(run: Run) -> None:
     rows = [
         [
             str(number),
-            f"{step.operator} {step.object}",
-            f"{step.promised} {_millimetres(step.promised_effect)}" if step.promised_effect else "nothing",
-            f"{step.happened} {_millimetres(step.effect)}",
+            " ".join((step.operator, step.object, *([step.place or ""] if step.promised_state else []))),
+            f"{step.promised_state or step.promised} {_millimetres(step.promised_effect)}"
+            if step.promised_effect
+            else "nothing",
+            f"{step.state or step.happened} {_millimetres(step.effect)}",
             "" if step.apart is None else f"{1000 * step.apart:.0f}",
             "yes" if step.as_promised else "no",
         ]
@@ -138,11 +140,14 @@ def show_run(run: Run) -> None:
     ]
     columns = ["", "step", "promised [mm]", "happened [mm]", "apart [mm]", "as promised"]
     show_table(f"run of {run.problem}", columns, rows)
-    if any(step.place for step in run.steps):
+    if any(step.promised_state for step in run.steps):
+        say("what is put on or into another object is seen from that")
+    if any(step.place and not step.promised_state for step in run.steps):
         say("what is carried is seen from the point that the hand aimed at; all else from where it stood")
     far = ", ".join(f"{name} {1000 * distance:.0f} mm" for name, distance in run.distances.items())
     allowed = "" if run.tolerance is None else f", {1000 * run.tolerance:g} mm are allowed in this run"
-    say(f"goal {'reached' if run.reached else 'missed'}: {far} from it{allowed}")
+    said = f": {far} from it{allowed}" if far else ""
+    say(f"goal {'reached' if run.reached else 'missed'}{said}")
     if run.nudge:
         by = 1000 * math.hypot(*run.nudge.by)
         say(f"before step {run.nudge.before_step} {run.nudge.object} was nudged by {by:.0f} mm")

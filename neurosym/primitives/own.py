@@ -95,7 +95,6 @@ def choose_own(
     *,
     judging: Judging = BY_DISPLACEMENT,
     rounds: Sequence[Round] = ROUNDS,
-    least: float = 0.0,
     seed: int,
     workers: int = 1,
     progress: Progress | None = None,
@@ -111,7 +110,6 @@ def choose_own(
         categorise: Gives the object symbols of features.
         judging: How actions are judged.
         rounds: Of the auditions, with fewer candidates in each.
-        least: Candidates that are foreseen to be less sure than this are not auditioned.
         seed: Where all draws start.
         workers: How many processes; their number does not change the result.
         progress: Called after each performance.
@@ -127,9 +125,7 @@ def choose_own(
     for category, scenes in sample.scenes.items():
         objects = np.concatenate([features[symbols == category], *(scene.features for scene in scenes)])
         objects = objects[:OBJECTS_TO_PREDICT]
-        few = shortlist_own(
-            rivals, predict, objects, world.action_box, rounds[0].candidates, seed, judging, least
-        )
+        few = shortlist_own(rivals, predict, objects, world.action_box, rounds[0].candidates, seed, judging)
         groups = [[one, *best] for one, best in zip(shared, few, strict=True)]
         contests[category] = _Contest(scenes, groups, judging)
     kept = [one.candidates for one in rounds[1:]] + [1]
@@ -149,7 +145,6 @@ def shortlist_own(
     count: int,
     seed: int,
     judging: Judging = BY_DISPLACEMENT,
-    least: float = 0.0,
 ) -> list[list[Primitive]]:
     """Keep of each symbol the few candidates that are predicted to do best, beside those of the others.
 
@@ -161,7 +156,6 @@ def shortlist_own(
         count: How many are kept of each symbol.
         seed: Where the changes of actions are drawn from.
         judging: How actions are judged.
-        least: Those that are foreseen to be less sure than this are not kept.
     """
     judged: list[list[Judgement]] = [[] for _ in groups]
     for group, judgements in zip(groups, judged, strict=True):
@@ -171,8 +165,8 @@ def shortlist_own(
         predicted = np.split(predict(np.tile(features, (len(group), 1)), actions), len(group))
         judgements += map(judging.foresee, predicted)
     return [
-        [group[number] for number in best[:count] if own[number].sureness >= least]
-        for group, own, best in zip(groups, judged, _ranked(judged), strict=True)
+        [group[number] for number in best[:count]]
+        for group, best in zip(groups, _ranked(judged), strict=True)
     ]
 
 

@@ -1,24 +1,18 @@
 """From actions that are aimed at other objects to operators on pairs: what brings which into which state.
 
-Candidates are distilled as ever. Of each symbol, every kind of pair gets the one that most surely brings it
-into one state, auditioned and rehearsed among bystanders. More rehearsals begin as others ended. They show
-whether it matters that the target rests on something, that something rests on it, or on the reference.
+Candidates are distilled as ever. Every kind of pair gets those that most surely bring it into some state
+(`pair_choice.py`), auditioned and rehearsed among bystanders. More rehearsals begin as others ended. They
+show whether it matters that the target rests on something, that something rests on it, or on the reference.
 """
 
-from collections.abc import Sequence
 from typing import Any
-
-import numpy as np
-from jaxtyping import Float
 
 from neurosym.actions import ActionBox
 from neurosym.data.interactions import Interactions
 from neurosym.guarded import made
 from neurosym.learning.effect_model import EffectModel
-from neurosym.operators import Primitive
-from neurosym.primitives.by_state import by_state, foresee_relating
 from neurosym.primitives.distillation import distill
-from neurosym.primitives.own import Round, choose_own
+from neurosym.primitives.pair_choice import choose_for_pairs
 from neurosym.primitives.pair_rehearsal import rehearse_among, tabulate_pairs
 from neurosym.primitives.rehearsal import rehearse
 from neurosym.primitives.table import NothingDistilled, silent
@@ -27,13 +21,6 @@ from neurosym.progress import OpenBar
 from neurosym.relation_operators import PairStates, RelationOperators
 from neurosym.world import WorldFactory
 from neurosym.worlds.related import RelatedFactory
-
-RELATING_ROUNDS = Round(8, 4), Round(4, 4), Round(2, 8)
-"""Auditions of actions that are aimed at other objects."""
-WORTH_TRYING = 0.1
-"""Candidates that are foreseen to be less sure than this are not auditioned."""
-PAIRS_TO_PREDICT = 200
-"""Pairs on which the candidates of a symbol are compared for all kinds."""
 
 
 def find_relators(
@@ -75,18 +62,8 @@ def find_relators(
         raise NothingDistilled
 
     with open_bar("auditioning what is aimed at objects") as advance:
-        chosen = choose_own(
-            related,
-            candidates,
-            _surest(candidates, predict, interactions.features[:PAIRS_TO_PREDICT]),
-            predict,
-            interactions.features,
-            model.object_symbols,
-            judging=by_state(states),
-            rounds=RELATING_ROUNDS,
-            least=WORTH_TRYING,
-            **options,
-            progress=advance,
+        chosen = choose_for_pairs(
+            related, candidates, predict, model.object_symbols, states, **options, progress=advance
         )
     with open_bar("rehearsing on pairs") as advance:
         found = rehearse(related, chosen, model.object_symbols, objects=pairs, **options, progress=advance)
@@ -94,16 +71,3 @@ def find_relators(
     table = tabulate_pairs(found, names, states)
     with open_bar("rehearsing where pairs bear others") as advance:
         return rehearse_among(related, table, found, model.object_symbols, **options, progress=advance)
-
-
-def _surest(
-    candidates: Sequence[Primitive], predict: PredictOutcomes, features: Float[np.ndarray, "M F"]
-) -> tuple[Primitive, ...]:
-    """Return of each symbol the candidate that is foreseen to be surest for pairs of all kinds."""
-    best: dict[str, tuple[float, Primitive]] = {}
-    for one in candidates:
-        predicted = predict(features, np.tile(np.array(one.action), (len(features), 1)))
-        sureness = foresee_relating(predicted).sureness
-        if one.symbol not in best or sureness > best[one.symbol][0]:
-            best[one.symbol] = sureness, one
-    return tuple(best[symbol][1] for symbol in sorted(best))

@@ -54,6 +54,10 @@ NUMERIC_DOMAIN = "domain-numeric.pddl"
 """`compile-domain`: the same in numbers (PDDL 2.1)."""
 PLACES_DOMAIN = "domain-places.pddl"
 """`compile-domain`: the same with places that objects are carried to, if that was learned."""
+RELATIONAL_DOMAIN = "domain-relational.pddl"
+"""`compile-domain`: objects stand at places or bear one another, if that was learned."""
+LIFTED_DOMAIN = "domain-relational-lifted.pddl"
+"""`compile-domain`: the same with `not` and `exists`, for planners that take these."""
 DURATIVE_DOMAIN = "domain-durative.pddl"
 """`compile-domain --durative`: what can be carried, by actions that take time; no command reads it."""
 GROUNDING = "grounding.json"
@@ -109,6 +113,8 @@ NUMERIC = ".numeric.pddl"
 """What the file of a problem in the numeric encoding ends with; the one on a grid is NAME.pddl."""
 BY_PLACES = ".places.pddl"
 """What the file of a problem in the encoding `places` ends with."""
+BY_RELATIONS, LIFTED = ".relational.pddl", ".relational-lifted.pddl"
+"""What the files of a problem in the encodings of relations end with."""
 DURATIVE = ".durative.pddl"
 """What the file of a problem with durative actions ends with."""
 PLANVIZ = ".planviz.json"
@@ -130,6 +136,11 @@ def problem_files(problem: str) -> tuple[str, str]:
 def places_file(problem: str) -> str:
     """Name a problem's file for other planners in the encoding `places`."""
     return f"{PROBLEMS}/{problem}{BY_PLACES}"
+
+
+def relation_files(problem: str) -> tuple[str, str]:
+    """Name a problem's files for other planners in the encodings of relations."""
+    return f"{PROBLEMS}/{problem}{BY_RELATIONS}", f"{PROBLEMS}/{problem}{LIFTED}"
 
 
 def durative_file(problem: str) -> str:
