@@ -1,7 +1,7 @@
 """Choosing actions for kinds of pairs: of all symbols, those that most surely bring a kind into some state.
 
 Candidates are shortlisted by what a network without a bottleneck predicts, and auditioned on pairs of the
-kind, fewer of them in each round. What is left is the surest for each state that pairs of the kind can be brought
+kind, fewer of them in each round. What is left is the surest for each state that pairs can be brought
 to. An action that does nothing to a kind has no operator there.
 """
 
