@@ -5,7 +5,7 @@ under it spoiled more than half of them, that is forbidden; otherwise it is allo
 """
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from functools import lru_cache
 
@@ -157,13 +157,13 @@ def put_named(name: str, grounding: Grounding) -> Put | None:
     return _put(found, table) if table and found and found.promise else None
 
 
-def left_out_puts(grounding: Grounding) -> dict[str, str]:
+def left_out_puts(grounding: Grounding) -> Mapping[str, str]:
     """Say why operators on pairs are not in the domain, by name.
 
     Args:
         grounding: The learned domain.
     """
-    return _left_out(grounding.relations) if grounding.relations else {}
+    return left_out(grounding.relations) if grounding.relations else {}
 
 
 def relational_carriers(grounding: Grounding) -> tuple[Carrier, ...]:
@@ -207,8 +207,7 @@ def bearing_states(grounding: Grounding) -> tuple[PairState, ...]:
 
 @lru_cache(maxsize=8)
 def _puts(table: RelationOperators) -> tuple[Put, ...]:
-    left_out = _left_out(table)
-    kept = (one for one in table.operators if one.name not in left_out)
+    kept = (one for one in table.operators if one.name not in left_out(table))
     return tuple(_put(one, table) for one in sorted(kept, key=lambda one: one.name))
 
 
@@ -220,7 +219,12 @@ def _put(operator: RelationOperator, table: RelationOperators) -> Put:
 
 
 @lru_cache(maxsize=8)
-def _left_out(table: RelationOperators) -> dict[str, str]:
+def left_out(table: RelationOperators) -> Mapping[str, str]:
+    """Say why operators of a table are not in the domain, by name.
+
+    Args:
+        table: What was learned of pairs.
+    """
     found = dict[str, str]()
     surest = dict[tuple[object, ...], RelationOperator]()
     for one in table.operators:

@@ -15,6 +15,7 @@ from neurosym.pddl.moves import BY_RELATIONS, LIFTED, PLACES, RELATIONAL, Encodi
 from neurosym.pddl.place_domain import carriers_of
 from neurosym.pddl.places import with_places
 from neurosym.pddl.problem import check_object
+from neurosym.pddl.relational import puts_of
 from neurosym.pddl.relational_check import check_relations, relations_meant
 from neurosym.pddl.relational_problem import Task
 from neurosym.place_operators import PlaceOperators
@@ -97,7 +98,7 @@ def compile_stage(
         write_atomically(folder / NUMERIC_DOMAIN, domain_text(grounding, "numeric"))
         if has_places:
             write_atomically(folder / PLACES_DOMAIN, domain_text(grounding, PLACES))
-        if has_relations:
+        if puts_of(grounding):
             write_atomically(folder / RELATIONAL_DOMAIN, domain_text(grounding, RELATIONAL))
             write_atomically(folder / LIFTED_DOMAIN, domain_text(grounding, LIFTED))
         write_durative_domain(folder, grounding, is_wanted=durative)

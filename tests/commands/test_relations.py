@@ -5,9 +5,21 @@ from pathlib import Path
 
 import msgspec
 import pytest
+import toy_domain
 import toy_places
 from command_line import neurosym, refusal
-from toy_relations import LIE, REST, grounding, relations, scene, sorting, tower, tower_at_place
+from toy_relations import (
+    LIE,
+    PUT_IN,
+    PUT_ON,
+    REST,
+    grounding,
+    relations,
+    scene,
+    sorting,
+    tower,
+    tower_at_place,
+)
 
 from neurosym.pddl.moves import BY_RELATIONS
 from neurosym.pddl.problem import problem_text
@@ -125,3 +137,29 @@ def test_compiled_domain_has_files_for_relations(bare):
     made(bare, tower())
     assert neurosym("compile-domain", bare, "--cell", "0.02") == 0
     assert neurosym("plan", bare, "tower") == 0
+
+
+def test_explanation_says_what_states_kinds_and_actions_mean(tmp_path, capsys):
+    folder = tmp_path / "domain"
+    (folder / "relations").mkdir(parents=True)
+    (folder / "world.toml").write_text('world = "toy-relations"\n')
+    (folder / "relations/operators.json").write_bytes(msgspec.json.encode(relations()))
+    table = toy_domain.grounding().operators
+    (folder / "primitives.json").write_bytes(msgspec.json.encode(table))
+    assert neurosym("explain", folder) == 0
+    said = " ".join(capsys.readouterr().out.split())
+    assert "one object bears another in rests-on-001, lies-in-010. Of 3 operators on pairs, 2 are in" in said
+    assert "Relating symbol 01: brings pairs to rests-on-001, lies-in-010" in said
+    assert "carries to at the other object" in said
+    assert "Pair state symbol 001: rests-on-001 Typical of it: x [touching units] 0.00" in said
+    assert "Pair symbol 11: hollow-11 20% of the pairs; on average target: s_x 0.065" in said
+    assert f"- {PUT_ON} (20 trials, 19 as promised, in the domain)" in said
+
+
+def test_operator_on_pairs_and_problem_are_pictured(bare, capsys):
+    made(bare, sorting())
+    assert neurosym("show", bare, "--problem", "sorting") == 0
+    assert neurosym("show", bare, "--operator", PUT_ON) == 0
+    said = capsys.readouterr().out
+    assert f"wrote {bare / f'pictures/operator-{PUT_ON}.png'}" in said
+    assert f"next: neurosym show {bare} --operator {PUT_IN}" in said
