@@ -1,8 +1,7 @@
 """How one object stands to another, in numbers that do not depend on how large the two are.
 
 Distances are measured in touching units: along each axis in sums of the half sizes of both, so that 1 means
-that they touch. What a robot sees besides: whether they touch anywhere, how far the target is tilted, and how
-far it lies within the outline of the reference, seen from above.
+that they touch. What a robot sees besides: whether they touch anywhere, and how far the target is tilted.
 """
 
 import numpy as np
@@ -10,18 +9,18 @@ from jaxtyping import Float
 
 from neurosym.world import Scene
 
-DESCRIPTION = ("x", "y", "z", "touching", "tilted", "within")
-"""What the numbers of a description are, lengths in touching units."""
+DESCRIPTION = ("away", "above", "touching", "tilted")
+"""What the numbers of a description are. Along x or y, whichever is more, the target is so far away from the
+reference; along z it is so far above it [touching units]. They touch or not; and the target is tilted by so
+much, as a share of the greatest tilt that counts."""
 FARTHEST = 2.0
 """Farther apart than this objects have nothing to do with one another [touching units]."""
-FARTHEST_WITHIN = 0.5
-"""Farther inside or outside of the outline makes no difference [touching units]."""
 _STEEPEST = 0.35  # an object leans no more than this counts [rad]
 
 
 def describe_pair(
     scene: Scene, target: int, reference: int, contacts: tuple[tuple[int, int], ...]
-) -> Float[np.ndarray, "6"]:
+) -> Float[np.ndarray, "4"]:
     """Describe how a target stands to a reference, in the numbers of `DESCRIPTION`.
 
     Args:
@@ -31,11 +30,10 @@ def describe_pair(
         contacts: Pairs of objects that touch, each with the smaller index first.
     """
     units = touching_units(scene, target, reference)
-    away = np.minimum(np.abs(units[:2]), FARTHEST)
+    away = min(float(np.abs(units[:2]).max()), FARTHEST)
     up = np.clip(units[2], -FARTHEST, FARTHEST)
     pair = (min(target, reference), max(target, reference))
-    tilted = tilt(scene, target) / _STEEPEST
-    return np.array([*away, up, float(pair in contacts), tilted, within(scene, target, reference)])
+    return np.array([away, up, float(pair in contacts), tilt(scene, target) / _STEEPEST])
 
 
 def touching_units(scene: Scene, target: int, reference: int) -> Float[np.ndarray, "3"]:
@@ -49,19 +47,6 @@ def touching_units(scene: Scene, target: int, reference: int) -> Float[np.ndarra
     reach = (extent(scene, target) + extent(scene, reference)) / 2
     away: np.ndarray = (scene.positions[target] - scene.positions[reference]) / reach
     return away
-
-
-def within(scene: Scene, target: int, reference: int) -> float:
-    """Return how far inside the outline of a reference a target lies, seen from above [touching units].
-
-    Args:
-        scene: The objects.
-        target: Index of the one.
-        reference: Index of the other.
-    """
-    sizes, around = extent(scene, target), extent(scene, reference)
-    slack = (around - sizes) / (around + sizes) - np.abs(touching_units(scene, target, reference))
-    return float(np.clip(slack[:2].min(), -FARTHEST_WITHIN, FARTHEST_WITHIN))
 
 
 def extent(scene: Scene, index: int) -> Float[np.ndarray, "3"]:

@@ -195,11 +195,10 @@ def _axes(outcome: Outcome, effect: Float[np.ndarray, "3"]) -> Float[np.ndarray,
 
 def _pair_axes(outcome: Outcome, reference: int) -> Float[np.ndarray, "E"]:
     """Return how the target stands to another object in the end if it was carried there; else zeros."""
-    state = describe_pair(outcome.end, outcome.target, reference, outcome.contacts)
-    signed = touching_units(outcome.end, outcome.target, reference)
-    if not outcome.carried:
-        return np.zeros(len(state) + 1)
-    return np.array([*np.clip(signed, -FARTHEST, FARTHEST), *state[len(signed) :], 1.0])
+    where = np.clip(touching_units(outcome.end, outcome.target, reference), -FARTHEST, FARTHEST)
+    *_, touching, tilted = describe_pair(outcome.end, outcome.target, reference, outcome.contacts)
+    row = np.array([*where, touching, tilted, 1.0])
+    return row if outcome.carried else np.zeros_like(row)
 
 
 _ARRAYS = tuple(f.name for f in fields(Interactions) if f.name != "origin")

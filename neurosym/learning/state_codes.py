@@ -1,7 +1,8 @@
 """States of pairs: which of the ways in which one object stands to another are worth a code.
 
 Pairs are described in touching units (`pair_states.py`), before anybody touched them and as actions left
-them. k-means finds the ways that are typical, and codes are given such that states one bit apart are alike.
+them. k-means finds the ways that are typical, and codes are given such that states one bit apart are alike. A
+reference bears its target in states that fresh pairs are never in, and that targets are carried into.
 Names are made afterwards, from the numbers that are typical of a state.
 """
 
@@ -12,7 +13,6 @@ from jaxtyping import Float
 
 from neurosym.data.interactions import Interactions
 from neurosym.learning.coclustering import gray_order, kmeans, nearest
-from neurosym.pair_states import FARTHEST_WITHIN
 from neurosym.relation_operators import PairState, PairStates
 from neurosym.symbols import all_symbols
 
@@ -21,7 +21,6 @@ STARTS = 20
 RARE = 0.01
 """What fresh pairs are so rarely is what actions made of them."""
 _DIGITS = 4
-_UP, _TILTED_COLUMN, _WITHIN = 2, 4, 5  # columns of descriptions
 _OVER, _TILTED, _TOUCHING, _NEAR = 0.75, 0.4, 0.5, 1.5  # how names tell states apart
 
 
@@ -57,7 +56,7 @@ def learn_states(
             name=f"{name_state(centre * scales)}-{symbol}",
             centre=tuple(round(float(value), _DIGITS) for value in centre * scales),
             share=float(shares[0][row]),
-            bears=bool(shares[0][row] < RARE and shares[1][row] > shares[2][row]),
+            bears=bool(shares[0][row] < RARE and 2 * shares[1][row] > shares[2][row]),
         )
         for row, (symbol, centre) in enumerate(zip(symbols, centres, strict=True))
     ]
@@ -68,36 +67,30 @@ def learn_states(
 def ends_in(interactions: Interactions) -> tuple[Float[np.ndarray, "N D"], Float[np.ndarray, "N D"]]:
     """Describe how pairs stand in the end if the target was carried; and the same the other way round.
 
+    Seen from the target, which stands straight in the middle of things, the reference is as far below.
+
     Args:
         interactions: The data, each aimed at another object.
     """
-    carried = interactions.effects[:, -1] > 0
-    ends = np.asarray(interactions.effects[carried, :-1], dtype=np.float64)
-    ends[:, :2] = np.abs(ends[:, :2])
-    features = np.asarray(interactions.features[carried], dtype=np.float64)
-    width = features.shape[1] // 2
-    sizes, around = features[:, :2], features[:, width : width + 2]
-    turned = ends * np.where(np.arange(ends.shape[1]) == _UP, -1.0, 1.0)
-    turned[:, _TILTED_COLUMN] = 0.0
-    slack = (sizes - around) / (sizes + around) - ends[:, :2]
-    turned[:, _WITHIN] = np.clip(slack.min(1), -FARTHEST_WITHIN, FARTHEST_WITHIN)
-    return ends, turned
+    x, y, up, touching, tilted, carried = np.asarray(interactions.effects, dtype=np.float64).T
+    ends = np.column_stack([np.maximum(np.abs(x), np.abs(y)), up, touching, tilted])[carried > 0]
+    return ends, ends * (1.0, -1.0, 1.0, 0.0)
 
 
-def name_state(centre: Sequence[float] | Float[np.ndarray, "6"]) -> str:
+def name_state(centre: Sequence[float] | Float[np.ndarray, "4"]) -> str:
     """Say in a word or two how a target mostly stands to a reference in a state.
 
     Args:
         centre: The description that is typical.
     """
-    x, y, up, touching, tilted = (float(value) for value in centre[:5])
+    away, up, touching, tilted = (float(value) for value in centre)
     if tilted > _TILTED:
         return "leans-on"
-    if max(x, y) < _OVER:
+    if away < _OVER:
         return "rests-on" if up > _OVER else "lies-under" if up < -_OVER else "sits-in"
     if touching > _TOUCHING:
         return "touches"
-    return "beside" if max(x, y) < _NEAR else "apart-from"
+    return "beside" if away < _NEAR else "apart-from"
 
 
 def _error(points: Float[np.ndarray, "N D"], labels: np.ndarray) -> float:

@@ -12,10 +12,10 @@ def about_state(state: PairState) -> list[str]:
     Args:
         state: The state.
     """
-    where = ", ".join(f"{value:.2f}" for value in state.centre[:3])
+    away, above, *_ = state.centre
     return [
-        f"Take an object from another that bears it in the state {state.symbol}: it is typically at "
-        f"({where}) touching units from that."
+        f"Take an object from another that bears it in the state {state.symbol}: it is typically {away:.2f} "
+        f"touching units away from that, and {above:.2f} above it."
     ]
 
 

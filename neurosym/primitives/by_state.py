@@ -18,7 +18,7 @@ from neurosym.world import Outcome, OutcomeKind
 
 EXACT = 0.5
 """A spread at which an action is still 1 / sqrt(2) as sure as one without any [touching units]."""
-_TILTED, _CARRIED = 4, 6  # columns of what is predicted
+_TILTED, _CARRIED = 4, 5  # columns of what is predicted
 
 
 def by_state(states: PairStates) -> Judging:

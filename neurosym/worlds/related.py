@@ -13,7 +13,7 @@ import numpy as np
 from jaxtyping import Float
 
 from neurosym.guarded import made
-from neurosym.pair_states import DESCRIPTION, tilt
+from neurosym.pair_states import tilt
 from neurosym.table import OtherObject
 from neurosym.world import Outcome, Scene, World, WorldFactory, relative_to
 from neurosym.worlds.aimed import Adapted
@@ -21,10 +21,10 @@ from neurosym.worlds.hosted import OwnFactory
 
 TARGET, REFERENCE = 0, 1
 """Which objects of a scene the pair is made of; the others are bystanders."""
-PAIR_AXES = len(DESCRIPTION) + 1
+PAIR_AXES = 6
 """Axes of the effect of an action that is aimed at another object: where the target ends relative to it along
-x, y and z, whether they touch, how far it is tilted and inside the outline, and 1, if it was carried there;
-else zeros."""
+x, y and z [touching units], whether they touch, how far it is tilted, and 1, if it was carried there; else
+zeros."""
 OBJECTS = (2, 4)
 """How many objects a scene has, at least and at most."""
 WIDER_BELOW = 0.5

@@ -30,7 +30,7 @@ def test_ends_that_differ_in_one_state_are_less_sure():
 
 
 def test_foreseen_is_the_chance_to_be_carried_upright():
-    sure = np.tile([0.0, 0.0, 1.0, 1.0, 0.0, 0.2, 1.0, 0.3], (6, 1))
+    sure = np.tile([0.0, 0.0, 1.0, 1.0, 0.0, 1.0, 0.3], (6, 1))
     leaning, rare = sure.copy(), sure * 0.25
     leaning[:, 4] = 0.9
     assert foresee_relating(sure).sureness == pytest.approx(1.0)
