@@ -32,14 +32,15 @@ from neurosym.operators import (
 )
 from neurosym.place_operators import NEVER_CARRIES, PlaceOperators
 from neurosym.reading import read_json
+from neurosym.relation_operators import RelationOperators
 from neurosym.symbols import Symbol
 from neurosym.table import Table
 from neurosym.wording import quoted
 
-FORMATS = ("neurosym-grounding-1", "neurosym-grounding-2", "neurosym-grounding-3")
+FORMATS = tuple(f"neurosym-grounding-{number}" for number in range(1, 5))
 """Versions of groundings that can be read; the second knows operators with parameters of their own, the third
-what carries objects to places."""
-FORMAT, FORMAT_WITH_PLACES = FORMATS[1:]
+what carries objects to places, the fourth what puts them in relations to one another."""
+FORMAT, FORMAT_WITH_PLACES, FORMAT_WITH_RELATIONS = FORMATS[1:]
 KEEP_DUPLICATES = FORMATS[:1]
 """Formats whose domains have every operator, also where another does the same more reliably."""
 MIN_TRIALS = 5
@@ -59,6 +60,7 @@ class Grounding(msgspec.Struct, frozen=True, forbid_unknown_fields=True, omit_de
         operators: The table of operators.
         unit_costs: Whether every step costs the same, instead of the more the rarer it goes well.
         places: What carries objects to places, if that was learned.
+        relations: What puts objects in relations to one another, if that was learned.
     """
 
     format: str
@@ -69,6 +71,7 @@ class Grounding(msgspec.Struct, frozen=True, forbid_unknown_fields=True, omit_de
     operators: OperatorTable
     unit_costs: bool = False
     places: PlaceOperators | None = None
+    relations: RelationOperators | None = None
 
     def __post_init__(self) -> None:
         check_fields(self)
@@ -116,7 +119,8 @@ class Grounding(msgspec.Struct, frozen=True, forbid_unknown_fields=True, omit_de
         for operator in self.every_operator:
             if operator.name == name:
                 return operator
-        known = (operator.name for operator in self.every_operator)
+        known = [operator.name for operator in self.every_operator]
+        known += [operator.name for operator in self.relations.operators] if self.relations else []
         raise UnknownChoice("operator", name, known, "`neurosym explain`")
 
     def operator_for(self, category: Symbol, primitive: Symbol) -> Operator | None:

@@ -42,17 +42,23 @@ class Kept(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
 class PlaceOperators(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     """Operators that carry objects to places.
 
+    The last two tables are there where objects bear one another.
+
     Attributes:
         operators: What each primitive does to each category; effects are relative to the place.
         occupied: How they turned out where another object stood on the place.
         beside: How they turned out where others stood close around the object.
         format: Version of this table.
+        borne: How they turned out where the object rested on another one.
+        laden: How they turned out where another one rested on the object; kept if that went along.
     """
 
     operators: OperatorTable
     occupied: tuple[Kept, ...] = ()
     beside: tuple[Kept, ...] = ()
     format: str = FORMAT
+    borne: tuple[Kept, ...] | msgspec.UnsetType = msgspec.UNSET
+    laden: tuple[Kept, ...] | msgspec.UnsetType = msgspec.UNSET
 
     def __post_init__(self) -> None:
         check_fields(self)

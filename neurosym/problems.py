@@ -13,6 +13,7 @@ from neurosym.errors import InvalidValue, UnknownChoice
 from neurosym.files import write_json
 from neurosym.operators import TOLERANCE, Length, Vector
 from neurosym.reading import read_json
+from neurosym.relation_goals import RelationGoal, check_relation_goals
 from neurosym.spots import spot_named
 from neurosym.symbols import Symbol
 from neurosym.table import Table
@@ -50,7 +51,7 @@ class SceneObject(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
 
 
 class Problem(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
-    """A scene at rest, and goals for some of its objects.
+    """A scene at rest, and goals for some of its objects: where they shall be, or how they shall be related.
 
     Attributes:
         name: What the problem is called, a legal PDDL name.
@@ -59,6 +60,9 @@ class Problem(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
         tolerance: How near it must come [m].
         provenance: How the problem came about: a seed, or "by hand".
         places: Where objects may be carried to: x and y of each place [m], by its name; drawn if not given.
+        relations: Which object shall stand to which other one in which state: target, reference, state.
+        pairs: Kinds of the pairs of objects, by the names of target and reference with a blank between.
+        touching: Names of the objects that touch, where somebody saw that; else it is told by geometry.
     """
 
     name: str
@@ -67,6 +71,9 @@ class Problem(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     tolerance: Length = TOLERANCE
     provenance: str = "by hand"
     places: dict[str, tuple[Length, Length]] | msgspec.UnsetType = msgspec.UNSET
+    relations: tuple[RelationGoal, ...] | msgspec.UnsetType = msgspec.UNSET
+    pairs: dict[str, Symbol] | msgspec.UnsetType = msgspec.UNSET
+    touching: tuple[tuple[str, str], ...] | msgspec.UnsetType = msgspec.UNSET
 
     def __post_init__(self) -> None:
         check_fields(self)
@@ -84,6 +91,12 @@ class Problem(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
                 )
         if not 0 < self.tolerance < math.inf:
             raise InvalidValue(f"The tolerance is {self.tolerance} m; it must be greater than 0.")
+        check_relation_goals(self.related, names, self.goals)
+
+    @property
+    def related(self) -> tuple[RelationGoal, ...]:
+        """The goals by relation; none in problems that do not say."""
+        return self.relations if isinstance(self.relations, tuple) else ()
 
     @property
     def object_names(self) -> tuple[str, ...]:
@@ -214,7 +227,7 @@ def check_goals(problem: Problem, table: Table, z_range: tuple[float, float]) ->
         table: Where objects may stand.
         z_range: Least and greatest height that a centre can have [m].
     """
-    if not problem.goals:
+    if not (problem.goals or problem.related):
         raise InvalidValue(f"The problem {problem.name} has no goal; give at least one object a goal.")
     for name, goal in problem.goals.items():
         for axis, value, (low, high) in zip("xyz", goal, (table.x, table.y, z_range), strict=True):

@@ -15,7 +15,14 @@ from neurosym.commands.options import (
 from neurosym.console import say, say_next
 from neurosym.operators import OperatorTable
 from neurosym.place_operators import PlaceOperators
-from neurosym.stages.layout import PLACE_MODEL, PLACE_OPERATORS, PRIMITIVES
+from neurosym.relation_operators import RelationOperators
+from neurosym.stages.layout import (
+    PLACE_MODEL,
+    PLACE_OPERATORS,
+    PRIMITIVES,
+    RELATION_MODEL,
+    RELATION_OPERATORS,
+)
 from neurosym.wording import quoted
 
 
@@ -27,10 +34,11 @@ def distill(
     choice: Choice = "own",
 ) -> int:
     """Turn action symbols into parameters and rehearse each in the world: -> `primitives.json`."""
-    from neurosym.commands.tables import show_operators
+    from neurosym.commands.tables import show_operators, show_relations
     from neurosym.naming import counted_axes
     from neurosym.stages.aiming import distill_places_stage
     from neurosym.stages.distilling import distill_stage
+    from neurosym.stages.relating import distill_relations_stage
 
     domain = opened(folder)
     domain.perform(
@@ -41,6 +49,10 @@ def distill(
     if (domain / PLACE_MODEL).exists() and table.measured == "rehearsal":
         domain.perform(distill_places_stage(domain, objects=objects, seed=seed, workers=workers), again=True)
         show_operators(PlaceOperators.load(domain / PLACE_OPERATORS).operators)
+    if (domain / RELATION_MODEL).exists() and table.measured == "rehearsal":
+        stage = distill_relations_stage(domain, pairs=objects, seed=seed, workers=workers)
+        domain.perform(stage, again=True)
+        show_relations(RelationOperators.load(domain / RELATION_OPERATORS))
     if table.measured == "rehearsal":
         say_next(f"neurosym compile-domain {quoted(folder)}")
         return 0

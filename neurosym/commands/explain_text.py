@@ -47,6 +47,9 @@ def _parts(explanation: Explanation) -> tuple[tuple[str, tuple[SymbolExplanation
     parts = (
         ("Action", explanation.actions),
         ("Carrying", explanation.carrying),
+        ("Relating", explanation.relating),
+        ("Pair state", explanation.states),
+        ("Pair", explanation.pairs),
         ("Object", explanation.objects),
     )
     return tuple((kind, symbols) for kind, symbols in parts if symbols)

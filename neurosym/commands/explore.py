@@ -10,6 +10,7 @@ from neurosym.commands.options import (
     MinPredictedEffect,
     Places,
     RegimeName,
+    Relations,
     Seed,
     StrategyOption,
     opened,
@@ -38,6 +39,7 @@ def explore(
     ] = None,
     min_predicted_effect: MinPredictedEffect = 0.0,
     places: Places = 0,
+    relations: Relations = 0,
 ) -> int:
     """Let the robot explore, curious or at random: `world.toml` -> `interactions.npz`.
 
@@ -45,7 +47,8 @@ def explore(
     """
     from neurosym.stages.aiming import explore_places_stage
     from neurosym.stages.exploring import explore_stage
-    from neurosym.stages.layout import PLACE_INTERACTIONS
+    from neurosym.stages.layout import PLACE_INTERACTIONS, RELATION_INTERACTIONS
+    from neurosym.stages.relating import explore_relations_stage
 
     if workers is not None and ray is not None:
         raise InvalidValue("Give --workers or --ray, not both: with --ray, all CPUs of the cluster simulate.")
@@ -60,7 +63,7 @@ def explore(
         ray=ray,
         min_predicted_effect=min_predicted_effect,
     )
-    domain.perform(stage, again=True)
+    domain.perform(stage, again=not relations)
     say(f"{steps} interactions in {folder / 'interactions.npz'}")
     if places:
         of_places = explore_places_stage(
@@ -74,5 +77,17 @@ def explore(
         )
         domain.perform(of_places, again=True)
         say(f"{places} interactions aimed at places in {folder / PLACE_INTERACTIONS}")
+    if relations:
+        of_pairs = explore_relations_stage(
+            domain,
+            strategy=strategy,
+            steps=relations,
+            seed=seed,
+            regime=regime,
+            workers=CPUS if workers is None else workers,
+            ray=ray,
+        )
+        domain.perform(of_pairs, again=True)
+        say(f"{relations} interactions aimed at other objects in {folder / RELATION_INTERACTIONS}")
     say_next(f"neurosym train {quoted(folder)}")
     return 0

@@ -5,11 +5,11 @@ from typing import Annotated
 
 from tyro.conf import UseAppendAction, arg
 
-from neurosym.commands.options import Folder, Seed, Task, opened
+from neurosym.commands.options import AnyTaskOption, Folder, Seed, opened
 from neurosym.console import say, say_next
 from neurosym.errors import InvalidFile, InvalidValue
 from neurosym.stages.folder import DomainFolder
-from neurosym.stages.layout import scene_file
+from neurosym.stages.layout import GROUNDING, problem_files, relation_files, scene_file
 from neurosym.wording import quoted
 
 
@@ -22,12 +22,30 @@ def new_problem(
     objects: Annotated[int, arg(help="Objects on the table: item-01, item-02, ...")] = 1,
     actions: Annotated[int, arg(help="Random actions that lead to the goal, one after another.")] = 1,
     seed: Seed = 0,
-    task: Task = None,
+    task: AnyTaskOption = None,
     goal: Annotated[
         tuple[str, ...],
         UseAppendAction,
         arg(metavar="ITEM=X,Y[,Z]", help="A goal by hand, in the world frame [m], once for each object."),
     ] = (),
+    relation: Annotated[
+        tuple[str, ...],
+        UseAppendAction,
+        arg(
+            metavar='"ITEM STATE ITEM"',
+            help='A goal by relation, as in "item-01 rests-on item-02": a state of the domain, or the '
+            "beginning of its name; once for each.",
+        ),
+    ] = (),
+    height: Annotated[int, arg(help="Objects of a tower or a stack, for --task tower and unstack.")] = 3,
+    state: Annotated[
+        str | None,
+        arg(metavar="STATE", help="The state of pairs that a drawn task of relations asks for; else any."),
+    ] = None,
+    like: Annotated[
+        str | None,
+        arg(metavar="PROBLEM", help="For --task like: the problem whose scene is to be made again."),
+    ] = None,
     scene: Annotated[
         Path | None,
         arg(
@@ -43,19 +61,30 @@ def new_problem(
 
     With `--task` it is what people ask for: `anywhere` puts each object anywhere on the table, `swap` has
     each stand where the next one stood, `row` sets them in a row, and `crowded` clears a crowd. With
-    `--scene` it is all yours: the file is checked, copied and printed as PDDL.
+    `--relation`, one object shall be put on or into another one; goals and relations go together.
+
+    In a domain with relations, `--task tower` asks for a tower of some of the objects, and `boxes` for things
+    each on or in one of its own. `unstack` asks for a stack to be sorted so, `exchange` for two borne things
+    to change places, and `like` for what bears what in the scene of another problem. With `--scene` it is
+    all yours: the file is checked, copied and printed as PDDL.
     """
+    from neurosym.grounding import Grounding
     from neurosym.problems import Problem, check_names
     from neurosym.reading import digest
+    from neurosym.related import is_reached
     from neurosym.stages.compiling import problem_stage
     from neurosym.stages.scenes import scene_stage
 
     domain = opened(folder)
-    if scene and (goal or task or (objects, actions, seed) != (1, 1, 0)):
-        raise InvalidValue("Give --scene, or --objects, --actions, --seed, --task and --goal, not both.")
-    if bool(goal) + bool(task) + (actions != 1) > 1:
+    if scene and (goal or relation or task or (objects, actions, seed) != (1, 1, 0)):
+        raise InvalidValue(
+            "Give --scene, or --objects, --actions, --seed, --task, --goal and --relation, not both."
+        )
+    if bool(goal or relation) + bool(task) + (actions != 1) > 1:
         raise InvalidValue("Give --actions, --task or goals by hand, and only one of them.")
+    _check_shape(task, height, state, like)
     goals = _parse_goals(goal) if goal else None
+    relations = tuple(map(_parse_relation, relation))
     if name is not None:
         check_names((name,))
     with domain.naming_problems():
@@ -75,13 +104,21 @@ def new_problem(
                 seed=seed,
                 goals=goals,
                 task=task,
+                relations=relations,
+                height=height,
+                state=state or "",
+                like=like,
                 tolerance=tolerance,
             )
         domain.perform(stage, again=True)
-    say(f"{verb} {folder / 'problems' / name}.pddl and its scene")
     problem = Problem.load(made)
-    if problem.is_met(problem.scene().positions):
+    files = (*problem_files(name)[:1], *relation_files(name))
+    printed = next((file for file in files if (folder / file).exists()), files[0])
+    say(f"{verb} {folder / printed} and its scene")
+    if is_reached(problem, Grounding.load(domain / GROUNDING)):
         say(f"note: it is met at the start, within {1000 * problem.tolerance:g} mm")
+    for target, other, state in problem.related:
+        say(f"  {target} shall come to be {state} {other}")
     if before != digest(made) and (stale := domain.made_for(name)):
         say(f"note: made for the former {name}, and stale now: {', '.join(stale)}")
     say_next(f"neurosym plan {quoted(folder)} {name}")
@@ -112,3 +149,21 @@ def _parse_goal(text: str) -> tuple[str, tuple[float, ...]]:
         return name, tuple(float(number) for number in numbers.split(","))
     except ValueError as error:
         raise InvalidValue(f"The goal {text!r} cannot be read; write it as item-01=0.60,0.10.") from error
+
+
+def _parse_relation(text: str) -> tuple[str, str, str]:
+    words = text.lower().split()
+    if len(words) != 3:
+        raise InvalidValue(f'The relation {text!r} cannot be read; write it as "item-01 STATE item-02".')
+    target, state, reference = words
+    return target, reference, state
+
+
+def _check_shape(task: str | None, height: int, state: str | None, like: str | None) -> None:
+    """Refuse options of drawn relations where none are drawn."""
+    if height < 2:
+        raise InvalidValue(f"height = {height} must be at least 2.")
+    if (like is not None) != (task == "like"):
+        raise InvalidValue("Give --task like together with --like PROBLEM, whose scene is to be made again.")
+    if (state is not None or height != 3) and task not in ("tower", "boxes", "unstack", "exchange"):
+        raise InvalidValue("--state and --height are for --task tower, boxes, unstack or exchange.")

@@ -13,6 +13,7 @@ from neurosym.errors import InvalidValue
 from neurosym.learning.model_config import DEFAULT_BITS, PAPER_BITS
 from neurosym.shipped import DOMAINS, copy_shipped
 from neurosym.stages.folder import DomainFolder
+from neurosym.stages.task_drawing import AnyTask, DrawnTask
 from neurosym.strategies import StrategyName
 from neurosym.wording import quoted
 
@@ -53,9 +54,26 @@ Places = Annotated[
     int,
     arg(help="Interactions besides that are aimed at a place, to learn what carries objects there."),
 ]
+Relations = Annotated[
+    int,
+    arg(
+        help="Interactions besides that are aimed at another object, to learn what can be done with pairs; "
+        "what carries objects to places must be known."
+    ),
+]
 Task = Annotated[
-    Literal["anywhere", "swap", "row", "crowded"] | None,
-    arg(help="What tasks ask for: goals anywhere, a swap, a row, or to clear a crowd; else as in the paper."),
+    DrawnTask | None,
+    arg(
+        help="What tasks ask for: goals anywhere, a swap, a row, or to clear a crowd; in a domain with "
+        "relations also a tower, boxes, unstack or exchange; else as in the paper."
+    ),
+]
+AnyTaskOption = Annotated[
+    AnyTask | None,
+    arg(
+        help="What it asks for: goals anywhere, a swap, a row, or to clear a crowd; in a domain with "
+        "relations also a tower, boxes, unstack, exchange, or to be like the scene of another problem."
+    ),
 ]
 MinPredictedEffect = Annotated[
     float,

@@ -27,8 +27,12 @@ def plan(
     ] = "fast-downward",
     time_limit: TimeLimit = None,
     encoding: Annotated[
-        Literal["sas", "stepwise", "operators", "numeric", "places"] | None,
-        arg(help="For PDDL planners: sas, stepwise, operators, numeric or places, instead of the usual."),
+        Literal["sas", "stepwise", "operators", "numeric", "places", "relational", "relational-lifted"]
+        | None,
+        arg(
+            help="For PDDL planners: sas, stepwise, operators, numeric, places, relational or "
+            "relational-lifted, instead of the usual."
+        ),
     ] = None,
     whole: Annotated[bool, arg(help="For PDDL planners: all objects at once instead of one by one.")] = False,
     unit_costs: Annotated[

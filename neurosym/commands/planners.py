@@ -10,13 +10,13 @@ def planners(json: Json = False) -> int:
 
     answer, rows = answer_in(json), []
     for planner in PLANNERS.values():
-        by_places = ("places",) if "stepwise" in planner.encodings else ()
-        encodings = ", ".join((*planner.encodings, *by_places)) or "-"
+        others = ("places", "relational") if "stepwise" in planner.encodings else ()
+        encodings = ", ".join((*planner.encodings, *others)) or "-"
         cell = planner.program.cell if planner.program else 0.0
         cells = f", cells from {cell * 1000:g} mm" if cell else ""
         rows.append([planner.name, planner.about, encodings + cells, planner.missing() or "yes"])
     show_table("Planners", ["planner", "what it is", "encodings", "installed"], rows)
-    say("where a domain has places, planners that take them try them first")
+    say("where a domain has places, planners that take them try them first; so with relations")
     say("`pip install 'neurosym-pddl[planners]'` brings those that are not")
     answer(
         [

@@ -13,6 +13,7 @@ from neurosym.commands.options import (
     MinPredictedEffect,
     ObjectBits,
     RegimeName,
+    Relations,
     Seed,
     StrategyOption,
     Workers,
@@ -50,6 +51,7 @@ def run(
             "quarter of --steps from 1024 on, if not given."
         ),
     ] = None,
+    relations: Relations = 0,
 ) -> int:
     """Go the whole way: explore, train, distil, compile, draw problems, plan and execute.
 
@@ -63,6 +65,7 @@ def run(
     check_choices(strategy, regime, min_predicted_effect).model.with_bits(object_bits, action_bits)
     least = {"steps": (steps, 1), "workers": (workers, 1), "rehearsals": (rehearsals, 1)}
     least |= {"seed": (seed, 0), "problems": (problems, 0), "places": (places or 0, 0)}
+    least |= {"relations": (relations, 0)}
     for name, (value, limit) in least.items():
         if value < limit:
             raise InvalidValue(f"{name} = {value} must be at least {limit}.")
@@ -88,5 +91,6 @@ def run(
         object_bits=object_bits,
         action_bits=action_bits,
         places=places,
+        relations=relations,
     )
     return 0

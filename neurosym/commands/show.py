@@ -102,11 +102,17 @@ def _show_primitive(domain: DomainFolder, label: str, output: Path | None, gui: 
 
 def _show_operator(domain: DomainFolder, name: str, output: Path | None, gui: bool) -> None:
     from neurosym.pictures.motions import operator_motions
+    from neurosym.pictures.pair_motions import pair_motion
+    from neurosym.related import relating
 
     world, grounding = _learned(domain)
-    motions = operator_motions(world, grounding, [grounding.operator_named(name)], **_rehearsed(domain))
+    if on_pair := relating(name, grounding):
+        motions: Sequence[Motion] = [pair_motion(world, grounding, on_pair)]
+    else:
+        motions = operator_motions(world, grounding, [grounding.operator_named(name)], **_rehearsed(domain))
     _show_motions(domain, world, motions, f"operator-{name}", output, gui)
     names = [operator.name for operator in grounding.every_operator]
+    names += [operator.name for operator in grounding.relations.operators] if grounding.relations else []
     following = names[(names.index(name) + 1) % len(names)]
     say_next(f"neurosym show {quoted(domain.path)} --operator {following}")
 

@@ -15,6 +15,7 @@ from neurosym.naming import NO_EFFECT, name_axes, names_of_features
 from neurosym.operators import CONVERGED, Effect, Operator, OperatorTable
 from neurosym.pddl.plan_text import PlanStep, primitives
 from neurosym.reading import read_json
+from neurosym.relation_operators import RelationOperators
 from neurosym.wording import counted, listed_briefly
 
 
@@ -60,6 +61,22 @@ def show_operators(table: OperatorTable) -> None:
                 f"{primitive.label} is done by an action that hardly encodes to it: "
                 f"its mean squared error is {primitive.code_error:.2g}, and {CONVERGED} is the limit"
             )
+
+
+def show_relations(table: RelationOperators) -> None:
+    """Print the states that pairs of objects can be in, and what brings pairs of each kind into them."""
+    states = [
+        [state.name, f"{state.share:.0%}", "yes" if state.bears else "", _plain(state.centre)]
+        for state in table.states
+    ]
+    show_table("states of pairs", ["state", "of fresh pairs", "borne", "typical"], states)
+    rows = []
+    for one in table.operators:
+        if one.promise is not None:
+            among = (f"{kept.kept} of {kept.trials}" for kept in (one.borne, one.occupied, one.laden))
+            rows.append([one.name, f"{one.promise.count} of {one.trials}", *among])
+    columns = ["operator", "ends so", "target borne", "reference occupied", "target laden"]
+    show_table("operators on pairs", columns, rows)
 
 
 def show_data(interactions: Interactions, path: Path) -> None:
@@ -111,9 +128,11 @@ def show_run(run: Run) -> None:
     rows = [
         [
             str(number),
-            f"{step.operator} {step.object}",
-            f"{step.promised} {_millimetres(step.promised_effect)}" if step.promised_effect else "nothing",
-            f"{step.happened} {_millimetres(step.effect)}",
+            " ".join((step.operator, step.object, *([step.place or ""] if step.promised_state else []))),
+            f"{step.promised_state or step.promised} {_millimetres(step.promised_effect)}"
+            if step.promised_effect
+            else "nothing",
+            f"{step.state or step.happened} {_millimetres(step.effect)}",
             "" if step.apart is None else f"{1000 * step.apart:.0f}",
             "yes" if step.as_promised else "no",
         ]
@@ -121,11 +140,14 @@ def show_run(run: Run) -> None:
     ]
     columns = ["", "step", "promised [mm]", "happened [mm]", "apart [mm]", "as promised"]
     show_table(f"run of {run.problem}", columns, rows)
-    if any(step.place for step in run.steps):
+    if any(step.promised_state for step in run.steps):
+        say("what is put on or into another object is seen from that")
+    if any(step.place and not step.promised_state for step in run.steps):
         say("what is carried is seen from the point that the hand aimed at; all else from where it stood")
     far = ", ".join(f"{name} {1000 * distance:.0f} mm" for name, distance in run.distances.items())
     allowed = "" if run.tolerance is None else f", {1000 * run.tolerance:g} mm are allowed in this run"
-    say(f"goal {'reached' if run.reached else 'missed'}: {far} from it{allowed}")
+    said = f": {far} from it{allowed}" if far else ""
+    say(f"goal {'reached' if run.reached else 'missed'}{said}")
     for nudge in run.nudges:
         by = 1000 * math.hypot(*nudge.by)
         say(f"before step {nudge.before_step} {nudge.object} was nudged by {by:.0f} mm")

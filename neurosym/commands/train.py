@@ -22,7 +22,14 @@ def train(
     """Fit the effect model whose bits are the symbols: `interactions.npz` -> `effect_model.safetensors`."""
     from neurosym.commands.tables import show_training
     from neurosym.stages.aiming import train_places_stage
-    from neurosym.stages.layout import PLACE_INTERACTIONS, PLACE_TRAINING, TRAINING
+    from neurosym.stages.layout import (
+        PLACE_INTERACTIONS,
+        PLACE_TRAINING,
+        RELATION_INTERACTIONS,
+        RELATION_TRAINING,
+        TRAINING,
+    )
+    from neurosym.stages.relating import train_relations_stage
     from neurosym.stages.training import train_stage
 
     domain = opened(folder)
@@ -33,5 +40,9 @@ def train(
         domain.perform(train_places_stage(domain, seed=seed, regime=regime), again=True)
         say("what carries objects to places:")
         show_training(domain / PLACE_TRAINING)
+    if (domain / RELATION_INTERACTIONS).exists():
+        domain.perform(train_relations_stage(domain, seed=seed, regime=regime), again=True)
+        say("what can be done with pairs of objects:")
+        show_training(domain / RELATION_TRAINING)
     say_next(f"neurosym distill {quoted(folder)}")
     return 0

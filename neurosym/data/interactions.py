@@ -23,6 +23,8 @@ from neurosym.checks import as_path, check_array, check_kind
 from neurosym.data.check import FLAGS, file_problems
 from neurosym.errors import InvalidFile
 from neurosym.files import write_atomically
+from neurosym.pair_states import FARTHEST, describe_pair, touching_units
+from neurosym.table import OtherObject
 from neurosym.world import Outcome
 
 FORMAT = "neurosym-interactions-1"
@@ -88,7 +90,7 @@ class Interactions:
             origin: How the data came about.
         """
         return cls(
-            features=np.stack([o.start.features[o.target] for o in outcomes]).astype(np.float32),
+            features=np.stack([_described(o) for o in outcomes]).astype(np.float32),
             actions=actions.astype(np.float32),
             effects=np.stack([_axes(o, o.effect) for o in outcomes]).astype(np.float32),
             resting_effects=np.stack([_axes(o, o.resting_effect) for o in outcomes]).astype(np.float32),
@@ -174,11 +176,29 @@ def examine(path: Path) -> Examination:
     return Examination(columns, origin, given, tuple(problems), interactions)
 
 
+def _described(outcome: Outcome) -> Float[np.ndarray, "F"]:
+    """Return the features of what was acted upon: of the target, and of an object that it was aimed at."""
+    features = outcome.start.features
+    if isinstance(outcome.reference, OtherObject):
+        return np.concatenate([features[outcome.target], features[outcome.reference.index]])
+    return np.asarray(features[outcome.target])
+
+
 def _axes(outcome: Outcome, effect: Float[np.ndarray, "3"]) -> Float[np.ndarray, "E"]:
-    """Return an effect as data have it: with a reference a fourth axis says whether it was carried there."""
+    """Return an effect as data have it: with a reference the last axis says whether it was carried there."""
     if outcome.reference is None:
         return effect
+    if isinstance(outcome.reference, OtherObject):
+        return _pair_axes(outcome, outcome.reference.index)
     return np.array([*effect, 1.0]) if outcome.carried else np.zeros(len(effect) + 1)
+
+
+def _pair_axes(outcome: Outcome, reference: int) -> Float[np.ndarray, "E"]:
+    """Return how the target stands to another object in the end if it was carried there; else zeros."""
+    where = np.clip(touching_units(outcome.end, outcome.target, reference), -FARTHEST, FARTHEST)
+    *_, touching, tilted = describe_pair(outcome.end, outcome.target, reference, outcome.contacts)
+    row = np.array([*where, touching, tilted, 1.0])
+    return row if outcome.carried else np.zeros_like(row)
 
 
 _ARRAYS = tuple(f.name for f in fields(Interactions) if f.name != "origin")

@@ -26,6 +26,7 @@ from neurosym.planners import PLANNERS, PlanResult, PlanStatus, plan, planner_na
 from neurosym.planners.planner import PredictEffects
 from neurosym.planners.registry import Replanner
 from neurosym.problems import Problem
+from neurosym.related import is_reached, is_relational
 from neurosym.world import World
 
 NOT_VALID = Literal["", "impossible", "elsewhere"]
@@ -135,7 +136,7 @@ def compare(
         time_limit: The user's ceiling for each [s]; its own if not given.
         executed: Whether plans are executed in the world.
     """
-    if problem.is_met(problem.scene().positions):
+    if is_reached(problem, setting.grounding):
         return TaskRecord(problem, met_at_start=True)
     attempts = {
         name: _attempt(setting, problem, name, time_limit=time_limit, executed=executed) for name in planners
@@ -193,7 +194,8 @@ def _attempt(
 def predicted_end(setting: Setting, problem: Problem, steps: Sequence[PlanStep]) -> Float[np.ndarray, "M 3"]:
     """Follow a plan by the network's predictions; where a put-down lands is what the rehearsals saw.
 
-    What is carried to a place is taken to stand there: the network of displacements knows nothing of places.
+    What is carried to a place is taken to stand there: the network of displacements knows nothing of places,
+    and nothing of relations, of which the promises are taken.
 
     Args:
         setting: Where the network is.
@@ -204,6 +206,8 @@ def predicted_end(setting: Setting, problem: Problem, steps: Sequence[PlanStep])
         Centres of the objects at its end [m].
     """
     grounding, positions = setting.grounding, problem.scene().positions
+    if is_relational(problem, grounding):
+        return np.asarray(validate(steps, problem, grounding).positions[-1])
     placed = with_places(problem, grounding)
     symbols = grounding.operators.symbols
     effects = setting.predict(problem.scene().features)  # (M, P, 3)
@@ -221,7 +225,7 @@ def predicted_end(setting: Setting, problem: Problem, steps: Sequence[PlanStep])
 
 
 def _worst(problem: Problem, positions: Float[np.ndarray, "M 3"]) -> float:
-    return round(max(problem.distances(positions).values()), 6)
+    return round(max(problem.distances(positions).values(), default=0.0), 6)
 
 
 def _invalid(replayed: Validation) -> NOT_VALID:

@@ -2,6 +2,7 @@
 
 from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
+from typing import Any
 
 import msgspec
 from jaxtyping import Float
@@ -16,10 +17,11 @@ from neurosym.problems import Problem
 from neurosym.reading import digest, read_json
 from neurosym.stages.folder import DomainFolder
 from neurosym.stages.layout import COMPARISONS, GROUNDING, MODEL, WORLD
+from neurosym.stages.task_drawing import AnyTask, draw_any_task
 from neurosym.symbols import Symbol
 from neurosym.worlds.pool import worker_pool
 from neurosym.worlds.problem_drawing import draw_problem
-from neurosym.worlds.tasks import Fits, TaskKind, draw_task
+from neurosym.worlds.tasks import Fits
 from neurosym.worlds.workers import in_order
 from neurosym.worlds.world_file import read_world
 
@@ -57,7 +59,7 @@ class Order(msgspec.Struct, frozen=True):
     planners: tuple[str, ...]
     tolerance: float
     time_limit: float | None = None
-    task: TaskKind | None = None
+    task: AnyTask | None = None
 
     @property
     def place(self) -> Path:
@@ -95,7 +97,7 @@ class Bench:
         objects: int,
         seed: int,
         tolerance: float,
-        task: TaskKind | None = None,
+        task: AnyTask | None = None,
         fits: Fits | None = None,
     ) -> Problem:
         """Draw a task, and set how near each object must come to its goal.
@@ -113,7 +115,9 @@ class Bench:
         if task is None:
             drawn = draw_problem(world, self.categorise, name=name, objects=objects, seed=seed)
         else:
-            drawn = draw_task(world, self.categorise, task, name=name, objects=objects, seed=seed, fits=fits)
+            known = self.setting.grounding
+            options: dict[str, Any] = {"name": name, "objects": objects, "seed": seed, "fits": fits}
+            drawn = draw_any_task(world, self.categorise, known, task, **options)
         return msgspec.structs.replace(drawn, tolerance=tolerance)
 
 

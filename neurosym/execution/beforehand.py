@@ -3,12 +3,13 @@
 from collections.abc import Sequence
 
 from neurosym.checks import check_all, check_callable, check_count, check_kind, check_seed
-from neurosym.errors import InvalidValue
+from neurosym.errors import InvalidValue, UnknownChoice
 from neurosym.grounding import Grounding
 from neurosym.object_limits import limits_of
 from neurosym.pddl.plan_text import PlanStep
 from neurosym.planners.registry import Replanner
 from neurosym.problems import Problem
+from neurosym.related import relating
 from neurosym.world import World
 
 
@@ -40,7 +41,8 @@ def check_run(
     check_kind("grounding", grounding, Grounding, "a Grounding")
     check_all("plan", plan, PlanStep, "steps, as in PlanResult.steps")
     for step in plan:
-        grounding.operator_named(step.base)
+        if not relating(step.base, grounding):
+            grounding.operator_named(step.base)
         problem.object_named(step.object)
     if replans is not None:
         check_count("replans", replans, least=0)
@@ -53,19 +55,24 @@ def check_run(
             limits.check(item.name, item.features)
 
 
-def check_places(problem: Problem, grounding: Grounding, plan: Sequence[PlanStep]) -> None:
-    """Refuse steps that carry an object nowhere, off the table, or to a place that there is not.
+def check_references(problem: Problem, grounding: Grounding, plan: Sequence[PlanStep]) -> None:
+    """Refuse steps that carry an object nowhere, off the table, or to what there is not.
 
     Args:
         problem: The problem, with its places.
-        grounding: What the operators' names mean.
+        grounding: The learned domain.
         plan: The steps.
 
     Raises:
-        InvalidValue: If there is one.
+        InvalidValue: If a step leads nowhere.
+        UnknownChoice: If it names what there is not.
     """
     for step in plan:
-        if grounding.carries(grounding.operator_named(step.base)):
+        if relating(step.base, grounding):
+            others = [name for name in problem.object_names if name != step.object]
+            if step.place not in others:
+                raise UnknownChoice("other object", step.place, others)
+        elif grounding.carries(grounding.operator_named(step.base)):
             grounding.table.check(step.place, *problem.place_named(step.place))
         elif step.place:
             raise InvalidValue(f"{step.operator} carries nothing, so it cannot lead to {step.place}.")

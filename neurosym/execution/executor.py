@@ -12,10 +12,10 @@ from dataclasses import dataclass, field
 
 import msgspec
 
-from neurosym.execution.beforehand import check_places, check_run
+from neurosym.execution.beforehand import check_references, check_run
 from neurosym.execution.experience import Experience, believed_name
 from neurosym.execution.nudges import Nudger, nudged
-from neurosym.execution.performing import perform
+from neurosym.execution.performing import lifts, perform, recorded
 from neurosym.execution.record import (
     Ended,
     Nudge,
@@ -23,22 +23,31 @@ from neurosym.execution.record import (
     Run,
     StepRecord,
     record_refusal,
-    record_step,
     why_missed,
+)
+from neurosym.execution.relating import (
+    is_about_relations,
+    levelled,
+    missed_relations,
+    prepared,
+    seen_now,
 )
 from neurosym.execution.replanning import PATIENCE, Progress, new_plan, usual_replans, why_not_go_on
 from neurosym.execution.watching import STOP, Moment, Watcher
-from neurosym.grounding import Grounding, is_lift
+from neurosym.grounding import Grounding
 from neurosym.guarded import guarded, placed
-from neurosym.operators import vector
 from neurosym.pddl.places import with_places
 from neurosym.pddl.plan_text import PlanStep, Steps, named_steps, primitives
 from neurosym.pddl.validation import validate
 from neurosym.planners.registry import Replanner
 from neurosym.problems import Problem
 from neurosym.promises import promised
-from neurosym.table import Reference
+from neurosym.related import Contacts, touching, unmet_relations, with_pairs
+from neurosym.table import OtherObject, Reference
 from neurosym.world import FrameSink, Outcome, Scene, World
+
+FAR = 0.1
+"""As how far from its goal an object counts whose relation is missed [m]."""
 
 
 def execute(
@@ -83,8 +92,8 @@ def execute(
         nudger = Nudger(nudge_seed, primitives(plan))
     most = (usual_replans(plan) if replans is None else replans) if replanner else 0
     drawn = problem.places is msgspec.UNSET
-    problem = with_places(problem, grounding)
-    check_places(problem, grounding, plan)
+    problem = _prepared(problem, grounding)
+    check_references(problem, grounding, plan)
     run = _Running(world, problem, grounding, list(plan), on_frame, most, drawn)
     while run.goes_on:
         if nudger and nudger.before_step == len(run.records) + 1 and not run.nudges:
@@ -102,6 +111,13 @@ def execute(
         if on_step:
             on_step(run.records[-1])
     return run.record(named_steps(plan))
+
+
+def _prepared(problem: Problem, grounding: Grounding) -> Problem:
+    """Return a problem with its places, and with the kinds of its pairs if relations matter."""
+    if is_about_relations(problem, grounding):
+        return prepared(problem, grounding)
+    return with_places(with_pairs(problem, grounding.relations), grounding)
 
 
 @dataclass(slots=True)
@@ -122,11 +138,13 @@ class _Running:
     replannings: list[Replanning] = field(default_factory=list)
     nudges: list[Nudge] = field(default_factory=list)
     ended: Ended = "plan"
+    contacts: Contacts | None = None
     progress: Progress = field(init=False)
     _lifted: tuple[PlanStep, Scene] | None = None
 
     def __post_init__(self) -> None:
         self.scene, self.aimed = self.problem.scene(), self.problem
+        self.contacts = touching(self.problem) if isinstance(self.problem.touching, tuple) else None
         self.experience = Experience(self.grounding)
         self.progress = Progress(primitives(self.left), self._miss())
 
@@ -155,7 +173,7 @@ class _Running:
 
     def _be_nudged(self, nudge: Nudge) -> None:
         self.nudges.append(nudge)
-        self.scene = nudged(self.scene, nudge, self.problem)
+        self.scene, self.contacts = nudged(self.scene, nudge, self.problem), None
 
     def why_not_go_on(self) -> str:
         """Say why what is left of the plan would miss its goals by what is believed now, or nothing."""
@@ -189,7 +207,7 @@ class _Running:
     def step(self) -> None:
         """Perform the next step of the plan, and put down what it lifts unless that ends the plan."""
         step = self.left.pop(0)
-        put_down = bool(self.left) or not is_lift(self.grounding.operator_named(step.operator))
+        put_down = bool(self.left) or not lifts(step, self.grounding)
         if self.left and self.left[0].puts_down:
             self.left.pop(0)
         before = self.scene
@@ -218,19 +236,24 @@ class _Running:
             plan: The steps that were asked for.
         """
         distances = self.problem.distances(self.scene.positions)
-        reached = self.problem.is_met(self.scene.positions)
+        unmet = unmet_relations(self._now(), self.grounding)
+        reached = self.problem.is_met(self.scene.positions) and not unmet
         ended = "goal" if reached else self.ended
+        missed = missed_relations(unmet, self.records, self.grounding)
         return Run(
             problem=self.problem.name,
             plan=plan,
             steps=tuple(self.records),
             reached=reached,
             distances=distances,
-            reason=why_missed(ended, self.records, self.replannings, distances, self.problem.tolerance),
+            reason=why_missed(
+                ended, self.records, self.replannings, distances, self.problem.tolerance, missed
+            ),
             nudge=self.nudges[0] if self.nudges else None,
             more_nudges=tuple(self.nudges[1:]) or msgspec.UNSET,
             replannings=tuple(self.replannings),
             ended=ended,
+            unmet=tuple(unmet) if self.problem.related else msgspec.UNSET,
         )
 
     def _put_down(self) -> None:
@@ -244,7 +267,9 @@ class _Running:
 
     def _take(self, step: PlanStep, outcome: Outcome, put_down: bool) -> None:
         self.scene = outcome.end
-        self.records.append(record_step(step, self.problem, self.grounding, outcome, put_down=put_down))
+        if self.grounding.relations:
+            self.contacts, outcome = outcome.contacts, levelled(outcome)
+        self.records.append(recorded(step, self.problem, self.grounding, outcome, put_down=put_down))
         if not self._lifted:
             self.experience.learn(step, outcome)
         if outcome.lost:
@@ -254,6 +279,8 @@ class _Running:
         """Return where to aim, such that an object stands at its place by what is believed of it now."""
         if not step.place:
             return None
+        if step.place in self.problem.object_names:
+            return OtherObject(self.problem.object_names.index(step.place))
         believed, grounding = self.experience.believed(self._now(self.aimed))
         name = believed_name(step, believed, grounding).operator
         of_item = promised(grounding, believed.object_named(step.object))
@@ -265,8 +292,9 @@ class _Running:
         return self.world.table.nearest(x - off_x, y - off_y)
 
     def _miss(self) -> float:
-        """Return how far objects are from their goals, in sum [m]."""
-        return math.fsum(self.problem.distances(self.scene.positions).values())
+        """Return how far objects are from their goals, in sum, a missed relation as if it were far [m]."""
+        unmet = unmet_relations(self._now(), self.grounding)
+        return math.fsum([*self.problem.distances(self.scene.positions).values(), FAR * len(unmet)])
 
     def _with_new_places(self, problem: Problem) -> Problem:
         """Return a problem with places that suit where things stand now, unless it was given its own.
@@ -277,14 +305,10 @@ class _Running:
         if not self.places_drawn:
             return problem
         believed, _ = self.experience.believed(msgspec.structs.replace(problem, places=msgspec.UNSET))
-        return msgspec.structs.replace(problem, places=with_places(believed, self.grounding).places)
+        return msgspec.structs.replace(problem, places=_prepared(believed, self.grounding).places)
 
     def _now(self, problem: Problem | None = None) -> Problem:
         """Return a problem, the one to be solved if none is given, with the objects as they stand now."""
-        problem = problem or self.problem
-        rows = zip(self.problem.objects, self.scene.positions, self.scene.orientations, strict=True)
-        objects = tuple(
-            msgspec.structs.replace(item, position=vector(position), orientation=tuple(orientation.tolist()))
-            for item, position, orientation in rows
+        return seen_now(
+            problem or self.problem, self.scene, self.contacts if self.grounding.relations else None
         )
-        return msgspec.structs.replace(problem, objects=objects)

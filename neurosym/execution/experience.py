@@ -16,6 +16,7 @@ import msgspec
 import numpy as np
 
 from neurosym.execution.appearance import STRAIGHT, as_it_shows
+from neurosym.execution.relating import PairExperience
 from neurosym.execution.weighing import REPEATS, combined, mean_of, miss_of
 from neurosym.grounding import Grounding
 from neurosym.operators import TOLERANCE, Category, Mode, Operator, OperatorTable
@@ -23,6 +24,7 @@ from neurosym.pddl.moves import PUT_DOWN
 from neurosym.pddl.plan_text import PlanStep
 from neurosym.problems import Problem, SceneObject
 from neurosym.promises import LEAST_CHANCE, promised
+from neurosym.related import relating
 from neurosym.symbols import Symbol
 from neurosym.world import Outcome, OutcomeKind
 
@@ -58,11 +60,12 @@ class Experience:
     grounding: Grounding
     _seen: dict[tuple[str, str], list[_Seen]] = field(default_factory=dict)
     _forgotten: dict[tuple[str, str], list[_Seen]] = field(default_factory=dict)
+    _pairs: PairExperience | None = None
 
     @property
     def says_something(self) -> bool:
         """Whether anything was seen."""
-        return bool(self._seen)
+        return bool(self._seen or self._pairs)
 
     def hoping_again(self, problem: Problem) -> "Experience":
         """Forget what was seen, but for what failed and would mostly do so again.
@@ -80,7 +83,9 @@ class Experience:
             for key in [(item.name, _label(operator, self.grounding))]
             if _is_given_up(operator, _as_it_lies(item, every.get(key, [])), problem.tolerance)
         }
-        return Experience(self.grounding, kept, {key: rows for key, rows in every.items() if key not in kept})
+        forgotten = {key: rows for key, rows in every.items() if key not in kept}
+        pairs = self._pairs.hoping_again() if self._pairs else None
+        return Experience(self.grounding, kept, forgotten, pairs)
 
     def learn(self, step: PlanStep, outcome: Outcome) -> None:
         """Remember what a step did.
@@ -89,6 +94,10 @@ class Experience:
             step: The step, by its learned name.
             outcome: What happened.
         """
+        if relating(step.base, self.grounding):
+            self._pairs = self._pairs or PairExperience(self.grounding)
+            self._pairs.learn(step, outcome)
+            return
         label = _label(self.grounding.operator_named(step.base), self.grounding)
         lay = tuple(outcome.start.orientations[outcome.target].tolist())
         self._seen.setdefault((step.object, label), []).append(_Seen(outcome, lay))
@@ -103,6 +112,7 @@ class Experience:
             The problem with these categories, and the grounding that has them.
         """
         known = {name for name, _ in self._seen}
+        problem = self._pairs.believed(problem) if self._pairs else problem
         objects, categories, operators = [], list[Category](), list[tuple[Operator, bool]]()
         for lying in problem.objects:
             item = as_it_shows(lying, self.grounding)
@@ -188,6 +198,8 @@ def believed_name(step: PlanStep, problem: Problem, grounding: Grounding) -> Pla
         problem: A problem that `Experience.believed` returned.
         grounding: The grounding that it returned.
     """
+    if relating(step.base, grounding):
+        return step
     learned, item = grounding.operator_named(step.base), problem.object_named(step.object)
     label = _label(learned, grounding)
     for operator in grounding.every_operator:

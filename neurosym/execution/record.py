@@ -13,7 +13,8 @@ from neurosym.operators import TOLERANCE, Length, Operator, Vector, vector
 from neurosym.pddl.plan_text import PlanStep, Steps
 from neurosym.problems import Problem
 from neurosym.promises import promised
-from neurosym.table import Place
+from neurosym.relation_goals import RelationGoal
+from neurosym.table import OtherObject, Place, Reference
 from neurosym.wording import counted, in_millimetres
 from neurosym.world import Disturbance, Outcome, OutcomeKind, Scene
 
@@ -42,8 +43,12 @@ class StepRecord(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
         touched: Names of the other objects that the robot itself touched.
         disturbed: How other objects ended that ended elsewhere (moved, toppled, lost), by name.
         put_down: Whether a held object was put down again at the end of the step.
-        place: Name of the place that the object was to be carried to, if it was.
+        place: Name of the place that the object was to be carried to, or of the other object that it was to
+            be put on, if there was one.
         aim: Where the hand aimed on the table for that, x and y [m].
+        promised_state: Name of the state that it was to end in with the other object, if it was put on one.
+        state: Name of the state that it ended in with that, if it was carried there.
+        relations: What bears each object after the step that is borne, as state and name, if that matters.
     """
 
     operator: str
@@ -60,6 +65,9 @@ class StepRecord(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     put_down: bool = True
     place: str | msgspec.UnsetType = msgspec.UNSET
     aim: tuple[Length, Length] | msgspec.UnsetType = msgspec.UNSET
+    promised_state: str | msgspec.UnsetType = msgspec.UNSET
+    state: str | msgspec.UnsetType = msgspec.UNSET
+    relations: dict[str, str] | msgspec.UnsetType = msgspec.UNSET
 
     @property
     def apart(self) -> float | None:
@@ -75,9 +83,12 @@ class StepRecord(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
         return PlanStep(self.operator, self.object, self.place or "")
 
     @property
-    def reference(self) -> Place | None:
-        """What the step was aimed at, if anything."""
-        return Place(*self.aim) if isinstance(self.aim, tuple) else None
+    def reference(self) -> Reference | None:
+        """What the step was aimed at besides its object, if anything."""
+        if isinstance(self.aim, tuple):
+            return Place(*self.aim)
+        names = list(self.positions)
+        return OtherObject(names.index(self.place)) if self.place in names else None
 
 
 class Nudge(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
@@ -126,6 +137,7 @@ class Run(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
         machine: What it was made on; None in records of earlier versions, and where nothing was written.
         ended: What ended it.
         more_nudges: What was nudged besides, in that order, if somebody did so more than once.
+        unmet: The goals by relation that were not met at the end, where there were such goals.
     """
 
     problem: str
@@ -140,6 +152,7 @@ class Run(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     machine: Machine | None = None
     ended: Ended = "unknown"
     more_nudges: tuple[Nudge, ...] | msgspec.UnsetType = msgspec.UNSET
+    unmet: tuple[RelationGoal, ...] | msgspec.UnsetType = msgspec.UNSET
 
     @property
     def nudges(self) -> tuple[Nudge, ...]:
@@ -223,6 +236,7 @@ def why_missed(
     replannings: Sequence[Replanning],
     distances: dict[str, float],
     tolerance: float,
+    relations: str = "",
 ) -> str:
     """Say which goal was missed, and what ended the run; nothing if the goal was reached.
 
@@ -232,13 +246,16 @@ def why_missed(
         replannings: The new plans that were asked for.
         distances: How far each object with a goal ended from it [m].
         tolerance: How far it may be [m].
+        relations: Which goals by relation were missed, in words.
     """
     if ended == "goal":
         return ""
-    name, distance = max(distances.items(), key=lambda item: item[1])
-    allowed = f"{1000 * tolerance:g} mm allowed"
-    missed = f"{name} is {in_millimetres(distance, tolerance)} from its goal ({allowed})"
-    return f"{missed}; {_what_ended(ended, records, replannings)}"
+    missed = [relations] if relations else []
+    name, distance = max(distances.items(), key=lambda item: item[1], default=("", 0.0))
+    if name and not (relations and distance <= tolerance):
+        allowed = f"{1000 * tolerance:g} mm allowed"
+        missed += [f"{name} is {in_millimetres(distance, tolerance)} from its goal ({allowed})"]
+    return "; ".join([*missed, _what_ended(ended, records, replannings)])
 
 
 def _what_ended(ended: Ended, records: Sequence[StepRecord], replannings: Sequence[Replanning]) -> str:
@@ -279,7 +296,8 @@ def _first_otherwise(records: Sequence[StepRecord]) -> str:
                 if record.apart is None
                 else f", {in_millimetres(record.apart, TOLERANCE)} from the promise"
             )
-            told = f"promised {record.promised}, ended {record.happened}{apart}"
+            promised, happened = record.promised_state or record.promised, record.state or record.happened
+            told = f"promised {promised}, ended {happened}{apart}"
             return f"step {number}, {record.operator}: {told}"
     if not records:
         return "it has no step"

@@ -13,6 +13,7 @@ from neurosym.pddl.validation import Validation, validate
 from neurosym.planners.registry import Replanner
 from neurosym.planners.result import PlanStatus
 from neurosym.problems import Problem
+from neurosym.related import is_reached, is_relational
 
 PATIENCE = 10
 """After how many new plans in a row that come no nearer to the goal a run stops."""
@@ -64,12 +65,12 @@ def why_not_go_on(left: Sequence[PlanStep], seen: Problem, experience: Experienc
         seen: The problem as it stands now.
         experience: What the objects were seen to do.
     """
-    if not left and seen.is_met(seen.scene().positions):
+    if not left and is_reached(seen, experience.grounding):
         return ""
     believed, grounding = experience.believed(seen)
     checked = validate([believed_name(step, believed, grounding) for step in left], believed, grounding)
     if checked.failed is None:
-        return "" if _can_wait(left, checked, believed) else checked.reason
+        return "" if checked.valid or _can_wait(left, checked, believed) else checked.reason
     step, why = learned_name(checked.failed[0]), checked.failed[1]
     return f"{step.operator} {step.object}: {why}"
 
@@ -93,7 +94,7 @@ def _can_wait(left: Sequence[PlanStep], checked: Validation, problem: Problem) -
         for name, miss in problem.distances(checked.positions[-1]).items()
         if miss > problem.tolerance
     }
-    return all(
+    return bool(missed) and all(
         miss <= 2 * problem.tolerance and primitives_left[name] > LATER for name, miss in missed.items()
     )
 
@@ -145,6 +146,8 @@ def new_plan(replanner: Replanner, seen: Problem, experience: Experience) -> New
 def _for_fewer(problem: Problem, experience: Experience) -> Iterator[Problem]:
     """List problems with fewer goals: all that can be carried to, and then those met now and one more."""
     believed, grounding = experience.believed(problem)
+    if is_relational(believed, grounding):
+        return
     carried = [name for name in carried_objects(believed, grounding) if name in problem.goals]
     missed = sorted(problem.unmet, key=lambda name: (name not in carried, name))
     met = problem.goals.keys() - set(missed)

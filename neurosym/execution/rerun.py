@@ -13,11 +13,14 @@ import msgspec
 
 from neurosym.execution.nudges import nudged
 from neurosym.execution.performing import perform
-from neurosym.execution.record import Run, StepRecord, record_refusal, record_step
+from neurosym.execution.performing import recorded as record_of
+from neurosym.execution.record import Run, StepRecord, record_refusal
+from neurosym.execution.relating import levelled, seen_now
 from neurosym.execution.watching import STOP, Moment, Watcher
 from neurosym.grounding import Grounding
 from neurosym.pddl.places import GOAL, PARK, with_places
 from neurosym.problems import Problem
+from neurosym.related import relating, touching, unmet_relations
 from neurosym.world import FrameSink, Scene, World
 
 ROUNDING = 1e-6
@@ -67,6 +70,7 @@ def rerun(
         InvalidValue: If a step carries an object to no place, or off the table.
     """
     scene, records = problem.scene(), []
+    contacts = touching(problem) if isinstance(problem.touching, tuple) else None
     _check_places(problem, grounding, run)
     for number, recorded in enumerate(run.steps, start=1):
         moved = _nudged_before(number, scene, run, problem)
@@ -80,18 +84,24 @@ def rerun(
         if outcome is None:
             records.append(record_refusal(step, problem, scene))
         else:
-            scene = outcome.end
-            records.append(record_step(step, problem, grounding, outcome, put_down=put_down))
+            scene, contacts = outcome.end, outcome.contacts
+            outcome = levelled(outcome) if grounding.relations else outcome
+            records.append(record_of(step, problem, grounding, outcome, put_down=put_down))
         if on_step:
             on_step(records[-1])
         if _compare(recorded, records[-1]).course == "another":
             break
-    scene = _nudged_before(len(records) + 1, scene, run, problem)
+    moved = _nudged_before(len(records) + 1, scene, run, problem)
+    contacts = contacts if moved is scene else None
+    scene = moved
+    now = seen_now(problem, scene, contacts if grounding.relations else None)
+    unmet = unmet_relations(now, grounding)
     return msgspec.structs.replace(
         run,
         steps=tuple(records),
-        reached=problem.is_met(scene.positions),
+        reached=problem.is_met(scene.positions) and not unmet,
         distances=problem.distances(scene.positions),
+        unmet=unmet if problem.related else msgspec.UNSET,
     )
 
 
@@ -107,7 +117,11 @@ def _check_places(problem: Problem, grounding: Grounding, run: Run) -> None:
     """Refuse places that there cannot have been; those of new plans are not known by now."""
     placed = with_places(problem, grounding)
     for step in (one.step for one in run.steps):
-        if grounding.carries(grounding.operator_named(step.base)) and not step.place.startswith((GOAL, PARK)):
+        if relating(step.base, grounding):
+            problem.object_named(step.place)
+        elif grounding.carries(grounding.operator_named(step.base)) and not step.place.startswith(
+            (GOAL, PARK)
+        ):
             grounding.table.check(step.place, *placed.place_named(step.place))
 
 

@@ -64,6 +64,24 @@ def end_in_words(mode: Mode) -> str:
     return "at the place" if away == "nowhere" else f"{away} of the place"
 
 
+def aimed_action_in_words(
+    primitive: Primitive, gripper: Sequence[bool], reference: str = "the place"
+) -> tuple[str, ...]:
+    """Say what the hand does: two waypoints are relative to the object, the third to what it is aimed at.
+
+    Args:
+        primitive: The action.
+        gripper: Which action parameters are gripper values, as the world says; empty if nobody knows.
+        reference: What it is aimed at besides the object.
+    """
+    told = action_in_words(primitive.action, gripper)
+    if len(told) <= _WAYPOINTS:  # plain numbers
+        return told
+    last = primitive.action[-4:-1]
+    spot = place_in_words(last, reference)
+    return (*told[:2], f"What it grips then it lifts, carries to {spot}, lowers and lets go.")
+
+
 def _of(places: PlaceOperators, symbol: Symbol) -> tuple[Operator, ...]:
     return tuple(one for one in places.operators.operators if one.primitive == symbol)
 
@@ -84,18 +102,8 @@ def _about(places: PlaceOperators, symbol: Symbol, gripper: Sequence[bool]) -> l
         if len(of_symbol) > 1:
             on = (names[one.category] for one in _of(places, symbol) if one.label == primitive.label)
             lines.append(f"{primitive.label} is for {', '.join(on) or 'no category'}.")
-        lines += _action_in_words(primitive, gripper)
+        lines += aimed_action_in_words(primitive, gripper)
     return lines
-
-
-def _action_in_words(primitive: Primitive, gripper: Sequence[bool]) -> tuple[str, ...]:
-    """Say what the hand does: two waypoints are relative to the object, the third to the place."""
-    told = action_in_words(primitive.action, gripper)
-    if len(told) <= _WAYPOINTS:  # plain numbers
-        return told
-    last = primitive.action[-4:-1]
-    spot = place_in_words(last, "the place")
-    return (*told[:2], f"What it grips then it lifts, carries to {spot}, lowers and lets go.")
 
 
 def _among_others(places: PlaceOperators, symbol: Symbol) -> list[str]:

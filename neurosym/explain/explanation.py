@@ -86,12 +86,18 @@ class Explanation:
         actions: The action symbols, in the order of their bits.
         objects: The object symbols, in the order of their bits.
         carrying: The symbols of actions that are aimed at a place, if these were learned.
+        relating: The symbols of actions that are aimed at another object, if these were learned.
+        states: The states of pairs of objects, if these were learned.
+        pairs: The kinds of pairs of objects, if these were learned.
     """
 
     summary: tuple[str, ...]
     actions: tuple[SymbolExplanation, ...]
     objects: tuple[SymbolExplanation, ...]
     carrying: tuple[SymbolExplanation, ...] = ()
+    relating: tuple[SymbolExplanation, ...] = ()
+    states: tuple[SymbolExplanation, ...] = ()
+    pairs: tuple[SymbolExplanation, ...] = ()
 
 
 def explain(

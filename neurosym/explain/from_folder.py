@@ -6,7 +6,15 @@ from typing import TYPE_CHECKING
 from neurosym.errors import InvalidFile, InvalidValue
 from neurosym.operators import OperatorTable
 from neurosym.stages.folder import DomainFolder
-from neurosym.stages.layout import GROUNDING, INTERACTIONS, PLACE_OPERATORS, PRIMITIVES, TABLE_FILES, WORLD
+from neurosym.stages.layout import (
+    GROUNDING,
+    INTERACTIONS,
+    PLACE_OPERATORS,
+    PRIMITIVES,
+    RELATION_OPERATORS,
+    TABLE_FILES,
+    WORLD,
+)
 from neurosym.stages.practising import operator_table
 
 if TYPE_CHECKING:
@@ -36,6 +44,13 @@ def explain_folder(domain: DomainFolder) -> "Explanation":
     """
     from neurosym.explain.carrying_words import summary_of
     from neurosym.explain.explanation import explain as explain_table
+    from neurosym.explain.relating_words import (
+        explain_pairs,
+        explain_relating,
+        explain_states,
+        summary_of_relations,
+    )
+    from neurosym.relation_operators import RelationOperators
 
     path, table = domain.require(PRIMITIVES), operator_table(domain)
     world = _world(domain)
@@ -52,8 +67,23 @@ def explain_folder(domain: DomainFolder) -> "Explanation":
     outdated = [f"{line}." for line in domain.outdated(TABLE_FILES)]
     carrying = _carrying(domain, world)
     remarks = [summary_of(carrying)] if carrying else []
+    relations = RelationOperators.load(domain / RELATION_OPERATORS) if _has_relations(domain) else None
+    remarks += [summary_of_relations(relations)] if relations else []
     remarks += [_NO_WORLD] * (world is None) + [remark] * bool(remark) + outdated
-    return replace(explanation, summary=(*explanation.summary, *remarks), carrying=carrying)
+    explanation = replace(explanation, summary=(*explanation.summary, *remarks), carrying=carrying)
+    if relations is None:
+        return explanation
+    names = world.feature_names if world else _names_in_data(domain)
+    return replace(
+        explanation,
+        relating=explain_relating(relations, world.action_box.gripper.tolist() if world else ()),
+        states=explain_states(relations),
+        pairs=explain_pairs(relations, names),
+    )
+
+
+def _has_relations(domain: DomainFolder) -> bool:
+    return (domain / RELATION_OPERATORS).is_file()
 
 
 def _carrying(domain: DomainFolder, world: "World | None") -> "tuple[SymbolExplanation, ...]":

@@ -4,6 +4,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 
 import numpy as np
+from jaxtyping import Float
 
 from neurosym.actions import Mirror
 from neurosym.data.dimensions import Dimensions
@@ -15,7 +16,7 @@ from neurosym.learning.direct_model import DirectModel
 from neurosym.learning.effect_model import EffectModel
 from neurosym.learning.losses import reproducible
 from neurosym.learning.model_config import DirectConfig, ModelConfig
-from neurosym.world import World
+from neurosym.world import Scene, World
 from neurosym.worlds.workers import Task
 
 
@@ -49,7 +50,7 @@ class ExplorationConfig:
 def choose_action(
     world: World, curiosity: Curiosity | None, config: ExplorationConfig, seed: int, number: int
 ) -> Task:
-    """Draw the scene and the candidates of one interaction, and choose among them.
+    """Draw a scene, or as many as the world says, and candidates for each, and choose among them.
 
     Args:
         world: Where scenes and actions come from.
@@ -59,17 +60,31 @@ def choose_action(
         number: Of the interaction.
     """
     rng = np.random.default_rng([seed, number])
-    scene = world.sample_scene(rng, 1)
-    candidates = world.action_box.sample(rng, config.candidates).astype(np.float32)  # as they are stored
-    if curiosity is None:
-        return Task(scene, candidates[0])
-    features = scene.features[0]
-    scores = curiosity.uncertainties(features, candidates)
-    if config.min_predicted_effect > 0:
-        eligible = curiosity.expected_sizes(features, candidates) >= config.min_predicted_effect
-        if eligible.any():
-            candidates, scores = candidates[eligible], scores[eligible]
-    return Task(scene, candidates[curiosity.pick(scores, rng)])
+    several = getattr(world, "scenes_to_choose_from", 1) if curiosity is not None else 1
+    most, best = -np.inf, None
+    for _ in range(several):
+        scene = world.sample_scene(rng, 1)
+        candidates = _draw(world, scene, config.candidates // several, rng)
+        if curiosity is None:
+            return Task(scene, candidates[0])
+        features = scene.features[0]
+        scores = curiosity.uncertainties(features, candidates)
+        if config.min_predicted_effect > 0:
+            eligible = curiosity.expected_sizes(features, candidates) >= config.min_predicted_effect
+            if eligible.any():
+                candidates, scores = candidates[eligible], scores[eligible]
+        picked = curiosity.pick(scores, rng)
+        if best is None or scores[picked] > most:
+            most, best = float(scores[picked]), Task(scene, candidates[picked])
+    assert best is not None, "there is a scene to choose from"
+    return best
+
+
+def _draw(world: World, scene: Scene, count: int, rng: np.random.Generator) -> Float[np.ndarray, "C A"]:
+    """Draw candidates from the box, or as the world says, with the digits that are stored."""
+    draw = getattr(world, "draw_actions", None)
+    drawn: np.ndarray = draw(rng, scene, count) if draw else world.action_box.sample(rng, count)
+    return drawn.astype(np.float32)
 
 
 def make_curiosity(

@@ -34,6 +34,7 @@ from neurosym.worlds.workers import Perform, Task, crew
 FORMAT = "neurosym-exploration-3"
 INTERACTIONS_FILE = "interactions.partial.npz"
 STATE_FILE = "exploration.safetensors"
+_MEMORY = "memory."  # what the names of tensors begin with that the world remembers, not the networks
 
 
 def explore(
@@ -171,6 +172,8 @@ class _Explorer:
                 progress(done + len(outcomes), steps)
         block = Interactions.from_outcomes(outcomes, np.stack(actions), self.origin)
         self.interactions = block if self.interactions is None else self.interactions.join(block)
+        if remember := getattr(self.world, "remember", None):
+            remember(outcomes)
         if len(block) == self.config.block:
             self.blocks += 1
             if self.curiosity is not None:
@@ -192,6 +195,8 @@ class _Explorer:
         """Write the interactions first and then the state, so that the state is never ahead of them."""
         assert self.interactions is not None
         tensors = {} if self.curiosity is None else self.curiosity.state()
+        if memory := getattr(self.world, "memory", None):
+            tensors |= {f"{_MEMORY}{name}": rows for name, rows in memory().items()}
         description = {"blocks": self.blocks, "options": self.origin}
         with at_once():
             self.interactions.save(folder / INTERACTIONS_FILE)
@@ -216,11 +221,16 @@ class _Explorer:
         if rows == 0:
             return
         self.interactions, self.blocks, self.kept = self._interactions_of(path, rows), blocks, rows
-        if self.curiosity is not None:
-            try:
+        memory = {
+            name.removeprefix(_MEMORY): tensors.pop(name) for name in [*tensors] if name.startswith(_MEMORY)
+        }
+        try:
+            if recall := getattr(self.world, "recall", None):
+                recall(memory)
+            if self.curiosity is not None:
                 self.curiosity.restore(tensors)
-            except (KeyError, ValueError, RuntimeError) as error:
-                raise InvalidFile(path, "its weights do not fit the options stored beside them") from error
+        except (KeyError, ValueError, RuntimeError) as error:
+            raise InvalidFile(path, "its weights do not fit the options stored beside them") from error
 
     def _interactions_of(self, state: Path, rows: int) -> Interactions:
         """Read the interactions that a state was learned from."""

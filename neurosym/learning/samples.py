@@ -75,14 +75,16 @@ class Samples:
 def samples_of(interactions: Interactions, *, mirrors: bool = True) -> Samples:
     """Turn a data set into tensors, with the box of its actions if they were drawn from it.
 
-    So they were if a strategy explored. Actions of other origin may lie in few places of their box.
+    So they were if a strategy explored. Actions of other origin may lie in few places of their box, and so
+    do those that were proposed because they do something.
 
     Args:
         interactions: The data.
         mirrors: Whether to make use of the mirrors that its origin names.
     """
     origin = interactions.origin
-    has_box = strategy_of(origin) is not None and "action_low" in origin and "action_high" in origin
+    is_drawn = strategy_of(origin) is not None and not origin.get("proposed")
+    has_box = is_drawn and "action_low" in origin and "action_high" in origin
     return Samples(
         features=tensor(interactions.features),
         actions=tensor(interactions.actions),

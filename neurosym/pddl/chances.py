@@ -18,9 +18,11 @@ from neurosym.grounding import Grounding
 from neurosym.operators import Operator
 from neurosym.pddl.moves import chance
 from neurosym.pddl.plan_text import PlanStep
+from neurosym.pddl.relational_replay import chances_along
 from neurosym.pddl.validation import validate
 from neurosym.problems import Problem
 from neurosym.promises import promised
+from neurosym.related import is_relational, relating
 
 POINTS = 1024
 """How many points stand for a normal distribution."""
@@ -36,10 +38,10 @@ def expected_success(steps: Sequence[PlanStep], problem: Problem, grounding: Gro
         grounding: The learned domain.
     """
     ends = validate(steps, problem, grounding).positions[-1]
-    kept = math.prod(chance(promise_of(step, problem, grounding)) for step in steps if not step.puts_down)
+    kept = math.prod(_chances(steps, problem, grounding))
     inside = 1.0
     for name, goal in problem.goals.items():
-        spread = spread_of([step for step in steps if step.object == name], problem, grounding)
+        spread = spread_of(_moves(name, steps, grounding), problem, grounding)
         end = ends[problem.object_names.index(name)]
         inside *= chance_inside(end - goal, spread, problem.tolerance)
     return kept * inside
@@ -60,12 +62,13 @@ def expected_within(steps: Sequence[PlanStep], problem: Problem, grounding: Grou
     ends = validate(steps, problem, grounding).positions[-1]
     left = Counter(step.object for step in steps if not step.puts_down)
     stages = []
-    for step in (step for step in steps if not step.puts_down):
-        operator = promise_of(step, problem, grounding)
-        kept, lost = chance(operator), _share_lost(operator)
+    done_with = [step for step in steps if not step.puts_down]
+    for step, kept in zip(done_with, _chances(steps, problem, grounding), strict=True):
+        is_put = relating(step.base, grounding) is not None
+        lost = 0.0 if is_put else _share_lost(promise_of(step, problem, grounding))
         left[step.object] -= 1
         if not left[step.object] and step.object in problem.goals:
-            spread = spread_of([one for one in steps if one.object == step.object], problem, grounding)
+            spread = spread_of(_moves(step.object, steps, grounding), problem, grounding)
             miss = ends[problem.object_names.index(step.object)] - problem.goals[step.object]
             kept *= chance_inside(miss, spread, problem.tolerance)
         stages.append((kept, max(0.0, 1 - kept - lost)))
@@ -78,6 +81,13 @@ def expected_within(steps: Sequence[PlanStep], problem: Problem, grounding: Grou
         so_many = so_many * again
         so_many[1:] += onward
     return float(so_many[-1])
+
+
+def _chances(steps: Sequence[PlanStep], problem: Problem, grounding: Grounding) -> tuple[float, ...]:
+    """Return the chance of each step but put-downs to go as promised."""
+    if is_relational(problem, grounding) or any(relating(step.base, grounding) for step in steps):
+        return chances_along([(one.operator, one.object, one.place) for one in steps], problem, grounding)
+    return tuple(chance(promise_of(step, problem, grounding)) for step in steps if not step.puts_down)
 
 
 def promise_of(step: PlanStep, problem: Problem, grounding: Grounding) -> Operator:
@@ -110,6 +120,11 @@ def spread_of(steps: Sequence[PlanStep], problem: Problem, grounding: Grounding)
             spread = promise.spread if ends_held else (*promise.resting_spread[:2], 0.0)
             variance += np.square(spread)
     return np.asarray(np.sqrt(variance))
+
+
+def _moves(name: str, steps: Sequence[PlanStep], grounding: Grounding) -> list[PlanStep]:
+    """List the steps that decide where on the table an object ends."""
+    return [step for step in steps if step.object == name and not relating(step.base, grounding)]
 
 
 def _share_lost(operator: Operator) -> float:

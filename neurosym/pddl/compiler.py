@@ -7,18 +7,26 @@ import msgspec
 
 from neurosym.checks import check_kind, check_length
 from neurosym.errors import InvalidValue
-from neurosym.grounding import FORMAT, FORMAT_WITH_PLACES, Grounding
+from neurosym.grounding import FORMAT, FORMAT_WITH_PLACES, FORMAT_WITH_RELATIONS, Grounding
 from neurosym.naming import counted_axes
 from neurosym.operators import OperatorTable
 from neurosym.pddl.determinisation import with_every_outcome
 from neurosym.place_operators import PlaceOperators
 from neurosym.problems import LEGAL_NAME
+from neurosym.relation_operators import RelationOperators
 from neurosym.table import Table
 
 CELL = 0.005
 """Edge of a grid cell unless the user says otherwise [m]."""
 MAX_CELLS = 5000
 RESERVED = tuple(f"{axis}-{kind}" for kind in ("cell", "step") for axis in "xyz")
+WORDS_OF_RELATIONS = (
+    *("place", "count", "origin", "none", "one", "from-place", "from-object", "nowhere", "stands", "free"),
+    *("taken", "room", "bears", "next", "done", "hand-empty", "total-cost", "can-be-taken", "rests-with"),
+    *("goal-place", "may-stand", "overlaps", "look-next", "reach-place"),
+)
+"""What the encoding `relational` calls types, constants, predicates and actions."""
+RESERVED_FOR_RELATIONS = ("leave-", "look-", "can-", "cost-of-", "count-")
 RESERVED_PREFIXES = ("finish-", "put-down-", "reach-", "move-", "a-")
 
 
@@ -30,6 +38,7 @@ def compile_domain(
     lift_height: float,
     cell: float = CELL,
     places: PlaceOperators | None = None,
+    relations: RelationOperators | None = None,
 ) -> Grounding:
     """Turn a table of operators into everything that planning needs, an operator for each outcome.
 
@@ -40,6 +49,7 @@ def compile_domain(
         lift_height: How far the hand rises after the last waypoint [m].
         cell: Edge of a grid cell [m].
         places: What carries objects of the same categories to places, if that was learned.
+        relations: What puts objects in relations to one another, if that was learned.
 
     Raises:
         InvalidValue: If effects are not along x, y and z, the cell is no sensible size, or a name is not
@@ -58,20 +68,39 @@ def compile_domain(
     categories = [category.name for category in table.categories]
     operators = [operator.name for operator in expanded.operators]
     carriers = [operator.name for operator in places.operators.operators] if places else []
-    _check_names([name, "movable", "object", *RESERVED, *categories, *operators, *carriers])
+    related = names_of_relations(relations) if relations else []
+    _check_names([name, "movable", "object", *RESERVED, *categories, *operators, *carriers, *related])
     if taken := [operator for operator in operators if operator.startswith(RESERVED_PREFIXES)]:
         raise InvalidValue(
             f"No operator can be called {taken[0]}; {', '.join(RESERVED_PREFIXES)} are reserved."
         )
     return Grounding(
-        format=FORMAT_WITH_PLACES if places else FORMAT,
+        format=FORMAT_WITH_RELATIONS if relations else FORMAT_WITH_PLACES if places else FORMAT,
         name=name,
         cell=cell,
         table=table_bounds,
         lift_height=lift_height,
         operators=expanded,
         places=_with_objects(places) if places else None,
+        relations=relations,
     )
+
+
+def names_of_relations(relations: RelationOperators) -> list[str]:
+    """List what a domain calls states and kinds of pairs and what operates on them, with its own words.
+
+    Args:
+        relations: What was learned of pairs.
+
+    Raises:
+        InvalidValue: If a name begins as the domain's own actions and predicates do.
+    """
+    names = [one.name for table in (relations.states, relations.pairs, relations.operators) for one in table]
+    if taken := [name for name in names if name.startswith(RESERVED_FOR_RELATIONS)]:
+        raise InvalidValue(
+            f"No relation can be called {taken[0]}; {', '.join(RESERVED_FOR_RELATIONS)} are reserved."
+        )
+    return [*WORDS_OF_RELATIONS, *names]
 
 
 def _with_objects(places: PlaceOperators) -> PlaceOperators:

@@ -14,6 +14,7 @@ from neurosym.grounding import Grounding
 from neurosym.pddl import leading, own_steps, place_domain
 from neurosym.pddl.grid import AXES, grid_of
 from neurosym.pddl.moves import (
+    BY_RELATIONS,
     ENCODINGS,
     LED,
     PLACES,
@@ -37,6 +38,7 @@ from neurosym.pddl.printing import (
     left_out,
     millimetres,
 )
+from neurosym.pddl.relational_domain import relational_domain_text
 
 Parts = tuple[tuple[str, tuple[int, ...]], ...]
 
@@ -60,12 +62,16 @@ def domain_text(grounding: Grounding, encoding: Encoding = "stepwise") -> str:
     Args:
         grounding: The learned domain.
         encoding: `stepwise` for planners on fine grids, `operators` for people and for coarse grids,
-            `numeric` for planners that take numbers, `places` where objects are carried to places.
+            `numeric` for planners that take numbers, `places` where objects are carried to places,
+            `relational` or `relational-lifted` where they are put on and into one another.
 
     Raises:
         UnknownChoice: If there is no such encoding.
-        InvalidValue: If it is `places`, and nothing in the domain carries objects.
+        InvalidValue: If it is `places`, and nothing in the domain carries objects, or one of relations, and
+            nothing puts them in any.
     """
+    if encoding in BY_RELATIONS:
+        return relational_domain_text(grounding, encoding)
     if encoding not in (*ENCODINGS, PLACES):
         raise UnknownChoice("encoding", encoding, ENCODINGS)
     if encoding == PLACES and not (grounding.is_refined and place_domain.carriers_of(grounding)):

@@ -12,11 +12,16 @@ from neurosym.pddl.grid import AXES
 from neurosym.problems import SceneObject
 from neurosym.promises import usable
 
-Encoding = Literal["sas", "stepwise", "operators", "numeric", "places"]
+Encoding = Literal["sas", "stepwise", "operators", "numeric", "places", "relational", "relational-lifted"]
 ENCODINGS: tuple[Encoding, ...] = ("stepwise", "operators", "numeric")
 
 PLACES: Encoding = "places"
 """Objects that can be carried stand at places; the others are led over cells as in `stepwise`."""
+RELATIONAL: Encoding = "relational"
+"""Objects stand at places or are borne by one another; what bears how many is counted."""
+LIFTED: Encoding = "relational-lifted"
+"""The same with `not` and `exists` in the place of counting, for planners that take these."""
+BY_RELATIONS = (RELATIONAL, LIFTED)
 LED: tuple[Encoding, ...] = ("stepwise", PLACES)
 """Encodings that lead objects over cells, one axis at a time."""
 SAS: Encoding = "sas"

@@ -16,6 +16,7 @@ from neurosym.grounding import Grounding, is_lift
 from neurosym.operators import Operator
 from neurosym.pddl.grid import AXES, Grid, grid_of
 from neurosym.pddl.moves import (
+    BY_RELATIONS,
     FINISH,
     MOVE,
     PLACES,
@@ -33,8 +34,14 @@ from neurosym.pddl.own_steps import step_name
 from neurosym.pddl.place_domain import NOTES
 from neurosym.pddl.place_problem import START, PlaceNotes
 from neurosym.pddl.places import with_places
+from neurosym.pddl.relational_domain import FROM_OBJECT, FROM_PLACE, LADEN, LEAVE
+from neurosym.pddl.relational_problem import flattened
+from neurosym.pddl.relational_replay import print_relational_plan
 from neurosym.problems import Problem, SceneObject
 from neurosym.reading import MEGABYTE, read_text
+from neurosym.related import bearers_of, is_relational, relating, with_pairs
+from neurosym.relation_goals import pair_key
+from neurosym.relation_operators import RelationOperator
 from neurosym.table import Table
 from neurosym.wording import counted
 
@@ -54,7 +61,8 @@ class PlanStep:
     Attributes:
         operator: Name of an operator, or `put-down-` and the name of the operator that lifted the object.
         object: Name of the object.
-        place: Name of the place that the object is carried to; empty if it is not.
+        place: Name of the place that the object is carried to, or of the other object that it is put on or
+            into; empty if it is neither. Places and objects of a problem share no name.
     """
 
     operator: str
@@ -117,6 +125,10 @@ def print_ground_plan(
         InvalidValue: If an operator is not in the domain, or not for its object.
     """
     steps = tuple(steps)
+    is_asked = encoding in BY_RELATIONS or is_relational(problem, grounding)
+    if is_asked or any(relating(step.base, grounding) for step in steps):
+        rows = [(step.operator, step.object, step.place) for step in steps]
+        return print_relational_plan(rows, problem, grounding, encoding)
     if any(step.place for step in steps):
         problem, encoding = with_places(problem, grounding), PLACES
     notes = PlaceNotes(problem, grounding) if encoding == PLACES else None
@@ -220,13 +232,16 @@ def _read_line(line: str, grounding: Grounding, problem: Problem) -> PlanStep | 
         name, thing = words[1].removeprefix(MOVE), words[2]
     if thing not in problem.object_names:
         raise UnknownChoice("object", thing, problem.object_names)
-    if name in (REACH_GOAL, *NOTES):
+    if name in (REACH_GOAL, *NOTES) or (grounding.relations and name.startswith(LEAVE)):
         return None
+    if put := relating(name, grounding) or relating(name.removesuffix(LADEN), grounding):
+        return _putting(put, words[1:], grounding, problem)
     step = PlanStep(_without_part(name), thing)
     operator = grounding.operator_named(step.base)
     _check_fit(step, operator, grounding, problem)
     if grounding.carries(operator):
-        return _carrying(step, words[2:], with_places(problem, grounding), grounding.table)
+        places = [word for word in words[2:] if word not in (FROM_PLACE, FROM_OBJECT)]
+        return _carrying(step, places, with_places(_flat(problem, grounding), grounding), grounding.table)
     return None if is_carried or name.startswith(FINISH) else step
 
 
@@ -239,6 +254,30 @@ def _carrying(step: PlanStep, places: list[str], problem: Problem, table: Table)
         )
     table.check(place, *problem.place_named(place))
     return dataclasses.replace(step, place=place)
+
+
+def _flat(problem: Problem, grounding: Grounding) -> Problem:
+    """Return a problem with the heights that objects have on the table, as places are drawn for them."""
+    bearers = bearers_of(problem, grounding.relations) if grounding.relations else {}
+    return flattened(problem, bearers) if bearers else problem
+
+
+def _putting(
+    operator: RelationOperator, words: list[str], grounding: Grounding, problem: Problem
+) -> PlanStep:
+    """Return a step with the object that it puts its target on or into."""
+    target, reference = words[0], words[1] if len(words) > 1 else ""
+    if reference not in problem.object_names or reference == target:
+        valid = [name for name in problem.object_names if name != target]
+        raise UnknownChoice("other object", reference, valid)
+    kinds = with_pairs(problem, grounding.relations).pairs
+    kind = kinds.get(pair_key(target, reference)) if isinstance(kinds, dict) else None
+    if kind != operator.pair:
+        raise InvalidValue(
+            f"{operator.name} is for pairs of the kind {operator.pair}, and {target} with {reference} is of "
+            f"the kind {kind}"
+        )
+    return PlanStep(operator.name, target, reference)
 
 
 def _without_part(name: str) -> str:

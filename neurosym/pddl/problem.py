@@ -9,8 +9,10 @@ import msgspec
 from neurosym.errors import InvalidValue
 from neurosym.grounding import Grounding
 from neurosym.pddl import own_steps
+from neurosym.pddl.compiler import names_of_relations
 from neurosym.pddl.grid import AXES, Grid, check_on_table, goal_region, grid_of
 from neurosym.pddl.moves import (
+    BY_RELATIONS,
     MOVE,
     PLACES,
     PUT_DOWN,
@@ -25,6 +27,7 @@ from neurosym.pddl.numeric import numeric_problem_text
 from neurosym.pddl.place_domain import NOTES, carriers_of
 from neurosym.pddl.place_problem import declared, facts, led_objects
 from neurosym.pddl.places import with_places
+from neurosym.pddl.relational_problem import relational_problem_text
 from neurosym.problems import Problem, SceneObject
 from neurosym.spots import SPOT
 
@@ -60,6 +63,8 @@ def problem_text(
     grid = grid_of(grounding)
     for item in problem.objects:
         check_object(item, grounding)
+    if encoding in BY_RELATIONS:
+        return relational_problem_text(problem, grounding, encoding)
     if encoding == "numeric":
         return numeric_problem_text(problem, grounding, steps=steps * NUMERIC_STEPS)
     if encoding == PLACES:
@@ -115,7 +120,8 @@ def check_object(item: SceneObject, grounding: Grounding) -> None:
     """Raise `InvalidValue` unless an object stands on the table and its name is free in the domain."""
     grounding.category(item.category)
     check_on_table(item, grounding)
-    taken = rf"nowhere|(start|goal|park)-.*|{SPOT.pattern}" if grounding.places else ""
+    by_name = grounding.places or grounding.relations
+    taken = rf"nowhere|(start|goal|park|count)-.*|{SPOT.pattern}" if by_name else ""
     if is_taken(item.name, grounding) or re.fullmatch(taken, item.name):
         raise InvalidValue(f"No object can be called {item.name}, the domain uses that; try item-01.")
 
@@ -138,6 +144,8 @@ def _words(grounding: Grounding) -> frozenset[str]:
     if grounding.places:
         names = [one.name for one in carriers_of(grounding)]
         words += ["place", *NOTES, *names, *(f"{MOVE}{name}" for name in names)]
+    if grounding.relations:
+        words += names_of_relations(grounding.relations)
     return frozenset(words)
 
 

@@ -11,7 +11,9 @@ from neurosym.grounding import Grounding
 from neurosym.object_limits import ObjectLimits
 from neurosym.pddl.grid import check_on_table
 from neurosym.pddl.place_check import check_places
+from neurosym.pddl.relational_check import check_relations
 from neurosym.problems import NEAR_TABLE, Problem, SceneObject, check_goals, goal_heights
+from neurosym.related import chain_below, known_bearers
 
 OFF_REST = 0.005
 """How far from the height it rests at an object's centre may be [m]; physics settles it within 0.1 mm."""
@@ -32,6 +34,7 @@ def check_problem(problem: Problem, grounding: Grounding | None, limits: ObjectL
         InvalidValue: If there is no goal, or something is or stands as it cannot.
         UnknownChoice: If an object is of a category that the domain does not have.
     """
+    bearers = known_bearers(problem, grounding.relations) if grounding and grounding.relations else {}
     for item in problem.objects:
         if limits:
             limits.check(item.name, item.features)
@@ -39,13 +42,16 @@ def check_problem(problem: Problem, grounding: Grounding | None, limits: ObjectL
         if grounding:
             grounding.category(item.category)
             check_on_table(item, grounding, off=NEAR_TABLE)
-        if limits:
+        if limits and item.name not in bearers:
             _check_height(item)
     if limits:
         for one, other in combinations(problem.objects, 2):
-            _check_apart(one, other)
+            chains = [chain_below(item.name, bearers) for item in (one, other)]
+            if chains[0][-1] != chains[1][-1]:  # what bears one another may be one over the other
+                _check_apart(one, other)
     if grounding:
         check_places(problem, grounding)
+        check_relations(problem, grounding)
         heights = goal_heights(problem, grounding.lift_height) if limits else (-math.inf, math.inf)
         check_goals(problem, grounding.table, heights)
 

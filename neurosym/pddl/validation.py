@@ -9,10 +9,14 @@ from jaxtyping import Bool, Float
 from neurosym.grounding import Grounding, is_lift
 from neurosym.operators import Operator
 from neurosym.pddl.footprints import footprints_apart, overlapping
+from neurosym.pddl.place_domain import carriers_of
 from neurosym.pddl.places import with_places
 from neurosym.pddl.plan_text import PlanStep
+from neurosym.pddl.relational import put_named
+from neurosym.pddl.relational_replay import Following
 from neurosym.problems import Problem
 from neurosym.promises import promised
+from neurosym.related import is_relational, relating
 from neurosym.wording import in_millimetres
 
 
@@ -46,6 +50,8 @@ def validate(steps: Sequence[PlanStep], problem: Problem, grounding: Grounding) 
         problem: The problem it is for, which has every object that the plan names.
         grounding: The learned domain.
     """
+    if is_relational(problem, grounding) or any(relating(step.base, grounding) for step in steps):
+        return _validate_relations(steps, problem, grounding)
     if any(step.place for step in steps):
         problem = with_places(problem, grounding)
     positions = [problem.scene().positions]
@@ -70,6 +76,30 @@ def validate(steps: Sequence[PlanStep], problem: Problem, grounding: Grounding) 
     return Validation(np.array(positions), True, not missed, reason, concerned=(name,) if missed else ())
 
 
+def _validate_relations(steps: Sequence[PlanStep], problem: Problem, grounding: Grounding) -> Validation:
+    """Replay a plan that puts objects on and into one another, or takes them from there."""
+    now = Following(problem, grounding)
+    positions = [now.positions]
+    for number, step in enumerate(steps, start=1):
+        words = (step.operator, step.object, step.place)
+        found = now.why_impossible(words)
+        if found and not _is_known(step, now):
+            return _failed(positions, number, step, *found)
+        positions.append(now.do(words))
+        if found:
+            return _failed(positions, number, step, *found)
+    missed = now.missed() or _missed_goal(positions[-1], problem)
+    name, reason = missed or ("", "")
+    return Validation(np.array(positions), True, not missed, reason, concerned=(name,) if missed else ())
+
+
+def _is_known(step: PlanStep, now: Following) -> bool:
+    """Say whether it is known where a step would lead."""
+    return put_named(step.operator, now.task.grounding) is not None or step.operator in {
+        one.name for one in carriers_of(now.task.grounding)
+    }
+
+
 def hand_problem(steps: Sequence[PlanStep], grounding: Grounding) -> str:
     """Say which step of a plan asks the hand for what it cannot do, or nothing if none does.
 
@@ -81,6 +111,8 @@ def hand_problem(steps: Sequence[PlanStep], grounding: Grounding) -> str:
     number = 0
     for step in steps:
         number = max(1, number + (not step.puts_down))
+        if relating(step.base, grounding):
+            continue
         operator = grounding.operator_named(step.base)
         if operator.promise and (problem := _hand_problem(step, operator, held_by)):
             return f"step {number}, {step.operator} {step.object}: {problem}"

@@ -15,6 +15,7 @@ from neurosym.pddl.plan_text import PlanStep
 from neurosym.pddl.validation import validate
 from neurosym.planners.planner import Planner, PlannerMissing, Query
 from neurosym.planners.result import LONGEST_REASON, PlanResult, PlanStatus
+from neurosym.related import relating
 from neurosym.spots import spot_named
 
 
@@ -133,6 +134,10 @@ def _unknown(result: PlanResult, query: Query) -> str:
     carries = {operator.name: grounding.carries(operator) for operator in grounding.every_operator}
     places = with_places(query.problem, grounding).places if any(carries.values()) else {}
     for step in result.steps:
+        if relating(step.base, grounding):
+            if unknown := [name for name in (step.object, step.place) if name not in names]:
+                return f"the object {shortened(unknown[0])!r}, which the problem does not have"
+            continue
         if step.base not in carries:
             return f"the operator {shortened(step.operator)!r}, which the domain does not have"
         if step.object not in names:

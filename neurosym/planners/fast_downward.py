@@ -46,10 +46,13 @@ PORTFOLIO = (Search("astar(blind())", memory=256 * 1024**2), Search(LAMA_FIRST))
 FOR_PLACES = (Search("astar(blind())", memory=16 * 1024**2), Search(LAMA_FIRST, memory=256 * 1024**2))
 """With places there are few steps in a plan, and so many orders of them that more memory seldom helps.
 
-Four objects fit. With eight, twice the memory took three times as long and was as seldom enough. The second
-search finds plans for thirty objects in little of its memory, or else would go on for minutes in vain.
+Relations are as places. Four objects fit. With eight, twice the memory took three times as long and was as
+seldom enough. The second search finds plans for thirty objects in little of its memory, or else would go on
+for minutes in vain.
 """
 
+RELATIONS_SUFFIX = ".relational.pddl"
+"""What files of problems in the encodings of relations end with."""
 PLACES_SUFFIX = ".places.pddl"
 """What files of problems in the encoding `places` end with."""
 SAS_SUFFIX = ".sas"
@@ -68,14 +71,14 @@ def plan_fast_downward(
         domain: File of the domain in PDDL.
         problem: File of the problem in PDDL, or of both in SAS+ (`.sas`), which is not translated.
         time_limit: When to give up [s].
-        searches: What to try, one after another; `PORTFOLIO` if nothing is given, or `FOR_PLACES`.
+        searches: What to try, one after another; see `usual_searches` for what is tried otherwise.
 
     Raises:
         PlannerMissing: If up-fast-downward is not installed.
     """
     begin = time.perf_counter()
     programs = _programs()
-    searches = searches or (FOR_PLACES if problem.name.endswith(PLACES_SUFFIX) else PORTFOLIO)
+    searches = searches or usual_searches(problem.name)
     with scratch_folder() as folder:
         status, reason, text, task = PlanStatus.SOLVED, "", "", problem.resolve()
         if problem.suffix != SAS_SUFFIX:
@@ -85,6 +88,15 @@ def plan_fast_downward(
             left = time_limit - (time.perf_counter() - begin)
             status, reason, text = _search(folder, programs / "downward", task, searches, left)
     return PlannerAnswer(status, text, time.perf_counter() - begin, reason)
+
+
+def usual_searches(file: str) -> Sequence[Search]:
+    """Return what is tried one after another, by what the encoding of a problem needs.
+
+    Args:
+        file: Name of the problem's file.
+    """
+    return FOR_PLACES if file.endswith((PLACES_SUFFIX, RELATIONS_SUFFIX)) else PORTFOLIO
 
 
 def _translate(

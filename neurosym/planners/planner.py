@@ -14,7 +14,7 @@ from jaxtyping import Float
 from neurosym.checks import check_kind
 from neurosym.errors import InvalidPlanner, InvalidValue, NeurosymError
 from neurosym.grounding import Grounding
-from neurosym.pddl.moves import ENCODINGS, PLACES, SAS, Encoding
+from neurosym.pddl.moves import BY_RELATIONS, ENCODINGS, PLACES, SAS, Encoding
 from neurosym.planners.result import PlannerAnswer, PlanResult
 from neurosym.problems import LEGAL_NAME, Problem
 
@@ -95,7 +95,7 @@ class PddlProgram:
         Raises:
             InvalidValue: If the planner does not take it.
         """
-        known = (*self.encodings, *((PLACES,) if "stepwise" in self.encodings else ()))
+        known = (*self.encodings, *((PLACES, *BY_RELATIONS) if "stepwise" in self.encodings else ()))
         if asked is not None and asked not in known:
             valid = ", ".join(sorted(known))
             raise InvalidValue(f"{planner} does not take the encoding {asked!r}; valid: {valid}.")

@@ -12,6 +12,7 @@ from neurosym.factories import is_factory
 from neurosym.grounding import Grounding
 from neurosym.pddl.grid import check_on_table
 from neurosym.pddl.moves import Encoding
+from neurosym.planners.by_relations import by_relations
 from neurosym.planners.catalogue import PLANNERS
 from neurosym.planners.custom import check_installed, check_planner, load_planner, solve_checked
 from neurosym.planners.planner import Option, Planner, PredictEffects, Query
@@ -75,10 +76,21 @@ def plan(
     read = predict if chosen.reads == "network" else None
     ceiling = chosen.ceiling if time_limit is None else time_limit
     query = Query(problem, grounding, read, ceiling, encoding, whole)
+    takers = tuple(other.name for other in (*PLANNERS.values(), chosen) if reads_relations(other))
+    chosen = by_relations(chosen, query, takers, is_ours=is_ours)
     result = chosen.solve(query) if is_ours else solve_checked(chosen, query)
     if result.has_plan or result.reason:
         return result
     return dataclasses.replace(result, reason=_unexplained(chosen, result.status))
+
+
+def reads_relations(planner: Planner) -> bool:
+    """Say whether a planner can be asked for relations: it reads PDDL that is no grid and no numbers.
+
+    Args:
+        planner: The planner.
+    """
+    return planner.program is not None and "stepwise" in planner.program.encodings
 
 
 def _unexplained(planner: Planner, status: PlanStatus) -> str:

@@ -3,6 +3,7 @@
 import dataclasses
 import math
 
+from neurosym.errors import InvalidValue
 from neurosym.grounding import Grounding
 from neurosym.pddl.moves import Encoding
 from neurosym.pddl.plan_text import PlanStep, primitives
@@ -13,6 +14,7 @@ from neurosym.planners.planner import Planner, PredictEffects
 from neurosym.planners.registry import plan
 from neurosym.planners.result import PlanResult, PlanStatus
 from neurosym.problems import Problem
+from neurosym.related import is_relational
 from neurosym.wording import counted
 
 WORK_TO_COUNT = 40_000
@@ -61,7 +63,14 @@ def plan_with_second_look(
 
     Raises:
         NeurosymError: As `plan` does.
+        InvalidValue: If nearest points or next-best plans are asked for in a problem of relations.
     """
+    by_relations = is_relational(problem, grounding)
+    if by_relations and (nearest or more):
+        raise InvalidValue(
+            f"The problem {problem.name} is one of relations, for which there are no nearest points and no "
+            "next-best plans; leave these options out."
+        )
     result = plan(
         problem,
         grounding,
@@ -72,6 +81,8 @@ def plan_with_second_look(
         whole=whole,
         costs=costs,
     )
+    if by_relations:
+        return Planned(result, ())
     if result.status in (PlanStatus.UNSOLVABLE, PlanStatus.NOT_FOUND, PlanStatus.FAILED):
         ceiling = math.inf if time_limit is None else time_limit
         if nearest:

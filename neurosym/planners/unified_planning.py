@@ -14,7 +14,7 @@ from neurosym.checks import check_kind
 from neurosym.errors import InvalidValue
 from neurosym.grounding import Grounding
 from neurosym.pddl.domain import domain_text
-from neurosym.pddl.moves import PLACES, Encoding
+from neurosym.pddl.moves import PLACES, RELATIONAL, Encoding
 from neurosym.pddl.place_domain import carriers_of
 from neurosym.pddl.plan_text import PlanStep, parse_plan
 from neurosym.pddl.problem import problem_text
@@ -22,6 +22,7 @@ from neurosym.planners.process import Finished, read_text, run_limited
 from neurosym.planners.result import PlannerAnswer, PlanStatus
 from neurosym.planners.scratch import scratch_folder
 from neurosym.problems import Problem
+from neurosym.related import is_relational
 
 if TYPE_CHECKING:
     from unified_planning.model import Problem as Task
@@ -36,7 +37,8 @@ def to_unified_planning(problem: Problem, grounding: Grounding, encoding: Encodi
     Args:
         problem: The problem.
         grounding: The learned domain.
-        encoding: How it is encoded; `places` if anything can be carried to places, else `stepwise`.
+        encoding: How it is encoded; `relational` if it is one of relations, `places` if anything can be
+            carried to places, else `stepwise`.
 
     Raises:
         InvalidValue: If something is not what it should be.
@@ -47,6 +49,7 @@ def to_unified_planning(problem: Problem, grounding: Grounding, encoding: Encodi
     check_kind("problem", problem, Problem, "a Problem")
     check_kind("grounding", grounding, Grounding, "a Grounding")
     usual: Encoding = PLACES if grounding.is_refined and carriers_of(grounding) else "stepwise"
+    usual = RELATIONAL if is_relational(problem, grounding) else usual
     chosen = encoding or usual
     texts = domain_text(grounding, chosen), problem_text(problem, grounding, chosen)
     return PDDLReader().parse_problem_string(*texts)

@@ -6,7 +6,7 @@ done to it next misses by more; so turning counts against an action, too.
 """
 
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -32,6 +32,7 @@ class Performance:
         peak_height: Its greatest height on the way [m].
         turn: By what angle it was turned in the end [rad].
         disturbs: Whether another object was moved.
+        state: How it stands in the end to what the action was aimed at, if that is asked for.
     """
 
     kind: OutcomeKind
@@ -39,6 +40,7 @@ class Performance:
     peak_height: float
     turn: float
     disturbs: bool = False
+    state: str = ""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -128,3 +130,22 @@ def likeness(outcomes: Float[np.ndarray, "N E"]) -> float:
 def _unlikeness(outcomes: Float[np.ndarray, "N E"]) -> float:
     variance = float(((outcomes - outcomes.mean(0)) ** 2).sum(1).mean())
     return math.sqrt(1 + variance / EXACT**2)
+
+
+@dataclass(frozen=True, slots=True)
+class Judging:
+    """How actions are judged.
+
+    Attributes:
+        foresee: Judges an action by what is predicted of some objects, a row each.
+        watch: Says of an outcome what is judged.
+        judge: Judges an action by how it turned out.
+    """
+
+    foresee: Callable[[Float[np.ndarray, "N O"]], Judgement]
+    watch: Callable[[Outcome], Performance] = performance
+    judge: Callable[[Sequence[Performance]], Judgement] = judge
+
+
+BY_DISPLACEMENT, BY_PLACE = Judging(foresee_displacement), Judging(foresee_carrying)
+"""How actions are judged that displace objects, and that carry them to places."""

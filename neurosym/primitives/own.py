@@ -6,7 +6,7 @@ many candidates on a few of them first, then fewer on others. Each performance h
 millimetre, so that what lies on an edge, and does something else a hair beside it, looks as bad as it is.
 """
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 from functools import cache
 from itertools import accumulate
@@ -17,13 +17,7 @@ from jaxtyping import Float
 from neurosym.actions import ActionBox
 from neurosym.guarded import made
 from neurosym.operators import Primitive
-from neurosym.primitives.judging import (
-    Judgement,
-    Performance,
-    foresee_displacement,
-    judge,
-    performance,
-)
+from neurosym.primitives.judging import BY_DISPLACEMENT, Judgement, Judging, Performance
 from neurosym.primitives.performing import perform
 from neurosym.primitives.repertoire import Repertoire, with_own
 from neurosym.primitives.sampling import sample_by_category
@@ -67,8 +61,6 @@ SAME, DIFFERENT = 0.02, 0.03
 WORTH_KEEPING = 0.25
 """Least sureness of a shared action that stays beside one of a category's own."""
 
-Foresee = Callable[[Float[np.ndarray, "N O"]], Judgement]
-"""Judges an action by what is predicted of some objects, a row each."""
 _STREAM, _MOVES = 0x6F77, 0x6F78  # keep these draws apart from those of other auditions and rehearsals
 
 
@@ -79,16 +71,18 @@ class _Contest:
     Attributes:
         scenes: An object of the category in each.
         groups: For each symbol, those that are left, the shared one first.
+        judging: How they are judged.
         seen: How they turned out.
     """
 
     scenes: tuple[Scene, ...]
     groups: list[list[Primitive]]
+    judging: Judging
     seen: dict[Primitive, list[Performance]] = field(default_factory=dict)
 
     def judged(self) -> list[list[Judgement]]:
         """Judge those that are left."""
-        return [[judge(self.seen[one]) for one in group] for group in self.groups]
+        return [[self.judging.judge(self.seen[one]) for one in group] for group in self.groups]
 
 
 def choose_own(
@@ -99,7 +93,7 @@ def choose_own(
     features: Float[np.ndarray, "M F"],
     categorise: Categorise,
     *,
-    foresee: Foresee = foresee_displacement,
+    judging: Judging = BY_DISPLACEMENT,
     rounds: Sequence[Round] = ROUNDS,
     seed: int,
     workers: int = 1,
@@ -114,7 +108,7 @@ def choose_own(
         predict: A network that sees the objects themselves and not their symbols.
         features: Objects to predict the effects on.
         categorise: Gives the object symbols of features.
-        foresee: Judges actions by what is predicted.
+        judging: How actions are judged.
         rounds: Of the auditions, with fewer candidates in each.
         seed: Where all draws start.
         workers: How many processes; their number does not change the result.
@@ -131,9 +125,9 @@ def choose_own(
     for category, scenes in sample.scenes.items():
         objects = np.concatenate([features[symbols == category], *(scene.features for scene in scenes)])
         objects = objects[:OBJECTS_TO_PREDICT]
-        few = shortlist_own(rivals, predict, objects, world.action_box, rounds[0].candidates, seed, foresee)
+        few = shortlist_own(rivals, predict, objects, world.action_box, rounds[0].candidates, seed, judging)
         groups = [[one, *best] for one, best in zip(shared, few, strict=True)]
-        contests[category] = _Contest(scenes, groups)
+        contests[category] = _Contest(scenes, groups, judging)
     kept = [one.candidates for one in rounds[1:]] + [1]
     for count, end, one in zip(kept, ends, rounds, strict=True):
         part = slice(end - one.objects, end)
@@ -150,7 +144,7 @@ def shortlist_own(
     box: ActionBox,
     count: int,
     seed: int,
-    foresee: Foresee = foresee_displacement,
+    judging: Judging = BY_DISPLACEMENT,
 ) -> list[list[Primitive]]:
     """Keep of each symbol the few candidates that are predicted to do best, beside those of the others.
 
@@ -161,7 +155,7 @@ def shortlist_own(
         box: What actions must stay inside.
         count: How many are kept of each symbol.
         seed: Where the changes of actions are drawn from.
-        foresee: Judges actions by what is predicted.
+        judging: How actions are judged.
     """
     judged: list[list[Judgement]] = [[] for _ in groups]
     for group, judgements in zip(groups, judged, strict=True):
@@ -169,7 +163,7 @@ def shortlist_own(
             continue
         actions = np.concatenate([moved(one, len(features), box, seed) for one in group])
         predicted = np.split(predict(np.tile(features, (len(group), 1)), actions), len(group))
-        judgements += map(foresee, predicted)
+        judgements += map(judging.foresee, predicted)
     return [
         [group[number] for number in best[:count]]
         for group, best in zip(groups, _ranked(judged), strict=True)
@@ -207,15 +201,16 @@ def _audition(
     progress: Progress | None,
 ) -> None:
     """Have all that are left perform on a part of the objects of their category."""
-    tasks, owners = list[Task](), list[list[Performance]]()
+    tasks, owners = list[Task](), list[tuple[Judging, list[Performance]]]()
     for contest in contests:
         for primitive in (one for group in contest.groups for one in group):
             actions = moved(primitive, len(contest.scenes), box, seed)
             for scene, action in zip(contest.scenes[part], actions[part], strict=True):
                 tasks.append(Task(scene, action))
-                owners.append(contest.seen.setdefault(primitive, []))
-    for owner, outcome in zip(owners, perform(world_factory, tasks, workers, progress), strict=True):
-        owner.append(performance(outcome))
+                owners.append((contest.judging, contest.seen.setdefault(primitive, [])))
+    outcomes = perform(world_factory, tasks, workers, progress)
+    for (judging, seen), outcome in zip(owners, outcomes, strict=True):
+        seen.append(judging.watch(outcome))
 
 
 def _keep_best(contest: _Contest, count: int) -> list[list[Primitive]]:
@@ -253,7 +248,7 @@ def _ranked(judged: Sequence[Sequence[Judgement]]) -> list[list[int]]:
 def _chosen(contest: _Contest) -> list[Primitive]:
     """Return the best of each symbol, and the shared ones that add something to them."""
     best = [group[0] for group in contest.groups]
-    effects = {one: judge(contest.seen[one]) for group in contest.groups for one in group}
+    effects = {one: contest.judging.judge(contest.seen[one]) for group in contest.groups for one in group}
     kept = [*best]
     if any(one.kind == "carried" for one in effects.values()):
         return kept

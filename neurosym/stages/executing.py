@@ -21,6 +21,7 @@ from neurosym.planners import Planner, PlanResult, plan, planner_named
 from neurosym.planners.registry import Replanner
 from neurosym.problems import Problem
 from neurosym.reading import digest, read_json
+from neurosym.related import relating
 from neurosym.stages.folder import DomainFolder
 from neurosym.stages.layout import GROUNDING, RUNS, WORLD, run_file, run_name, scene_file
 from neurosym.stages.manifest import Stage
@@ -168,7 +169,8 @@ def replay_run(folder: DomainFolder, record: Path, showing: Showing = Showing())
     try:
         problem = problem.within(run.tolerance)
         for step in run.steps:
-            grounding.operator_named(step.operator)
+            if not relating(step.operator, grounding):
+                grounding.operator_named(step.operator)
             _check_object(step.object, problem)
         for nudge in run.nudges:
             _check_object(nudge.object, problem)

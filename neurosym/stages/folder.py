@@ -29,11 +29,13 @@ from neurosym.problems import Problem
 from neurosym.reading import read_json, refuse_other_kinds
 from neurosym.stages.layout import (
     BY_PLACES,
+    BY_RELATIONS,
     COMMANDS,
     COMPARISONS,
     DURATIVE,
     GROUNDING,
     INTERACTIONS,
+    LIFTED,
     MANIFEST,
     NUMERIC,
     PICTURES,
@@ -287,6 +289,6 @@ def load_scene(path: Path) -> Problem:
 
 def _problem_of(file: str) -> str:
     """Return the name of the problem that a file is of."""
-    for ending in (SCENE, NUMERIC, BY_PLACES, DURATIVE):
+    for ending in (SCENE, NUMERIC, BY_PLACES, BY_RELATIONS, LIFTED, DURATIVE):
         file = file.removesuffix(ending)
     return file.removesuffix(".pddl")

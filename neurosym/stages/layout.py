@@ -30,6 +30,18 @@ PLACE_TRAINING = f"{PLACES}/{TRAINING}"
 """`train`: how well they fit."""
 PLACE_OPERATORS = f"{PLACES}/operators.json"
 """`distill`: what carries objects of each category to places, and how surely."""
+RELATIONS = "relations"
+"""What was learned of actions that are aimed at other objects, in files that are called likewise."""
+RELATION_INTERACTIONS = f"{RELATIONS}/{INTERACTIONS}"
+"""`explore --relations`: a row for each interaction that was aimed at another object."""
+RELATION_MODEL, RELATION_DIRECT_MODEL = f"{RELATIONS}/{MODEL}", f"{RELATIONS}/{DIRECT_MODEL}"
+"""`train`: the networks that were fitted to these; the object symbols are kinds of pairs."""
+RELATION_TRAINING = f"{RELATIONS}/{TRAINING}"
+"""`train`: how well they fit."""
+RELATION_STATES = f"{RELATIONS}/states.json"
+"""`train`: the states that pairs of objects can be in."""
+RELATION_OPERATORS = f"{RELATIONS}/operators.json"
+"""`distill`: what brings which pairs of objects into which state, and how surely."""
 PRACTICE = "practice.json"
 """`practise`: what was tried, what broke plans, what was practised, and the table of operators after that."""
 TABLE_FILES = (PRIMITIVES, PRACTICE)
@@ -42,6 +54,10 @@ NUMERIC_DOMAIN = "domain-numeric.pddl"
 """`compile-domain`: the same in numbers (PDDL 2.1)."""
 PLACES_DOMAIN = "domain-places.pddl"
 """`compile-domain`: the same with places that objects are carried to, if that was learned."""
+RELATIONAL_DOMAIN = "domain-relational.pddl"
+"""`compile-domain`: objects stand at places or bear one another, if that was learned."""
+LIFTED_DOMAIN = "domain-relational-lifted.pddl"
+"""`compile-domain`: the same with `not` and `exists`, for planners that take these."""
 DURATIVE_DOMAIN = "domain-durative.pddl"
 """`compile-domain --durative`: what can be carried, by actions that take time; no command reads it."""
 GROUNDING = "grounding.json"
@@ -79,6 +95,11 @@ COMMANDS = {
     PLACE_MODEL: "train",
     PLACE_DIRECT_MODEL: "train",
     PLACE_OPERATORS: "distill",
+    RELATION_INTERACTIONS: "explore",
+    RELATION_MODEL: "train",
+    RELATION_DIRECT_MODEL: "train",
+    RELATION_STATES: "train",
+    RELATION_OPERATORS: "distill",
     DOMAIN: "compile-domain",
     OPERATORS_DOMAIN: "compile-domain",
     NUMERIC_DOMAIN: "compile-domain",
@@ -92,6 +113,8 @@ NUMERIC = ".numeric.pddl"
 """What the file of a problem in the numeric encoding ends with; the one on a grid is NAME.pddl."""
 BY_PLACES = ".places.pddl"
 """What the file of a problem in the encoding `places` ends with."""
+BY_RELATIONS, LIFTED = ".relational.pddl", ".relational-lifted.pddl"
+"""What the files of a problem in the encodings of relations end with."""
 DURATIVE = ".durative.pddl"
 """What the file of a problem with durative actions ends with."""
 PLANVIZ = ".planviz.json"
@@ -113,6 +136,11 @@ def problem_files(problem: str) -> tuple[str, str]:
 def places_file(problem: str) -> str:
     """Name a problem's file for other planners in the encoding `places`."""
     return f"{PROBLEMS}/{problem}{BY_PLACES}"
+
+
+def relation_files(problem: str) -> tuple[str, str]:
+    """Name a problem's files for other planners in the encodings of relations."""
+    return f"{PROBLEMS}/{problem}{BY_RELATIONS}", f"{PROBLEMS}/{problem}{LIFTED}"
 
 
 def durative_file(problem: str) -> str:

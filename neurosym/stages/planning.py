@@ -16,6 +16,7 @@ from neurosym.planners.planner import PredictEffects
 from neurosym.planners.registry import check_options
 from neurosym.planners.second_look import plan_with_second_look
 from neurosym.problems import Problem
+from neurosym.related import with_pairs
 from neurosym.stages.compiling import print_problem
 from neurosym.stages.folder import DomainFolder, load_scene
 from neurosym.stages.layout import GROUNDING, MODEL, WORLD, plan_files, scene_file
@@ -117,7 +118,7 @@ def plan_stage(
         grounding = Grounding.load(folder.require(GROUNDING))
         own = load_problem(folder, name)
         print_problem(folder, own, grounding, only_missing=True)
-        problem = own.within(tolerance)
+        problem = with_pairs(own.within(tolerance), grounding.relations)
         for item in problem.objects:
             check_on_table(item, grounding)
         planned = plan_with_second_look(

@@ -10,9 +10,10 @@ from neurosym.grounding import Grounding
 from neurosym.pddl.grid import check_on_table
 from neurosym.problems import Problem
 from neurosym.reading import digest
+from neurosym.related import with_pairs
 from neurosym.stages.compiling import print_problem
 from neurosym.stages.folder import DomainFolder
-from neurosym.stages.layout import GROUNDING, PROBLEMS, WORLD, problem_files, scene_file
+from neurosym.stages.layout import GROUNDING, PROBLEMS, WORLD, problem_files, relation_files, scene_file
 from neurosym.stages.manifest import Stage
 from neurosym.stages.planning import check_scene
 
@@ -39,7 +40,8 @@ def scene_stage(folder: DomainFolder, file: Path, *, name: str, tolerance: float
             raise InvalidFile(file, str(error).rstrip(".")) from error
         make_folder(folder / PROBLEMS)
         print_problem(folder, problem, grounding)
-        problem.save(folder / scene)
+        with_pairs(problem, grounding.relations).save(folder / scene)
 
     options = {"scene": digest(file)} | ({} if tolerance is None else {"tolerance": tolerance})
-    return Stage(f"new-problem {name}", (WORLD, GROUNDING), (*problem_files(name), scene), work, options)
+    outputs = (*problem_files(name), *relation_files(name), scene)
+    return Stage(f"new-problem {name}", (WORLD, GROUNDING), outputs, work, options)

@@ -17,6 +17,11 @@ from neurosym.stages.layout import PLACE_INTERACTIONS, WORLD, plan_files
 from neurosym.stages.manifest import Claim, Stage
 from neurosym.stages.plan_records import PlanRecord
 from neurosym.stages.planning import plan_stage
+from neurosym.stages.relating import (
+    distill_relations_stage,
+    explore_relations_stage,
+    train_relations_stage,
+)
 from neurosym.stages.training import train_stage
 from neurosym.strategies import StrategyName
 from neurosym.wording import counted, quoted
@@ -47,6 +52,7 @@ def go_the_whole_way(
     object_bits: int | None = None,
     action_bits: int | None = None,
     places: int | None = None,
+    relations: int = 0,
 ) -> None:
     """Explore, train, distil, compile, draw problems, plan with Fast Downward, and execute what was found.
 
@@ -66,6 +72,7 @@ def go_the_whole_way(
         action_bits: Bits of an action symbol; the regime's if not given.
         places: Interactions to make besides that are aimed at places; 0 for none. If not given, one for
             every four others, in a world that takes places.
+        relations: Interactions to make besides that are aimed at other objects.
 
     Raises:
         InvalidValue: If a number is impossible.
@@ -89,6 +96,7 @@ def go_the_whole_way(
         train_stage(folder, seed=seed, regime=regime, object_bits=object_bits, action_bits=action_bits),
         distill_stage(folder, objects=rehearsals, seed=seed, workers=workers, choice=choice),
         *_places_stages(folder, strategy, places, seed, regime, rehearsals, workers),
+        *_relations_stages(folder, strategy, relations, seed, regime, rehearsals, workers),
         compile_stage(folder, cell=CELL, with_places=places > 0 or None),
     )
     with folder.claimed(Claim.ALONE):
@@ -132,6 +140,27 @@ def _places_stages(
         ),
         train_places_stage(folder, seed=seed, regime=regime),
         distill_places_stage(folder, objects=rehearsals, seed=seed, workers=workers),
+    )
+
+
+def _relations_stages(
+    folder: DomainFolder,
+    strategy: StrategyName,
+    steps: int,
+    seed: int,
+    regime: str,
+    rehearsals: int,
+    workers: int,
+) -> tuple[Stage, ...]:
+    """List the stages that learn what can be done with pairs, if any interaction is to be of them."""
+    if not steps:
+        return ()
+    return (
+        explore_relations_stage(
+            folder, strategy=strategy, steps=steps, seed=seed, regime=regime, workers=workers
+        ),
+        train_relations_stage(folder, seed=seed, regime=regime),
+        distill_relations_stage(folder, pairs=rehearsals, seed=seed, workers=workers),
     )
 
 

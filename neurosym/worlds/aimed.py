@@ -31,18 +31,15 @@ class AimedScene(Scene):
     reference: Place
 
 
-class Aimed:
-    """A world in which every action is aimed at a place; else it is the world that it is made of.
+class Adapted:
+    """A world made of another: what it does not do in its own way, that one does.
 
     Args:
-        world: That world, which takes places.
-        margin: How far inside the edge of the table places lie [m].
+        world: That world.
     """
 
-    effect_axes = PLACE_AXES
-
-    def __init__(self, world: World, margin: float = 0.0):
-        self._world, self._margin = world, margin
+    def __init__(self, world: World):
+        self._world = world
 
     def __getattr__(self, name: str) -> Any:
         """Give what else the world has, like its limits of objects."""
@@ -74,6 +71,21 @@ class Aimed:
     def lift_height(self) -> float:
         """How far the hand rises after the last waypoint [m]."""
         return self._world.lift_height
+
+
+class Aimed(Adapted):
+    """A world in which every action is aimed at a place; else it is the world that it is made of.
+
+    Args:
+        world: That world, which takes places.
+        margin: How far inside the edge of the table places lie [m].
+    """
+
+    effect_axes = PLACE_AXES
+
+    def __init__(self, world: World, margin: float = 0.0):
+        super().__init__(world)
+        self._margin = margin
 
     def sample_scene(self, rng: np.random.Generator, objects: int) -> AimedScene:
         """Draw a scene, and then a place anywhere on the table, where an object may stand.

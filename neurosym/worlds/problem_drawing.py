@@ -2,6 +2,7 @@
 
 from collections.abc import Mapping, Sequence
 
+import msgspec
 import numpy as np
 
 from neurosym.checks import check_count, check_length, check_seed, check_whole
@@ -9,6 +10,7 @@ from neurosym.errors import InvalidValue
 from neurosym.guarded import guarded, placed
 from neurosym.operators import TOLERANCE, Vector, vector
 from neurosym.problems import Problem, SceneObject, check_goals, check_names, goal_heights
+from neurosym.relation_goals import RelationGoal
 from neurosym.symbols import Categorise, symbols_of
 from neurosym.world import Outcome, Scene, World
 
@@ -95,6 +97,7 @@ def set_problem(
     objects: int,
     seed: int,
     tolerance: float = TOLERANCE,
+    relations: tuple[RelationGoal, ...] = (),
 ) -> Problem:
     """Draw a scene and set goals in it by hand.
 
@@ -107,6 +110,7 @@ def set_problem(
         objects: How many objects.
         seed: Same seed, same scene.
         tolerance: How near each object must come to its goal [m].
+        relations: Which object shall stand to which other one in which state.
 
     Raises:
         InvalidValue: If the objects do not fit, or a goal names none of them or lies out of reach.
@@ -123,6 +127,7 @@ def set_problem(
         goals={item: _completed(item, goal, resting.get(item, 0.0)) for item, goal in goals.items()},
         tolerance=tolerance,
         provenance=f"scene drawn with seed {seed}, goals by hand",
+        relations=relations or msgspec.UNSET,
     )
     check_goals(problem, world.table, goal_heights(problem, world.lift_height))
     return problem

@@ -49,17 +49,28 @@ def _toy(options: dict[str, Any]) -> World:
     return ToyWorld(_toy_config(options))
 
 
+def _toy_relations(options: dict[str, Any]) -> World:
+    from neurosym.worlds.toy_relations import ToyRelations
+
+    return ToyRelations(_toy_config(options))
+
+
 def _toy_config(options: dict[str, Any]) -> "ToyConfig":
     from neurosym.worlds.toy import ToyConfig
 
     return configured(ToyConfig, options)
 
 
-WORLDS: dict[str, Callable[[dict[str, Any]], World]] = {"tabletop": _tabletop, "toy": _toy}
+WORLDS: dict[str, Callable[[dict[str, Any]], World]] = {
+    "tabletop": _tabletop,
+    "toy": _toy,
+    "toy-relations": _toy_relations,
+}
 """The worlds that `world.toml` can name. A simulator is imported only when its world is made."""
 CONFIGS: dict[str, Callable[[dict[str, Any]], "TabletopConfig | ToyConfig"]] = {
     "tabletop": _tabletop_config,
     "toy": _toy_config,
+    "toy-relations": _toy_config,
 }
 """What their options make, without a simulator."""
 

@@ -70,5 +70,7 @@ def test_unknown_key_of_a_nested_option_is_refused(text, message, tmp_path):
 
 
 def test_unknown_world_hints_at_ones_own():
-    with pytest.raises(UnknownChoice, match="valid: tabletop, toy, your own as module:factory"):
+    with pytest.raises(
+        UnknownChoice, match="valid: tabletop, toy, toy-relations, your own as module:factory"
+    ):
         make_world("moon", {})

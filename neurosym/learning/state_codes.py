@@ -1,0 +1,107 @@
+"""States of pairs: which of the ways in which one object stands to another are worth a code.
+
+Pairs are described in touching units (`pair_states.py`), before anybody touched them and as actions left
+them. k-means finds the ways that are typical, and codes are given such that states one bit apart are alike. A
+reference bears its target in states that fresh pairs are never in, and that targets are carried into.
+Names are made afterwards, from the numbers that are typical of a state.
+"""
+
+from collections.abc import Sequence
+
+import numpy as np
+from jaxtyping import Float
+
+from neurosym.data.interactions import Interactions
+from neurosym.learning.coclustering import gray_order, kmeans, nearest
+from neurosym.relation_operators import PairState, PairStates
+from neurosym.symbols import all_symbols
+
+STARTS = 20
+"""How often k-means starts; the best is kept."""
+RARE = 0.01
+"""What fresh pairs are so rarely is what actions made of them."""
+_DIGITS = 4
+_OVER, _TILTED, _TOUCHING, _NEAR = 0.75, 0.4, 0.5, 1.5  # how names tell states apart
+
+
+def learn_states(
+    fresh: Float[np.ndarray, "M D"],
+    ends: Float[np.ndarray, "N D"],
+    turned: Float[np.ndarray, "N D"],
+    bits: int,
+    rng: np.random.Generator,
+) -> PairStates:
+    """Find typical states of pairs, as many as codes of so many bits at most.
+
+    Args:
+        fresh: Descriptions of pairs that nobody touched.
+        ends: Descriptions of targets relative to references that they were carried to.
+        turned: The same the other way round: of these references relative to the targets.
+        bits: How many bits a code has.
+        rng: Source of randomness, owned by the caller.
+
+    """
+    points = np.concatenate([fresh[rng.permutation(len(fresh))[: len(ends)]], ends, turned])
+    scales = np.maximum(points.std(0), 1e-3)
+    kinds, scaled = 2**bits, points / scales
+    labels = min((kmeans(scaled, kinds, rng) for _ in range(STARTS)), key=lambda one: _error(scaled, one))
+    centres = np.array([scaled[labels == kind].mean(0) for kind in range(kinds) if np.any(labels == kind)])
+    padded = np.concatenate([centres, np.repeat(centres[-1:], kinds - len(centres), axis=0)])
+    codes = all_symbols(bits)
+    symbols = [codes[code] for code in gray_order(padded, rng)[: len(centres)]]
+    shares = [_shares(rows / scales, centres) for rows in (fresh, ends, turned)]
+    states = [
+        PairState(
+            symbol=symbol,
+            name=f"{name_state(centre * scales)}-{symbol}",
+            centre=tuple(round(float(value), _DIGITS) for value in centre * scales),
+            share=float(shares[0][row]),
+            bears=bool(shares[0][row] < RARE and 2 * shares[1][row] > shares[2][row]),
+        )
+        for row, (symbol, centre) in enumerate(zip(symbols, centres, strict=True))
+    ]
+    found = tuple(sorted(states, key=lambda one: one.symbol))
+    return PairStates(found, tuple(round(float(scale), _DIGITS) for scale in scales))
+
+
+def ends_in(interactions: Interactions) -> tuple[Float[np.ndarray, "N D"], Float[np.ndarray, "N D"]]:
+    """Describe how pairs stand in the end if the target was carried; and the same the other way round.
+
+    Seen from the target, which stands straight in the middle of things, the reference is as far below.
+
+    Args:
+        interactions: The data, each aimed at another object.
+    """
+    x, y, up, touching, tilted, carried = np.asarray(interactions.effects, dtype=np.float64).T
+    ends = np.column_stack([np.maximum(np.abs(x), np.abs(y)), up, touching, tilted])[carried > 0]
+    return ends, ends * (1.0, -1.0, 1.0, 0.0)
+
+
+def name_state(centre: Sequence[float] | Float[np.ndarray, "4"]) -> str:
+    """Say in a word or two how a target mostly stands to a reference in a state.
+
+    Args:
+        centre: The description that is typical.
+    """
+    away, up, touching, tilted = (float(value) for value in centre)
+    if tilted > _TILTED:
+        return "leans-on"
+    if away < _OVER:
+        return "rests-on" if up > _OVER else "lies-under" if up < -_OVER else "sits-in"
+    if touching > _TOUCHING:
+        return "touches"
+    return "beside" if away < _NEAR else "apart-from"
+
+
+def _error(points: Float[np.ndarray, "N D"], labels: np.ndarray) -> float:
+    return float(
+        sum(
+            ((rows - rows.mean(0)) ** 2).sum() for rows in (points[labels == k] for k in set(labels.tolist()))
+        )
+    )
+
+
+def _shares(points: Float[np.ndarray, "N D"], centres: Float[np.ndarray, "L D"]) -> Float[np.ndarray, "L"]:
+    labels, _ = nearest(points, centres)
+    counts: np.ndarray = np.bincount(labels, minlength=len(centres)) / max(1, len(points))
+    return counts

@@ -1,0 +1,266 @@
+"""What the encoding `relational` is printed from: operators on pairs, what they ask, and what they cost.
+
+What an operator asks is what its rehearsals showed. Where a third object on the reference, on the target, or
+under it spoiled more than half of them, that is forbidden; otherwise it is allowed, and costs what it showed.
+"""
+
+import math
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from functools import lru_cache
+
+from neurosym.grounding import MIN_TRIALS, Grounding
+from neurosym.operators import Category, Operator
+from neurosym.pddl.moves import step_cost
+from neurosym.pddl.place_domain import carriers_of
+from neurosym.place_operators import Kept
+from neurosym.promises import LEAST_CHANCE
+from neurosym.relation_operators import PairEnd, PairState, RelationOperator, RelationOperators
+
+LEAST_SHARE = 0.5
+"""What keeps an operator's promise in a smaller share of rehearsals is forbidden."""
+_NEVER = Kept("never", 0, 0)
+
+
+@dataclass(frozen=True, slots=True)
+class Put:
+    """An operator on pairs as it is planned with.
+
+    Attributes:
+        operator: The operator.
+        end: How it promises to turn out.
+        state: The state that the pair ends in.
+        kind: The kind of pairs that it is for.
+    """
+
+    operator: RelationOperator
+    end: PairEnd
+    state: PairState
+    kind: Category
+
+    @property
+    def name(self) -> str:
+        """Name of the operator."""
+        return self.operator.name
+
+    @property
+    def takes_borne(self) -> bool:
+        """Whether the target may rest on a third object."""
+        return self.operator.borne.share >= LEAST_SHARE
+
+    @property
+    def takes_occupied(self) -> bool:
+        """Whether a third object may rest on the reference."""
+        return self.operator.occupied.share >= LEAST_SHARE
+
+    @property
+    def takes_laden(self) -> bool:
+        """Whether a third object may rest on the target, and then goes along."""
+        return self.operator.laden.share >= LEAST_SHARE
+
+    def chance(self, *, borne: bool = False, occupied: bool = False, laden: bool = False) -> float:
+        """Return the chance that a step goes as promised, by what rehearsals with third objects showed.
+
+        Args:
+            borne: Whether the target rests on a third object.
+            occupied: Whether a third object rests on the reference.
+            laden: Whether a third object rests on the target.
+        """
+        usual = _chance(self.end.count, self.operator.trials)
+        found = usual
+        cases = ((borne, self.operator.borne), (occupied, self.operator.occupied))
+        for is_so, kept in (*cases, (laden, self.operator.laden)):
+            if is_so and kept.trials:
+                found *= min(1.0, _chance(kept.kept, kept.trials) / usual)
+        return found
+
+    def cost(self, grounding: Grounding, **case: bool) -> int:
+        """Return what a step costs: 1 + round(-100 ln(chance)), or 1 where all steps cost the same.
+
+        Args:
+            grounding: The learned domain.
+            case: Where third objects rest; see `chance`.
+        """
+        return 1 if grounding.unit_costs else 1 + round(-100 * math.log(self.chance(**case)))
+
+
+@dataclass(frozen=True, slots=True)
+class Carrier:
+    """An operator that carries objects to places, as it is planned with where objects bear one another.
+
+    Attributes:
+        operator: The operator.
+        borne: How it turned out where the object rested on another one.
+        laden: How it turned out where another one rested on the object.
+    """
+
+    operator: Operator
+    borne: Kept
+    laden: Kept
+
+    @property
+    def name(self) -> str:
+        """Name of the operator."""
+        return self.operator.name
+
+    @property
+    def takes_borne(self) -> bool:
+        """Whether the object may rest on another one; where that was never tried it may."""
+        return self.borne.share >= LEAST_SHARE
+
+    @property
+    def takes_laden(self) -> bool:
+        """Whether another object may rest on it; where that was never tried it may not."""
+        return bool(self.laden.trials) and self.laden.share >= LEAST_SHARE
+
+    def cost(self, operator: Operator, grounding: Grounding, *, borne: bool = False) -> int:
+        """Return what a step costs.
+
+        Args:
+            operator: The operator as it promises for the object.
+            grounding: The learned domain.
+            borne: Whether the object rests on another one.
+        """
+        usual = step_cost(operator, grounding)
+        if not (borne and self.borne.trials) or grounding.unit_costs:
+            return usual
+        return usual + round(
+            max(0.0, -100 * math.log(_chance(self.borne.kept, self.borne.trials) / chance_of(operator)))
+        )
+
+
+def chance_of(operator: Operator) -> float:
+    """Return the chance that a step to a place goes as promised."""
+    return _chance(operator.successes, operator.trials)
+
+
+def puts_of(grounding: Grounding) -> tuple[Put, ...]:
+    """List the operators on pairs that the domain has, by name.
+
+    Args:
+        grounding: The learned domain.
+    """
+    if grounding.relations is None:
+        return ()
+    return _puts(grounding.relations)
+
+
+def put_named(name: str, grounding: Grounding) -> Put | None:
+    """Return an operator on pairs that promises something, in the domain or not; None if it does not.
+
+    Args:
+        name: Name of the operator.
+        grounding: The learned domain.
+    """
+    table = grounding.relations
+    found = next((one for one in table.operators if one.name == name), None) if table else None
+    return _put(found, table) if table and found and found.promise else None
+
+
+def left_out_puts(grounding: Grounding) -> Mapping[str, str]:
+    """Say why operators on pairs are not in the domain, by name.
+
+    Args:
+        grounding: The learned domain.
+    """
+    return left_out(grounding.relations) if grounding.relations else {}
+
+
+def relational_carriers(grounding: Grounding) -> tuple[Carrier, ...]:
+    """List the operators that carry objects to places, with what was seen of stacks.
+
+    Args:
+        grounding: The learned domain.
+    """
+    places = grounding.places
+    if places is None:
+        return ()
+    borne, laden = (
+        {one.name: one for one in table} if isinstance(table, tuple) else {}
+        for table in (places.borne, places.laden)
+    )
+    return tuple(
+        Carrier(one, borne.get(one.name, _NEVER), laden.get(one.name, _NEVER))
+        for one in carriers_of(grounding)
+    )
+
+
+def takes_loads(grounding: Grounding) -> bool:
+    """Say whether something is carried with what rests on it.
+
+    Args:
+        grounding: The learned domain.
+    """
+    takers: list[Put | Carrier] = [*puts_of(grounding), *relational_carriers(grounding)]
+    return any(one.takes_laden for one in takers)
+
+
+def bearing_states(grounding: Grounding) -> tuple[PairState, ...]:
+    """List the states in which a reference bears its target, by symbol.
+
+    Args:
+        grounding: The learned domain.
+    """
+    states = grounding.relations.states if grounding.relations else ()
+    return tuple(state for state in states if state.bears)
+
+
+@lru_cache(maxsize=8)
+def _puts(table: RelationOperators) -> tuple[Put, ...]:
+    kept = (one for one in table.operators if one.name not in left_out(table))
+    return tuple(_put(one, table) for one in sorted(kept, key=lambda one: one.name))
+
+
+def _put(operator: RelationOperator, table: RelationOperators) -> Put:
+    end = operator.promise
+    assert end is not None, f"{operator.name} promises nothing"
+    kind = next(one for one in table.pairs if one.symbol == operator.pair)
+    return Put(operator, end, table.state_named(end.state), kind)
+
+
+@lru_cache(maxsize=8)
+def left_out(table: RelationOperators) -> Mapping[str, str]:
+    """Say why operators of a table are not in the domain, by name.
+
+    Args:
+        table: What was learned of pairs.
+    """
+    found = dict[str, str]()
+    surest = dict[tuple[object, ...], RelationOperator]()
+    for one in table.operators:
+        if reason := _why_worthless(one, table):
+            found[one.name] = reason
+            continue
+        assert one.promise is not None
+        asked = (kept.share >= LEAST_SHARE for kept in (one.borne, one.occupied, one.laden))
+        case = (one.pair, one.promise.state, *asked)
+        other = surest.setdefault(case, one)
+        if other is one:
+            continue
+        worse, better = sorted((one, other), key=_sureness(table))
+        found[worse.name] = f"does less surely what {better.name} does"
+        surest[case] = better
+    return found
+
+
+def _sureness(table: RelationOperators) -> Callable[[RelationOperator], tuple[float, str]]:
+    def sureness(operator: RelationOperator) -> tuple[float, str]:
+        return _put(operator, table).chance(), operator.name
+
+    return sureness
+
+
+def _why_worthless(operator: RelationOperator, table: RelationOperators) -> str | None:
+    if operator.trials < MIN_TRIALS:
+        return f"fewer than {MIN_TRIALS} rehearsals"
+    if operator.promise is None:
+        return "never carries its target to the reference"
+    if not table.state_named(operator.promise.state).bears:
+        return "ends in a state in which the reference bears nothing"
+    if operator.promise.count < LEAST_CHANCE * operator.trials:
+        return f"keeps its promise in {operator.promise.count} of {operator.trials} rehearsals only"
+    return None
+
+
+def _chance(kept: int, trials: int) -> float:
+    return (kept + 1) / (trials + 2)

@@ -1,0 +1,122 @@
+"""Whether the goals by relation of a problem can be, by what was learned of its pairs."""
+
+from collections import Counter
+from collections.abc import Sequence
+
+from neurosym.errors import InvalidValue
+from neurosym.grounding import Grounding
+from neurosym.pddl.relational import Put, bearing_states, puts_of
+from neurosym.problems import Problem
+from neurosym.related import relations_of, unmet_relations, with_pairs
+from neurosym.relation_goals import RelationGoal, pair_key
+
+
+def relations_meant(goals: Sequence[RelationGoal], grounding: Grounding) -> tuple[RelationGoal, ...]:
+    """Return goals by relation with the names of the states that are meant.
+
+    Args:
+        goals: The goals, whose states are called by name, by symbol, or by the beginning of one name only.
+        grounding: The learned domain.
+
+    Raises:
+        InvalidValue: If the domain knows nothing of relations.
+        UnknownChoice: If no state is meant, or several are.
+    """
+    if not goals:
+        return ()
+    if grounding.relations is None:
+        raise InvalidValue(
+            f"The domain {grounding.name} has learned no relations; valid here: goals on the table, as "
+            "item-01=0.60,0.10."
+        )
+    states = grounding.relations.states
+    found = []
+    for target, reference, word in goals:
+        meant = [state.name for state in states if word and state.name.startswith(word)]
+        name = meant[0] if len(meant) == 1 else word
+        found.append((target, reference, grounding.relations.state_named(name).name))
+    return tuple(found)
+
+
+def check_relations(problem: Problem, grounding: Grounding) -> None:
+    """Raise unless something leads to each goal by relation, or it is met already.
+
+    Args:
+        problem: The problem.
+        grounding: The learned domain.
+
+    Raises:
+        InvalidValue: If nothing does, or the domain knows nothing of relations.
+        UnknownChoice: If there is no such state.
+    """
+    if problem.related and (reason := why_no_relation(problem, grounding)):
+        raise InvalidValue(f"{reason}.")
+
+
+def why_no_relation(problem: Problem, grounding: Grounding) -> str:
+    """Say which goal by relation nothing leads to, and what would be valid; nothing if there is none.
+
+    Args:
+        problem: The problem, with the objects as they stand now.
+        grounding: The learned domain.
+
+    Raises:
+        InvalidValue: If the domain knows nothing of relations.
+        UnknownChoice: If there is no such state.
+    """
+    relations = relations_of(grounding, problem)
+    problem = with_pairs(problem, relations)
+    valid = ", ".join(state.name for state in bearing_states(grounding)) or "none was learned"
+    for target, reference, name in problem.related:
+        state = relations.state_named(name)
+        if not state.bears:
+            return (
+                f"{target} cannot be brought to {state.name} {reference}, in which nothing is borne; valid "
+                f"states: {valid}"
+            )
+    for target, reference, name in unmet_relations(problem, grounding):
+        state = relations.state_named(name)
+        found = [put for put in puts_for(problem, grounding, target, reference) if put.state == state]
+        if not found:
+            return f"nothing puts {target} {state.name} {reference}; {_valid(problem, grounding, target)}"
+    return _why_too_many(problem, grounding)
+
+
+def puts_for(problem: Problem, grounding: Grounding, target: str, reference: str) -> tuple[Put, ...]:
+    """List what the domain can do with a pair of objects.
+
+    Args:
+        problem: The problem, with the kinds of its pairs.
+        grounding: The learned domain.
+        target: Name of the one.
+        reference: Name of the other.
+    """
+    kinds = problem.pairs if isinstance(problem.pairs, dict) else {}
+    kind = kinds.get(pair_key(target, reference))
+    return tuple(put for put in puts_of(grounding) if put.kind.symbol == kind)
+
+
+def _valid(problem: Problem, grounding: Grounding, target: str) -> str:
+    """Say what can be done with an object relative to others."""
+    ways = [
+        f"{put.state.name} {other}"
+        for other in problem.object_names
+        if other != target
+        for put in puts_for(problem, grounding, target, other)
+    ]
+    known = ", ".join(dict.fromkeys(ways))
+    return f"valid for {target}: {known}" if known else f"nothing puts {target} on or into any other object"
+
+
+def _why_too_many(problem: Problem, grounding: Grounding) -> str:
+    """Say which object should bear several and cannot, if one should."""
+    wanted = Counter(reference for _, reference, _ in problem.related)
+    for reference, count in wanted.items():
+        targets = [target for target, other, _ in problem.related if other == reference]
+        rows = [puts_for(problem, grounding, target, reference) for target in targets]
+        if count > 1 and not any(put.takes_occupied for row in rows for put in row):
+            return (
+                f"{reference} shall bear {' and '.join(targets)}, and rehearsals show that it bears one "
+                "object at a time; leave one of the two out"
+            )
+    return ""

@@ -1,0 +1,116 @@
+"""Planning with relations: objects stand at places or on and in one another; nothing is led over cells."""
+
+import dataclasses
+import textwrap
+import time
+from functools import partial
+from pathlib import Path
+
+from neurosym.drafts import naming
+from neurosym.errors import InvalidPlan, InvalidValue
+from neurosym.pddl.domain import domain_text
+from neurosym.pddl.moves import BY_RELATIONS, RELATIONAL
+from neurosym.pddl.plan_text import parse_plan
+from neurosym.pddl.problem import problem_text
+from neurosym.pddl.relational_check import why_no_relation
+from neurosym.pddl.relational_problem import Task
+from neurosym.pddl.validation import validate
+from neurosym.planners.effort import check_time, within
+from neurosym.planners.fast_downward import RELATIONS_SUFFIX
+from neurosym.planners.planner import PddlProgram, Planner, Query
+from neurosym.planners.result import PlanResult, PlanStatus
+from neurosym.planners.scratch import scratch_folder
+from neurosym.problems import Problem
+from neurosym.related import is_reached, is_relational, relations_of, with_pairs
+
+
+def by_relations(planner: Planner, query: Query, takers: tuple[str, ...], *, is_ours: bool) -> Planner:
+    """Return a planner such that it plans with relations, if that is what is asked.
+
+    Args:
+        planner: The planner.
+        query: What it is asked.
+        takers: Names of the planners that can be asked for relations.
+        is_ours: Whether it is none that somebody wrote, who may do with relations what they like.
+
+    Raises:
+        InvalidValue: If it does not take relations, or the encoding does not.
+    """
+    problem, grounding = query.problem, query.grounding
+    is_asked = query.encoding in BY_RELATIONS
+    if not (is_asked or is_relational(problem, grounding)):
+        return planner
+    relations_of(grounding, problem)
+    if query.encoding is not None and not is_asked:
+        raise InvalidValue(
+            f"The problem {problem.name} is one of relations, which the encoding {query.encoding} cannot "
+            f"say; valid: {', '.join(BY_RELATIONS)}."
+        )
+    if planner.name in takers:
+        assert planner.program is not None
+        solve = partial(plan_by_relations, program=planner.program)
+        return dataclasses.replace(planner, solve=solve)
+    if planner.program is None and not is_ours:
+        return planner
+    raise InvalidValue(
+        f"The problem {problem.name} is one of relations, which {planner.name} does not take; valid: "
+        f"{', '.join(sorted(takers))}."
+    )
+
+
+def plan_by_relations(query: Query, *, program: PddlProgram) -> PlanResult:
+    """Solve a problem with a PDDL planner, and believe the plan only if its replay is right.
+
+    Args:
+        query: What is asked.
+        program: What reads the files.
+
+    Raises:
+        InvalidValue: If an object's name means something else in the domain.
+    """
+    problem = with_pairs(query.problem, query.grounding.relations)
+    if is_reached(problem, query.grounding):
+        return PlanResult(PlanStatus.SOLVED, (), 0.0, "the goal is met at the start")
+    if reason := why_no_relation(problem, query.grounding):
+        return PlanResult(PlanStatus.UNSOLVABLE, (), 0.0, reason)
+    return within(query.time_limit, partial(_search, query, problem, program))
+
+
+def _search(query: Query, problem: Problem, program: PddlProgram, deadline: float) -> PlanResult:
+    """Print domain and problem, call the planner, read what it wrote, and replay it."""
+    grounding, encoding = query.grounding, query.encoding or RELATIONAL
+    check_time(deadline)
+    with scratch_folder() as folder:
+        domain, task = folder / "domain.pddl", folder / f"problem{RELATIONS_SUFFIX}"
+        for file, text in (
+            (domain, domain_text(grounding, encoding)),
+            (task, problem_text(problem, grounding, encoding)),
+        ):
+            with naming(file):
+                file.write_text(text)
+        answer = program.call(domain, task, time_limit=deadline - time.perf_counter())
+    if answer.status is PlanStatus.UNSOLVABLE:
+        reason = f"no plan with the places that were drawn{_why(problem, query)}"
+        return PlanResult(PlanStatus.NOT_FOUND, (), answer.seconds, reason)
+    try:
+        steps = parse_plan(answer.text, Path("its plan"), grounding, problem)
+    except InvalidPlan as error:
+        said = f"what the planner wrote cannot be read: {textwrap.shorten(str(error), 200)}"
+        return PlanResult(PlanStatus.FAILED, (), answer.seconds, said)
+    if answer.status is not PlanStatus.SOLVED:
+        return PlanResult(answer.status, (), answer.seconds, answer.reason)
+    checked = validate(steps, problem, grounding)
+    if checked.valid:
+        return PlanResult(PlanStatus.SOLVED, steps, answer.seconds, answer.reason)
+    said = f"the plan with relations is not true when replayed: {checked.reason}"
+    return PlanResult(PlanStatus.FAILED, (), answer.seconds, said)
+
+
+def _why(problem: Problem, query: Query) -> str:
+    """Name the objects with a goal on the table that nothing carries there."""
+    task = Task(problem, query.grounding)
+    fixed = [name for name in problem.unmet if name not in task.carried]
+    if not fixed:
+        return ""
+    verb = "has a goal" if len(fixed) == 1 else "have goals"
+    return f"; {' and '.join(fixed)} {verb} on the table, and nothing carries it to places"

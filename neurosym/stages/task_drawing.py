@@ -1,0 +1,111 @@
+"""Drawing the tasks that a domain can be asked for: of goals on the table, or of relations."""
+
+from typing import Literal, cast, get_args
+
+import numpy as np
+
+from neurosym.errors import InvalidValue, UnknownChoice
+from neurosym.grounding import Grounding
+from neurosym.operators import TOLERANCE
+from neurosym.pddl.relational_check import puts_for
+from neurosym.problems import Problem
+from neurosym.related import known_bearers, with_pairs
+from neurosym.symbols import Categorise
+from neurosym.world import World
+from neurosym.worlds.relation_tasks import HEIGHT, RELATION_TASKS, RelationTask, Way, Ways, draw_relation_task
+from neurosym.worlds.tasks import Fits, TaskKind, draw_task
+
+AnyTask = TaskKind | RelationTask
+"""What a task may ask for."""
+ANY_TASK: tuple[str, ...] = (*get_args(TaskKind), *RELATION_TASKS)
+DrawnTask = Literal["anywhere", "swap", "row", "crowded", "tower", "boxes", "unstack", "exchange"]
+"""What a task may ask for that needs no other scene."""
+
+
+def draw_any_task(
+    world: World,
+    categorise: Categorise,
+    grounding: Grounding,
+    kind: AnyTask,
+    *,
+    name: str,
+    objects: int,
+    seed: int,
+    height: int = HEIGHT,
+    state: str = "",
+    like: Problem | None = None,
+    tolerance: float = TOLERANCE,
+    fits: Fits | None = None,
+) -> Problem:
+    """Draw a task of any kind.
+
+    Args:
+        world: The world that the objects are drawn from.
+        categorise: Gives objects their symbols.
+        grounding: The learned domain, which says what relations there are.
+        kind: What is asked for; see `draw_task` and `draw_relation_task`.
+        name: Name of the problem.
+        objects: How many objects.
+        seed: Same seed, same task.
+        height: How many objects a tower or a stack has.
+        state: The state that pairs shall come to, by name or symbol; any, if not given.
+        like: The other scene, for `like`.
+        tolerance: How near each object must come to its goal [m].
+        fits: Says of the features of an object whether it may be drawn; for goals on the table.
+
+    Raises:
+        UnknownChoice: If there is no such kind.
+        InvalidValue: If no such task is found, or one of relations is asked for and none are known.
+    """
+    if kind not in ANY_TASK:
+        raise UnknownChoice("kind of task", str(kind), ANY_TASK)
+    if kind not in RELATION_TASKS:
+        plain = cast(TaskKind, kind)
+        return draw_task(
+            world, categorise, plain, name=name, objects=objects, seed=seed, tolerance=tolerance, fits=fits
+        )
+    relations = grounding.relations
+    if relations is None:
+        raise InvalidValue(
+            f"The domain {grounding.name} has learned no relations, which the task {kind!r} is made of; "
+            f"valid: {', '.join(get_args(TaskKind))}."
+        )
+    bearers = known_bearers(like, relations) if like else {}
+    problem = draw_relation_task(
+        world,
+        categorise,
+        relations,
+        lambda drawn: ways_of(drawn, grounding),
+        kind,
+        name=name,
+        objects=objects,
+        seed=seed,
+        height=height,
+        state=relations.state_named(state).name if state else "",
+        like=like,
+        likened=tuple((target, borne.by, borne.state.name) for target, borne in bearers.items()),
+        tolerance=tolerance,
+    )
+    return with_pairs(problem, relations)
+
+
+def ways_of(problem: Problem, grounding: Grounding) -> Ways:
+    """Say what can be done with each pair of objects of a problem.
+
+    Args:
+        problem: The problem.
+        grounding: The learned domain.
+    """
+    relations = grounding.relations
+    if relations is None:
+        return {}
+    problem, names = with_pairs(problem, relations), problem.object_names
+    return {
+        (target, other): tuple(
+            Way(put.state.name, put.takes_occupied, np.array(relations.primitive_of(put.operator).action))
+            for put in puts_for(problem, grounding, target, other)
+        )
+        for target in names
+        for other in names
+        if target != other
+    }

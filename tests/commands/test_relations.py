@@ -1,0 +1,165 @@
+"""Commands on a domain with relations: scenes by hand, plans, runs, records, and what they say."""
+
+import json
+from pathlib import Path
+
+import msgspec
+import pytest
+import toy_domain
+import toy_places
+from command_line import neurosym, refusal
+from toy_relations import (
+    LIE,
+    PUT_IN,
+    PUT_ON,
+    REST,
+    grounding,
+    relations,
+    scene,
+    sorting,
+    tower,
+    tower_at_place,
+)
+
+from neurosym.pddl.moves import BY_RELATIONS
+from neurosym.pddl.problem import problem_text
+from neurosym.problems import Problem
+
+
+@pytest.fixture
+def bare(tmp_path: Path) -> Path:
+    """A folder with the toy world and a hand-written domain of relations; no network, no problem."""
+    place = tmp_path / "domain"
+    place.mkdir()
+    (place / "world.toml").write_text('world = "toy-relations"\n')
+    grounding().save(place / "grounding.json")
+    return place
+
+
+def made(folder: Path, problem: Problem) -> str:
+    file = folder.parent / f"{problem.name}.json"
+    problem.save(file)
+    assert neurosym("new-problem", folder, "--scene", file) == 0
+    return problem.name
+
+
+@pytest.mark.parametrize("problem", [tower(), tower_at_place(), sorting()], ids=lambda problem: problem.name)
+def test_scene_by_hand_is_planned_executed_and_replayed(bare, problem, capsys):
+    name = made(bare, problem)
+    said = capsys.readouterr().out
+    target, other, state = problem.related[0]
+    assert f"{target} shall come to be {state} {other}" in said
+    stored = Problem.load(bare / f"problems/{name}.scene.json")
+    assert isinstance(stored.pairs, dict)
+    for encoding in BY_RELATIONS:
+        printed = (bare / f"problems/{name}.{encoding}.pddl").read_text()
+        assert printed == problem_text(stored, grounding(), encoding)
+    assert not (bare / f"problems/{name}.pddl").exists()
+    assert neurosym("plan", bare, name) == 0
+    plan_file = bare / f"plans/{name}.fast-downward.plan"
+    assert "likely to go as promised" in capsys.readouterr().out
+    assert neurosym("execute", bare, name, plan_file) == 0
+    assert neurosym("replay", bare, f"{name}.fast-downward") == 0
+    assert "the same happened again" in capsys.readouterr().out
+
+
+def test_chance_of_a_plan_is_that_of_its_steps_by_what_rests_where(bare, capsys):
+    made(bare, sorting())
+    assert neurosym("plan", bare, "sorting") == 0
+    record = json.loads((bare / "plans/sorting.fast-downward.json").read_text())
+    assert record["chance"] == pytest.approx((21 / 22 * (11 / 12) / (21 / 22)) ** 2, abs=1e-4)
+
+
+def test_encoding_can_be_asked_for_and_what_cannot_say_relations_is_refused(bare, capsys):
+    made(bare, tower())
+    assert neurosym("plan", bare, "tower", "--encoding", "relational-lifted") == 0
+    said = refusal(capsys, "plan", bare, "tower", "--encoding", "stepwise")
+    assert "is one of relations, which the encoding stepwise cannot say; valid: relational, " in said
+    said = refusal(capsys, "plan", bare, "tower", "--planner", "counting")
+    assert "is one of relations, which counting does not take; valid: " in said
+    for option in (("--nearest",), ("--alternatives", "2")):
+        assert "leave these options out" in refusal(capsys, "plan", bare, "tower", *option)
+
+
+def test_goal_met_at_the_start_is_noted(bare, capsys):
+    made(bare, msgspec.structs.replace(sorting(), name="met", relations=(("item-01", "item-02", REST),)))
+    assert "note: it is met at the start" in capsys.readouterr().out
+
+
+def test_scenes_that_cannot_be_are_refused_in_one_sentence(bare, tmp_path, capsys):
+    file = tmp_path / "bad.json"
+    for objects, goals, said in (
+        (
+            tower().objects,
+            [("item-01", "item-02", LIE)],
+            "nothing puts item-01 lies-in-010 item-02; valid for",
+        ),
+        (scene(("cube", 0.5, 0.0, 0.2), ("cube", 0.7, 0.0)), [("item-01", "item-02", REST)], "does not rest"),
+        (
+            scene(("cube", 0.5, 0.0), ("cube", 0.51, 0.0)),
+            [("item-01", "item-02", REST)],
+            "stand in one place",
+        ),
+    ):
+        Problem("bad", objects, {}, 0.02, relations=tuple(goals)).save(file)
+        assert said in refusal(capsys, "new-problem", bare, "--scene", file)
+
+
+def test_domains_of_one_kind_refuse_problems_of_the_other(tmp_path, capsys):
+    (tmp_path / "world.toml").write_text('world = "toy"\n')
+    toy_places.grounding().save(tmp_path / "grounding.json")
+    file = tmp_path / "tower.json"
+    tower().save(file)
+    assert "unknown" not in refusal(capsys, "new-problem", tmp_path, "--scene", file)
+
+
+@pytest.mark.parametrize(
+    ("words", "said"),
+    [
+        (("item-01 on",), 'cannot be read; write it as "item-01 STATE item-02"'),
+        (("item-01 rests-on item-02", "--scene", "x.json"), "Give --scene, or --objects"),
+        (("item-01 rests-on item-02", "--task", "swap"), "Give --actions, --task or goals by hand"),
+    ],
+)
+def test_relations_that_cannot_be_read_are_refused(bare, words, said, capsys):
+    assert said in refusal(capsys, "new-problem", bare, "--relation", *words)
+
+
+def test_compiled_domain_has_files_for_relations(bare):
+    (bare / "relations").mkdir()
+    (bare / "relations/operators.json").write_bytes(msgspec.json.encode(relations()))
+    (bare / "primitives.json").write_bytes(msgspec.json.encode(grounding().operators))
+    (bare / "places").mkdir()
+    (bare / "places/operators.json").write_bytes(msgspec.json.encode(grounding().places))
+    assert neurosym("compile-domain", bare, "--cell", "0.02") == 0
+    for encoding in BY_RELATIONS:
+        assert (bare / f"domain-{encoding}.pddl").is_file()
+    made(bare, tower())
+    assert neurosym("compile-domain", bare, "--cell", "0.02") == 0
+    assert neurosym("plan", bare, "tower") == 0
+
+
+def test_explanation_says_what_states_kinds_and_actions_mean(tmp_path, capsys):
+    folder = tmp_path / "domain"
+    (folder / "relations").mkdir(parents=True)
+    (folder / "world.toml").write_text('world = "toy-relations"\n')
+    (folder / "relations/operators.json").write_bytes(msgspec.json.encode(relations()))
+    table = toy_domain.grounding().operators
+    (folder / "primitives.json").write_bytes(msgspec.json.encode(table))
+    assert neurosym("explain", folder) == 0
+    said = " ".join(capsys.readouterr().out.split())
+    assert "one object bears another in rests-on-001, lies-in-010. Of 3 operators on pairs, 2 are in" in said
+    assert "Relating symbol 01: brings pairs to rests-on-001, lies-in-010" in said
+    assert "carries to at the other object" in said
+    assert "Pair state symbol 001: rests-on-001 Typical of it: x [touching units] 0.00" in said
+    assert "Pair symbol 11: hollow-11 20% of the pairs; on average target: s_x 0.065" in said
+    assert f"- {PUT_ON} (20 trials, 19 as promised, in the domain)" in said
+
+
+def test_operator_on_pairs_and_problem_are_pictured(bare, capsys):
+    made(bare, sorting())
+    assert neurosym("show", bare, "--problem", "sorting") == 0
+    assert neurosym("show", bare, "--operator", PUT_ON) == 0
+    said = capsys.readouterr().out
+    assert f"wrote {bare / f'pictures/operator-{PUT_ON}.png'}" in said
+    assert f"next: neurosym show {bare} --operator {PUT_IN}" in said

@@ -1,0 +1,151 @@
+"""Plans with relations come true in the toy world, are watched, and are made anew."""
+
+from pathlib import Path
+
+import msgspec
+import numpy as np
+import pytest
+from toy_relations import PUT_IN, PUT_ON, REST, WORLD, grounding, scene, sorting, tower, tower_at_place
+
+from neurosym.errors import NeurosymError
+from neurosym.execution.executor import execute
+from neurosym.execution.record import Run
+from neurosym.execution.rerun import compare_runs, rerun
+from neurosym.files import write_json
+from neurosym.pddl.plan_text import PlanStep
+from neurosym.planners import plan
+from neurosym.problems import Problem
+from neurosym.reading import read_json
+from neurosym.worlds.aimed import Aimed
+
+PROBLEMS = (tower(), tower_at_place(), sorting())
+
+
+def planned(problem: Problem) -> tuple[PlanStep, ...]:
+    result = plan(problem, grounding())
+    assert result.has_plan, result.reason
+    return result.steps
+
+
+def replanner(problem, learned):
+    return plan(problem, learned)
+
+
+class Spoiled(Aimed):
+    """The toy world, in which some interactions, counted from 1, go otherwise."""
+
+    def __init__(self, *spoiled: int, aside: float = 0.0):
+        super().__init__(WORLD)
+        self.spoiled, self.aside, self.count = spoiled, aside, 0
+
+    def interact(self, scene, action, target, **options):
+        """Act, by another action if it is time to."""
+        self.count += 1
+        if self.count in self.spoiled or not self.spoiled:
+            action = np.array(action)
+            action[8:10] += self.aside
+            action[7] = 0.0 if self.aside else 1.0
+        return WORLD.interact(scene, action, target, **options)
+
+
+@pytest.mark.parametrize("problem", PROBLEMS, ids=lambda problem: problem.name)
+@pytest.mark.parametrize("replans", [False, True])
+def test_plans_come_true_in_the_world_and_again_from_the_record(problem, replans, tmp_path: Path):
+    run = execute(WORLD, problem, grounding(), planned(problem), replanner=replanner if replans else None)
+    assert run.reached, run.reason
+    assert run.unmet == ()
+    assert run.replans == 0
+    assert all(record.as_promised for record in run.steps)
+    again = rerun(WORLD, problem, grounding(), run)
+    assert compare_runs(run, again).course == "same bytes"
+    write_json(tmp_path / "run.json", run)
+    assert read_json(tmp_path / "run.json", Run) == run
+
+
+def test_steps_tell_the_states_of_pairs_and_what_bears_what():
+    run = execute(WORLD, tower(), grounding(), planned(tower()))
+    first, last = run.steps
+    assert (first.object, first.place, first.promised_state, first.state) == (
+        "item-03",
+        "item-02",
+        REST,
+        REST,
+    )
+    assert first.relations == {"item-03": f"{REST} item-02"}
+    assert last.relations == {"item-01": f"{REST} item-03", "item-03": f"{REST} item-02"}
+    assert last.reference.index == 2
+    assert last.effect == pytest.approx((0.0, 0.0, 0.05))
+    assert last.deviation == pytest.approx(0.0, abs=1e-9)
+
+
+def test_step_that_fails_is_planned_again():
+    run = execute(Spoiled(1), tower(), grounding(), planned(tower()), replanner=replanner)
+    assert run.reached, run.reason
+    assert [record.happened for record in run.steps] == ["missed", "carried", "carried"]
+    assert run.replans == 1
+
+
+def test_what_slides_off_is_fetched_again():
+    run = execute(Spoiled(2, aside=0.06), tower(), grounding(), planned(tower()), replanner=replanner)
+    assert run.reached, run.reason
+    assert len(run.steps) >= 3
+    assert not run.steps[1].as_promised
+
+
+def test_blind_run_says_which_relation_is_missed_and_since_which_step():
+    steps = [*planned(tower()), PlanStep("carry-to-01-cube", "item-01", "park-01")]
+    run = execute(WORLD, tower(), grounding(), steps)
+    assert not run.reached
+    assert run.unmet == (("item-01", "item-03", REST),)
+    assert run.reason.startswith(
+        f"item-01 is borne by nothing, not {REST} item-03 as after step 2: that ended in step 3; "
+    )
+
+
+def test_pair_that_failed_again_and_again_is_given_up():
+    world = Spoiled()
+    run = execute(world, tower(), grounding(), planned(tower()), replanner=replanner)
+    assert not run.reached
+    assert 4 <= len(run.steps) <= 5
+    assert run.ended == "no plan"
+    assert "nothing puts item-03 rests-on-001 item-02" in run.reason
+
+
+def test_object_that_leaves_the_table_is_a_result_with_the_step_named():
+    run = execute(Spoiled(2, aside=0.9), tower(), grounding(), planned(tower()), replanner=replanner)
+    assert run.ended == "lost"
+    assert "step 2 threw item-01 off the table" in run.reason
+
+
+def test_tray_is_emptied_for_what_is_to_come_there():
+    objects = scene(("tray", 0.8, 0.0), ("cube", 0.8, 0.0, 0.01), ("block", 0.5, 0.1))
+    problem = Problem(
+        "full", objects, {"item-01": (0.5, -0.1, 0.03)}, 0.02, relations=(("item-02", "item-03", REST),)
+    )
+    run = execute(WORLD, problem, grounding(), planned(problem), replanner=replanner)
+    assert run.reached, run.reason
+
+
+def test_problem_without_goals_by_relation_that_starts_with_a_stack_is_one_of_relations():
+    goals = {"item-03": (0.8, 0.0, 0.025)}
+    objects = scene(("cube", 0.5, 0.0, 0.05), ("cube", 0.5, 0.0, 0.1), ("block", 0.5, 0.0))
+    problem = Problem("under", objects, goals, 0.02)
+    run = execute(WORLD, problem, grounding(), planned(problem), replanner=replanner)
+    assert run.reached, run.reason
+    assert run.unmet is msgspec.UNSET
+
+
+@pytest.mark.parametrize(
+    ("step", "said"),
+    [
+        (PlanStep(PUT_ON, "item-01", "moon"), "no other object 'moon'; valid: item-02"),
+        (PlanStep(PUT_IN, "item-01"), "no other object ''; valid: item-02"),
+        (PlanStep("carry-to-01-cube", "item-01", "item-02"), "no place 'item-02'"),
+        (PlanStep("hover", "item-01", "item-02"), f"no operator 'hover'; valid: .*{PUT_IN}"),
+    ],
+)
+def test_steps_to_nowhere_are_refused_before_anything_moves(step, said):
+    done = []
+    with pytest.raises(NeurosymError, match=said):
+        execute(WORLD, tower(), grounding(), [*planned(tower()), step], on_step=done.append)
+    assert not done

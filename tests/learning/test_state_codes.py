@@ -1,0 +1,50 @@
+"""States of pairs: what is told apart, what is borne, and how states are called."""
+
+import numpy as np
+
+from neurosym.learning.state_codes import learn_states, name_state
+
+APART, ON, UNDER, IN = (
+    (1.6, 0.0, 0.0, 0.0),
+    (0.2, 1.0, 1.0, 0.0),
+    (0.2, -1.0, 1.0, 0.0),
+    (0.1, 0.1, 1.0, 0.0),
+)
+
+
+def around(centre: tuple[float, ...], count: int, rng: np.random.Generator) -> np.ndarray:
+    """Draw descriptions close to a centre."""
+    return np.array(centre) + rng.normal(0.0, 0.02, (count, len(centre)))
+
+
+def states():
+    """States of pairs that nobody touched, that were put on and into others, and the other way round."""
+    rng = np.random.default_rng(0)
+    ends = np.concatenate([around(ON, 80, rng), around(IN, 40, rng)])
+    turned = np.concatenate([around(UNDER, 80, rng), around((0.1, -0.1, 1.0, 0.0), 40, rng)])
+    return learn_states(around(APART, 200, rng), ends, turned, 3, rng)
+
+
+def test_states_that_differ_have_codes_of_their_own():
+    found = states()
+    codes = [found.of(centre).symbol for centre in (APART, ON, UNDER, IN)]
+    assert len(set(codes)) == 4
+    assert [one.symbol for one in found.states] == sorted(one.symbol for one in found.states)
+
+
+def test_what_only_actions_bring_about_is_borne():
+    found = states()
+    assert [found.of(centre).bears for centre in (APART, ON, UNDER, IN)] == [False, True, False, True]
+    assert sum(one.share for one in found.states) == 1
+
+
+def test_same_draws_give_the_same_states():
+    assert states() == states()
+
+
+def test_names_say_what_is_typical():
+    names = [name_state(centre) for centre in (APART, ON, UNDER, IN)]
+    assert names == ["apart-from", "rests-on", "lies-under", "sits-in"]
+    assert name_state((0.2, 0.5, 1.0, 0.8)) == "leans-on"
+    assert name_state((1.0, 0.0, 1.0, 0.0)) == "touches"
+    assert name_state((1.2, 0.0, 0.0, 0.0)) == "beside"
