@@ -16,33 +16,19 @@ from neurosym.execution.beforehand import check_references, check_run
 from neurosym.execution.experience import Experience, believed_name
 from neurosym.execution.nudges import Nudger, nudged
 from neurosym.execution.performing import lifts, perform, recorded
-from neurosym.execution.record import (
-    Ended,
-    Nudge,
-    Replanning,
-    Run,
-    StepRecord,
-    record_refusal,
-    why_missed,
-)
-from neurosym.execution.relating import (
-    is_about_relations,
-    levelled,
-    missed_relations,
-    prepared,
-    seen_now,
-)
+from neurosym.execution.reasons import why_missed
+from neurosym.execution.record import Ended, Nudge, Replanning, Run, StepRecord, record_refusal
+from neurosym.execution.relating import levelled, missed_relations, prepared, seen_now
 from neurosym.execution.replanning import PATIENCE, Progress, new_plan, usual_replans, why_not_go_on
 from neurosym.execution.watching import STOP, Moment, Watcher
 from neurosym.grounding import Grounding
 from neurosym.guarded import guarded, placed
-from neurosym.pddl.places import with_places
 from neurosym.pddl.plan_text import PlanStep, Steps, named_steps, primitives
 from neurosym.pddl.validation import validate
 from neurosym.planners.registry import Replanner
 from neurosym.problems import Problem
 from neurosym.promises import promised
-from neurosym.related import Contacts, touching, unmet_relations, with_pairs
+from neurosym.related import Contacts, touching, unmet_relations
 from neurosym.table import OtherObject, Reference
 from neurosym.world import FrameSink, Outcome, Scene, World
 
@@ -92,7 +78,7 @@ def execute(
         nudger = Nudger(nudge_seed, primitives(plan))
     most = (usual_replans(plan) if replans is None else replans) if replanner else 0
     drawn = problem.places is msgspec.UNSET
-    problem = _prepared(problem, grounding)
+    problem = prepared(problem, grounding)
     check_references(problem, grounding, plan)
     run = _Running(world, problem, grounding, list(plan), on_frame, most, drawn)
     while run.goes_on:
@@ -111,13 +97,6 @@ def execute(
         if on_step:
             on_step(run.records[-1])
     return run.record(named_steps(plan))
-
-
-def _prepared(problem: Problem, grounding: Grounding) -> Problem:
-    """Return a problem with its places, and with the kinds of its pairs if relations matter."""
-    if is_about_relations(problem, grounding):
-        return prepared(problem, grounding)
-    return with_places(with_pairs(problem, grounding.relations), grounding)
 
 
 @dataclass(slots=True)
@@ -284,9 +263,8 @@ class _Running:
         believed, grounding = self.experience.believed(self._now(self.aimed))
         name = believed_name(step, believed, grounding).operator
         of_item = promised(grounding, believed.object_named(step.object))
-        promise = of_item.get(
-            name, grounding.operator_named(name)
-        ).promise  # the object may show otherwise now
+        # the object may show otherwise now
+        promise = of_item.get(name, grounding.operator_named(name)).promise
         x, y = self.aimed.place_named(step.place)
         off_x, off_y = promise.resting_effect[:2] if promise else (0.0, 0.0)
         return self.world.table.nearest(x - off_x, y - off_y)
@@ -305,10 +283,9 @@ class _Running:
         if not self.places_drawn:
             return problem
         believed, _ = self.experience.believed(msgspec.structs.replace(problem, places=msgspec.UNSET))
-        return msgspec.structs.replace(problem, places=_prepared(believed, self.grounding).places)
+        return msgspec.structs.replace(problem, places=prepared(believed, self.grounding).places)
 
     def _now(self, problem: Problem | None = None) -> Problem:
         """Return a problem, the one to be solved if none is given, with the objects as they stand now."""
-        return seen_now(
-            problem or self.problem, self.scene, self.contacts if self.grounding.relations else None
-        )
+        contacts = self.contacts if self.grounding.relations else None
+        return seen_now(problem or self.problem, self.scene, contacts)

@@ -16,6 +16,7 @@ from neurosym.execution.record import StepRecord, named_positions
 from neurosym.grounding import Grounding
 from neurosym.operators import Vector, vector
 from neurosym.pair_states import describe_pair, extent
+from neurosym.pddl.places import with_places
 from neurosym.pddl.plan_text import PlanStep
 from neurosym.pddl.relational import put_named
 from neurosym.pddl.relational_problem import Task
@@ -73,12 +74,14 @@ class PairExperience:
 
 
 def prepared(problem: Problem, grounding: Grounding) -> Problem:
-    """Return a problem with the kinds of its pairs and with places that suit what bears what.
+    """Return a problem with the kinds of its pairs, and with places that suit what bears what.
 
     Args:
         problem: The problem, with the objects as they stand now.
         grounding: The learned domain.
     """
+    if not is_about_relations(problem, grounding):
+        return with_places(with_pairs(problem, grounding.relations), grounding)
     task = Task(with_pairs(problem, grounding.relations), grounding)
     return msgspec.structs.replace(task.problem, places=task.flat.places)
 

@@ -4,7 +4,7 @@ import msgspec
 import pytest
 from tables import DOWN, LEFT, LIFT, PULL, PUSH, TRAY_LEFT, crossing, grounding, item, mode, problem
 
-from neurosym.execution.record import why_missed
+from neurosym.execution.reasons import why_missed
 from neurosym.pddl.plan_text import PlanStep
 from neurosym.pddl.validation import validate
 from neurosym.planners import plan
