@@ -52,7 +52,7 @@ from neurosym.stages.other_tools import (
     write_pictures,
 )
 from neurosym.stages.practising import operator_table
-from neurosym.stages.task_drawing import AnyTask, draw_any_task
+from neurosym.stages.task_drawing import AnyTask, draw_any_task, kinds_of_pairs
 from neurosym.wording import quoted
 from neurosym.worlds.relation_tasks import HEIGHT, RELATION_TASKS
 from neurosym.worlds.world_file import read_world
@@ -154,7 +154,15 @@ def problem_stage(
             other = load_scene(folder / scene_file(folder.problem(like))) if like else None
             shape: dict[str, Any] = {"height": height, "state": state, "like": other}
             problem = draw_any_task(
-                world, categorise, grounding, task, name=name, objects=objects, seed=seed, **shape
+                world,
+                categorise,
+                grounding,
+                task,
+                name=name,
+                objects=objects,
+                seed=seed,
+                kinds=kinds_of_pairs(folder),
+                **shape,
             )
         elif goals is None and not relations:
             problem = draw_problem(world, categorise, name=name, objects=objects, actions=actions, seed=seed)
@@ -163,7 +171,7 @@ def problem_stage(
             problem = set_problem(
                 world, categorise, goals or {}, name=name, objects=objects, seed=seed, relations=meant
             )
-        problem = with_pairs(problem.within(tolerance), grounding.relations)
+        problem = with_pairs(problem.within(tolerance), grounding.relations, kinds_of_pairs(folder))
         check_relations(problem, grounding)
         placed = _placed(problem, grounding)
         printed = _printed(placed, grounding)

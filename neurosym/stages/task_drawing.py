@@ -9,7 +9,9 @@ from neurosym.grounding import Grounding
 from neurosym.operators import TOLERANCE
 from neurosym.pddl.relational_check import puts_for
 from neurosym.problems import Problem
-from neurosym.related import known_bearers, with_pairs
+from neurosym.related import KindsOfPairs, known_bearers, with_pairs
+from neurosym.stages.folder import DomainFolder
+from neurosym.stages.layout import RELATION_MODEL
 from neurosym.symbols import Categorise
 from neurosym.world import World
 from neurosym.worlds.relation_tasks import HEIGHT, RELATION_TASKS, RelationTask, Way, Ways, draw_relation_task
@@ -36,6 +38,7 @@ def draw_any_task(
     like: Problem | None = None,
     tolerance: float = TOLERANCE,
     fits: Fits | None = None,
+    kinds: KindsOfPairs | None = None,
 ) -> Problem:
     """Draw a task of any kind.
 
@@ -52,6 +55,7 @@ def draw_any_task(
         like: The other scene, for `like`.
         tolerance: How near each object must come to its goal [m].
         fits: Says of the features of an object whether it may be drawn; for goals on the table.
+        kinds: Gives the kinds of pairs; by default a pair is of the kind whose mean features are nearest.
 
     Raises:
         UnknownChoice: If there is no such kind.
@@ -75,7 +79,7 @@ def draw_any_task(
         world,
         categorise,
         relations,
-        lambda drawn: ways_of(drawn, grounding),
+        lambda drawn: ways_of(drawn, grounding, kinds),
         kind,
         name=name,
         objects=objects,
@@ -86,20 +90,34 @@ def draw_any_task(
         likened=tuple((target, borne.by, borne.state.name) for target, borne in bearers.items()),
         tolerance=tolerance,
     )
-    return with_pairs(problem, relations)
+    return with_pairs(problem, relations, kinds)
 
 
-def ways_of(problem: Problem, grounding: Grounding) -> Ways:
+def kinds_of_pairs(folder: DomainFolder) -> KindsOfPairs | None:
+    """Return what gives the kinds of pairs in a domain folder; None if none were learned.
+
+    Args:
+        folder: The domain folder.
+    """
+    if not (folder / RELATION_MODEL).exists():
+        return None
+    from neurosym.learning.effect_model import EffectModel
+
+    return EffectModel.load(folder / RELATION_MODEL).object_symbols
+
+
+def ways_of(problem: Problem, grounding: Grounding, kinds: KindsOfPairs | None = None) -> Ways:
     """Say what can be done with each pair of objects of a problem.
 
     Args:
         problem: The problem.
         grounding: The learned domain.
+        kinds: Gives the kinds of pairs; by default a pair is of the kind whose mean features are nearest.
     """
     relations = grounding.relations
     if relations is None:
         return {}
-    problem, names = with_pairs(problem, relations), problem.object_names
+    problem, names = with_pairs(problem, relations, kinds), problem.object_names
     return {
         (target, other): tuple(
             Way(put.state.name, put.takes_occupied, np.array(relations.primitive_of(put.operator).action))
