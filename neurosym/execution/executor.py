@@ -282,8 +282,8 @@ class _Running:
         """
         if not self.places_drawn:
             return problem
-        believed, _ = self.experience.believed(msgspec.structs.replace(problem, places=msgspec.UNSET))
-        return msgspec.structs.replace(problem, places=prepared(believed, self.grounding).places)
+        believed, known = self.experience.believed(msgspec.structs.replace(problem, places=msgspec.UNSET))
+        return msgspec.structs.replace(problem, places=prepared(believed, known).places)
 
     def _now(self, problem: Problem | None = None) -> Problem:
         """Return a problem, the one to be solved if none is given, with the objects as they stand now."""
