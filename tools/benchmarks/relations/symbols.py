@@ -90,6 +90,8 @@ def _best(tried: Sequence[Tried], table: RelationOperators, name: str) -> dict[s
     states = PairStates(table.states, table.scales)
     best: tuple[float, RelationOperator, float] | None = None
     for one, outcomes in tried:
+        if len(outcomes) < REHEARSED:
+            continue  # pairs of this kind are too rare to judge it
         assert one.promise is not None, "only what is sure is tried"
         promised = one.promise.state
         right = [
