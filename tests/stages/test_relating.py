@@ -1,0 +1,116 @@
+"""What can be done with pairs is learned in the toy world, stage by stage, and compiled into a domain."""
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+import toy_relations
+
+from neurosym.commands.init import init
+from neurosym.data.dimensions import Dimensions
+from neurosym.data.interactions import Interactions
+from neurosym.errors import InvalidValue, NeurosymError
+from neurosym.files import write_json
+from neurosym.learning.effect_model import EffectModel
+from neurosym.learning.losses import reproducible
+from neurosym.learning.model_config import ModelConfig
+from neurosym.operators import Mode, Operator, Primitive
+from neurosym.place_operators import PlaceOperators
+from neurosym.relation_operators import PairStates, RelationOperators
+from neurosym.stages.folder import DomainFolder
+from neurosym.stages.layout import (
+    MODEL,
+    PLACE_OPERATORS,
+    PLACES,
+    RELATION_INTERACTIONS,
+    RELATION_OPERATORS,
+    RELATION_STATES,
+)
+from neurosym.stages.relating import (
+    distill_relations_stage,
+    explore_relations_stage,
+    train_relations_stage,
+)
+from neurosym.world import World
+from neurosym.worlds.toy_relations import make_world
+
+STEPS = 160
+
+
+def with_places(path: Path) -> DomainFolder:
+    """Make a folder that knows categories of objects, whichever, and what carries them to places."""
+    init(path, world="toy-relations")
+    world: World = make_world()
+    with reproducible(1):
+        model = EffectModel(Dimensions(4, 12, 3, (3, 7, 11)), ModelConfig(2, 3)).eval()
+    model.save(path / MODEL)
+    (path / PLACES).mkdir()
+    write_json(path / PLACE_OPERATORS, carriers(world))
+    return DomainFolder(path)
+
+
+def carriers(world: World) -> PlaceOperators:
+    """The same action carries objects of every category."""
+    del world
+    places = toy_relations.grounding().places
+    assert places is not None
+    nothing = (0.0, 0.0, 0.0)
+    mode = Mode("carried", 20, 1.0, nothing, nothing, nothing, nothing, 0.2, 20)
+    table = places.operators
+    operators = tuple(
+        Operator(f"carry-to-01-kind-{symbol}", symbol, "01", 20, (mode,))
+        for symbol in ("00", "01", "10", "11")
+    )
+    primitives = (Primitive("01", toy_relations.CARRY, 0.0),)
+    return PlaceOperators(type(table)(table.categories, primitives, operators))
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory: pytest.TempPathFactory) -> DomainFolder:
+    """A folder in which pairs were explored, trained on and distilled."""
+    domain = with_places(tmp_path_factory.mktemp("relations") / "toy")
+    options = {"seed": 3, "regime": "quick"}
+    domain.perform(
+        explore_relations_stage(domain, strategy="random", steps=STEPS, workers=1, **options), again=True
+    )
+    domain.perform(train_relations_stage(domain, **options), again=True)
+    domain.perform(distill_relations_stage(domain, pairs=4, seed=3, workers=1), again=True)
+    return domain
+
+
+def test_what_carries_is_tried_with_other_objects(folder: DomainFolder):
+    found = Interactions.load(folder / RELATION_INTERACTIONS)
+    assert (len(found), found.features.shape[1]) == (STEPS, 8)
+    assert np.mean(found.effects[:, -1]) > 0.1
+    assert found.origin["reference"] == "object"
+
+
+def test_states_tell_what_stands_on_another_from_what_stands_apart(folder: DomainFolder):
+    states = PairStates.load(folder / RELATION_STATES)
+    on, apart = states.of((0.1, 1.0, 1.0, 0.0)), states.of((1.9, 0.0, 0.0, 0.0))
+    assert (on.bears, apart.bears) == (True, False)
+    assert on.name.startswith("rests-on-")
+
+
+def test_something_is_found_that_brings_pairs_into_a_state(folder: DomainFolder):
+    table = RelationOperators.load(folder / RELATION_OPERATORS)
+    promises = [one.promise for one in table.operators if one.promise]
+    assert promises
+    assert max(end.share for end in promises) > 0.5
+    assert len({one.name for one in table.operators}) == len(table.operators)
+
+
+def test_world_without_objects_as_references_is_refused(tmp_path: Path):
+    init(tmp_path / "toy", world="toy")
+    domain = DomainFolder(tmp_path / "toy")
+    stage = explore_relations_stage(domain, strategy="random", steps=8, seed=0, regime="quick", workers=1)
+    with pytest.raises(InvalidValue, match="takes no object as a reference"):
+        domain.perform(stage, again=True)
+
+
+def test_what_carries_to_places_must_be_known(tmp_path: Path):
+    init(tmp_path / "toy", world="toy-relations")
+    domain = DomainFolder(tmp_path / "toy")
+    stage = explore_relations_stage(domain, strategy="random", steps=8, seed=0, regime="quick", workers=1)
+    with pytest.raises(NeurosymError, match=r"effect_model\.safetensors"):
+        domain.perform(stage, again=True)
