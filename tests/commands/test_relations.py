@@ -151,7 +151,7 @@ def test_explanation_says_what_states_kinds_and_actions_mean(tmp_path, capsys):
     assert "one object bears another in rests-on-001, lies-in-010. Of 3 operators on pairs, 2 are in" in said
     assert "Relating symbol 01: brings pairs to rests-on-001, lies-in-010" in said
     assert "carries to at the other object" in said
-    assert "Pair state symbol 001: rests-on-001 Typical of it: x [touching units] 0.00" in said
+    assert "Pair state symbol 001: rests-on-001 Typical of it: away 0.00, above 1.00" in said
     assert "Pair symbol 11: hollow-11 20% of the pairs; on average target: s_x 0.065" in said
     assert f"- {PUT_ON} (20 trials, 19 as promised, in the domain)" in said
 

@@ -53,15 +53,15 @@
     :precondition (and (hand-empty) (can-be-taken ?o) (stands ?o ?p))
     :effect (and (not (hand-empty)) (not (done ?o)) (not (stands ?o ?p)) (free ?p) (taken ?o from-place) (increase (total-cost) 0)))
 
-  ; Take an object from another that bears it in the state 001: it is typically at (0.00, 0.00, 1.00)
-  ; touching units from that.
+  ; Take an object from another that bears it in the state 001: it is typically 0.00 touching units away
+  ; from that, and 1.00 above it.
   (:action leave-rests-on-001
     :parameters (?o ?b - movable ?less ?n - count)
     :precondition (and (hand-empty) (can-be-taken ?o) (rests-on-001 ?o ?b) (bears ?b ?n) (next ?less ?n))
     :effect (and (not (hand-empty)) (not (done ?o)) (not (rests-on-001 ?o ?b)) (not (bears ?b ?n)) (bears ?b ?less) (taken ?o from-object) (increase (total-cost) 0)))
 
-  ; Take an object from another that bears it in the state 010: it is typically at (0.20, 0.20, 0.10)
-  ; touching units from that.
+  ; Take an object from another that bears it in the state 010: it is typically 0.20 touching units away
+  ; from that, and 0.10 above it.
   (:action leave-lies-in-010
     :parameters (?o ?b - movable ?less ?n - count)
     :precondition (and (hand-empty) (can-be-taken ?o) (lies-in-010 ?o ?b) (bears ?b ?n) (next ?less ?n))
