@@ -51,9 +51,12 @@ def test_goal_is_dragged_planned_to_and_run(window, tmp_path: Path):
     session = window.page.session
     name, there = "item-01", (0.55, 0.1)
     height = window.knob(name)[2]
-    window.drag(window.knob(name), (*there, height))
-    goal = session.problem.goals[name]
-    assert np.hypot(goal[0] - there[0], goal[1] - there[1]) < 0.01
+    for _ in range(3):  # drawn in software, a page may miss the end of a motion of the mouse
+        window.drag(window.knob(name), (*there, height))
+        goal = session.problem.goals[name]
+        if is_near := bool(np.hypot(goal[0] - there[0], goal[1] - there[1]) < 0.01):
+            break
+    assert is_near
     session.aim(name, *goal[:2], session.problem.object_named(name).position[2])
     window.open("Plan")
     window.press("Plan")
