@@ -18,7 +18,7 @@
     y-minus-25 y-minus-24 y-minus-21 y-minus-20 y-minus-19 y-minus-16 y-minus-13 y-minus-11 y-minus-10 y-minus-9 y-minus-8 y-minus-7 y-minus-6 y-minus-5 y-minus-4 y-minus-3 y-minus-2 y-minus-1 y-plus-1 y-plus-2 y-plus-3 y-plus-4 y-plus-5 y-plus-6 y-plus-7 y-plus-9 y-plus-10 y-plus-11 y-plus-12 y-plus-17 y-plus-20 y-plus-22 y-plus-23 - y-step
     z-minus-52 z-minus-50 z-minus-49 z-minus-48 z-minus-47 z-minus-46 z-minus-43 z-minus-41 z-minus-40 z-minus-37 z-plus-37 z-plus-40 z-plus-41 z-plus-43 z-plus-46 z-plus-47 z-plus-48 z-plus-49 z-plus-50 z-plus-52 - z-step
     a-lift-0000-hollow-wide-00 a-put-down-lift-0000-hollow-wide-00 a-lift-0000-solid-low-narrow-01 a-put-down-lift-0000-solid-low-narrow-01 a-lift-0000a-solid-low-narrow-01 a-put-down-lift-0000a-solid-low-narrow-01 a-lift-0000c-any-tall-narrow-11 a-put-down-lift-0000c-any-tall-narrow-11 a-lift-0001-any-tall-narrow-11 a-put-down-lift-0001-any-tall-narrow-11 a-lift-0001-hollow-wide-00 a-put-down-lift-0001-hollow-wide-00 a-lift-0001-solid-low-narrow-01 a-put-down-lift-0001-solid-low-narrow-01 a-lift-0001a-any-tall-narrow-11 a-put-down-lift-0001a-any-tall-narrow-11 a-lift-0001a-solid-low-narrow-01 a-put-down-lift-0001a-solid-low-narrow-01 a-lift-0010-solid-low-10 a-put-down-lift-0010-solid-low-10 a-lift-0010-solid-low-narrow-01 a-put-down-lift-0010-solid-low-narrow-01 a-lift-0010a-hollow-wide-00 a-put-down-lift-0010a-hollow-wide-00 a-lift-0010b-any-tall-narrow-11 a-put-down-lift-0010b-any-tall-narrow-11 a-lift-0011-any-tall-narrow-11 a-put-down-lift-0011-any-tall-narrow-11 a-lift-0011-hollow-wide-00 a-put-down-lift-0011-hollow-wide-00 a-lift-0011a-hollow-wide-00 a-put-down-lift-0011a-hollow-wide-00 a-lift-0011b-solid-low-narrow-01 a-put-down-lift-0011b-solid-low-narrow-01 a-lift-0011c-any-tall-narrow-11 a-put-down-lift-0011c-any-tall-narrow-11 a-lift-0110b-solid-low-narrow-01 a-put-down-lift-0110b-solid-low-narrow-01 a-lift-1000-any-tall-narrow-11 a-put-down-lift-1000-any-tall-narrow-11 a-lift-1000-hollow-wide-00 a-put-down-lift-1000-hollow-wide-00 a-lift-1000-solid-low-narrow-01 a-put-down-lift-1000-solid-low-narrow-01 a-lift-1000a-hollow-wide-00 a-put-down-lift-1000a-hollow-wide-00 a-lift-1001-solid-low-narrow-01 a-put-down-lift-1001-solid-low-narrow-01 a-lift-1001a-hollow-wide-00 a-put-down-lift-1001a-hollow-wide-00 a-lift-1001b-solid-low-narrow-01 a-put-down-lift-1001b-solid-low-narrow-01 a-lift-1001c-solid-low-10 a-put-down-lift-1001c-solid-low-10 a-lift-1001d-any-tall-narrow-11 a-put-down-lift-1001d-any-tall-narrow-11 a-lift-1010-solid-low-narrow-01 a-put-down-lift-1010-solid-low-narrow-01 a-lift-1010a-hollow-wide-00 a-put-down-lift-1010a-hollow-wide-00 a-lift-1010b-any-tall-narrow-11 a-put-down-lift-1010b-any-tall-narrow-11 a-lift-1101-hollow-wide-00 a-put-down-lift-1101-hollow-wide-00 a-lift-1101a-any-tall-narrow-11 a-put-down-lift-1101a-any-tall-narrow-11 a-place-back-0000-solid-low-narrow-01 a-place-back-right-0000-hollow-wide-00 a-place-forward-right-0111d-any-tall-narrow-11 a-place-right-0111-hollow-wide-00 a-place-right-0111a-hollow-wide-00 a-place-right-0111b-solid-low-narrow-01 a-pull-0000b-solid-low-10 a-pull-0100-any-tall-narrow-11 a-pull-0100-hollow-wide-00 a-pull-0100-solid-low-10 a-pull-0100c-solid-low-10 a-pull-0110c-solid-low-10 a-pull-0110d-any-tall-narrow-11 a-pull-1100b-solid-low-narrow-01 a-pull-left-0110a-hollow-wide-00 a-pull-left-1110c-solid-low-10 a-pull-left-1110d-any-tall-narrow-11 a-pull-right-0011c-any-tall-narrow-11 a-pull-right-0100a-hollow-wide-00 a-pull-right-0100b-solid-low-narrow-01 a-pull-right-0100d-any-tall-narrow-11 a-pull-right-0110-hollow-wide-00 a-pull-right-0110b-solid-low-narrow-01 a-pull-right-0111-solid-low-narrow-01 a-push-forward-0101c-solid-low-10 a-push-forward-1011-any-tall-narrow-11 a-push-forward-1011-solid-low-10 a-push-forward-1011-solid-low-narrow-01 a-push-forward-1011a-hollow-wide-00 a-push-forward-1011b-any-tall-narrow-11 a-push-forward-1110a-hollow-wide-00 a-push-forward-1111b-any-tall-narrow-11 a-push-forward-left-1001c-solid-low-10 a-push-forward-left-1010-solid-low-10 a-push-forward-left-1100c-solid-low-10 a-push-forward-left-1100d-any-tall-narrow-11 a-push-forward-left-1111a-hollow-wide-00 a-push-forward-right-0101a-hollow-wide-00 a-push-forward-right-0111c-solid-low-10 a-push-forward-right-1111-any-tall-narrow-11 a-push-forward-right-1111-solid-low-10 a-push-forward-right-1111-solid-low-narrow-01 a-push-left-0110-solid-low-narrow-01 a-push-left-1000-any-tall-narrow-11 a-push-left-1000-solid-low-10 a-push-left-1100a-hollow-wide-00 a-push-left-1101-solid-low-narrow-01 a-push-left-1101a-any-tall-narrow-11 a-push-left-1110b-solid-low-narrow-01 a-push-right-0001-any-tall-narrow-11 a-push-right-0001a-any-tall-narrow-11 a-push-right-0001b-solid-low-10 a-push-right-0010-solid-low-10 a-push-right-0010a-hollow-wide-00 a-push-right-0011-any-tall-narrow-11 a-push-right-0011-hollow-wide-00 a-push-right-0011-solid-low-10 a-push-right-0101b-solid-low-narrow-01 a-push-right-0101d-any-tall-narrow-11 a-push-right-0111-any-tall-narrow-11 a-push-right-1001-solid-low-narrow-01 a-push-right-1101-hollow-wide-00 a-stay-1101-solid-low-10 - move
-    a-carry-to-001a-hollow-wide-00 a-carry-to-001b-solid-low-narrow-01 a-carry-to-001c-any-tall-narrow-11 a-carry-to-010-solid-low-10 a-carry-to-010a-hollow-wide-00 a-carry-to-010b-solid-low-narrow-01 a-carry-to-010c-any-tall-narrow-11 a-carry-to-011a-hollow-wide-00 a-carry-to-011b-solid-low-narrow-01 a-carry-to-011c-solid-low-10 a-carry-to-011d-any-tall-narrow-11 a-carry-to-100-any-tall-narrow-11 a-carry-to-100-solid-low-10 a-carry-to-100a-hollow-wide-00 a-carry-to-100b-solid-low-narrow-01 a-carry-to-101-any-tall-narrow-11 a-carry-to-101-solid-low-10 a-carry-to-101a-hollow-wide-00 a-carry-to-101b-solid-low-narrow-01 a-carry-to-110-solid-low-10 a-carry-to-110-solid-low-narrow-01 a-carry-to-110a-hollow-wide-00 a-carry-to-110b-any-tall-narrow-11 a-carry-to-111-solid-low-narrow-01 a-carry-to-111a-hollow-wide-00 a-carry-to-111b-solid-low-10 a-carry-to-111c-any-tall-narrow-11 - move
+    a-carry-to-001a-any-tall-narrow-11 a-carry-to-001a-hollow-wide-00 a-carry-to-001b-solid-low-narrow-01 a-carry-to-010-solid-low-10 a-carry-to-010-solid-low-narrow-01 a-carry-to-010a-hollow-wide-00 a-carry-to-010b-any-tall-narrow-11 a-carry-to-011a-hollow-wide-00 a-carry-to-011b-solid-low-narrow-01 a-carry-to-011c-solid-low-10 a-carry-to-011d-any-tall-narrow-11 a-carry-to-100-any-tall-narrow-11 a-carry-to-100-solid-low-10 a-carry-to-100-solid-low-narrow-01 a-carry-to-100a-hollow-wide-00 a-carry-to-101-any-tall-narrow-11 a-carry-to-101-solid-low-10 a-carry-to-101a-hollow-wide-00 a-carry-to-101b-solid-low-narrow-01 a-carry-to-110-solid-low-10 a-carry-to-110-solid-low-narrow-01 a-carry-to-110a-hollow-wide-00 a-carry-to-110b-any-tall-narrow-11 a-carry-to-111-solid-low-narrow-01 a-carry-to-111a-hollow-wide-00 a-carry-to-111b-solid-low-10 a-carry-to-111c-any-tall-narrow-11 - move
     nowhere - place)
 
   (:predicates
@@ -146,21 +146,21 @@
     (cost-of-push-right-1001-solid-low-narrow-01 ?o - solid-low-narrow-01) - number
     (cost-of-push-right-1101-hollow-wide-00 ?o - hollow-wide-00) - number
     (cost-of-stay-1101-solid-low-10 ?o - solid-low-10) - number
+    (cost-of-carry-to-001a-any-tall-narrow-11 ?o - any-tall-narrow-11) - number
     (cost-of-carry-to-001a-hollow-wide-00 ?o - hollow-wide-00) - number
     (cost-of-carry-to-001b-solid-low-narrow-01 ?o - solid-low-narrow-01) - number
-    (cost-of-carry-to-001c-any-tall-narrow-11 ?o - any-tall-narrow-11) - number
     (cost-of-carry-to-010-solid-low-10 ?o - solid-low-10) - number
+    (cost-of-carry-to-010-solid-low-narrow-01 ?o - solid-low-narrow-01) - number
     (cost-of-carry-to-010a-hollow-wide-00 ?o - hollow-wide-00) - number
-    (cost-of-carry-to-010b-solid-low-narrow-01 ?o - solid-low-narrow-01) - number
-    (cost-of-carry-to-010c-any-tall-narrow-11 ?o - any-tall-narrow-11) - number
+    (cost-of-carry-to-010b-any-tall-narrow-11 ?o - any-tall-narrow-11) - number
     (cost-of-carry-to-011a-hollow-wide-00 ?o - hollow-wide-00) - number
     (cost-of-carry-to-011b-solid-low-narrow-01 ?o - solid-low-narrow-01) - number
     (cost-of-carry-to-011c-solid-low-10 ?o - solid-low-10) - number
     (cost-of-carry-to-011d-any-tall-narrow-11 ?o - any-tall-narrow-11) - number
     (cost-of-carry-to-100-any-tall-narrow-11 ?o - any-tall-narrow-11) - number
     (cost-of-carry-to-100-solid-low-10 ?o - solid-low-10) - number
+    (cost-of-carry-to-100-solid-low-narrow-01 ?o - solid-low-narrow-01) - number
     (cost-of-carry-to-100a-hollow-wide-00 ?o - hollow-wide-00) - number
-    (cost-of-carry-to-100b-solid-low-narrow-01 ?o - solid-low-narrow-01) - number
     (cost-of-carry-to-101-any-tall-narrow-11 ?o - any-tall-narrow-11) - number
     (cost-of-carry-to-101-solid-low-10 ?o - solid-low-10) - number
     (cost-of-carry-to-101a-hollow-wide-00 ?o - hollow-wide-00) - number
@@ -174,6 +174,17 @@
     (cost-of-carry-to-111b-solid-low-10 ?o - solid-low-10) - number
     (cost-of-carry-to-111c-any-tall-narrow-11 ?o - any-tall-narrow-11) - number)
 
+  ; Primitive 001 on category 11 (any-tall-narrow-11): carries to the place in 23 of 30 rehearsals, spread
+  ; (1, 11.6) mm.
+  ; With others close beside the object, 11 of 20 went so, and moved none.
+  ; With another object on the place it stood there in 0 of 18; the place must be free.
+  ; Action parameters: 0.0021 -0.0357 -0.0060 0.5476 -0.0130 -0.0494 0.0072 0.0857 -0.0268 -0.0247 0.0411
+  ; 0.1389
+  (:action carry-to-001a-any-tall-narrow-11
+    :parameters (?o - any-tall-narrow-11 ?from ?to - place)
+    :precondition (and (ready) (hand-empty) (can a-carry-to-001a-any-tall-narrow-11 ?o) (stands ?o ?from) (free ?to) (room ?o ?to nowhere))
+    :effect (and (not (stands ?o ?from)) (free ?from) (stands ?o ?to) (not (free ?to)) (not (done ?o)) (increase (total-cost) (cost-of-carry-to-001a-any-tall-narrow-11 ?o))))
+
   ; Primitive 001 on category 00 (hollow-wide-00): carries to the place in 30 of 30 rehearsals, spread (1.2,
   ; 8.2) mm.
   ; With others close beside the object, 15 of 20 went so, and moved none.
@@ -185,27 +196,16 @@
     :precondition (and (ready) (hand-empty) (can a-carry-to-001a-hollow-wide-00 ?o) (stands ?o ?from) (free ?to) (room ?o ?to nowhere))
     :effect (and (not (stands ?o ?from)) (free ?from) (stands ?o ?to) (not (free ?to)) (not (done ?o)) (increase (total-cost) (cost-of-carry-to-001a-hollow-wide-00 ?o))))
 
-  ; Primitive 001 on category 01 (solid-low-narrow-01): carries to the place in 29 of 30 rehearsals, spread
-  ; (0.8, 1.3) mm.
-  ; With others close beside the object, 8 of 20 went so, and moved none.
+  ; Primitive 001 on category 01 (solid-low-narrow-01): carries to the place in 28 of 30 rehearsals, spread
+  ; (1.4, 1.2) mm.
+  ; With others close beside the object, 13 of 20 went so, and moved none.
   ; With another object on the place it stood there in 0 of 15; the place must be free.
-  ; Action parameters: 0.0295 -0.0150 -0.0143 0.6627 -0.0172 -0.0073 0.0141 0.0754 -0.0039 0.0449 -0.0042
-  ; 0.5851
+  ; Action parameters: -0.0186 -0.0270 -0.0178 0.8967 -0.0360 -0.0090 0.0076 0.2104 -0.0466 0.0227 0.0432
+  ; 0.8142
   (:action carry-to-001b-solid-low-narrow-01
     :parameters (?o - solid-low-narrow-01 ?from ?to - place)
     :precondition (and (ready) (hand-empty) (can a-carry-to-001b-solid-low-narrow-01 ?o) (stands ?o ?from) (free ?to) (room ?o ?to nowhere))
     :effect (and (not (stands ?o ?from)) (free ?from) (stands ?o ?to) (not (free ?to)) (not (done ?o)) (increase (total-cost) (cost-of-carry-to-001b-solid-low-narrow-01 ?o))))
-
-  ; Primitive 001 on category 11 (any-tall-narrow-11): carries to the place in 26 of 30 rehearsals, spread
-  ; (1.1, 20) mm.
-  ; With others close beside the object, 11 of 20 went so, and moved none.
-  ; With another object on the place it stood there in 0 of 18; the place must be free.
-  ; Action parameters: 0.0020 -0.0300 -0.0102 0.9460 0.0263 -0.0415 0.0170 0.1634 -0.0215 0.0147 -0.0439
-  ; 0.5833
-  (:action carry-to-001c-any-tall-narrow-11
-    :parameters (?o - any-tall-narrow-11 ?from ?to - place)
-    :precondition (and (ready) (hand-empty) (can a-carry-to-001c-any-tall-narrow-11 ?o) (stands ?o ?from) (free ?to) (room ?o ?to nowhere))
-    :effect (and (not (stands ?o ?from)) (free ?from) (stands ?o ?to) (not (free ?to)) (not (done ?o)) (increase (total-cost) (cost-of-carry-to-001c-any-tall-narrow-11 ?o))))
 
   ; Primitive 010 on category 10 (solid-low-10): carries to the place in 1 of 31 rehearsals, spread (0, 0)
   ; mm.
@@ -218,6 +218,17 @@
     :precondition (and (ready) (hand-empty) (can a-carry-to-010-solid-low-10 ?o) (stands ?o ?from) (free ?to) (room ?o ?to nowhere))
     :effect (and (not (stands ?o ?from)) (free ?from) (stands ?o ?to) (not (free ?to)) (not (done ?o)) (increase (total-cost) (cost-of-carry-to-010-solid-low-10 ?o))))
 
+  ; Primitive 010 on category 01 (solid-low-narrow-01): carries to the place in 28 of 30 rehearsals, spread
+  ; (4.4, 1) mm.
+  ; With others close beside the object, 5 of 20 went so, and moved none.
+  ; With another object on the place it stood there in 0 of 15; the place must be free.
+  ; Action parameters: -0.0042 0.0139 0.0109 0.6856 0.0391 0.0347 -0.0103 0.2368 -0.0324 -0.0439 0.0072
+  ; 0.8542
+  (:action carry-to-010-solid-low-narrow-01
+    :parameters (?o - solid-low-narrow-01 ?from ?to - place)
+    :precondition (and (ready) (hand-empty) (can a-carry-to-010-solid-low-narrow-01 ?o) (stands ?o ?from) (free ?to) (room ?o ?to nowhere))
+    :effect (and (not (stands ?o ?from)) (free ?from) (stands ?o ?to) (not (free ?to)) (not (done ?o)) (increase (total-cost) (cost-of-carry-to-010-solid-low-narrow-01 ?o))))
+
   ; Primitive 010 on category 00 (hollow-wide-00): carries to the place in 25 of 30 rehearsals, spread (6.1,
   ; 7.8) mm.
   ; With others close beside the object, 13 of 20 went so, and moved none.
@@ -229,45 +240,34 @@
     :precondition (and (ready) (hand-empty) (can a-carry-to-010a-hollow-wide-00 ?o) (stands ?o ?from) (free ?to) (room ?o ?to nowhere))
     :effect (and (not (stands ?o ?from)) (free ?from) (stands ?o ?to) (not (free ?to)) (not (done ?o)) (increase (total-cost) (cost-of-carry-to-010a-hollow-wide-00 ?o))))
 
-  ; Primitive 010 on category 01 (solid-low-narrow-01): carries to the place in 30 of 30 rehearsals, spread
-  ; (1.5, 1.5) mm.
+  ; Primitive 010 on category 11 (any-tall-narrow-11): carries to the place in 23 of 30 rehearsals, spread
+  ; (4.1, 16.3) mm.
   ; With others close beside the object, 8 of 20 went so, and moved none.
-  ; With another object on the place it stood there in 0 of 15; the place must be free.
-  ; Action parameters: -0.0223 0.0230 0.0056 0.6239 -0.0201 -0.0351 -0.0011 0.3558 -0.0329 -0.0366 -0.0350
-  ; 0.9605
-  (:action carry-to-010b-solid-low-narrow-01
-    :parameters (?o - solid-low-narrow-01 ?from ?to - place)
-    :precondition (and (ready) (hand-empty) (can a-carry-to-010b-solid-low-narrow-01 ?o) (stands ?o ?from) (free ?to) (room ?o ?to nowhere))
-    :effect (and (not (stands ?o ?from)) (free ?from) (stands ?o ?to) (not (free ?to)) (not (done ?o)) (increase (total-cost) (cost-of-carry-to-010b-solid-low-narrow-01 ?o))))
-
-  ; Primitive 010 on category 11 (any-tall-narrow-11): carries to the place in 24 of 30 rehearsals, spread
-  ; (1.4, 16.5) mm.
-  ; With others close beside the object, 4 of 20 went so, and moved none.
-  ; With another object on the place it stood there in 0 of 18; the place must be free.
-  ; Action parameters: -0.0016 0.0342 0.0039 0.8728 -0.0058 -0.0010 0.0118 0.4418 -0.0272 0.0303 -0.0191
-  ; 0.6342
-  (:action carry-to-010c-any-tall-narrow-11
+  ; With another object on the place it stood there in 2 of 18; the place must be free.
+  ; Action parameters: 0.0076 0.0337 -0.0020 0.6484 0.0160 0.0346 0.0063 0.3896 -0.0470 -0.0254 -0.0099
+  ; 0.3859
+  (:action carry-to-010b-any-tall-narrow-11
     :parameters (?o - any-tall-narrow-11 ?from ?to - place)
-    :precondition (and (ready) (hand-empty) (can a-carry-to-010c-any-tall-narrow-11 ?o) (stands ?o ?from) (free ?to) (room ?o ?to nowhere))
-    :effect (and (not (stands ?o ?from)) (free ?from) (stands ?o ?to) (not (free ?to)) (not (done ?o)) (increase (total-cost) (cost-of-carry-to-010c-any-tall-narrow-11 ?o))))
+    :precondition (and (ready) (hand-empty) (can a-carry-to-010b-any-tall-narrow-11 ?o) (stands ?o ?from) (free ?to) (room ?o ?to nowhere))
+    :effect (and (not (stands ?o ?from)) (free ?from) (stands ?o ?to) (not (free ?to)) (not (done ?o)) (increase (total-cost) (cost-of-carry-to-010b-any-tall-narrow-11 ?o))))
 
-  ; Primitive 011 on category 00 (hollow-wide-00): carries to the place in 28 of 30 rehearsals, spread (7.9,
-  ; 7.2) mm.
-  ; With others close beside the object, 15 of 20 went so, and moved none.
-  ; With another object on the place it stood there in 2 of 12; the place must be free.
-  ; Action parameters: 0.0205 -0.0324 -0.0101 0.7058 -0.0093 -0.0420 -0.0090 0.4319 -0.0113 -0.0397 -0.0117
-  ; 0.6166
+  ; Primitive 011 on category 00 (hollow-wide-00): carries to the place in 29 of 30 rehearsals, spread (3,
+  ; 7.3) mm.
+  ; With others close beside the object, 12 of 20 went so, and moved none.
+  ; With another object on the place it stood there in 1 of 12; the place must be free.
+  ; Action parameters: -0.0041 -0.0213 0.0065 0.5001 0.0289 -0.0064 -0.0195 0.4369 -0.0289 -0.0487 -0.0355
+  ; 0.7296
   (:action carry-to-011a-hollow-wide-00
     :parameters (?o - hollow-wide-00 ?from ?to - place)
     :precondition (and (ready) (hand-empty) (can a-carry-to-011a-hollow-wide-00 ?o) (stands ?o ?from) (free ?to) (room ?o ?to nowhere))
     :effect (and (not (stands ?o ?from)) (free ?from) (stands ?o ?to) (not (free ?to)) (not (done ?o)) (increase (total-cost) (cost-of-carry-to-011a-hollow-wide-00 ?o))))
 
   ; Primitive 011 on category 01 (solid-low-narrow-01): carries to the place in 30 of 30 rehearsals, spread
-  ; (0.2, 1) mm.
-  ; With others close beside the object, 12 of 20 went so, and moved none.
-  ; With another object on the place it stood there in 1 of 15; the place must be free.
-  ; Action parameters: -0.0099 0.0002 -0.0058 0.5883 0.0207 0.0125 0.0240 0.0655 -0.0500 -0.0435 -0.0115
-  ; 0.0460
+  ; (0.3, 1) mm.
+  ; With others close beside the object, 14 of 20 went so, and moved none.
+  ; With another object on the place it stood there in 0 of 15; the place must be free.
+  ; Action parameters: -0.0110 -0.0042 -0.0219 0.5689 -0.0366 -0.0031 0.0115 0.3413 -0.0358 -0.0268 0.0289
+  ; 0.0626
   (:action carry-to-011b-solid-low-narrow-01
     :parameters (?o - solid-low-narrow-01 ?from ?to - place)
     :precondition (and (ready) (hand-empty) (can a-carry-to-011b-solid-low-narrow-01 ?o) (stands ?o ?from) (free ?to) (room ?o ?to nowhere))
@@ -284,12 +284,12 @@
     :precondition (and (ready) (hand-empty) (can a-carry-to-011c-solid-low-10 ?o) (stands ?o ?from) (free ?to) (room ?o ?to nowhere))
     :effect (and (not (stands ?o ?from)) (free ?from) (stands ?o ?to) (not (free ?to)) (not (done ?o)) (increase (total-cost) (cost-of-carry-to-011c-solid-low-10 ?o))))
 
-  ; Primitive 011 on category 11 (any-tall-narrow-11): carries to the place in 24 of 30 rehearsals, spread
-  ; (0.6, 0.5) mm.
-  ; With others close beside the object, 14 of 20 went so, and moved none.
+  ; Primitive 011 on category 11 (any-tall-narrow-11): carries to the place in 30 of 30 rehearsals, spread
+  ; (0.3, 0.5) mm.
+  ; With others close beside the object, 19 of 20 went so, and moved none.
   ; With another object on the place it stood there in 0 of 18; the place must be free.
-  ; Action parameters: -0.0110 -0.0042 -0.0219 0.5689 -0.0366 -0.0031 0.0115 0.3413 -0.0358 -0.0268 0.0289
-  ; 0.0626
+  ; Action parameters: -0.0099 0.0002 -0.0058 0.5883 0.0207 0.0125 0.0240 0.0655 -0.0500 -0.0435 -0.0115
+  ; 0.0460
   (:action carry-to-011d-any-tall-narrow-11
     :parameters (?o - any-tall-narrow-11 ?from ?to - place)
     :precondition (and (ready) (hand-empty) (can a-carry-to-011d-any-tall-narrow-11 ?o) (stands ?o ?from) (free ?to) (room ?o ?to nowhere))
@@ -317,27 +317,27 @@
     :precondition (and (ready) (hand-empty) (can a-carry-to-100-solid-low-10 ?o) (stands ?o ?from) (free ?to) (room ?o ?to nowhere))
     :effect (and (not (stands ?o ?from)) (free ?from) (stands ?o ?to) (not (free ?to)) (not (done ?o)) (increase (total-cost) (cost-of-carry-to-100-solid-low-10 ?o))))
 
-  ; Primitive 100 on category 00 (hollow-wide-00): carries to the place in 17 of 30 rehearsals, spread
-  ; (20.4, 9.3) mm.
-  ; With others close beside the object, 8 of 20 went so, and moved none.
+  ; Primitive 100 on category 01 (solid-low-narrow-01): carries to the place in 30 of 30 rehearsals, spread
+  ; (0.3, 0.9) mm.
+  ; With others close beside the object, 18 of 20 went so, and moved none.
+  ; With another object on the place it stood there in 0 of 15; the place must be free.
+  ; Action parameters: -0.0148 0.0027 -0.0122 0.5509 0.0072 -0.0078 0.0074 0.1473 0.0266 -0.0250 0.0279
+  ; 0.4250
+  (:action carry-to-100-solid-low-narrow-01
+    :parameters (?o - solid-low-narrow-01 ?from ?to - place)
+    :precondition (and (ready) (hand-empty) (can a-carry-to-100-solid-low-narrow-01 ?o) (stands ?o ?from) (free ?to) (room ?o ?to nowhere))
+    :effect (and (not (stands ?o ?from)) (free ?from) (stands ?o ?to) (not (free ?to)) (not (done ?o)) (increase (total-cost) (cost-of-carry-to-100-solid-low-narrow-01 ?o))))
+
+  ; Primitive 100 on category 00 (hollow-wide-00): carries to the place in 30 of 30 rehearsals, spread (3.2,
+  ; 8) mm.
+  ; With others close beside the object, 11 of 20 went so, and moved none.
   ; With another object on the place it stood there in 0 of 12; the place must be free.
-  ; Action parameters: -0.0413 -0.0239 -0.0082 0.5291 0.0117 0.0387 0.0217 0.2617 0.0325 0.0004 -0.0351
-  ; 0.7497
+  ; Action parameters: -0.0037 -0.0235 0.0009 0.6460 0.0430 -0.0426 0.0163 0.0099 0.0462 -0.0498 -0.0312
+  ; 0.4593
   (:action carry-to-100a-hollow-wide-00
     :parameters (?o - hollow-wide-00 ?from ?to - place)
     :precondition (and (ready) (hand-empty) (can a-carry-to-100a-hollow-wide-00 ?o) (stands ?o ?from) (free ?to) (room ?o ?to nowhere))
     :effect (and (not (stands ?o ?from)) (free ?from) (stands ?o ?to) (not (free ?to)) (not (done ?o)) (increase (total-cost) (cost-of-carry-to-100a-hollow-wide-00 ?o))))
-
-  ; Primitive 100 on category 01 (solid-low-narrow-01): carries to the place in 30 of 30 rehearsals, spread
-  ; (0.3, 0.9) mm.
-  ; With others close beside the object, 14 of 20 went so, and moved none.
-  ; With another object on the place it stood there in 0 of 15; the place must be free.
-  ; Action parameters: -0.0205 -0.0010 -0.0217 0.8054 -0.0184 -0.0283 -0.0108 0.0334 0.0323 0.0347 -0.0191
-  ; 0.1930
-  (:action carry-to-100b-solid-low-narrow-01
-    :parameters (?o - solid-low-narrow-01 ?from ?to - place)
-    :precondition (and (ready) (hand-empty) (can a-carry-to-100b-solid-low-narrow-01 ?o) (stands ?o ?from) (free ?to) (room ?o ?to nowhere))
-    :effect (and (not (stands ?o ?from)) (free ?from) (stands ?o ?to) (not (free ?to)) (not (done ?o)) (increase (total-cost) (cost-of-carry-to-100b-solid-low-narrow-01 ?o))))
 
   ; Primitive 101 on category 11 (any-tall-narrow-11): carries to the place in 26 of 30 rehearsals, spread
   ; (0.8, 0.5) mm.
@@ -403,22 +403,23 @@
     :precondition (and (ready) (hand-empty) (can a-carry-to-110-solid-low-narrow-01 ?o) (stands ?o ?from) (free ?to) (room ?o ?to nowhere))
     :effect (and (not (stands ?o ?from)) (free ?from) (stands ?o ?to) (not (free ?to)) (not (done ?o)) (increase (total-cost) (cost-of-carry-to-110-solid-low-narrow-01 ?o))))
 
-  ; Primitive 110 on category 00 (hollow-wide-00): carries to the place in 30 of 30 rehearsals, spread (8.2,
-  ; 8) mm.
-  ; With others close beside the object, 14 of 20 went so, and moved none.
+  ; Primitive 110 on category 00 (hollow-wide-00): carries to the place in 28 of 30 rehearsals, spread (7.9,
+  ; 8.3) mm.
+  ; With others close beside the object, 13 of 20 went so, and moved none.
   ; With another object on the place it stood there in 0 of 12; the place must be free.
-  ; Action parameters: 0.0127 0.0372 -0.0059 0.8204 -0.0146 0.0403 0.0013 0.0483 0.0200 0.0324 0.0124 0.9243
+  ; Action parameters: -0.0135 0.0307 0.0065 0.5413 -0.0023 0.0495 -0.0102 0.1790 0.0093 -0.0116 0.0320
+  ; 0.3067
   (:action carry-to-110a-hollow-wide-00
     :parameters (?o - hollow-wide-00 ?from ?to - place)
     :precondition (and (ready) (hand-empty) (can a-carry-to-110a-hollow-wide-00 ?o) (stands ?o ?from) (free ?to) (room ?o ?to nowhere))
     :effect (and (not (stands ?o ?from)) (free ?from) (stands ?o ?to) (not (free ?to)) (not (done ?o)) (increase (total-cost) (cost-of-carry-to-110a-hollow-wide-00 ?o))))
 
-  ; Primitive 110 on category 11 (any-tall-narrow-11): carries to the place in 24 of 30 rehearsals, spread
-  ; (6.5, 20.8) mm.
-  ; With others close beside the object, 11 of 20 went so, and moved none.
-  ; With another object on the place it stood there in 0 of 18; the place must be free.
-  ; Action parameters: -0.0135 0.0307 0.0065 0.5413 -0.0023 0.0495 -0.0102 0.1790 0.0093 -0.0116 0.0320
-  ; 0.3067
+  ; Primitive 110 on category 11 (any-tall-narrow-11): carries to the place in 23 of 30 rehearsals, spread
+  ; (0.6, 12.8) mm.
+  ; With others close beside the object, 10 of 20 went so, and moved none.
+  ; With another object on the place it stood there in 4 of 18; the place must be free.
+  ; Action parameters: 0.0011 0.0355 -0.0017 0.8133 -0.0298 0.0400 -0.0034 0.4819 0.0411 -0.0227 0.0040
+  ; 0.9931
   (:action carry-to-110b-any-tall-narrow-11
     :parameters (?o - any-tall-narrow-11 ?from ?to - place)
     :precondition (and (ready) (hand-empty) (can a-carry-to-110b-any-tall-narrow-11 ?o) (stands ?o ?from) (free ?to) (room ?o ?to nowhere))
@@ -436,11 +437,11 @@
     :effect (and (not (stands ?o ?from)) (free ?from) (stands ?o ?to) (not (free ?to)) (not (done ?o)) (increase (total-cost) (cost-of-carry-to-111-solid-low-narrow-01 ?o))))
 
   ; Primitive 111 on category 00 (hollow-wide-00): carries to the place in 24 of 30 rehearsals, spread (2.8,
-  ; 5.7) mm.
+  ; 5.8) mm.
   ; With others close beside the object, 7 of 20 went so, and moved none.
   ; With another object on the place it stood there in 0 of 12; the place must be free.
-  ; Action parameters: -0.0071 -0.0150 0.0111 0.5872 0.0224 0.0141 -0.0033 0.3249 -0.0149 -0.0254 -0.0293
-  ; 0.4554
+  ; Action parameters: -0.0072 -0.0148 0.0111 0.5887 0.0224 0.0141 -0.0033 0.3245 -0.0147 -0.0255 -0.0293
+  ; 0.4550
   (:action carry-to-111a-hollow-wide-00
     :parameters (?o - hollow-wide-00 ?from ?to - place)
     :precondition (and (ready) (hand-empty) (can a-carry-to-111a-hollow-wide-00 ?o) (stands ?o ?from) (free ?to) (room ?o ?to nowhere))
@@ -459,9 +460,9 @@
 
   ; Primitive 111 on category 11 (any-tall-narrow-11): carries to the place in 30 of 30 rehearsals, spread
   ; (1.3, 0.6) mm.
-  ; With others close beside the object, 19 of 20 went so, and moved none.
-  ; With another object on the place it stood there in 1 of 18; the place must be free.
-  ; Action parameters: -0.0169 -0.0003 0.0084 0.7125 0.0045 0.0093 0.0034 0.0638 -0.0225 0.0221 0.0298
+  ; With others close beside the object, 18 of 20 went so, and moved none.
+  ; With another object on the place it stood there in 0 of 18; the place must be free.
+  ; Action parameters: -0.0138 -0.0018 0.0081 0.7068 0.0043 0.0092 0.0032 0.0639 -0.0258 0.0223 0.0294
   ; 0.8890
   (:action carry-to-111c-any-tall-narrow-11
     :parameters (?o - any-tall-narrow-11 ?from ?to - place)

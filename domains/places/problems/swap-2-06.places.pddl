@@ -32,11 +32,11 @@
     ; park-02 lies at (0.4745, -0.2012) m
     (free park-02)
     (room item-02 park-02 nowhere)
-    (can a-carry-to-101b-solid-low-narrow-01 item-02) (= (cost-of-carry-to-101b-solid-low-narrow-01 item-02) 4)
-    (= (cost-of-carry-to-001b-solid-low-narrow-01 item-02) 4)
-    (= (cost-of-carry-to-010b-solid-low-narrow-01 item-02) 4)
+    (can a-carry-to-100-solid-low-narrow-01 item-02) (= (cost-of-carry-to-100-solid-low-narrow-01 item-02) 4)
+    (= (cost-of-carry-to-001b-solid-low-narrow-01 item-02) 7)
+    (= (cost-of-carry-to-010-solid-low-narrow-01 item-02) 11)
     (= (cost-of-carry-to-011b-solid-low-narrow-01 item-02) 4)
-    (= (cost-of-carry-to-100b-solid-low-narrow-01 item-02) 4)
+    (= (cost-of-carry-to-101b-solid-low-narrow-01 item-02) 4)
     (= (cost-of-carry-to-110-solid-low-narrow-01 item-02) 4)
     (= (cost-of-carry-to-111-solid-low-narrow-01 item-02) 4)
     ; item-01 starts at (0.6448, 0.2139, 0.0174) m
