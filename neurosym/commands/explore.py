@@ -1,6 +1,6 @@
 """The command `neurosym explore`: the robot plays."""
 
-from typing import Annotated
+from typing import Annotated, Any
 
 from tyro.conf import arg
 
@@ -53,41 +53,22 @@ def explore(
     if workers is not None and ray is not None:
         raise InvalidValue("Give --workers or --ray, not both: with --ray, all CPUs of the cluster simulate.")
     domain = opened(folder)
-    stage = explore_stage(
-        domain,
-        strategy=strategy,
-        steps=steps,
-        seed=seed,
-        regime=regime,
-        workers=CPUS if workers is None else workers,
-        ray=ray,
-        min_predicted_effect=min_predicted_effect,
-    )
-    domain.perform(stage, again=not relations)
-    say(f"{steps} interactions in {folder / 'interactions.npz'}")
+    options: dict[str, Any] = {
+        "strategy": strategy,
+        "seed": seed,
+        "regime": regime,
+        "workers": CPUS if workers is None else workers,
+        "ray": ray,
+    }
+    if not relations:  # which are explored once all else is learned
+        stage = explore_stage(domain, steps=steps, min_predicted_effect=min_predicted_effect, **options)
+        domain.perform(stage, again=True)
+        say(f"{steps} interactions in {folder / 'interactions.npz'}")
     if places:
-        of_places = explore_places_stage(
-            domain,
-            strategy=strategy,
-            steps=places,
-            seed=seed,
-            regime=regime,
-            workers=CPUS if workers is None else workers,
-            ray=ray,
-        )
-        domain.perform(of_places, again=True)
+        domain.perform(explore_places_stage(domain, steps=places, **options), again=True)
         say(f"{places} interactions aimed at places in {folder / PLACE_INTERACTIONS}")
     if relations:
-        of_pairs = explore_relations_stage(
-            domain,
-            strategy=strategy,
-            steps=relations,
-            seed=seed,
-            regime=regime,
-            workers=CPUS if workers is None else workers,
-            ray=ray,
-        )
-        domain.perform(of_pairs, again=True)
+        domain.perform(explore_relations_stage(domain, steps=relations, **options), again=True)
         say(f"{relations} interactions aimed at other objects in {folder / RELATION_INTERACTIONS}")
     say_next(f"neurosym train {quoted(folder)}")
     return 0

@@ -25,6 +25,8 @@ from neurosym.worlds.workers import Task
 
 AMONG = 12
 """Rehearsals of an operator at most where something rests on target or reference, or bears the target."""
+_THIRD = 2  # the object that bears, or is borne
+_ALIKE = 0.3  # what moved along is off by no more [touching units]
 _STREAM = 0x7061  # keeps these draws apart from those of other rehearsals
 
 
@@ -121,9 +123,6 @@ def rehearse_among(
     )
 
 
-_THIRD = 2  # the object that bears, or is borne
-
-
 def _pool(ends: Sequence[Scene], categorise: Categorise) -> dict[str, dict[Symbol, list[RelatedScene]]]:
     """Gather pairs of each kind in which a third object plays a part.
 
@@ -148,9 +147,6 @@ def _went_along(outcome: Outcome) -> bool:
     """Say whether the third object stands to the target in the end as it did before."""
     before, after = (touching_units(scene, _THIRD, TARGET) for scene in (outcome.start, outcome.end))
     return bool(np.abs(after - before).max() < _ALIKE)
-
-
-_ALIKE = 0.3  # touching units
 
 
 @dataclass(frozen=True, slots=True)

@@ -60,7 +60,6 @@ def find_relators(
         candidates = distill(model, interactions, box, seed=seed, progress=advance)
     if not candidates:
         raise NothingDistilled
-
     with open_bar("auditioning what is aimed at objects") as advance:
         chosen = choose_for_pairs(
             related, candidates, predict, model.object_symbols, states, **options, progress=advance
