@@ -57,8 +57,8 @@ Places = Annotated[
 Relations = Annotated[
     int,
     arg(
-        help="Interactions that are aimed at another object, to learn what can be done with pairs, once it is "
-        "known what carries objects to places."
+        help="Interactions that are aimed at another object, to learn what can be done with pairs, once it "
+        "is known what carries objects to places."
     ),
 ]
 Task = Annotated[
