@@ -27,8 +27,9 @@ x, y and z [touching units], whether they touch, how far it is tilted, and 1, if
 zeros."""
 OBJECTS = (2, 4)
 """How many objects a scene has, at least and at most."""
-WIDER_BELOW = 0.5
-"""Share of the fresh scenes in which the reference is the larger one of the pair, seen from above."""
+WIDEST_BELOW = 0.5
+"""Share of the fresh scenes in which the smallest object is the target and the largest the reference, seen
+from above: by chance few things fit on or into others."""
 FROM_ARCHIVE = 1 / 3
 """Share of the scenes that begin as an earlier interaction ended, once there is one."""
 ARCHIVED = 500
@@ -87,9 +88,9 @@ class Related(Adapted):
         else:
             scene = self._world.sample_scene(rng, int(rng.integers(OBJECTS[0], OBJECTS[1] + 1)))
             order = np.arange(len(scene))
-            if rng.random() < WIDER_BELOW:
-                areas = scene.features[:, :2].prod(1)
-                order[:2] = order[:2][np.argsort(areas[:2])]
+            if rng.random() < WIDEST_BELOW:
+                smallest, *between, largest = np.argsort(scene.features[:, :2].prod(1))
+                order = np.array([smallest, largest, *between])
         return as_pair(taken(scene, order))
 
     def draw_actions(self, rng: np.random.Generator, scene: Scene, count: int) -> Float[np.ndarray, "_ A"]:

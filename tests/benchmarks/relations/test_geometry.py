@@ -7,8 +7,10 @@ import pytest
 
 from neurosym.world import Outcome, Scene
 from tools.benchmarks.relations import by_hand
-from tools.benchmarks.relations.evaluate import page
-from tools.benchmarks.relations.geometry import relation
+from tools.benchmarks.relations.geometry import fits, relation
+from tools.benchmarks.relations.summary import summarise
+from tools.benchmarks.relations.tables import page
+from tools.benchmarks.relations.tasks import cells
 
 SOLID, TRAY, TILTED = 0, 1, (0.0, math.sin(0.3), 0.0, math.cos(0.3))
 UPRIGHT = (0.0, 0.0, 0.0, 1.0)
@@ -41,6 +43,13 @@ def test_relation_is_told(found, name):
     assert relation(found, 0, 1) == name
 
 
+@pytest.mark.parametrize(
+    ("width", "kind", "does"), [(0.12, TRAY, True), (0.14, TRAY, False), (0.12, SOLID, False)]
+)
+def test_what_fits_is_narrower_than_the_inside_of_a_hollow_one(width, kind, does):
+    assert fits(np.array([0.05, width, 0.06, SOLID]), np.array([0.15, 0.15, 0.04, kind])) is does
+
+
 def test_quarter_turned_object_counts_by_the_sizes_it_shows():
     quarter = (0.0, math.sin(math.pi / 4), 0.0, math.cos(math.pi / 4))
     assert relation(outcome(SOLID, (0.7, 0.1, 0.065), touching=True, turn=quarter), 0, 1) == "on"
@@ -62,6 +71,6 @@ def test_actions_by_hand_put_over_take_away_and_build():
         "tried": 1, "carried": 1, "ends": {"on": 1}, "taken_on": [1, 1], "taken_in": [0, 0]
     }  # fmt: skip
     assert found["towers_by_hand"] == {n: {"tried": 1, "stand": 1} for n in ("3", "4")}
-    text = page(found)
+    text = page(summarise(found, {}, cells(1), seeds=5, steps=1))
     assert "| box over box | 1 of 1 | 1 |" in text
     assert "Of 8 random actions" in text

@@ -1,9 +1,12 @@
 """What can be done with one object relative to another? `make evaluate-relations`, into docs/results/.
 
-So far by actions that a person wrote, and by random ones. Goes on where it was interrupted.
+First by actions that a person wrote, and by random ones. Then for each seed what can be done with pairs is
+learned, starting from what carries to places with that seed; it is judged by geometry, and tried on tasks
+that a person can solve. Goes on where it was interrupted.
 """
 
 import json
+import os
 from collections.abc import Callable, Mapping
 from functools import partial
 from pathlib import Path
@@ -12,23 +15,101 @@ from typing import Annotated, Any
 import tyro
 
 from neurosym.console import progress_bar, say
-from neurosym.files import write_atomically
-from neurosym.markdown import markdown_table
-from tools.benchmarks.jobs import as_text, machine
-from tools.benchmarks.relations import by_hand
+from neurosym.files import make_folder, write_atomically
+from tools.benchmarks.carrying import keeping
+from tools.benchmarks.jobs import Job, as_text, load_jobs, machine, pack, perform, unpack
+from tools.benchmarks.relations import by_hand, learned, tasks
+from tools.benchmarks.relations.summary import summarise
+from tools.benchmarks.relations.tables import page
+from tools.benchmarks.relations.trying import try_all
 from tools.benchmarks.world.measures import Advance
 
-RESULTS = Path("docs/results")
-COMMAND = "make evaluate-relations"
+RESULTS, WORK = Path("docs/results"), Path("evaluation/relations")
+RECORDS, DOMAINS = "relations-records.zip", "relations-domains.zip"
+PLACES = "places-domains.zip"
+STEPS = 8192
+"""Interactions that are aimed at other objects."""
+FIRST_TASK = 740_000
+"""Seed of the first task, far from those of other evaluations."""
+BLOCK = 5
+"""Tasks that are tried together."""
+AT_RANDOM = 1
+"""Seeds with which relations are learned from random actions, too."""
 WORKERS = 2
-RELATIONS = ("on", "in", "leaning", "against", "beside", "apart")
 
 
-def parts(scale: float) -> dict[str, Callable[[Advance], Any]]:
+def main(
+    seeds: Annotated[int, tyro.conf.arg(help="Seeds of everything.")] = 5,
+    steps: Annotated[int, tyro.conf.arg(help="Interactions that are aimed at other objects.")] = STEPS,
+    count: Annotated[int, tyro.conf.arg(help="Tasks of each kind and seed, a multiple of 5.")] = 10,
+    scale: Annotated[
+        float, tyro.conf.arg(help="How many interactions by hand, as a share of the full number.")
+    ] = 1.0,
+    work: Annotated[Path, tyro.conf.arg(help="Folder for what was learned.")] = WORK,
+    results: Annotated[Path, tyro.conf.arg(help="Folder for relations.json and relations.md.")] = RESULTS,
+    workers: Annotated[int, tyro.conf.arg(help="Jobs at once.")] = os.cpu_count() or 1,
+) -> None:
+    """Measure, learn and try, and write the results; what was done is not done again."""
+    hand = _by_hand(results / "relations.json", scale)
+    make_folder(work / "jobs")
+    unpack(results / RECORDS, work / "jobs")
+    make_folder(work / "places")
+    keeping.restore(results / PLACES, work / "places")
+    keeping.take_shipped(work / "places")
+    learned.restore(results / DOMAINS, work)
+
+    def report() -> None:
+        pack(work / "jobs", results / RECORDS)
+        summary = summarise(hand, load_jobs(work / "jobs"), tasks.cells(count), seeds=seeds, steps=steps)
+        write_atomically(results / "relations.json", as_text(summary))
+        write_atomically(results / "relations.md", page(summary))
+
+    report()
+    every = range(1, seeds + 1)
+    learning: dict[str, Job] = {
+        f"learn-{seed}": partial(
+            learned.learn, work / "places" / f"seed-{seed}", work / f"seed-{seed}", seed, steps
+        )
+        for seed in every
+    }
+    perform(work / "jobs", learning, workers, report, label="learning relations")
+    learned.keep(work, results / DOMAINS)
+    found = load_jobs(work / "jobs")
+    trying = {
+        name: job
+        for seed in every
+        if (known := found.get(f"learn-{seed}"))
+        for name, job in _tried(work / f"seed-{seed}", seed, known["words"], tasks.cells(count)).items()
+    }
+    perform(work / "jobs", trying, workers, report, label="trying tasks")
+    at_random: dict[str, Job] = {
+        f"random-{seed}": partial(
+            learned.learn, work / "places" / f"seed-{seed}", work / f"random-{seed}", seed, steps, "random"
+        )
+        for seed in range(1, min(seeds, AT_RANDOM) + 1)
+    }
+    perform(work / "jobs", at_random, workers, report, label="learning from random actions")
+    say(f"wrote {results / 'relations.md'}")
+
+
+def _by_hand(path: Path, scale: float) -> dict[str, Any]:
+    """Measure what needs no learning, unless the results have it."""
+    known = json.loads(path.read_text()) if path.exists() else {}
+    found: dict[str, Any] = {"scale": scale}
+    if known.get("scale") == scale:
+        found |= {name: known[name] for name in _parts(scale) if name in known}
+    for name, measure in _parts(scale).items():
+        if name not in found:
+            with progress_bar(name.replace("_", " ")) as advance:
+                found[name] = measure(advance)
+    return {"command": "make evaluate-relations", "machine": machine("numpy", "pybullet"), **found}
+
+
+def _parts(scale: float) -> dict[str, Callable[[Advance], Any]]:
     """List what is measured, each part over so many times the usual number of interactions."""
 
-    def some(count: int) -> int:
-        return max(4, round(count * scale))
+    def some(number: int) -> int:
+        return max(4, round(number * scale))
 
     return {
         "put_over": partial(by_hand.put_over, some(50), 110, WORKERS),
@@ -37,68 +118,19 @@ def parts(scale: float) -> dict[str, Callable[[Advance], Any]]:
     }
 
 
-def main(
-    scale: Annotated[
-        float, tyro.conf.arg(help="How many interactions, as a share of the full number.")
-    ] = 1.0,
-    results: Annotated[Path, tyro.conf.arg(help="Folder for relations.json and relations.md.")] = RESULTS,
-) -> None:
-    """Measure part after part, and write the results; what was measured is not measured again."""
-    path = results / "relations.json"
-    found = json.loads(path.read_text()) if path.exists() else {}
-    if found.get("scale") != scale:
-        found = {"command": COMMAND, "scale": scale}
-    for name, measure in parts(scale).items():
-        if name not in found:
-            with progress_bar(name.replace("_", " ")) as advance:
-                found[name] = measure(advance)
-            found["machine"] = machine("numpy", "pybullet")
-            write_atomically(path, as_text(found))
-    write_atomically(results / "relations.md", page(found))
-    say(f"wrote {results / 'relations.md'}")
-
-
-def page(found: Mapping[str, Any]) -> str:
-    """Write the tables.
-
-    Args:
-        found: What was measured, by part.
-    """
-    over, towers, chance = found["put_over"], found["towers_by_hand"], found["random"]
-    rows = [
-        [
-            pair,
-            f"{cell['carried']} of {cell['tried']}",
-            *(str(cell["ends"].get(name, 0) or "") for name in RELATIONS),
-            *("{} of {}".format(*cell[f"taken_{name}"]) for name in ("on", "in")),
-        ]
-        for pair, cell in over.items()
-    ]
-    ends = ", ".join(f"{count} {name}" for name, count in chance["ends_of_carried"].items())
-    built = "; ".join(f"{cell['stand']} of {cell['tried']} of {height}" for height, cell in towers.items())
-    return (
-        "\n\n".join(
-            [
-                "# One object relative to another",
-                f"`{found['command']}` wrote this page. Which relation two objects have is told by "
-                "geometry that a person wrote (`tools/benchmarks/relations/geometry.py`). *On*: upright, "
-                "touching, and not sunk. *In*: upright inside of a hollow one. *Leaning*: tilted. "
-                "*Against*: touching from the side. *Beside*: at most 5 cm apart.",
-                "## Put over one another by hand",
-                "One action that a person wrote grasps an object of random size and sets it down over "
-                "another. What then stands on or in that one is taken to a place by the same action, "
-                "without moving the other by over 5 mm.",
-                markdown_table(["pair", "carried", *RELATIONS, "taken off", "taken out"], rows),
-                f"Towers of solid objects by hand, the widest below, that stand: {built}.",
-                "## At random",
-                f"Of {chance['interactions']} random actions aimed at another object, "
-                f"{chance['carried']:.1%} carry the target over it: {ends}. Changed by 0.1 mm, "
-                f"{chance['another_relation']} end in another relation.",
-            ]
+def _tried(
+    folder: Path, seed: int, words: Mapping[str, list[str]], cells: tuple[tasks.Cell, ...]
+) -> dict[str, Job]:
+    first = FIRST_TASK + 1000 * seed
+    return {
+        f"try-{seed}-{tasks.slug(name)}-{start}": partial(
+            try_all, folder, words, draw, range(first + start, first + start + BLOCK)
         )
-        + "\n"
-    )
+        for name, draw, count in cells
+        for start in range(0, count, BLOCK)
+    }
 
 
 if __name__ == "__main__":
+    os.environ.setdefault("OMP_NUM_THREADS", "1")  # for the jobs, of which there are several at once
     tyro.cli(main)

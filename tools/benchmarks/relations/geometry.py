@@ -4,6 +4,7 @@ import math
 from typing import Literal
 
 import numpy as np
+from jaxtyping import Float
 
 from neurosym.sim.shapes import OPEN_TOP, SOLID
 from neurosym.sim.toppling import rotation
@@ -14,6 +15,8 @@ UPRIGHT_COSINE = math.cos(math.radians(10))
 """An object is upright when some face of it points up, but for so much."""
 SUNK = 0.005
 """What stands in another reaches at least so far below its top [m]."""
+WALL = 0.006
+"""How thick the walls of hollow objects are [m]."""
 NEAR = 0.05
 """What stands beside another is so near at most [m]."""
 
@@ -40,6 +43,17 @@ def relation(outcome: Outcome, one: int, other: int) -> Relation:
         return "on" if low[2] >= above[2] - SUNK else "against"
     gap = float(np.max(np.maximum(below - high, low - above)[:2]))
     return "beside" if gap <= NEAR else "apart"
+
+
+def fits(target: Float[np.ndarray, " F"], reference: Float[np.ndarray, " F"]) -> bool:
+    """Say whether an object fits between the walls of another.
+
+    Args:
+        target: Features of the one.
+        reference: Features of the other.
+    """
+    is_hollow = reference[3] > (SOLID + OPEN_TOP) / 2
+    return bool(is_hollow and np.all(target[:2] < reference[:2] - 2 * WALL))
 
 
 def is_upright(scene: Scene, index: int) -> bool:

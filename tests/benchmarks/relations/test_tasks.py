@@ -1,0 +1,87 @@
+"""Tasks of relations that a person solves beforehand, and what is counted of them."""
+
+import numpy as np
+import pytest
+
+from neurosym.world import Outcome
+from tools.benchmarks.relations.geometry import fits
+from tools.benchmarks.relations.summary import summarise
+from tools.benchmarks.relations.tables import page
+from tools.benchmarks.relations.tasks import Asked, cells
+from tools.benchmarks.world.measures import factory
+
+HAND = {
+    "command": "this",
+    "put_over": {},
+    "towers_by_hand": {},
+    "random": {"interactions": 1, "carried": 0.0, "ends_of_carried": {}, "another_relation": 0},
+}
+QUICK = [cell for cell in cells(1) if cell[0] != "three into three"]
+
+
+@pytest.fixture(scope="module")
+def world():
+    return factory()()
+
+
+@pytest.mark.parametrize(("name", "draw", "_"), QUICK, ids=[cell[0] for cell in QUICK])
+def test_what_is_asked_for_is_not_so_at_the_start(name, draw, _, world):
+    asked = draw(world, 5)
+    start = Outcome(
+        asked.start, asked.start, asked.start, 0, False, False, False, 0.0, contacts=asked.contacts
+    )
+    assert not asked.is_met(start)
+    assert bool(asked.contacts) == (name in ("unstack and sort", "swap")), "these begin with stacks"
+    assert bool(asked.places) == (name == "tower of 3 at a place")
+    for goal in asked.goals:
+        target, reference = asked.start.features[goal.target], asked.start.features[goal.reference]
+        assert goal.word == ("in" if fits(target, reference) else "on")
+
+
+def test_same_seed_draws_the_same_task(world):
+    one, other = (cells(1)[0][1](world, 7) for _ in range(2))
+    assert one.goals == other.goals
+    assert np.array_equal(one.start.positions, other.start.positions)
+
+
+def test_nothing_asked_for_is_met_only_where_a_place_is_reached(world):
+    asked: Asked = next(draw for name, draw, _ in cells(1) if name.endswith("at a place"))(world, 5)
+    (target, place), *_ = asked.places.items()
+    end = asked.start.positions.copy()
+    end[target, :2] = place.x, place.y
+    alone = Asked(asked.start, (), (), asked.places)
+    moved = asked.start.__class__(asked.start.features, end, asked.start.orientations)
+    ends = [Outcome(asked.start, scene, scene, 0, False, False, False, 0.0) for scene in (asked.start, moved)]
+    assert [alone.is_met(one) for one in ends] == [False, True]
+
+
+def symbols(right: float) -> dict:
+    return {
+        "operators": {"on": {"operator": "a", "right": right}, "in": None},
+        "static_bits": {"balanced": 0.8, "carries": 0.9, "fits": 0.7},
+        "state_bits": {"balanced": right},
+        "recall_on": {"recall": 0.6, "precision": 0.7},
+    }
+
+
+def test_summary_counts_seeds_and_means_over_them():
+    tower = [{"status": "solved", "reached": True, "blind": False}, {"status": "no plan"}]
+    found = {
+        "learn-1": symbols(0.9),
+        "learn-2": symbols(0.8),
+        "try-1-tower-of-3-0": tower,
+        "try-2-tower-of-3-0": tower[:1],
+        "try-2-tower-of-3-at-a-place-0": tower[1:],
+        "random-1": symbols(0.1),
+    }
+    summary = summarise(HAND, found, cells(10), seeds=5, steps=1)
+    assert (summary["on_operator_seeds"], summary["in_operator_seeds"]) == (1, 0)
+    assert summary["state_bits"] == pytest.approx(0.85)
+    assert summary["towers"] == {"3": 0.75, "4": None}
+    assert summary["tower_at_place"] == 0.0
+    cell = summary["table"]["tower of 3"]
+    assert (cell["tasks"], cell["planned"], cell["blind"]) == (3, 2, [0.0, 0.0])
+    text = page(summary)
+    assert "| seed 1 | 90% | none | 90.0% | 80.0% | 90% | 70% | 60% | 70% |" in text
+    assert "| seed 1, at random | 10% | none |" in text
+    assert "| tower of 3 | 3 | 2 | 0% ± 0 | 75% ± 35 |" in text

@@ -1,0 +1,112 @@
+"""Domains with relations, learned from those with places of the same seeds; and how they are kept."""
+
+import shutil
+import time
+from pathlib import Path
+from tempfile import TemporaryDirectory
+from typing import Any
+
+import msgspec
+
+from neurosym.files import make_folder, write_json
+from neurosym.grounding import FORMAT_WITH_RELATIONS, Grounding
+from neurosym.relation_operators import RelationOperators
+from neurosym.stages.folder import DomainFolder
+from neurosym.stages.layout import (
+    GROUNDING,
+    MODEL,
+    PLACE_OPERATORS,
+    PLACES,
+    RELATION_MODEL,
+    RELATION_OPERATORS,
+    RELATIONS,
+    WORLD,
+)
+from neurosym.stages.relating import (
+    distill_relations_stage,
+    explore_relations_stage,
+    train_relations_stage,
+)
+from neurosym.strategies import StrategyName
+from tools.benchmarks.jobs import pack, unpack
+from tools.benchmarks.planning.measures import REHEARSALS
+from tools.benchmarks.relations import symbols
+
+REGIME = "default"
+NEW_PAIRS = 730_000
+"""Added to the seed of a domain, so that it is judged on pairs that it was not learned with."""
+KEPT = (RELATION_MODEL, RELATION_OPERATORS)
+"""What is needed of relations to try a domain; the rest is kept beside the results on places."""
+
+
+def learn(
+    places: Path, folder: Path, seed: int, steps: int, strategy: StrategyName = "disagreement"
+) -> dict[str, Any]:
+    """Learn relations; what was done is not done again.
+
+    Args:
+        places: A domain with places.
+        folder: Where the domain with relations lies.
+        seed: Of everything.
+        steps: Interactions that are aimed at other objects.
+        strategy: How they are chosen.
+
+    Returns:
+        How well its symbols agree with geometry, see `symbols.measure`, and CPU seconds of each stage.
+    """
+    make_folder(folder / PLACES)
+    for name in (WORLD, MODEL):
+        shutil.copy(places / name, folder / name)
+    grounding = Grounding.load(places / GROUNDING)
+    write_json(folder / PLACE_OPERATORS, grounding.places)
+    seconds = {}
+    if not (folder / RELATION_OPERATORS).exists():
+        seconds = _learn(DomainFolder(folder), seed, steps, strategy)
+    relations = RelationOperators.load(folder / RELATION_OPERATORS)
+    with_relations = msgspec.structs.replace(grounding, relations=relations, format=FORMAT_WITH_RELATIONS)
+    with_relations.save(folder / GROUNDING)
+    return {**symbols.measure(folder, NEW_PAIRS + seed, workers=1), "cpu_seconds": seconds}
+
+
+def _learn(domain: DomainFolder, seed: int, steps: int, strategy: StrategyName) -> dict[str, float]:
+    seconds = {}
+    for stage in (
+        explore_relations_stage(domain, strategy=strategy, steps=steps, seed=seed, regime=REGIME, workers=1),
+        train_relations_stage(domain, seed=seed, regime=REGIME),
+        distill_relations_stage(domain, pairs=REHEARSALS, seed=seed, workers=1),
+    ):
+        begin = time.process_time()
+        domain.perform(stage, again=False)
+        seconds[stage.name] = round(time.process_time() - begin, 1)
+    return seconds
+
+
+def keep(work: Path, archive: Path) -> None:
+    """Put what it takes to try the learned domains into an archive.
+
+    Args:
+        work: The working folder.
+        archive: A zip file.
+    """
+    with TemporaryDirectory() as flat:
+        for folder in work.glob("seed-*"):
+            for name in KEPT if (folder / RELATION_OPERATORS).exists() else ():
+                shutil.copy(folder / name, Path(flat) / f"{folder.name}.{Path(name).name}")
+        pack(Path(flat), archive, "seed-*")
+
+
+def restore(archive: Path, work: Path) -> None:
+    """Take from an archive what `keep` put there, for domains that are not in the working folder yet.
+
+    Args:
+        archive: A zip file, if there is one.
+        work: The working folder.
+    """
+    with TemporaryDirectory() as flat:
+        unpack(archive, Path(flat))
+        for path in Path(flat).iterdir():
+            folder, name = path.name.split(".", 1)
+            target = work / folder / RELATIONS / name
+            if not target.exists():
+                target.parent.mkdir(parents=True, exist_ok=True)
+                shutil.copy(path, target)

@@ -1,0 +1,104 @@
+"""The results of `evaluate.py` as a page of Markdown tables."""
+
+from collections.abc import Mapping, Sequence
+from statistics import mean, stdev
+from typing import Any
+
+from neurosym.markdown import markdown_table
+from neurosym.wording import counted
+
+RELATIONS = ("on", "in", "leaning", "against", "beside", "apart")
+
+
+def page(found: Mapping[str, Any]) -> str:
+    """Write the tables.
+
+    Args:
+        found: What was measured, by part; see `summary.summarise`.
+    """
+    sections = [
+        "# One object relative to another",
+        f"`{found['command']}` wrote this page. Which relation two objects have is told by "
+        "geometry that a person wrote (`tools/benchmarks/relations/geometry.py`). *On*: upright, "
+        "touching, and not sunk. *In*: upright inside of a hollow one. *Leaning*: tilted. "
+        "*Against*: touching from the side. *Beside*: at most 5 cm apart.",
+        *_by_hand(found),
+        *(_learned(found) if found["learned"] else ()),
+    ]
+    return "\n\n".join(sections) + "\n"
+
+
+def _by_hand(found: Mapping[str, Any]) -> list[str]:
+    over, towers, chance = found["put_over"], found["towers_by_hand"], found["random"]
+    rows = [
+        [
+            pair,
+            f"{cell['carried']} of {cell['tried']}",
+            *(str(cell["ends"].get(name, 0) or "") for name in RELATIONS),
+            *("{} of {}".format(*cell[f"taken_{name}"]) for name in ("on", "in")),
+        ]
+        for pair, cell in over.items()
+    ]
+    ends = ", ".join(f"{count} {name}" for name, count in chance["ends_of_carried"].items())
+    built = "; ".join(f"{cell['stand']} of {cell['tried']} of {height}" for height, cell in towers.items())
+    return [
+        "## Put over one another by hand",
+        "One action that a person wrote grasps an object of random size and sets it down over "
+        "another. What then stands on or in that one is taken to a place by the same action, "
+        "without moving the other by over 5 mm.",
+        markdown_table(["pair", "carried", *RELATIONS, "taken off", "taken out"], rows),
+        f"Towers of solid objects by hand, the widest below, that stand: {built}.",
+        "## At random",
+        f"Of {chance['interactions']} random actions aimed at another object, "
+        f"{chance['carried']:.1%} carry the target over it: {ends}. Changed by 0.1 mm, "
+        f"{chance['another_relation']} end in another relation.",
+    ]
+
+
+def _learned(found: Mapping[str, Any]) -> list[str]:
+    rows = [[f"seed {seed}", *_symbols(one)] for seed, one in found["learned"].items()]
+    rows += [[f"seed {seed}, at random", *_symbols(one)] for seed, one in found["at_random"].items()]
+    tasks = [
+        [
+            name,
+            str(cell["tasks"]),
+            str(cell["planned"]),
+            *map(_over_seeds, (cell["blind"], cell["replanned"])),
+        ]
+        for name, cell in found["table"].items()
+    ]
+    return [
+        "## What was learned",
+        f"{counted(found['seeds'], 'seed')}, each with {found['steps']:,} interactions that are aimed at "
+        "other objects. The actions that it starts from are those that carry to places with the same seed "
+        "([Carried to places](places.md)). *On* and *in*: how often the operator that geometry calls so on "
+        "the first half of 24 new rehearsals is right on the second. *States* and *kinds*: balanced "
+        "accuracy of the codes against geometry, matched on one half and counted on the other; *kinds* is "
+        "the mean of what *carries* and what *fits*. *Recalled*: of new actions that end on the reference, "
+        "how many are predicted to; and how much of what is predicted is so. At random: learned from "
+        "as many actions that nobody chose.",
+        markdown_table(["", "on", "in", "states", "kinds", "carries", "fits", "recalled", "precision"], rows),
+        "## Tasks",
+        "A person draws the tasks and solves each by hand beforehand: the same tasks, by actions that a "
+        "person wrote, are reached in all cases. Goals are told to the domain in the words that geometry "
+        "matched with its states. Geometry says what was reached. Shares are means over seeds, with their "
+        "standard deviation.",
+        markdown_table(["task", "number", "planned", "followed blindly", "with replanning"], tasks),
+    ]
+
+
+def _symbols(one: Mapping[str, Any]) -> list[str]:
+    best = [one["operators"][name] for name in ("on", "in")]
+    static, recall = one["static_bits"], one["recall_on"]
+    return [
+        *(f"{each['right']:.0%}" if each else "none" for each in best),
+        *(f"{each:.1%}" for each in (one["state_bits"]["balanced"], static["balanced"])),
+        *(f"{static[name]:.0%}" for name in ("carries", "fits")),
+        *(f"{recall[name]:.0%}" for name in ("recall", "precision")),
+    ]
+
+
+def _over_seeds(shares: Sequence[float]) -> str:
+    if not shares:
+        return "-"
+    return f"{mean(shares):.0%}" + (f" ± {100 * stdev(shares):.0f}" if len(shares) > 1 else "")

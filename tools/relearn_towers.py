@@ -1,0 +1,152 @@
+"""Learn `domains/towers` again, try its problems, and describe what was measured.
+
+The command is `python -m tools.relearn_towers`. Resumable: start it again after an interruption, and nothing
+is done twice. What `domains/places` learned is taken from there, since the same seed gives the same bytes.
+None of the problems is removed.
+"""
+
+import shutil
+from pathlib import Path
+
+from neurosym.commands.run import run
+from neurosym.console import say
+from neurosym.files import make_folder, write_atomically, write_json
+from neurosym.grounding import Grounding
+from neurosym.markdown import markdown_table
+from neurosym.pddl.relational import left_out_puts
+from neurosym.relation_operators import RelationOperator, RelationOperators
+from neurosym.stages.compiling import problem_stage
+from neurosym.stages.folder import DomainFolder
+from neurosym.stages.layout import GROUNDING, MANIFEST
+from neurosym.stages.manifest import Manifest
+from neurosym.stages.task_drawing import AnyTask
+from tools.relearn_places import FOLDER as LEARNED
+from tools.relearn_places import PLACES, PLANNER, SEED, STEPS
+from tools.relearn_tabletop import STAGES, problems_table, stages_table, try_problem
+
+FOLDER = Path("domains/towers")
+RELATIONS = 10_240
+"""Interactions that are aimed at other objects."""
+TASKS: tuple[tuple[AnyTask, int, int, int], ...] = (
+    ("tower", 2, 2, 2),
+    ("tower", 4, 3, 2),
+    ("tower", 6, 3, 2),
+    ("tower", 6, 4, 2),
+    ("tower", 8, 4, 1),
+    ("boxes", 4, 3, 2),
+    ("boxes", 6, 3, 2),
+    ("unstack", 5, 3, 2),
+    ("unstack", 6, 3, 1),
+    ("exchange", 4, 3, 1),
+    ("exchange", 6, 3, 1),
+    ("anywhere", 4, 3, 1),
+    ("anywhere", 8, 3, 1),
+)
+"""What problems ask for, with how many objects, how high towers are, and how many of them there are."""
+_MOST_OPERATORS = 40
+
+
+def main() -> None:
+    """Learn, try, describe."""
+    take_places(LEARNED, FOLDER)
+    run(FOLDER, steps=STEPS, places=PLACES, relations=RELATIONS, seed=SEED, problems=0)
+    folder = DomainFolder(FOLDER)
+    every = [(kind, objects, height) for kind, objects, height, count in TASKS for _ in range(count)]
+    for number, (kind, objects, height) in enumerate(every, start=1):
+        name = f"{kind}-{objects}-{number:02d}"
+        drawn = problem_stage(
+            folder, name=name, objects=objects, task=kind, height=height, seed=SEED + number
+        )
+        folder.perform(drawn, again=False)
+        try_problem(folder, name, PLANNER)
+    write_atomically(FOLDER / "README.md", "\n\n".join(sections(folder)) + "\n")
+    say(f"wrote {FOLDER / 'README.md'}")
+
+
+def take_places(learned: Path, folder: Path) -> None:
+    """Begin a domain folder with what another one learned of single objects, unless there is one.
+
+    Args:
+        learned: The other folder.
+        folder: The one to begin.
+    """
+    if folder.exists():
+        return
+    before = DomainFolder(learned).manifest()
+    stages = {name: one for name, one in before.stages.items() if name.split("-")[0] in STAGES[:3]}
+    for one in stages.values():
+        for name in (*one.inputs, *one.outputs):
+            make_folder((folder / name).parent)
+            shutil.copy(learned / name, folder / name)
+    write_json(folder / MANIFEST, Manifest(stages=stages))
+
+
+def sections(folder: DomainFolder) -> list[str]:
+    """Write the README, a text for each section.
+
+    Args:
+        folder: The domain folder.
+    """
+    grounding = Grounding.load(folder / GROUNDING)
+    relations = grounding.relations
+    assert relations is not None, "relations were learned"
+    command = (
+        f"neurosym run {folder.path} --steps {STEPS} --places {PLACES} --relations {RELATIONS} "
+        f"--seed {SEED} --problems 0"
+    )
+    names = [f"{name}{of}" for of in ("", "-places", "-relations") for name in STAGES[:3]]
+    return [
+        "# The tabletop domain, with places and relations",
+        "Objects are put on and into one another, and carried to their goals on the table. The robot learned "
+        f"the former from {RELATIONS:,} interactions, each aimed at another object. It began with what "
+        "[domains/places](../places/README.md) had learned. Nobody told it a relation: states of pairs are "
+        "codes of learned bits, and their names are made from numbers that were measured. "
+        "`tools/relearn_towers.py` writes this file. Nothing in this folder is edited by hand, and no "
+        "problem was removed.",
+        "## How it was made",
+        f"`python -m tools.relearn_towers`, that is `{command}` and then its problems. Minutes on 2 cores:",
+        stages_table(folder, (*names, STAGES[3])),
+        "## States of pairs",
+        "How a target stands to a reference. *Away* and *above* are distances in sums of half sizes: at 1 "
+        "the two touch. *Tilted* is a share of 20 degrees.",
+        _states(relations),
+        "## What can be done with pairs",
+        "What each action did to pairs of a kind when it was rehearsed; those that do it most often. "
+        "A third object may stand in the way: *borne*, the target rests on one; *occupied*, one rests on the "
+        "reference; *laden*, one rests on the target.",
+        _operators(relations, grounding),
+        "## Problems",
+        f"Problem number i is drawn with seed {SEED} + i. A *tower* shall be built of some of the objects, "
+        "and in *boxes* half of them shall each be on or in one of its own. *Unstack* begins with a stack "
+        "to be sorted so; in *exchange*, two things that others bear change places. In *anywhere*, "
+        "goals lie all over the table. *Reached*: whether the learned states say so at the end, with "
+        "replanning.",
+        *problems_table(folder, (PLANNER,)),
+    ]
+
+
+def _states(relations: RelationOperators) -> str:
+    rows = [
+        [state.symbol, state.name, *(f"{value:.2f}" for value in state.centre), "yes" if state.bears else ""]
+        for state in relations.states
+    ]
+    return markdown_table(["bits", "name", "away", "above", "touching", "tilted", "bears"], rows)
+
+
+def _operators(relations: RelationOperators, grounding: Grounding) -> str:
+    out = left_out_puts(grounding)
+    kept = [one for one in relations.operators if one.name not in out and one.promise]
+    kept.sort(key=lambda one: -one.promise.share if one.promise else 0.0)
+    columns = ["operator", "as promised", "borne", "occupied", "laden"]
+    return markdown_table(columns, [_row(one) for one in kept[:_MOST_OPERATORS]])
+
+
+def _row(one: RelationOperator) -> list[str]:
+    assert one.promise is not None, "only these are listed"
+    tried = [(one.promise.count, one.trials)]
+    tried += [(kept.kept, kept.trials) for kept in (one.borne, one.occupied, one.laden)]
+    return [one.name, *(f"{kept} of {trials}" for kept, trials in tried)]
+
+
+if __name__ == "__main__":
+    main()
