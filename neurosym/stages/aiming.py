@@ -8,13 +8,12 @@ from typing import Any
 
 from neurosym.checks import check_count
 from neurosym.console import progress_bar
-from neurosym.data.check import training_problems
 from neurosym.data.interactions import Interactions
 from neurosym.errors import InvalidFile, InvalidValue
-from neurosym.files import make_folder, write_json
+from neurosym.files import write_json
 from neurosym.learning.model_config import PLACE_BITS
 from neurosym.learning.training_config import regime_named
-from neurosym.naming import counted_axes
+from neurosym.stages.aimed_learning import aimed_interactions, explore_aimed, train_aimed
 from neurosym.stages.exploring import check_choices
 from neurosym.stages.folder import DomainFolder
 from neurosym.stages.layout import (
@@ -49,9 +48,6 @@ def explore_places_stage(
     chosen, name = check_choices(strategy, regime), own_name(strategy)
 
     def work() -> None:
-        from neurosym.exploration.choice import ExplorationConfig
-        from neurosym.exploration.curiosity import LearningConfig
-        from neurosym.exploration.loop import explore
         from neurosym.worlds.world_file import origin_of
 
         check_count("places", steps)
@@ -61,25 +57,18 @@ def explore_places_stage(
                 f"The world {world.name} takes no place as a reference, so nothing can be learned of places; "
                 "leave out --places."
             )
-        make_folder(folder / PLACES)
-        learning = LearningConfig(
-            learning_rate=chosen.exploration_rate, loss_coefficient=chosen.training.loss_coefficient
+        explore_aimed(
+            AimedFactory(factory),
+            folder / PLACES,
+            what="places",
+            regime=chosen,
+            strategy=strategy,
+            steps=steps,
+            seed=seed,
+            workers=workers,
+            ray=ray,
+            origin={**origin_of(factory), "reference": "place"},
         )
-        with progress_bar(f"exploring places ({name})") as advance:
-            interactions = explore(
-                AimedFactory(factory),
-                steps=steps,
-                strategy=strategy,
-                seed=seed,
-                workers=workers,
-                ray=ray,
-                checkpoint=folder / PLACES,
-                config=ExplorationConfig(learning=learning),
-                model_config=chosen.exploration,
-                origin={**origin_of(factory), "reference": "place"},
-                progress=advance,
-            )
-        interactions.save(folder / PLACE_INTERACTIONS)
 
     options: dict[str, Any] = {"strategy": name, "steps": steps, "seed": seed, "regime": regime}
     return Stage("explore-places", (WORLD,), (PLACE_INTERACTIONS,), work, options, Claim.ALONE)
@@ -90,22 +79,8 @@ def train_places_stage(folder: DomainFolder, *, seed: int, regime: str) -> Stage
     chosen = regime_named(regime)
 
     def work() -> None:
-        from neurosym.learning.training import train
-
-        path = folder.require(PLACE_INTERACTIONS)
-        interactions = Interactions.load(path)
-        if problems := training_problems(interactions.columns, interactions.origin):
-            raise InvalidFile(path, problems[0])
-        if (axes := interactions.effects.shape[1]) != PLACE_AXES:
-            raise InvalidFile(path, f"its effects have {counted_axes(axes)}; valid: x, y, z and 1 if carried")
-        with progress_bar("training on places") as advance:
-            trained = train(
-                interactions,
-                config=chosen.training,
-                model_config=chosen.model.with_bits(*PLACE_BITS),
-                seed=seed,
-                progress=lambda stage, share: advance(round(100 * share), 100, stage),
-            )
+        interactions = aimed_interactions(folder.require(PLACE_INTERACTIONS), PLACE_AXES)
+        trained = train_aimed(interactions, what="places", regime=chosen, bits=PLACE_BITS, seed=seed)
         write_json(folder / PLACE_TRAINING, trained.report)
         trained.direct.save(folder / PLACE_DIRECT_MODEL)
         trained.model.save(folder / PLACE_MODEL)

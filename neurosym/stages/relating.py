@@ -10,13 +10,12 @@ import numpy as np
 
 from neurosym.checks import check_count
 from neurosym.console import progress_bar
-from neurosym.data.check import training_problems
 from neurosym.data.interactions import Interactions
 from neurosym.errors import InvalidFile, InvalidValue
-from neurosym.files import make_folder, write_json
+from neurosym.files import write_json
 from neurosym.learning.model_config import PAIR_BITS, STATE_BITS
 from neurosym.learning.training_config import regime_named
-from neurosym.naming import counted_axes
+from neurosym.stages.aimed_learning import aimed_interactions, explore_aimed, train_aimed
 from neurosym.stages.exploring import check_choices
 from neurosym.stages.folder import DomainFolder
 from neurosym.stages.layout import (
@@ -61,9 +60,6 @@ def explore_relations_stage(
     chosen, name = check_choices(strategy, regime), own_name(strategy)
 
     def work() -> None:
-        from neurosym.exploration.choice import ExplorationConfig
-        from neurosym.exploration.curiosity import LearningConfig
-        from neurosym.exploration.loop import explore
         from neurosym.learning.effect_model import EffectModel
         from neurosym.place_operators import PlaceOperators
         from neurosym.worlds.known_motions import KnownMotions
@@ -79,25 +75,18 @@ def explore_relations_stage(
         categorise = EffectModel.load(folder.require(MODEL)).object_symbols
         places = PlaceOperators.load(folder.require(PLACE_OPERATORS))
         motions = KnownMotions(places, categorise, world.action_box)
-        make_folder(folder / RELATIONS)
-        learning = LearningConfig(
-            learning_rate=chosen.exploration_rate, loss_coefficient=chosen.training.loss_coefficient
+        explore_aimed(
+            RelatedFactory(factory, motions),
+            folder / RELATIONS,
+            what="relations",
+            regime=chosen,
+            strategy=strategy,
+            steps=steps,
+            seed=seed,
+            workers=workers,
+            ray=ray,
+            origin={**origin_of(factory), "reference": "object", "proposed": True},
         )
-        with progress_bar(f"exploring relations ({name})") as advance:
-            interactions = explore(
-                RelatedFactory(factory, motions),
-                steps=steps,
-                strategy=strategy,
-                seed=seed,
-                workers=workers,
-                ray=ray,
-                checkpoint=folder / RELATIONS,
-                config=ExplorationConfig(learning=learning),
-                model_config=chosen.exploration,
-                origin={**origin_of(factory), "reference": "object", "proposed": True},
-                progress=advance,
-            )
-        interactions.save(folder / RELATION_INTERACTIONS)
 
     options: dict[str, Any] = {"strategy": name, "steps": steps, "seed": seed, "regime": regime}
     inputs = (WORLD, MODEL, PLACE_OPERATORS)
@@ -110,27 +99,15 @@ def train_relations_stage(folder: DomainFolder, *, seed: int, regime: str) -> St
 
     def work() -> None:
         from neurosym.learning.state_codes import ends_in, learn_states
-        from neurosym.learning.training import train
 
         path = folder.require(RELATION_INTERACTIONS)
-        interactions = Interactions.load(path)
-        if problems := training_problems(interactions.columns, interactions.origin):
-            raise InvalidFile(path, problems[0])
-        if (axes := interactions.effects.shape[1]) != PAIR_AXES:
-            raise InvalidFile(path, f"its effects have {counted_axes(axes)}; valid: {PAIR_AXES} axes")
+        interactions = aimed_interactions(path, PAIR_AXES)
         if not np.any(interactions.effects[:, -1]):
             raise InvalidFile(path, "nothing was carried to another object; explore more")
         rng = np.random.default_rng([seed, _STREAM])
         world = RelatedFactory(read_world(folder.require(WORLD)))()
         states = learn_states(_fresh(world, rng), *ends_in(interactions), STATE_BITS, rng)
-        with progress_bar("training on pairs") as advance:
-            trained = train(
-                interactions,
-                config=chosen.training,
-                model_config=chosen.model.with_bits(*PAIR_BITS),
-                seed=seed,
-                progress=lambda stage, share: advance(round(100 * share), 100, stage),
-            )
+        trained = train_aimed(interactions, what="pairs", regime=chosen, bits=PAIR_BITS, seed=seed)
         write_json(folder / RELATION_STATES, states)
         write_json(folder / RELATION_TRAINING, trained.report)
         trained.direct.save(folder / RELATION_DIRECT_MODEL)
