@@ -18,7 +18,12 @@ KINDS: dict[str, AnyTask | None] = {
     "crowded": "crowded",
 }
 """What tasks can be drawn."""
-KINDS_OF_RELATIONS: dict[str, AnyTask | None] = {"tower": "tower", "boxes": "boxes", "unstack": "unstack", "exchange": "exchange"}
+KINDS_OF_RELATIONS: dict[str, AnyTask | None] = {
+    "tower": "tower",
+    "boxes": "boxes",
+    "unstack": "unstack",
+    "exchange": "exchange",
+}
 """What else can be drawn where the domain knows relations."""
 TYPES = {0.0: "solid", 1.0: "open at the top", 2.0: "open at both ends"}
 """What the types of objects are called."""

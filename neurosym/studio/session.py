@@ -17,8 +17,8 @@ from neurosym.pddl.validation import validate
 from neurosym.planners import PlanStatus
 from neurosym.problems import Problem
 from neurosym.reading import decode_json
-from neurosym.stages.planning import check_scene
 from neurosym.related import is_relational
+from neurosym.stages.planning import check_scene
 from neurosym.stages.scenes import scene_stage
 from neurosym.stages.task_drawing import AnyTask
 from neurosym.studio.desk import MOST_OBJECTS, Desk, Topic
