@@ -53,6 +53,7 @@ class Desk:
         self.library = library
         self.problem = problem or library.first_problem()
         self.word = Word()
+        self._complaints: tuple[Problem | None, Mapping[str, str]] = (None, {})
         self._reaches: dict[SceneObject, Reach] = {}
         self._kinds: tuple[dict[str, tuple[float, ...]], dict[str, Symbol] | msgspec.UnsetType] = (
             {},
@@ -209,7 +210,13 @@ class Desk:
 
     def complaints(self) -> Mapping[str, str]:
         """Say of each object or goal that cannot be where it is why not, by `object NAME` and `goal NAME`."""
-        return complaints_about(self.paired(), self.library.grounding, self.reach) if self.problem else {}
+        problem, (known, found) = self.problem, self._complaints
+        if problem is None:
+            return {}
+        if problem is not known:
+            found = complaints_about(self.paired(), self.library.grounding, self.reach)
+            self._complaints = problem, found
+        return found
 
     def paired(self) -> Problem:
         """Return what is on the table with the kinds of its pairs, which are worked out once for the objects.

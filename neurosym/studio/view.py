@@ -236,7 +236,11 @@ class View:
 
 
 def related_names(problem: Problem) -> tuple[str, ...]:
-    """Name the objects whose goal is by relation."""
+    """Name the objects whose goal is by relation.
+
+    Args:
+        problem: The problem.
+    """
     return tuple(name for name, *_ in problem.related)
 
 

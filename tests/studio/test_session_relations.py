@@ -1,10 +1,13 @@
 """A page on domains with relations and with places, without a browser: drop ghosts, plan, run, take away."""
 
+import asyncio
 import io
 import zipfile
 from pathlib import Path
+from types import SimpleNamespace
 
 import msgspec
+import numpy as np
 import pytest
 import torch
 import viser
@@ -90,6 +93,15 @@ def test_drop_that_nothing_leads_to_is_said_and_the_goal_is_as_before(stacks):
     stacks.aim("item-02", 0.5, 0.2)
     dropped(stacks, "item-02", 0.5, -0.2)  # on what shall rest on it
     assert stacks.problem.goals["item-02"] == pytest.approx((0.5, -0.2, 0.025))
+
+
+def test_drop_that_the_other_goals_forbid_is_said_and_the_relation_is_as_before(stacks):
+    stacks.relate("item-01", "item-02", REST)
+    stacks.relate("item-04", "item-03", LIE)
+    before = stacks.problem
+    dropped(stacks, "item-04", 0.635, 0.1)  # on item-02, beside the ghost that stands there
+    assert stacks.word.text.startswith("item-02 shall bear item-01 and item-04, and rehearsals show that it")
+    assert stacks.problem == before
 
 
 def test_drop_beside_everything_is_a_goal_on_the_table(stacks):
@@ -236,48 +248,87 @@ def test_task_of_relations_is_drawn_as_the_command_line_draws_it(stacks):
     assert "ask for more objects" in stacks.word.text
 
 
-@pytest.mark.filterwarnings("ignore::DeprecationWarning")
-def test_page_shows_relations_in_words_and_offers_what_can_be(stacks):
+@pytest.fixture
+def page(stacks):
+    """A page that nobody looks at."""
     server = viser.ViserServer("127.0.0.1", 0, verbose=False)
-    page = Page(server, stacks)
-    try:
-        panels = {type(panel): panel for panel in page.panels}
-        table = panels[TablePanel]
-        assert table._relation.visible
-        assert "exchange" in table._kind.options
-        wait_for(lambda: len(table._relation.options) == 4)
-        assert table._relation.options == (
-            NOTHING,
-            f"{REST} item-02",
-            f"{LIE} item-03",
-            f"{REST} item-04",
+    opened = Page(server, stacks)
+    yield opened
+    opened.close()
+    server.stop()
+
+
+def drag(page: Page, name: str, *to: tuple[float, float]) -> None:
+    """Drag the ghost of an object by what is on the table below its knob, as a window tells it."""
+    x, y, _ = page.session.ghosts()[name]
+    camera = SimpleNamespace(position=np.array([x, y, 2.0]))
+    hear = page._grabbed("goal", name)
+    phases = ["start", *["update"] * (len(to) - 1), "end"]
+    for phase, at in zip(phases, [(x, y), *to], strict=True):
+        event = SimpleNamespace(
+            client=SimpleNamespace(camera=camera),
+            phase=phase,
+            start_position=(x, y, 0.0),
+            end_position=(*at, 0.0),
         )
-        table._relate(f"{REST} item-02")
-        wait_for(lambda: table._relation.value == f"{REST} item-02")
-        assert f"item-01 shall come to be {REST} item-02" in table._related.content
-        assert table._toggle.label == "Take its goal away"
-        wait_for(lambda: "item-01" in page.view._goals)
-        ghost = page.view._goals["item-01"]
-        assert tuple(ghost.frame.position) == pytest.approx((0.6, 0.1, 0.075))
-        assert not ghost.outlines[1].visible
-        planned(stacks, "fast-downward")
-        told = panels[PlanPanel].text()
-        assert PUT_ON in told
-        assert f"puts it {REST} item-02" in told
-        assert "91%" in told  # 20 of 22
-        assert "(:action put-on-01-solid-01" in panels[PlanPanel]._action(PUT_ON)
-        ran(stacks)
-        told = panels[RunPanel].text()
-        assert told.count(REST) == 2
-        assert "50 mm up from item-02" in told
-        assert recording_of(stacks)
-        stacks.remove_goal("item-01")
-        wait_for(lambda: table._relation.value == NOTHING)
-        assert table._related.content == ""
-        assert not any("could not be drawn" in str(word) for word in [stacks.word])
-    finally:
-        page.close()
-        server.stop()
+        asyncio.run(hear(event))
+
+
+@pytest.mark.filterwarnings("ignore::DeprecationWarning")
+def test_ghost_is_dragged_from_the_table_onto_an_object_and_off_again(page):
+    session = page.session
+    session.aim("item-01", 0.5, 0.2)
+    drag(page, "item-01", (0.55, 0.15), (0.6, 0.1))
+    assert session.problem.related == (("item-01", "item-02", REST),)
+    drag(page, "item-01", (0.7, 0.1), (0.8, -0.1))
+    assert session.problem.related == (("item-01", "item-03", LIE),)
+    drag(page, "item-01", (0.7, 0.05), (0.5, 0.2))
+    assert session.problem.related == ()
+    assert session.problem.goals["item-01"] == pytest.approx((0.5, 0.2, 0.025))
+    session.aim("item-03", 0.8, 0.05)
+    before = session.problem
+    drag(page, "item-03", (0.7, 0.1), (0.6, 0.1))
+    assert session.word.is_bad
+    assert session.problem == before
+
+
+@pytest.mark.filterwarnings("ignore::DeprecationWarning")
+def test_page_shows_relations_in_words_and_offers_what_can_be(page):
+    stacks = page.session
+    panels = {type(panel): panel for panel in page.panels}
+    table = panels[TablePanel]
+    assert table._relation.visible
+    assert "exchange" in table._kind.options
+    wait_for(lambda: len(table._relation.options) == 4)
+    assert table._relation.options == (
+        NOTHING,
+        f"{REST} item-02",
+        f"{LIE} item-03",
+        f"{REST} item-04",
+    )
+    table._relate(f"{REST} item-02")
+    wait_for(lambda: f"item-01 shall come to be {REST} item-02" in table._related.content)
+    assert table._relation.value == f"{REST} item-02"
+    assert table._toggle.label == "Take its goal away"
+    wait_for(lambda: "item-01" in page.view._goals)
+    ghost = page.view._goals["item-01"]
+    assert tuple(ghost.frame.position) == pytest.approx((0.6, 0.1, 0.075))
+    assert not ghost.outlines[1].visible
+    planned(stacks, "fast-downward")
+    told = panels[PlanPanel].text()
+    assert PUT_ON in told
+    assert f"puts it {REST} item-02" in told
+    assert "91%" in told  # 20 of 22
+    assert "(:action put-on-01-solid-01" in panels[PlanPanel]._action(PUT_ON)
+    ran(stacks)
+    told = panels[RunPanel].text()
+    assert told.count(REST) == 2
+    assert "50 mm up from item-02" in told
+    assert recording_of(stacks)
+    stacks.remove_goal("item-01")
+    wait_for(lambda: not table._related.content)
+    assert table._relation.value == NOTHING
+    assert "could not be drawn" not in stacks.word.text
 
 
 def test_domain_with_places_is_planned_in_and_run(both):
