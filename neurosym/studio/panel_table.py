@@ -49,7 +49,7 @@ class TablePanel(Panel):
         self._toggle = self.button("Give it a goal", self._toggle_goal)
         has_relations = session.library.grounding.relations is not None
         self._relation = gui.add_dropdown(
-            "Goal: how to what",
+            "Goal: on or in what",
             (NOTHING,),
             hint="The state that it shall come to with another object, as by dropping its ghost there.",
             visible=has_relations,
@@ -108,8 +108,7 @@ class TablePanel(Panel):
         self._goal.disabled = goal is None
         has_goal = goal is not None or item.name in related_names(problem)
         self._toggle.label = "Take its goal away" if has_goal else "Give it a goal"
-        if topics & {"scene", "place"}:
-            self._show_relations(problem, item.name)
+        self._show_relations(problem, item.name)
         set_value(self._name, problem.name)
         set_value(self._tolerance, round(1000 * problem.tolerance, 3))
         if "scene" in topics:

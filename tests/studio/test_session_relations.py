@@ -325,7 +325,7 @@ def test_page_shows_relations_in_words_and_offers_what_can_be(page):
     assert told.count(REST) == 2
     assert "50 mm up from item-02" in told
     assert recording_of(stacks)
-    stacks.remove_goal("item-01")
+    table._relate(NOTHING)
     wait_for(lambda: not table._related.content)
     assert table._relation.value == NOTHING
     assert "could not be drawn" not in stacks.word.text
