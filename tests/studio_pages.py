@@ -1,16 +1,19 @@
-"""Pages on the toy world and on the shipped domain, and waiting for what they hand to processes."""
+"""Pages on the toy worlds and on the shipped domain, and waiting for what they hand to processes."""
 
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
+import toy_relations
 from places import SHIPPED
 from toy_domain import grounding, problem
 
 from neurosym.pddl import domain_text
+from neurosym.pddl.moves import LIFTED, PLACES, RELATIONAL, Encoding
+from neurosym.problems import Problem
 from neurosym.stages.compiling import print_problem
 from neurosym.stages.folder import DomainFolder
-from neurosym.stages.layout import DOMAIN, OPERATORS_DOMAIN
+from neurosym.stages.layout import DOMAIN, LIFTED_DOMAIN, OPERATORS_DOMAIN, PLACES_DOMAIN, RELATIONAL_DOMAIN
 from neurosym.studio.library import Library
 from neurosym.studio.session import Session
 from neurosym.studio.workers import Workers
@@ -33,6 +36,28 @@ def toy_library(path: Path, goals: dict[str, tuple[float, float, float]] = AWAY)
     made.save(path / "problems" / f"{made.name}.scene.json")
     print_problem(folder, made, grounding())
     return Library(folder, path.name)
+
+
+def relations_library(path: Path, *problems: Problem) -> Library:
+    """The toy world whose objects stand on and in one another, and problems for it."""
+    path.mkdir(exist_ok=True)
+    (path / "world.toml").write_text('world = "toy-relations"\n')
+    (path / "problems").mkdir(exist_ok=True)
+    learned = toy_relations.grounding()
+    learned.save(path / "grounding.json")
+    printed: dict[str, Encoding] = {
+        DOMAIN: "stepwise",
+        OPERATORS_DOMAIN: "operators",
+        PLACES_DOMAIN: PLACES,
+        RELATIONAL_DOMAIN: RELATIONAL,
+        LIFTED_DOMAIN: LIFTED,
+    }
+    for file, encoding in printed.items():
+        (path / file).write_text(domain_text(learned, encoding))
+    for made in problems:
+        made.save(path / "problems" / f"{made.name}.scene.json")
+        print_problem(DomainFolder(path), made, learned)
+    return Library(DomainFolder(path), path.name)
 
 
 def shipped_library(path: Path = SHIPPED) -> Library:

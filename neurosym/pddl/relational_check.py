@@ -66,20 +66,21 @@ def why_no_relation(problem: Problem, grounding: Grounding) -> str:
     """
     relations = relations_of(grounding, problem)
     problem = with_pairs(problem, relations)
-    valid = ", ".join(state.name for state in bearing_states(grounding)) or "none was learned"
+    bearing = ", ".join(state.name for state in bearing_states(grounding)) or "none was learned"
     for target, reference, name in problem.related:
         state = relations.state_named(name)
         if not state.bears:
             return (
                 f"{target} cannot be brought to {state.name} {reference}, in which nothing is borne; valid "
-                f"states: {valid}"
+                f"states: {bearing}"
             )
     for target, reference, name in unmet_relations(problem, grounding):
         state = relations.state_named(name)
         found = [put for put in puts_for(problem, grounding, target, reference) if put.state == state]
         if not found:
-            return f"nothing puts {target} {state.name} {reference}; {_valid(problem, grounding, target)}"
-    return _why_too_many(problem, grounding)
+            valid = valid_relations(problem, grounding, target)
+            return f"nothing puts {target} {state.name} {reference}; {valid}"
+    return why_too_many(problem, grounding)
 
 
 def puts_for(problem: Problem, grounding: Grounding, target: str, reference: str) -> tuple[Put, ...]:
@@ -96,8 +97,14 @@ def puts_for(problem: Problem, grounding: Grounding, target: str, reference: str
     return tuple(put for put in puts_of(grounding) if put.kind.symbol == kind)
 
 
-def _valid(problem: Problem, grounding: Grounding, target: str) -> str:
-    """Say what can be done with an object relative to others."""
+def valid_relations(problem: Problem, grounding: Grounding, target: str) -> str:
+    """Say what can be done with an object relative to others.
+
+    Args:
+        problem: The problem, with the kinds of its pairs.
+        grounding: The learned domain.
+        target: Name of the object.
+    """
     ways = [
         f"{put.state.name} {other}"
         for other in problem.object_names
@@ -108,8 +115,13 @@ def _valid(problem: Problem, grounding: Grounding, target: str) -> str:
     return f"valid for {target}: {known}" if known else f"nothing puts {target} on or into any other object"
 
 
-def _why_too_many(problem: Problem, grounding: Grounding) -> str:
-    """Say which object should bear several and cannot, if one should."""
+def why_too_many(problem: Problem, grounding: Grounding) -> str:
+    """Say which object should bear several and cannot, or nothing.
+
+    Args:
+        problem: The problem, with the kinds of its pairs.
+        grounding: The learned domain.
+    """
     wanted = Counter(reference for _, reference, _ in problem.related)
     for reference, count in wanted.items():
         targets = [target for target, other, _ in problem.related if other == reference]

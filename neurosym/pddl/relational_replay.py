@@ -92,15 +92,29 @@ class Following:
             step: The step.
         """
         name, target, reference = step
-        borne, laden = target in self.bearers, bool(loads_of(target, self.bearers))
+        borne = target in self.bearers
         if put := put_named(name, self.task.grounding):
-            others = {one for one in loads_of(reference, self.bearers) if one != target}
-            return put.chance(borne=borne, occupied=bool(others), laden=laden)
+            return put.chance(borne=borne, **self._third(target, reference))
         item = self.task.flat.object_named(target)
         of_item = promised(self.task.grounding, item, self.task.problem.tolerance)
         usual = chance_of(of_item.get(name) or self.task.grounding.operator_named(name))
         kept = self._carriers[name].borne
         return min(usual, (kept.kept + 1) / (kept.trials + 2)) if borne and kept.trials else usual
+
+    def cost(self, step: Words) -> int:
+        """Return what a step costs now.
+
+        Args:
+            step: The step.
+        """
+        name, target, reference = step
+        borne, grounding = target in self.bearers, self.task.grounding
+        if put := put_named(name, grounding):
+            return put.cost(grounding, borne=borne, **self._third(target, reference))
+        item = self.task.flat.object_named(target)
+        of_item = promised(grounding, item, self.task.problem.tolerance)
+        operator = of_item.get(name) or grounding.operator_named(name)
+        return self._carriers[name].cost(operator, grounding, borne=borne)
 
     def missed(self) -> tuple[str, str] | None:
         """Name the first object that misses a goal by relation now, and say which; None if none does."""
@@ -136,6 +150,11 @@ class Following:
     def reach(self, name: str) -> str:
         """Return the ground action that notes that an object stands where its goal is."""
         return f"({REACH} {name} {self.stands.get(name, f'{START}{name}')})"
+
+    def _third(self, target: str, reference: str) -> dict[str, bool]:
+        """Say whether third objects rest on the reference and on the target; see `Put.chance`."""
+        others = {one for one in loads_of(reference, self.bearers) if one != target}
+        return {"occupied": bool(others), "laden": bool(loads_of(target, self.bearers))}
 
     def _put_words(self, put: Put, target: str, reference: str, origin: str) -> list[str]:
         before = {name: borne for name, borne in self.bearers.items() if name != target}

@@ -5,50 +5,36 @@ Whoever listens is told by topic what has changed. What cannot be done is said, 
 
 import threading
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
-from functools import update_wrapper
-from typing import Concatenate, Literal, ParamSpec, TypeVar
+from typing import Literal
 
-from neurosym.errors import InvalidValue, NeurosymError
+import msgspec
+
+from neurosym.errors import InvalidValue
+from neurosym.operators import Vector
 from neurosym.problems import Problem, SceneObject
+from neurosym.relation_goals import RelationGoal
 from neurosym.studio import setting
 from neurosym.studio.library import Library
-from neurosym.studio.placing import Reach, reach_of, relation_of_drop, why_beyond, why_not_there
+from neurosym.studio.placing import Reach, complaints_about, free_spot, reach_of
+from neurosym.studio.relating import (
+    above,
+    ghost_spots,
+    goals_for,
+    relation_of_drop,
+    stacks_of,
+    table_height,
+    under,
+    why_no_drop,
+    why_no_goal,
+)
+from neurosym.studio.saying import Word, told
 from neurosym.studio.symbols import Promise, nearest_flip, promises_for
+from neurosym.symbols import Symbol
 
 Topic = Literal["scene", "place", "plan", "run", "step", "pose", "status"]
 """What has changed: which objects there are, where things are, the plan, the run, a pose, what is said."""
 MOST_OBJECTS = 8
 """So many objects are simulated at most."""
-_P = ParamSpec("_P")
-_D = TypeVar("_D", bound="Desk")
-_SPOTS = 0.02  # how far apart the places are where an object is tried to be added [m]
-
-
-@dataclass(frozen=True, slots=True)
-class Word:
-    """What a page says of itself.
-
-    Attributes:
-        text: A sentence.
-        is_bad: Whether something could not be done.
-    """
-
-    text: str = ""
-    is_bad: bool = False
-
-
-def told(method: "Callable[Concatenate[_D, _P], None]") -> "Callable[Concatenate[_D, _P], None]":
-    """Have a method of a page say what it cannot do, instead of raising it."""
-
-    def safely(self: _D, /, *arguments: _P.args, **options: _P.kwargs) -> None:
-        try:
-            method(self, *arguments, **options)
-        except NeurosymError as error:
-            self.say(str(error), is_bad=True)
-
-    update_wrapper(safely, method)
-    return safely
 
 
 class Desk:
@@ -67,7 +53,12 @@ class Desk:
         self.library = library
         self.problem = problem or library.first_problem()
         self.word = Word()
+        self._complaints: tuple[Problem | None, Mapping[str, str]] = (None, {})
         self._reaches: dict[SceneObject, Reach] = {}
+        self._kinds: tuple[dict[str, tuple[float, ...]], dict[str, Symbol] | msgspec.UnsetType] = (
+            {},
+            msgspec.UNSET,
+        )
         self._listeners: list[Callable[[Topic], None]] = []
         self._lock = threading.RLock()
 
@@ -111,24 +102,60 @@ class Desk:
         """Put an object elsewhere; while a plan runs, that is done before its next step."""
         if self._grab(name, x, y):
             return
-        self._change(setting.moved(self._problem(), name, x, y), "place")
+        problem, stacks = self._problem(), self._stacks()
+        height = table_height(problem, name) if name in stacks else None
+        self._change(setting.moved(problem, name, x, y, height, above(name, stacks)), "place")
 
     @told
     def aim(self, name: str, x: float, y: float, z: float | None = None) -> None:
         """Put the goal of an object somewhere; it gets one if it has none."""
         self._refuse_while_running()
-        has_goal = name in self._problem().goals
-        self._change(setting.with_goal(self._problem(), name, x, y, z), "place" if has_goal else "scene")
+        problem, has_goal = self._problem(), name in self.ghosts()
+        z = self._goal_height(name) if z is None and name not in problem.goals else z
+        self._change(setting.with_goal(problem, name, x, y, z), "place" if has_goal else "scene")
+
+    @told
+    def drop_goal(self, name: str, before: Problem | None = None) -> None:
+        """Take note that the ghost of an object was let go: on another one, it is a goal by relation.
+
+        Where nothing puts the one on the other, the goal is again what it was.
+
+        Args:
+            name: Name of the object.
+            before: What was on the table when the ghost was taken.
+        """
+        self._refuse_while_running()
+        problem, grounding = self.paired(), self.library.grounding
+        on = under(problem, name, self.ghosts()) if grounding.relations else ()
+        if not on:
+            return
+        if goal := relation_of_drop(problem, grounding, name):
+            self.relate(*goal)
+            return
+        if before is not None and name in before.object_names:
+            self._change(setting.with_goal_of(self._problem(), name, before), "place")
+        raise InvalidValue(f"{why_no_drop(problem, grounding, name, on[0])}.")
+
+    @told
+    def relate(self, name: str, reference: str, state: str) -> None:
+        """Give an object the goal to stand on or in another one, in the place of any other goal of it."""
+        self._refuse_while_running()
+        has_goal, goal = name in self.ghosts(), (name, reference, state)
+        if why := why_no_goal(self.paired(), self.library.grounding, goal):
+            raise InvalidValue(f"{why}.")
+        self._change(setting.with_relation(self._problem(), *goal), "place" if has_goal else "scene")
+        self.say(f"{name} shall come to be {state} {reference}")
 
     @told
     def add_goal(self, name: str) -> None:
         """Give an object a goal beside it, to be dragged from there."""
         self._refuse_while_running()
-        self._change(setting.with_goal_beside(self._problem(), name, self.library.middle), "scene")
+        height = self._goal_height(name)
+        self._change(setting.with_goal_beside(self._problem(), name, self.library.middle, height), "scene")
 
     @told
     def remove_goal(self, name: str) -> None:
-        """Take the goal of an object away."""
+        """Take the goal of an object away, on the table or by relation."""
         self._refuse_while_running()
         self._change(setting.without_goal(self._problem(), name), "scene")
 
@@ -136,9 +163,10 @@ class Desk:
     def resize(self, name: str, features: tuple[float, ...]) -> None:
         """Make an object another one: its sizes [m], and its type."""
         self._refuse_while_running()
+        self._refuse_laden(name)
         if limits := self.library.limits:
             limits.check(name, features)
-        self._change(setting.resized(self._problem(), name, features, self.library.categorise), "scene")
+        self._become(name, features)
 
     @told
     def add(self, features: tuple[float, ...]) -> None:
@@ -148,13 +176,15 @@ class Desk:
             raise InvalidValue(f"There are {MOST_OBJECTS} objects already, the most that are simulated.")
         if limits := self.library.limits:
             limits.check("the object", features)
-        x, y = self._free_spot(features)
+        table = self.library.grounding.table
+        x, y = free_spot(self.problem, features, table, self.library.middle)
         self._change(setting.with_object(self.problem, features, x, y, self.library.categorise), "scene")
 
     @told
     def remove(self, name: str) -> None:
         """Take an object away."""
         self._refuse_while_running()
+        self._refuse_laden(name)
         self._change(setting.without_object(self._problem(), name), "scene")
 
     @told
@@ -180,21 +210,38 @@ class Desk:
 
     def complaints(self) -> Mapping[str, str]:
         """Say of each object or goal that cannot be where it is why not, by `object NAME` and `goal NAME`."""
-        problem = self.problem
+        problem, (known, found) = self.problem, self._complaints
         if problem is None:
             return {}
-        table, found = self.library.grounding.table, {}
-        for name in problem.object_names:
-            if why := why_not_there(problem, name, "object", table):
-                found[f"object {name}"] = why
-            if name in problem.goals:
-                on = relation_of_drop(problem, name)
-                why = why_not_there(problem, name, "goal", table)
-                if why and on:
-                    why += f"; this domain knows no goals like {name} on {on}"
-                if why or (why := why_beyond(problem, name, self.reach(name))):
-                    found[f"goal {name}"] = why
+        if problem is not known:
+            found = complaints_about(self.paired(), self.library.grounding, self.reach)
+            self._complaints = problem, found
         return found
+
+    def paired(self) -> Problem:
+        """Return what is on the table with the kinds of its pairs, which are worked out once for the objects.
+
+        Raises:
+            InvalidValue: If there is no object yet.
+        """
+        problem = self._problem()
+        if self.library.grounding.relations is None or problem.pairs is not msgspec.UNSET:
+            return problem
+        features = {item.name: item.features for item in problem.objects}
+        with self._lock:
+            known, kinds = self._kinds
+            if known != features:
+                kinds = self.library.paired(problem).pairs
+                self._kinds = features, kinds
+        return msgspec.structs.replace(problem, pairs=kinds)
+
+    def ghosts(self) -> Mapping[str, Vector]:
+        """Return where the ghost of each object with a goal stands [m]."""
+        return ghost_spots(self.paired(), self.library.grounding) if self.problem else {}
+
+    def goals_for(self, name: str) -> tuple[RelationGoal, ...]:
+        """List the goals by relation that an object can have; none where the domain knows no relations."""
+        return goals_for(self.paired(), self.library.grounding, name)
 
     def promises(self, name: str) -> tuple[Promise, ...]:
         """List what can be done to an object, the surest first."""
@@ -204,11 +251,12 @@ class Desk:
     def flip(self, name: str) -> None:
         """Make an object another one that differs in a bit, changing one of its sizes as little as can be."""
         self._refuse_while_running()
+        self._refuse_laden(name)
         item = self._problem().object_named(name)
         if (flipped := nearest_flip(item.features, self.library)) is None:
             raise InvalidValue(f"No size of {name} alone flips a bit; try another object.")
         axis, features = flipped
-        self._change(setting.resized(self._problem(), name, features, self.library.categorise), "scene")
+        self._become(name, features)
         now, size = self._problem().object_named(name).category, 1000 * features[axis]
         called = self.library.world.feature_names[axis]
         self.say(f"{name} was {item.category}; with {called} = {size:.0f} mm it is {now}")
@@ -218,25 +266,27 @@ class Desk:
             raise InvalidValue("There is no object on the table; add one.")
         return self.problem
 
+    def _become(self, name: str, features: tuple[float, ...]) -> None:
+        """Make an object another one, which stands as high as the first one did."""
+        problem, under_it = self._problem(), 0.0
+        if name in self._stacks():
+            under_it = problem.object_named(name).position[2] - table_height(problem, name)
+        self._change(setting.resized(problem, name, features, self.library.categorise, under_it), "scene")
+
+    def _stacks(self) -> dict[str, str]:
+        """Name what bears each object that another one bears."""
+        return {name: borne.by for name, borne in stacks_of(self.paired(), self.library.grounding).items()}
+
+    def _refuse_laden(self, name: str) -> None:
+        """Raise `InvalidValue` if an object bears another one."""
+        if loads := [one for one, by in self._stacks().items() if by == name]:
+            raise InvalidValue(f"{name} bears {' and '.join(loads)}; drag that away first.")
+
+    def _goal_height(self, name: str) -> float | None:
+        """Return how high a new goal is where objects may be borne by others: as on the table [m]."""
+        return table_height(self._problem(), name) if self.library.grounding.relations else None
+
     def _change(self, problem: Problem, topic: Topic) -> None:
         with self._lock:
             self.problem = problem
         self._changed(topic)
-
-    def _free_spot(self, features: tuple[float, ...]) -> tuple[float, float]:
-        """Find room for an object, nearest to the middle of the table."""
-        table, middle = self.library.grounding.table, self.library.middle
-        if self.problem is None:
-            return middle
-        step = _SPOTS
-        xs = [table.x[0] + step * i for i in range(1, round((table.x[1] - table.x[0]) / step))]
-        ys = [table.y[0] + step * i for i in range(1, round((table.y[1] - table.y[0]) / step))]
-        spots = sorted(
-            ((x, y) for x in xs for y in ys),
-            key=lambda at: (at[0] - middle[0]) ** 2 + (at[1] - middle[1]) ** 2,
-        )
-        for x, y in spots:
-            trial = setting.with_object(self.problem, features, x, y, lambda rows: ("0",) * len(rows))
-            if not why_not_there(trial, trial.objects[-1].name, "object", table):
-                return x, y
-        raise InvalidValue("There is no room for another object; take one away, or make one smaller.")

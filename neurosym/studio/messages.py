@@ -10,9 +10,9 @@ from neurosym.execution.record import Run, StepRecord
 from neurosym.pddl.moves import Encoding
 from neurosym.problems import Problem
 from neurosym.stages.plan_records import PlanRecord
+from neurosym.stages.task_drawing import AnyTask
 from neurosym.table import Place
 from neurosym.world import OutcomeKind, Scene
-from neurosym.worlds.tasks import TaskKind
 
 
 @dataclass(frozen=True, slots=True)
@@ -100,7 +100,7 @@ class DrawTask(Job):
     name: str
     objects: int
     seed: int
-    task: TaskKind | None
+    task: AnyTask | None
     tolerance: float | None = None
 
 

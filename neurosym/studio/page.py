@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 import viser
 
-from neurosym.problems import SceneObject
+from neurosym.problems import Problem, SceneObject
 from neurosym.studio.grabbing import Grab
 from neurosym.studio.messages import Seen
 from neurosym.studio.overlays import Overlays
@@ -25,7 +25,7 @@ from neurosym.studio.panel_table import TablePanel
 from neurosym.studio.panel_take import TakePanel
 from neurosym.studio.panel_tour import TourPanel
 from neurosym.studio.session import Session, Topic
-from neurosym.studio.view import COLOURS, View, aim_camera
+from neurosym.studio.view import COLOURS, View, aim_camera, related_names
 from neurosym.world import Scene
 
 MOST_OFTEN = 30.0
@@ -52,6 +52,7 @@ class Page:
         self.server, self.session, self.address = server, session, address
         self.selected = session.problem.object_names[0] if session.problem else ""
         self._grabs: dict[tuple[str, str], Grab] = {}
+        self._before: dict[str, Problem] = {}
         self._topics: set[Topic] = set()
         self._lock = threading.Lock()
         self._changed, self._is_closed = threading.Event(), False
@@ -137,15 +138,18 @@ class Page:
                 return
             key, eye = (kind, name), event.client.camera.position.tolist()
             if event.phase == "start":
-                centre = problem.goals.get(name) if kind == "goal" else self._centre(name)
+                centre = self.session.ghosts().get(name) if kind == "goal" else self._centre(name)
                 if centre is not None:
                     self._grabs[key] = Grab(eye, event.start_position, centre)
+                    self._before[name] = problem
                 self.select(name)
             at = self._grabs[key].to(event.end_position) if key in self._grabs else None
             if at is not None:
                 self._drop(kind, name, at, is_end=event.phase == "end")
             if event.phase == "end":
                 self._grabs.pop(key, None)
+            if event.phase == "end" and kind == "goal":
+                self.session.drop_goal(name, self._before.pop(name, None))
 
         return drag
 
@@ -185,7 +189,7 @@ class Page:
         if topics & {"run"} and running.scene is not None and running.is_active:
             self._show_scene()
         if "place" in topics and problem is not None and not running.is_active:
-            self.view.place(problem.objects, problem.goals, session.complaints())
+            self.view.place(problem.objects, session.ghosts(), session.complaints(), related_names(problem))
         if "pose" in topics and running.seen:
             self._show_seen(running.seen[-1])
         if "step" in topics and running.rest is not None:
@@ -199,9 +203,7 @@ class Page:
         self._rested = None
         if problem is None:
             return
-        self.view.show_objects(problem.objects, problem.goals)
-        self.view.set_tolerance(problem.tolerance)
-        self.view.place(problem.objects, problem.goals, self.session.complaints())
+        self.view.show_problem(problem, self.session.ghosts(), self.session.complaints())
         if running.seen and running.problem is problem:
             self._show_seen(running.seen[-1])
         else:

@@ -3,11 +3,14 @@
 from typing import Any
 
 from neurosym.errors import NeurosymError
+from neurosym.pddl.moves import BY_RELATIONS
 from neurosym.pddl.plan_text import PlanStep
 from neurosym.pddl.validation import validate
 from neurosym.planners import PLANNERS, PlanStatus
+from neurosym.planners.registry import reads_relations
 from neurosym.reading import read_text
-from neurosym.stages.layout import OPERATORS_DOMAIN, PLACES_DOMAIN
+from neurosym.related import is_relational
+from neurosym.stages.layout import OPERATORS_DOMAIN, PLACES_DOMAIN, RELATIONAL_DOMAIN
 from neurosym.studio.messages import Planned
 from neurosym.studio.panel import Panel, by_user, set_content, set_options
 from neurosym.studio.session import Topic
@@ -77,12 +80,14 @@ class PlanPanel(Panel):
         if chosen is not None and chosen.record.steps:
             number = session.running.number
             at = number - 1 if session.running.is_active and not session.running.replannings else None
-            parts.append(plan_table(chosen.record, problem, grounding, at))
+            parts.append(plan_table(chosen.record, session.paired(), grounding, at))
         return "".join(parts)
 
     def _offer_encodings(self, name: str) -> None:
         planner = PLANNERS[name]
-        more = ("places",) if "stepwise" in planner.encodings else ()
+        more: tuple[str, ...] = ("places",) if "stepwise" in planner.encodings else ()
+        if self.session.library.grounding.relations and reads_relations(planner):
+            more += BY_RELATIONS
         set_options(self._encoding, (USUAL, *planner.encodings, *more), USUAL)
 
     def _show_choice(self) -> None:
@@ -107,9 +112,12 @@ class PlanPanel(Panel):
 
     def _action(self, name: str) -> str:
         """Return the text of an action, from the domains that are for people to read."""
-        for file in (OPERATORS_DOMAIN, PLACES_DOMAIN):
+        session, files = self.session, [OPERATORS_DOMAIN, PLACES_DOMAIN]
+        if session.problem and is_relational(session.problem, session.library.grounding):
+            files = [RELATIONAL_DOMAIN]
+        for file in files:
             try:
-                if text := action_of(read_text(self.session.room.path / file), name):
+                if text := action_of(read_text(session.room.path / file), name):
                     return text
             except NeurosymError:
                 continue
@@ -121,7 +129,7 @@ class PlanPanel(Panel):
             self.page.overlays.clear("paths")
             return
         steps = [PlanStep(*step) for step in chosen.record.steps]
-        found = validate(steps, session.problem, session.library.grounding)
+        found = validate(steps, session.paired(), session.library.grounding)
         self.page.overlays.paths(found.positions, COLOURS)
 
 

@@ -2,12 +2,15 @@
 
 from typing import Any
 
-from neurosym.problems import SceneObject
+from neurosym.problems import Problem, SceneObject
+from neurosym.relation_goals import RelationGoal
+from neurosym.stages.task_drawing import AnyTask
 from neurosym.studio.panel import Panel, by_user, set_content, set_options, set_value
 from neurosym.studio.session import MOST_OBJECTS, Topic
-from neurosym.studio.words import bits_row, paragraph, safe
+from neurosym.studio.view import related_names
+from neurosym.studio.words import bits_row, paragraph, relation_list, safe
 
-KINDS = {
+KINDS: dict[str, AnyTask | None] = {
     "as in the paper": None,
     "anywhere": "anywhere",
     "swap": "swap",
@@ -15,6 +18,13 @@ KINDS = {
     "crowded": "crowded",
 }
 """What tasks can be drawn."""
+KINDS_OF_RELATIONS: dict[str, AnyTask | None] = {
+    "tower": "tower",
+    "boxes": "boxes",
+    "unstack": "unstack",
+    "exchange": "exchange",
+}
+"""What else can be drawn where the domain knows relations."""
 TYPES = {0.0: "solid", 1.0: "open at the top", 2.0: "open at both ends"}
 """What the types of objects are called."""
 NOTHING = "(none)"
@@ -26,6 +36,7 @@ class TablePanel(Panel):
     def build(self) -> None:
         """Make the fields."""
         session, gui = self.session, self.gui
+        self._choices: dict[str, RelationGoal] = {}
         names = session.library.problem_names() or (NOTHING,)
         self._problem = gui.add_dropdown("Problem", names, hint="Puts a problem of the domain on the table.")
         self._problem.on_update(by_user(self._load))
@@ -36,13 +47,23 @@ class TablePanel(Panel):
         self._goal = gui.add_vector3("Goal x, y, z", (0.0, 0.0, 0.0), step=0.005, hint="In metres.")
         self._goal.on_update(by_user(self._aim))
         self._toggle = self.button("Give it a goal", self._toggle_goal)
+        has_relations = session.library.grounding.relations is not None
+        self._relation = gui.add_dropdown(
+            "Goal: on or in what",
+            (NOTHING,),
+            hint="The state that it shall come to with another object, as by dropping its ghost there.",
+            visible=has_relations,
+        )
+        self._relation.on_update(by_user(self._relate))
+        self._related = gui.add_html("")
         self._build_sizes()
         self.button("Add another like it", self._add)
         self.button("Take it away", lambda: session.remove(self.page.selected))
         self._reach = gui.add_checkbox("Show its reach", False, hint="Where three steps bring it.")
         self._reach.on_update(by_user(lambda _: self._show_reach()))
         with gui.add_folder("Draw a task", expand_by_default=False):
-            self._kind = gui.add_dropdown("Kind", tuple(KINDS))
+            self._kinds = KINDS | (KINDS_OF_RELATIONS if has_relations else {})
+            self._kind = gui.add_dropdown("Kind", tuple(self._kinds))
             self._count = gui.add_slider("Objects", 1, MOST_OBJECTS, 1, 2)
             self._seed = gui.add_number("Seed", 0, min=0, step=1)
             self.button("Draw", self._draw)
@@ -85,7 +106,9 @@ class TablePanel(Panel):
         if goal is not None:
             set_value(self._goal, tuple(round(part, 3) for part in goal))
         self._goal.disabled = goal is None
-        self._toggle.label = "Give it a goal" if goal is None else "Take its goal away"
+        has_goal = goal is not None or item.name in related_names(problem)
+        self._toggle.label = "Take its goal away" if has_goal else "Give it a goal"
+        self._show_relations(problem, item.name)
         set_value(self._name, problem.name)
         set_value(self._tolerance, round(1000 * problem.tolerance, 3))
         if "scene" in topics:
@@ -115,8 +138,24 @@ class TablePanel(Panel):
     def _toggle_goal(self) -> None:
         problem, name = self.session.problem, self.page.selected
         if problem is not None:
-            act = self.session.remove_goal if name in problem.goals else self.session.add_goal
+            has_goal = name in problem.goals or name in related_names(problem)
+            act = self.session.remove_goal if has_goal else self.session.add_goal
             act(name)
+
+    def _show_relations(self, problem: Problem, name: str) -> None:
+        """Offer the goals by relation that the object can have, and list those of all objects."""
+        asked = next((goal for goal in problem.related if goal[0] == name), None)
+        found = {choice_of(goal): goal for goal in (*self.session.goals_for(name), *filter(None, [asked]))}
+        self._choices = found
+        set_options(self._relation, (NOTHING, *found), choice_of(asked) if asked else NOTHING)
+        set_content(self._related, relation_list(problem.related))
+
+    def _relate(self, choice: str) -> None:
+        problem, name = self.session.problem, self.page.selected
+        if choice in self._choices:
+            self.session.relate(*self._choices[choice])
+        elif problem is not None and name in related_names(problem):
+            self.session.remove_goal(name)
 
     def _features(self) -> tuple[float, ...]:
         kinds = {label: kind for kind, label in TYPES.items()}
@@ -134,7 +173,7 @@ class TablePanel(Panel):
             self.page.select(self.session.problem.object_names[-1])
 
     def _draw(self) -> None:
-        kind: Any = KINDS[self._kind.value]
+        kind = self._kinds[self._kind.value]
         self.session.draw(int(self._count.value), int(self._seed.value), kind)
         set_value(self._seed, int(self._seed.value) + 1)
 
@@ -144,3 +183,9 @@ class TablePanel(Panel):
             self.page.overlays.reach(self.session.reach(item.name), self.page.colour_of(item.name))
         else:
             self.page.overlays.clear("reach")
+
+
+def choice_of(goal: RelationGoal) -> str:
+    """Return what a goal by relation is called among the choices for its object: `rests-on-001 item-02`."""
+    _, reference, state = goal
+    return f"{state} {reference}"

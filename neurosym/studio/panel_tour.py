@@ -86,7 +86,7 @@ def _operator(panel: TourPanel) -> None:
 def _plan(panel: TourPanel) -> None:
     session, item = panel.session, panel.page.item
     if session.problem is not None and item is not None:
-        if not session.problem.goals:
+        if not session.ghosts():
             session.add_goal(item.name)
         session.plan("fast-downward")
 

@@ -1,22 +1,35 @@
 """What cannot be, said while something is dragged: off the table, in another object, or beyond reach."""
 
+from collections.abc import Callable, Collection, Mapping
 from dataclasses import dataclass
 from typing import Literal
 
 import numpy as np
 from jaxtyping import Bool, Float
 
+from neurosym.errors import InvalidValue
 from neurosym.grounding import Grounding, is_lift
-from neurosym.operators import TOLERANCE
+from neurosym.operators import TOLERANCE, Vector
 from neurosym.pddl.place_domain import carriers_for
 from neurosym.problems import Problem, SceneObject
 from neurosym.promises import usable
+from neurosym.studio import setting
+from neurosym.studio.relating import (
+    above,
+    ghost_spots,
+    relation_of_drop,
+    stacks_of,
+    supports_of,
+    under,
+    why_not_related,
+)
 from neurosym.table import Table
 
 REACH_CELL = 0.01
 """Edge of the cells that the reach of an object is drawn with [m]."""
 REACH_STEPS = 3
 """How many primitives with an object its reach is drawn for."""
+_SPOTS = 0.02  # how far apart the places are where an object is tried to be added [m]
 Kind = Literal["object", "goal"]
 
 
@@ -87,7 +100,15 @@ def _shifted(cells: Bool[np.ndarray, "X Y"], x: int, y: int) -> Bool[np.ndarray,
     return found
 
 
-def why_not_there(problem: Problem, name: str, kind: Kind, table: Table) -> str:
+def why_not_there(
+    problem: Problem,
+    name: str,
+    kind: Kind,
+    table: Table,
+    *,
+    ghosts: Mapping[str, Vector] | None = None,
+    may_be_in: Collection[str] = (),
+) -> str:
     """Say why an object or its goal cannot be where it is, or nothing.
 
     Two goals may not be in one place, nor a goal in an object that is to stay. A goal above the table is only
@@ -98,20 +119,23 @@ def why_not_there(problem: Problem, name: str, kind: Kind, table: Table) -> str:
         name: Name of the object.
         kind: Whether it is about where the object starts, or about its goal.
         table: Where objects may stand.
+        ghosts: Where the ghosts of objects with goals stand [m]; the goals on the table, if not given.
+        may_be_in: Names of the objects that it may stand on or in, or that may stand on or in it.
     """
+    ghosts = problem.goals if ghosts is None else ghosts
     item = problem.object_named(name)
     x, y, z = item.position if kind == "object" else problem.goals[name]
     called = name if kind == "object" else f"the goal of {name}"
     if not table.contains(np.array([x, y, z])):
         return f"{called} is off the table"
     for other in problem.objects:
-        if other.name == name:
+        if other.name == name or other.name in may_be_in:
             continue
-        there = other.position if kind == "object" else problem.goals.get(other.name, other.position)
+        there = other.position if kind == "object" else ghosts.get(other.name, other.position)
         apart = (np.array(item.features[:2]) + np.array(other.features[:2])) / 2
         is_over = np.all(np.abs(np.array([x, y]) - np.array(there[:2])) < apart)
         if is_over and abs(z - there[2]) < (item.features[2] + other.features[2]) / 2 - 1e-6:
-            has_goal = kind == "goal" and other.name in problem.goals
+            has_goal = kind == "goal" and other.name in ghosts
             return f"{called} is in {f'the goal of {other.name}' if has_goal else other.name}"
     return ""
 
@@ -135,22 +159,77 @@ def why_beyond(problem: Problem, name: str, reach: Reach) -> str:
     return f"the goal of {name} is {1000 * beyond:.0f} mm beyond what {reach.steps} steps reach"
 
 
-def relation_of_drop(problem: Problem, name: str) -> str | None:
-    """Name the object that a goal was dropped on, whose goal or place it shares, if there is one.
-
-    This is where a ghost dropped on another becomes a goal `a on b`, once a domain knows relations. Until
-    then a page says that both cannot be there (`why_not_there`).
+def complaints_about(
+    problem: Problem, grounding: Grounding, find_reach: Callable[[str], Reach]
+) -> dict[str, str]:
+    """Say of each object or goal that cannot be where it is why not, by `object NAME` and `goal NAME`.
 
     Args:
-        problem: The problem.
-        name: Name of the object whose goal was dropped.
+        problem: The problem, which knows the kinds of its pairs if the domain has any.
+        grounding: The learned domain.
+        find_reach: Gives where an object can be brought to, by its name.
     """
-    goal = problem.goals.get(name)
-    for other in problem.objects:
-        if goal is None or other.name == name:
-            continue
-        x, y, _ = problem.goals.get(other.name, other.position)
-        half = np.array(other.features[:2]) / 2
-        if np.all(np.abs(np.array(goal[:2]) - (x, y)) < half):
-            return other.name
-    return None
+    found, table, ghosts = dict[str, str](), grounding.table, ghost_spots(problem, grounding)
+    stacks = {name: borne.by for name, borne in stacks_of(problem, grounding).items()}
+    supports = supports_of(problem, stacks)
+    for name in problem.object_names:
+        if why := why_not_there(problem, name, "object", table, may_be_in=_pile(name, stacks)):
+            found[f"object {name}"] = why
+        if name in problem.goals:
+            upon = above(name, supports)
+            why = why_not_there(problem, name, "goal", table, ghosts=ghosts, may_be_in=upon)
+            why = _unless_dropped(why, problem, name, grounding) or why_beyond(
+                problem, name, find_reach(name)
+            )
+            if why:
+                found[f"goal {name}"] = why
+    return found | {f"goal {name}": why for name, why in why_not_related(problem, grounding).items()}
+
+
+def _pile(name: str, stacks: Mapping[str, str]) -> tuple[str, ...]:
+    """Name all that stands in one pile with an object, itself included."""
+    lowest = name
+    while lowest in stacks:
+        lowest = stacks[lowest]
+    return lowest, *above(lowest, stacks)
+
+
+def _unless_dropped(why: str, problem: Problem, name: str, grounding: Grounding) -> str:
+    """Return why a goal cannot be on the table there, or nothing if it may be dropped on what is there."""
+    if not why or not grounding.table.contains(np.array(problem.goals[name])):
+        return why
+    if grounding.relations is None:
+        on = under(problem, name, problem.goals)
+        return f"{why}; this domain knows no goals like {name} on {on[0]}" if on else why
+    return "" if relation_of_drop(problem, grounding, name) else why
+
+
+def free_spot(
+    problem: Problem | None, features: tuple[float, ...], table: Table, middle: tuple[float, float]
+) -> tuple[float, float]:
+    """Find room for an object, nearest to the middle of the table [m].
+
+    Args:
+        problem: The problem; None if nothing is on the table.
+        features: What the object is.
+        table: Where objects may stand.
+        middle: The middle of the table [m].
+
+    Raises:
+        InvalidValue: If there is none.
+    """
+    if problem is None:
+        return middle
+    xs, ys = (
+        [low + _SPOTS * step for step in range(1, round((high - low) / _SPOTS))]
+        for low, high in (table.x, table.y)
+    )
+    spots = sorted(
+        ((x, y) for x in xs for y in ys),
+        key=lambda at: (at[0] - middle[0]) ** 2 + (at[1] - middle[1]) ** 2,
+    )
+    for x, y in spots:
+        trial = setting.with_object(problem, features, x, y, lambda rows: ("0",) * len(rows))
+        if not why_not_there(trial, trial.objects[-1].name, "object", table):
+            return x, y
+    raise InvalidValue("There is no room for another object; take one away, or make one smaller.")

@@ -10,6 +10,7 @@ import viser
 from neurosym.problems import Problem
 from neurosym.studio.library import Library
 from neurosym.studio.messages import Seen
+from neurosym.studio.relating import ghost_spots
 from neurosym.studio.view import View, aim_camera
 
 if TYPE_CHECKING:
@@ -50,9 +51,7 @@ def film_of(library: Library, problem: Problem, seen: Sequence[Seen], *, is_dark
         server.scene.set_up_direction("+z")
         aim_camera(server, library)
         view = View(server.scene, library)
-        view.show_objects(problem.objects, problem.goals)
-        view.set_tolerance(problem.tolerance)
-        view.place(problem.objects, problem.goals, {})
+        view.show_problem(problem, ghost_spots(library.paired(problem), library.grounding))
         view.show(seen[0])
         film = server.get_scene_serializer()
         last = -PACE

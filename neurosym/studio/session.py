@@ -17,16 +17,18 @@ from neurosym.pddl.validation import validate
 from neurosym.planners import PlanStatus
 from neurosym.problems import Problem
 from neurosym.reading import decode_json
+from neurosym.related import is_relational
 from neurosym.stages.planning import check_scene
 from neurosym.stages.scenes import scene_stage
-from neurosym.studio.desk import MOST_OBJECTS, Desk, Topic, Word, told
+from neurosym.stages.task_drawing import AnyTask
+from neurosym.studio.desk import MOST_OBJECTS, Desk, Topic
 from neurosym.studio.library import Library
 from neurosym.studio.messages import Drawn, DrawTask, Failed, Grab, Planned, PlanNew
 from neurosym.studio.rooms import Room
 from neurosym.studio.running import Running
+from neurosym.studio.saying import Word, told
 from neurosym.studio.workers import Ticket, Workers
 from neurosym.wording import counted
-from neurosym.worlds.tasks import TaskKind
 
 MOST_FILE = 1_000_000
 """Bytes of a scene that is opened on the page."""
@@ -76,7 +78,7 @@ class Session(Desk):
         return ticket.place if ticket else 0
 
     @told
-    def draw(self, objects: int, seed: int, task: TaskKind | None) -> None:
+    def draw(self, objects: int, seed: int, task: AnyTask | None) -> None:
         """Draw a task: as the paper draws them, or of a kind that people ask for."""
         if not 1 <= objects <= MOST_OBJECTS:
             raise InvalidValue(f"{objects} objects cannot be drawn; valid: 1 to {MOST_OBJECTS}.")
@@ -129,17 +131,19 @@ class Session(Desk):
     def plan(self, *planners: str, encoding: Encoding | None = None) -> None:
         """Plan, with one planner after another; the first plan that is found is chosen.
 
-        Where there is no plan to the goals, it is one to the nearest points that are found.
+        Where there is no plan to the goals, it is one to the nearest points that are found; of relations
+        there are no nearest ones.
         """
         problem = self._problem()
         if self.is_planning:
             raise InvalidValue("A planner is at work; stop it, or wait for it.")
         self._refuse_while_running()
-        if not problem.goals:
+        if not (problem.goals or problem.related):
             raise InvalidValue("No object has a goal; give one a goal, and plan then.")
         self.plans, self.chosen = {}, ""
+        nearest = not is_relational(problem, self.library.grounding)
         self._next_plans = [
-            PlanNew(self.room.path, problem, planner, encoding, nearest=True) for planner in planners
+            PlanNew(self.room.path, problem, planner, encoding, nearest=nearest) for planner in planners
         ]
         self.tell("plan")
         self._plan_next()
@@ -200,7 +204,7 @@ class Session(Desk):
         if planned is None or not planned.record.steps:
             raise InvalidValue("There is no plan whose end could be a goal.")
         steps = [PlanStep(*step) for step in planned.record.steps]
-        ends = validate(steps, problem, self.library.grounding).positions[-1]
+        ends = validate(steps, self.paired(), self.library.grounding).positions[-1]
         goals = {name: vector(ends[problem.object_names.index(name)]) for name in problem.goals}
         planner = planned.record.planner
         self._change(msgspec.structs.replace(problem, goals=goals, provenance="by hand"), "scene")

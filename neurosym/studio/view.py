@@ -1,7 +1,8 @@
 """The table in three dimensions: arm, objects, goals, and what is drawn on the table beside them."""
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Collection, Mapping
 from dataclasses import dataclass
+from types import MappingProxyType
 from typing import Any
 
 import numpy as np
@@ -9,7 +10,7 @@ import viser
 from jaxtyping import Float
 
 from neurosym.poses import Posed
-from neurosym.problems import SceneObject
+from neurosym.problems import Problem, SceneObject
 from neurosym.studio.labels import label_heights
 from neurosym.studio.library import Library
 from neurosym.studio.messages import Seen
@@ -86,6 +87,23 @@ class View:
         if self._links and isinstance(world, Posed):
             self._pose_links(world.robot_at_rest())
 
+    def show_problem(
+        self,
+        problem: Problem,
+        ghosts: Mapping[str, tuple[float, float, float]],
+        complaints: Mapping[str, str] = MappingProxyType({}),
+    ) -> None:
+        """Draw a problem anew.
+
+        Args:
+            problem: The problem.
+            ghosts: Where the ghost of each object with a goal stands [m].
+            complaints: What is wrong, by `object NAME` and `goal NAME`.
+        """
+        self.show_objects(problem.objects, ghosts)
+        self.set_tolerance(problem.tolerance)
+        self.place(problem.objects, ghosts, complaints, related_names(problem))
+
     def show_objects(
         self, items: tuple[SceneObject, ...], goals: Mapping[str, tuple[float, float, float]]
     ) -> None:
@@ -118,6 +136,7 @@ class View:
         items: tuple[SceneObject, ...],
         goals: Mapping[str, tuple[float, float, float]],
         complaints: Mapping[str, str],
+        related: Collection[str] = (),
     ) -> None:
         """Put objects and goals where they are, red where they cannot be.
 
@@ -125,6 +144,7 @@ class View:
             items: The objects.
             goals: Where the centre of an object shall come to be [m], by name.
             complaints: What is wrong, by `object NAME` and `goal NAME`.
+            related: Names of the objects whose goal is by relation, to which no tolerance belongs.
         """
         for number, item in enumerate(items):
             colour, thing = COLOURS[number % len(COLOURS)], self._objects[item.name]
@@ -138,6 +158,7 @@ class View:
                     node.color = BAD if f"goal {item.name}" in complaints else colour
                 for outline in ghost.outlines:
                     outline.position = (0.0, 0.0, -z)
+                ghost.outlines[1].visible = item.name not in related
         self._place_labels({item.name: (item.position, item.features[2]) for item in items})
 
     def show(self, seen: Seen) -> None:
@@ -212,6 +233,15 @@ class View:
         """Draw how near objects must come to their goals [m]."""
         for thing in self._goals.values():
             thing.outlines[1].points = circle(tolerance, 2 * _FLAT).astype(np.float32)
+
+
+def related_names(problem: Problem) -> tuple[str, ...]:
+    """Name the objects whose goal is by relation.
+
+    Args:
+        problem: The problem.
+    """
+    return tuple(name for name, *_ in problem.related)
 
 
 def _shade(colour: tuple[float, float, float] | None) -> tuple[int, int, int]:

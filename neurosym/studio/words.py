@@ -5,7 +5,7 @@ and dark pages alike.
 """
 
 import re
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from html import escape
 
 from neurosym.execution.record import Replanning, Run, StepRecord
@@ -14,7 +14,11 @@ from neurosym.grounding import Grounding
 from neurosym.pddl.chances import promise_of
 from neurosym.pddl.moves import chance, step_cost
 from neurosym.pddl.plan_text import PlanStep
+from neurosym.pddl.relational import put_named
+from neurosym.pddl.relational_replay import Following
 from neurosym.problems import Problem
+from neurosym.related import is_relational, relating
+from neurosym.relation_goals import RelationGoal
 from neurosym.stages.plan_records import PlanRecord
 from neurosym.wording import counted, harmless
 
@@ -22,6 +26,7 @@ GOOD, BAD, DIM = "#2a9d5c", "#d9534f", "#8a8a8a"
 _TABLE = "border-collapse:collapse;font-size:12px;width:100%"
 _CELL = "padding:2px 5px;border-bottom:1px solid rgba(128,128,128,.3);vertical-align:top;text-align:left"
 _HERE = "background:rgba(255,190,60,.25);"
+_Told = tuple[str, str, str, str]
 _PDDL = re.compile(
     r"(?P<comment>;[^\n]*)|(?P<word>:[a-z-]+)|(?P<variable>\?[\w-]+)|(?P<rest>[^;:?]+|.)", re.DOTALL
 )
@@ -70,23 +75,54 @@ def plan_table(record: PlanRecord, problem: Problem, grounding: Grounding, at: i
         grounding: The learned domain.
         at: Number of the step at hand, counted from 0.
     """
-    rows = []
-    for number, parts in enumerate(record.steps, start=1):
-        step = PlanStep(*parts)
+    steps = [PlanStep(*parts) for parts in record.steps]
+    about_pairs = is_relational(problem, grounding) or any(relating(one.base, grounding) for one in steps)
+    told = _steps_on_pairs(steps, problem, grounding) if about_pairs else _steps(steps, problem, grounding)
+    rows = [
+        (
+            str(number),
+            f"{safe(step.operator)}<br>{coloured(moves, DIM)}",
+            safe(step.object),
+            f"<code>{safe(bits)}</code>",
+            price,
+            surety,
+        )
+        for number, (step, (moves, bits, price, surety)) in enumerate(zip(steps, told, strict=True), start=1)
+    ]
+    return table(("", "step", "object", "bits", "cost", "chance"), rows, at, f"plan of {record.planner}")
+
+
+def _steps(steps: Iterable[PlanStep], problem: Problem, grounding: Grounding) -> Iterator[_Told]:
+    """Tell what each step of a plan does: in words, its bits, its cost and its chance."""
+    for step in steps:
         operator = promise_of(step, problem, grounding)
-        item = problem.object_named(step.object)
+        bits = f"{problem.object_named(step.object).category} · {operator.primitive}"
         promise = operator.promise
         moves = displacement_in_words(promise.outcome) if promise else "nothing"
         if step.puts_down:
-            moves = "puts it down"
-        elif step.place:
+            yield "puts it down", bits, "", ""
+            continue
+        moves = f"carries it to {step.place}" if step.place else moves
+        yield moves, bits, str(step_cost(operator, grounding)), f"{chance(operator):.0%}"
+
+
+def _steps_on_pairs(steps: Iterable[PlanStep], problem: Problem, grounding: Grounding) -> Iterator[_Told]:
+    """Tell the same of a plan with relations, by what bears what before each step."""
+    now = Following(problem, grounding)
+    for step in steps:
+        words = (step.operator, step.object, step.place)
+        price, surety = str(now.cost(words)), f"{now.chance(words):.0%}"
+        if put := put_named(step.operator, grounding):
+            bits, moves = (
+                f"{put.kind.symbol} · {put.operator.label}",
+                f"puts it {put.state.name} {step.place}",
+            )
+        else:
+            operator = promise_of(step, problem, grounding)
+            bits = f"{problem.object_named(step.object).category} · {operator.primitive}"
             moves = f"carries it to {step.place}"
-        bits = f"{item.category} · {operator.primitive}"
-        surety = "" if step.puts_down else f"{chance(operator):.0%}"
-        price = "" if step.puts_down else str(step_cost(operator, grounding))
-        what = f"{safe(step.operator)}<br>{coloured(moves, DIM)}"
-        rows.append((str(number), what, safe(step.object), f"<code>{safe(bits)}</code>", price, surety))
-    return table(("", "step", "object", "bits", "cost", "chance"), rows, at, f"plan of {record.planner}")
+        yield moves, bits, price, surety
+        now.do(words)
 
 
 def plan_summary(record: PlanRecord) -> str:
@@ -123,12 +159,17 @@ def run_table(records: Sequence[StepRecord], at: int | None = None) -> str:
         if others := ", ".join(f"{name} {how}" for name, how in record.disturbed.items()):
             apart += f"<br>{coloured(others, BAD)}"
         promised = displacement_in_words(record.promised_effect) if record.promised_effect else ""
+        is_put = bool(record.promised_state)
+        whom = f"{record.object} {record.place}" if is_put else record.object
+        seen = f" from {record.place}" if is_put else ""
+        seen_after = seen if record.happened == "carried" else ""
         rows.append(
             (
                 str(number),
-                f"{safe(record.operator)}<br>{coloured(record.object, DIM)}",
-                f"{safe(record.promised)}<br>{coloured(promised, DIM)}",
-                f"{safe(record.happened)}<br>{coloured(displacement_in_words(record.effect), DIM)}",
+                f"{safe(record.operator)}<br>{coloured(whom, DIM)}",
+                f"{safe(record.promised_state or record.promised)}<br>{coloured(promised + seen, DIM)}",
+                f"{safe(record.state or record.happened)}<br>"
+                f"{coloured(displacement_in_words(record.effect) + seen_after, DIM)}",
                 verdict + apart,
             )
         )
@@ -145,6 +186,16 @@ def run_summary(run: Run) -> str:
     return paragraph(coloured("goal missed", BAD), safe(f": {run.reason}"))
 
 
+def relation_list(goals: Iterable[RelationGoal]) -> str:
+    """Return goals by relation in words; nothing if there are none.
+
+    Args:
+        goals: The goals.
+    """
+    lines = [f"{target} shall come to be {state} {reference}" for target, reference, state in goals]
+    return _list(lines)
+
+
 def replanning_list(replannings: Sequence[Replanning]) -> str:
     """Return why new plans were asked for."""
     lines = [
@@ -152,8 +203,12 @@ def replanning_list(replannings: Sequence[Replanning]) -> str:
         + (f"a new plan of {counted(len(one.plan), 'step')}" if one.plan else _no_new_plan(one))
         for one in replannings
     ]
+    return _list(lines)
+
+
+def _list(lines: Iterable[str]) -> str:
     items = "".join(f"<li>{safe(line)}</li>" for line in lines)
-    return f'<ul style="margin:4px 0;font-size:12px;padding-left:18px">{items}</ul>' if lines else ""
+    return f'<ul style="margin:4px 0;font-size:12px;padding-left:18px">{items}</ul>' if items else ""
 
 
 def _no_new_plan(replanning: Replanning) -> str:

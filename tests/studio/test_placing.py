@@ -7,7 +7,7 @@ from toy_domain import grounding, problem
 from neurosym.pddl.plan_text import PlanStep
 from neurosym.pddl.validation import validate
 from neurosym.studio import setting
-from neurosym.studio.placing import REACH_CELL, reach_of, relation_of_drop, why_beyond, why_not_there
+from neurosym.studio.placing import REACH_CELL, reach_of, why_beyond, why_not_there
 
 TABLE = grounding().table
 SCENE = problem({"item-01": (0.6, 0.16, 0.025)})
@@ -44,12 +44,6 @@ def test_goal_may_lie_where_an_object_leaves_and_not_where_one_stays():
 def test_goal_above_an_object_is_not_in_it():
     above = setting.with_goal(SCENE, "item-01", 0.8, 0.1, 0.225)
     assert why_not_there(above, "item-01", "goal", TABLE) == ""
-
-
-def test_goals_that_share_a_place_are_the_seam_for_relations():
-    assert relation_of_drop(SCENE, "item-01") is None
-    assert relation_of_drop(setting.with_goal(SCENE, "item-01", 0.81, 0.1), "item-01") == "item-02"
-    assert relation_of_drop(SCENE, "item-02") is None
 
 
 @pytest.mark.parametrize("steps", [0, 1, 2, 3])

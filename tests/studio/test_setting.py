@@ -1,12 +1,15 @@
 """A scene is changed one thing at a time, and all that was not touched stays."""
 
+import msgspec
 import numpy as np
 import pytest
 from toy_domain import problem
+from toy_relations import LIE, REST, sorting, tower
 
 from neurosym.errors import InvalidValue, UnknownChoice
 from neurosym.studio import setting
 
+STACK = msgspec.structs.replace(sorting(), touching=(("item-01", "item-02"), ("item-02", "item-03")))
 SCENE = problem({"item-01": (0.6, 0.16, 0.025)})
 
 
@@ -74,3 +77,41 @@ def test_name_that_is_markup_is_refused():
 
 def test_what_is_changed_is_by_hand_and_draws_its_places_anew():
     assert setting.moved(SCENE, "item-01", 0.5, 0.0).provenance == "by hand"
+
+
+def test_object_has_one_goal_on_the_table_or_by_relation():
+    related = setting.with_relation(SCENE, "item-01", "item-02", REST)
+    assert (related.goals, related.related) == ({}, (("item-01", "item-02", REST),))
+    assert setting.with_relation(related, "item-01", "item-02", LIE).related == (("item-01", "item-02", LIE),)
+    again = setting.with_goal(related, "item-01", 0.6, 0.16)
+    assert again == setting.with_goal(SCENE, "item-01", 0.6, 0.16)
+    assert setting.without_goal(related, "item-01") == setting.without_goal(SCENE, "item-01")
+
+
+def test_goals_by_relation_stay_in_the_order_of_the_objects():
+    after = setting.with_relation(setting.without_goal(tower(), "item-01"), "item-01", "item-02", REST)
+    assert [target for target, *_ in after.related] == ["item-01", "item-03"]
+
+
+def test_relations_in_a_circle_are_refused():
+    with pytest.raises(InvalidValue, match="circle"):
+        setting.with_relation(tower(), "item-02", "item-01", REST)
+
+
+def test_goal_is_taken_from_another_problem():
+    elsewhere = setting.with_goal(tower(), "item-01", 0.5, 0.2)
+    assert setting.with_goal_of(elsewhere, "item-01", tower()).related == tower().related
+    assert setting.with_goal_of(tower(), "item-01", elsewhere).goals == {"item-01": (0.5, 0.2, 0.025)}
+    assert setting.with_goal_of(elsewhere, "item-01", problem({})).goals == {}
+
+
+def test_what_was_seen_of_contacts_and_pairs_is_forgotten_with_what_it_was_about():
+    assert setting.moved(STACK, "item-01", 0.6, 0.2).touching is msgspec.UNSET
+    assert setting.with_goal(STACK, "item-03", 0.6, 0.2).touching == STACK.touching
+    assert setting.without_object(STACK, "item-01").touching == (("item-02", "item-03"),)
+    known = msgspec.structs.replace(STACK, pairs={"item-01 item-02": "01"})
+    assert setting.moved(known, "item-01", 0.6, 0.2).pairs == known.pairs
+    assert setting.resized(known, "item-01", (0.05, 0.05, 0.05, 0.0), by_size).pairs is msgspec.UNSET
+    assert setting.with_object(known, (0.05, 0.05, 0.05, 0.0), 0.5, 0.2, by_size).pairs is msgspec.UNSET
+    left = setting.without_object(known, "item-04")
+    assert [goal[1] for goal in left.related] == ["item-05"]

@@ -87,7 +87,7 @@ class Window:
     def knob(self, name: str) -> tuple[float, float, float]:
         """Where the goal of an object is dragged by [m]."""
         problem = self.page.session.problem
-        x, y, z = problem.goals[name]
+        x, y, z = self.page.session.ghosts()[name]
         return x, y, z + problem.object_named(name).features[2] / 2 + 0.07
 
     def open(self, label: str) -> None:

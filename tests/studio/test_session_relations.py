@@ -1,0 +1,344 @@
+"""A page on domains with relations and with places, without a browser: drop ghosts, plan, run, take away."""
+
+import asyncio
+import io
+import zipfile
+from pathlib import Path
+from types import SimpleNamespace
+
+import msgspec
+import numpy as np
+import pytest
+import torch
+import viser
+from command_line import neurosym
+from places import ROOT
+from studio_pages import planned, ran, relations_library, session_on, shipped_library, wait_for, workers
+from toy_relations import LIE, PUT_ON, REST, scene, sorting, tower, tower_at_place
+
+from neurosym.data.dimensions import Dimensions
+from neurosym.execution.record import Run
+from neurosym.learning.effect_model import EffectModel
+from neurosym.learning.model_config import ModelConfig
+from neurosym.planners import PlanStatus
+from neurosym.problems import Problem
+from neurosym.studio.page import Page
+from neurosym.studio.panel_plan import PlanPanel
+from neurosym.studio.panel_run import RunPanel
+from neurosym.studio.panel_table import NOTHING, TablePanel
+from neurosym.studio.recording import recording_of
+from neurosym.studio.take_away import link_of, scene_of, zip_of
+
+PLAIN = Problem(
+    "plain",
+    scene(("cube", 0.5, -0.2), ("block", 0.6, 0.1), ("tray", 0.8, -0.1), ("cube", 0.8, 0.2)),
+    {},
+    0.02,
+)
+
+
+@pytest.fixture(scope="module")
+def both():
+    with workers() as started:
+        yield started
+
+
+@pytest.fixture
+def stacks(tmp_path: Path, both):
+    library = relations_library(tmp_path / "stacks", sorting(), tower(), tower_at_place())
+    with session_on(library, both) as session:
+        session.put(PLAIN)
+        yield session
+
+
+def dropped(session, name: str, x: float, y: float) -> None:
+    """Drag the ghost of an object in two motions, as a page does."""
+    before = session.problem
+    session.aim(name, (x + 0.5) / 2, y / 2)
+    session.aim(name, x, y)
+    session.drop_goal(name, before)
+
+
+def test_ghost_that_is_dropped_on_an_object_becomes_a_goal_by_relation(stacks):
+    stacks.add_goal("item-01")
+    dropped(stacks, "item-01", 0.61, 0.1)
+    assert stacks.problem.related == (("item-01", "item-02", REST),)
+    assert stacks.problem.goals == {}
+    assert stacks.word.text == f"item-01 shall come to be {REST} item-02"
+    assert stacks.ghosts()["item-01"] == pytest.approx((0.6, 0.1, 0.075))
+    stacks.add_goal("item-04")
+    dropped(stacks, "item-04", 0.6, 0.1)  # the ghost of item-01 is uppermost there
+    assert stacks.problem.related[1] == ("item-04", "item-01", REST)
+    assert stacks.complaints() == {}
+
+
+def test_ghost_that_is_dragged_away_is_a_goal_on_the_table_again(stacks):
+    stacks.relate("item-01", "item-03", LIE)
+    dropped(stacks, "item-01", 0.5, 0.2)
+    assert stacks.problem.related == ()
+    assert stacks.problem.goals == {"item-01": (0.5, 0.2, 0.025)}
+
+
+def test_drop_that_nothing_leads_to_is_said_and_the_goal_is_as_before(stacks):
+    stacks.aim("item-01", 0.5, 0.2)
+    dropped(stacks, "item-03", 0.6, 0.1)  # had no goal
+    assert list(stacks.problem.goals) == ["item-01"]
+    stacks.aim("item-03", 0.8, 0.1)
+    before = stacks.problem
+    dropped(stacks, "item-03", 0.6, 0.1)
+    assert stacks.problem == before
+    assert stacks.word.is_bad
+    assert stacks.word.text.startswith("nothing puts item-03 on or into item-02; nothing puts item-03 on")
+    stacks.relate("item-01", "item-02", REST)
+    stacks.aim("item-02", 0.5, 0.2)
+    dropped(stacks, "item-02", 0.5, -0.2)  # on what shall rest on it
+    assert stacks.problem.goals["item-02"] == pytest.approx((0.5, -0.2, 0.025))
+
+
+def test_drop_that_the_other_goals_forbid_is_said_and_the_relation_is_as_before(stacks):
+    stacks.relate("item-01", "item-02", REST)
+    stacks.relate("item-04", "item-03", LIE)
+    before = stacks.problem
+    dropped(stacks, "item-04", 0.635, 0.1)  # on item-02, beside the ghost that stands there
+    assert stacks.word.text.startswith("item-02 shall bear item-01 and item-04, and rehearsals show that it")
+    assert stacks.problem == before
+
+
+def test_drop_beside_everything_is_a_goal_on_the_table(stacks):
+    stacks.add_goal("item-01")
+    dropped(stacks, "item-01", 0.5, 0.2)
+    assert stacks.problem.goals["item-01"] == (0.5, 0.2, 0.025)
+    assert stacks.problem.relations is msgspec.UNSET
+
+
+def test_goal_by_relation_is_chosen_without_a_mouse_and_removed(stacks):
+    goal = stacks.goals_for("item-01")[0]
+    stacks.relate(*goal)
+    assert stacks.problem.related == (goal,)
+    stacks.relate("item-02", "item-01", REST)
+    assert "circle" in stacks.word.text
+    stacks.relate("item-03", "item-01", REST)
+    assert "nothing puts item-03" in stacks.word.text
+    assert stacks.problem.related == (goal,)
+    stacks.remove_goal("item-01")
+    assert stacks.problem.related == ()
+
+
+def test_goals_go_with_the_objects_that_they_are_about(stacks):
+    stacks.relate("item-01", "item-02", REST)
+    stacks.remove("item-02")
+    assert stacks.problem.related == ()
+    stacks.relate("item-01", "item-03", LIE)
+    stacks.resize("item-03", (0.05, 0.05, 0.05, 0.0))  # no tray any more
+    assert "goal item-01" in stacks.complaints()
+    assert "nothing puts item-01" in stacks.complaints()["goal item-01"]
+
+
+def test_objects_are_dragged_with_what_they_bear_and_down_from_what_bears_them(stacks):
+    stacks.load("sorting")
+    stacks.move("item-03", 0.5, -0.1)
+    assert [item.position[:2] for item in stacks.problem.objects[:3]] == [(0.5, -0.1)] * 3
+    stacks.move("item-02", 0.6, 0.2)
+    assert stacks.problem.object_named("item-02").position == (0.6, 0.2, 0.025)
+    assert stacks.problem.object_named("item-01").position == (0.6, 0.2, 0.075)
+    before = stacks.problem
+    stacks.remove("item-02")
+    assert stacks.word.text == "item-02 bears item-01; drag that away first."
+    stacks.resize("item-02", (0.06, 0.06, 0.06, 0.0))
+    assert stacks.problem == before
+    stacks.resize("item-01", (0.05, 0.05, 0.03, 0.0))
+    assert stacks.problem.object_named("item-01").position == pytest.approx((0.6, 0.2, 0.065))
+    assert stacks.complaints() == {}
+
+
+@pytest.mark.parametrize("name", ["tower", "tower-at-place", "sorting"])
+def test_goals_by_relation_are_planned_for_and_reached(stacks, name):
+    stacks.load(name)
+    planned(stacks, "fast-downward")
+    assert stacks.plan_shown.record.status is PlanStatus.SOLVED, stacks.word.text
+    ran(stacks)
+    assert stacks.running.run.reached, stacks.running.run.reason
+    assert stacks.running.run.unmet == ()
+
+
+def test_goals_that_were_dropped_are_planned_for_by_relation_and_place(stacks):
+    stacks.aim("item-02", 0.5, -0.2)
+    stacks.aim("item-01", 0.5, -0.21)
+    stacks.drop_goal("item-01")
+    assert stacks.problem.related == (("item-01", "item-02", REST),)
+    planned(stacks, "fast-downward")
+    ran(stacks)
+    assert stacks.running.run.reached, stacks.running.run.reason
+
+
+def test_nudge_during_a_run_of_relations_calls_for_a_new_plan(stacks):
+    stacks.load("tower")
+    planned(stacks, "fast-downward")
+    stacks.running.set_speed(0.0)
+    stacks.running.pause()
+    stacks.running.begin()
+    wait_for(lambda: stacks.running.number == 1)
+    stacks.move("item-01", 0.6, -0.25)
+    stacks.running.resume()
+    wait_for(lambda: not stacks.running.is_active)
+    assert stacks.running.run.reached, stacks.running.run.reason
+
+
+def test_planner_that_knows_no_relations_says_who_does(stacks):
+    stacks.load("tower")
+    stacks.plan("counting")
+    wait_for(lambda: not stacks.is_planning)
+    assert stacks.word.is_bad
+    assert "which counting does not take; valid: " in stacks.word.text
+
+
+def test_scene_is_saved_loaded_linked_and_taken_away_with_its_relations(stacks):
+    stacks.relate("item-01", "item-02", REST)
+    stacks.aim("item-02", 0.5, 0.0)
+    assert scene_of(link_of(stacks.problem)) == stacks.problem
+    content = msgspec.json.encode(stacks.problem)
+    stacks.rename("kept")
+    stacks.save()
+    stacks.put(PLAIN)
+    stacks.load("kept")
+    assert stacks.problem.related == (("item-01", "item-02", REST),)
+    assert stacks.problem.goals == {"item-02": (0.5, 0.0, 0.025)}
+    stacks.open_file(content)
+    assert stacks.problem.related == (("item-01", "item-02", REST),)
+    planned(stacks, "fast-downward")
+    ran(stacks)
+    with zipfile.ZipFile(io.BytesIO(zip_of(stacks))) as archive:
+        names = set(archive.namelist())
+        run = msgspec.json.decode(archive.read("runs/plain.fast-downward.run.json"), type=Run)
+        problem = msgspec.json.decode(archive.read("problems/plain.scene.json"), type=Problem)
+    assert {"domain-relational.pddl", "problems/plain.relational.pddl"} <= names
+    assert "problems/plain.pddl" not in names
+    assert problem.related == stacks.problem.related
+    assert run.reached
+
+
+def write_network(path: Path) -> None:
+    """A network whose bits are those of the toy domain: hollow or not, and if not, wide or not."""
+    model = EffectModel(Dimensions(), ModelConfig(hidden=8)).eval()
+    layers = [layer for layer in model.object_encoder if isinstance(layer, torch.nn.Linear)]
+    with torch.no_grad():
+        for layer in layers:
+            layer.weight.zero_()
+            layer.bias.zero_()
+        layers[0].weight[0, 0] = layers[0].weight[1, 3] = 1.0  # size along x, and type
+        for layer in layers[1:3]:
+            layer.weight[:2, :2] = torch.eye(2)
+        layers[3].weight[:, :2] = torch.tensor([[0.0, 10.0], [100.0, -1000.0]])
+        layers[3].bias[:] = torch.tensor([-5.0, -6.5])
+    model.save(path)
+
+
+def test_task_of_relations_is_drawn_as_the_command_line_draws_it(stacks):
+    folder = stacks.library.folder
+    write_network(folder / "effect_model.safetensors")
+    (stacks.room.path / "effect_model.safetensors").symlink_to(folder / "effect_model.safetensors")
+    stacks.draw(4, 3, "tower")
+    wait_for(lambda: stacks.problem.name == "drawn-tower-4-3" or stacks.word.is_bad)
+    assert len(stacks.problem.related) == 2, stacks.word.text
+    options = ("--objects", 4, "--seed", 3, "--task", "tower", "--name", "drawn-tower-4-3")
+    assert neurosym("new-problem", folder.path, *options) == 0
+    assert stacks.library.load_problem("drawn-tower-4-3") == stacks.problem
+    stacks.draw(2, 0, "tower")
+    wait_for(lambda: stacks.word.is_bad)
+    assert "ask for more objects" in stacks.word.text
+
+
+@pytest.fixture
+def page(stacks):
+    """A page that nobody looks at."""
+    server = viser.ViserServer("127.0.0.1", 0, verbose=False)
+    opened = Page(server, stacks)
+    yield opened
+    opened.close()
+    server.stop()
+
+
+def drag(page: Page, name: str, *to: tuple[float, float]) -> None:
+    """Drag the ghost of an object by what is on the table below its knob, as a window tells it."""
+    x, y, _ = page.session.ghosts()[name]
+    camera = SimpleNamespace(position=np.array([x, y, 2.0]))
+    hear = page._grabbed("goal", name)
+    phases = ["start", *["update"] * (len(to) - 1), "end"]
+    for phase, at in zip(phases, [(x, y), *to], strict=True):
+        event = SimpleNamespace(
+            client=SimpleNamespace(camera=camera),
+            phase=phase,
+            start_position=(x, y, 0.0),
+            end_position=(*at, 0.0),
+        )
+        asyncio.run(hear(event))
+
+
+@pytest.mark.filterwarnings("ignore::DeprecationWarning")
+def test_ghost_is_dragged_from_the_table_onto_an_object_and_off_again(page):
+    session = page.session
+    session.aim("item-01", 0.5, 0.2)
+    drag(page, "item-01", (0.55, 0.15), (0.6, 0.1))
+    assert session.problem.related == (("item-01", "item-02", REST),)
+    drag(page, "item-01", (0.7, 0.1), (0.8, -0.1))
+    assert session.problem.related == (("item-01", "item-03", LIE),)
+    drag(page, "item-01", (0.7, 0.05), (0.5, 0.2))
+    assert session.problem.related == ()
+    assert session.problem.goals["item-01"] == pytest.approx((0.5, 0.2, 0.025))
+    session.aim("item-03", 0.8, 0.05)
+    before = session.problem
+    drag(page, "item-03", (0.7, 0.1), (0.6, 0.1))
+    assert session.word.is_bad
+    assert session.problem == before
+
+
+@pytest.mark.filterwarnings("ignore::DeprecationWarning")
+def test_page_shows_relations_in_words_and_offers_what_can_be(page):
+    stacks = page.session
+    panels = {type(panel): panel for panel in page.panels}
+    table = panels[TablePanel]
+    assert table._relation.visible
+    assert "exchange" in table._kind.options
+    wait_for(lambda: len(table._relation.options) == 4)
+    assert table._relation.options == (
+        NOTHING,
+        f"{REST} item-02",
+        f"{LIE} item-03",
+        f"{REST} item-04",
+    )
+    table._relate(f"{REST} item-02")
+    wait_for(lambda: f"item-01 shall come to be {REST} item-02" in table._related.content)
+    assert table._relation.value == f"{REST} item-02"
+    assert table._toggle.label == "Take its goal away"
+    wait_for(lambda: "item-01" in page.view._goals)
+    ghost = page.view._goals["item-01"]
+    assert tuple(ghost.frame.position) == pytest.approx((0.6, 0.1, 0.075))
+    assert not ghost.outlines[1].visible
+    planned(stacks, "fast-downward")
+    told = panels[PlanPanel].text()
+    assert PUT_ON in told
+    assert f"puts it {REST} item-02" in told
+    assert "91%" in told  # 20 of 22
+    assert "(:action put-on-01-solid-01" in panels[PlanPanel]._action(PUT_ON)
+    ran(stacks)
+    told = panels[RunPanel].text()
+    assert told.count(REST) == 2
+    assert "50 mm up from item-02" in told
+    assert recording_of(stacks)
+    table._relate(NOTHING)
+    wait_for(lambda: not table._related.content)
+    assert table._relation.value == NOTHING
+    assert "could not be drawn" not in stacks.word.text
+
+
+def test_domain_with_places_is_planned_in_and_run(both):
+    with session_on(shipped_library(ROOT / "domains" / "places"), both) as session:
+        session.load("anywhere-1-01")
+        assert session.goals_for("item-01") == ()
+        assert session.complaints() == {}
+        planned(session, "fast-downward")
+        assert session.plan_shown.record.status is PlanStatus.SOLVED
+        assert session.plan_shown.record.steps[0][2]
+        ran(session)
+        assert session.running.run.reached, session.running.run.reason
+        assert session.running.seen
