@@ -9,10 +9,10 @@ from jaxtyping import Float
 
 from neurosym.world import Scene
 
-DESCRIPTION = ("away", "above", "touching", "tilted")
+DESCRIPTION = ("away", "above", "touching", "tilted", "reference tilted")
 """What the numbers of a description are. Along x or y, whichever is more, the target is so far away from the
-reference; along z it is so far above it [touching units]. They touch or not; and the target is tilted by so
-much, as a share of the greatest tilt that counts."""
+reference; along z it is so far above it [touching units]. They touch or not; and the target and the reference
+are tilted by so much, as shares of the greatest tilt that counts."""
 FARTHEST = 2.0
 """Farther apart than this objects have nothing to do with one another [touching units]."""
 _STEEPEST = 0.35  # an object leans no more than this counts [rad]
@@ -20,7 +20,7 @@ _STEEPEST = 0.35  # an object leans no more than this counts [rad]
 
 def describe_pair(
     scene: Scene, target: int, reference: int, contacts: tuple[tuple[int, int], ...]
-) -> Float[np.ndarray, "4"]:
+) -> Float[np.ndarray, "5"]:
     """Describe how a target stands to a reference, in the numbers of `DESCRIPTION`.
 
     Args:
@@ -33,7 +33,8 @@ def describe_pair(
     away = min(float(np.abs(units[:2]).max()), FARTHEST)
     up = np.clip(units[2], -FARTHEST, FARTHEST)
     pair = (min(target, reference), max(target, reference))
-    return np.array([away, up, float(pair in contacts), tilt(scene, target) / _STEEPEST])
+    tilts = (tilt(scene, index) / _STEEPEST for index in (target, reference))
+    return np.array([away, up, float(pair in contacts), *tilts])
 
 
 def touching_units(scene: Scene, target: int, reference: int) -> Float[np.ndarray, "3"]:

@@ -13,11 +13,12 @@ import msgspec
 from neurosym.checks import check_fields
 from neurosym.errors import InvalidFile, InvalidValue, UnknownChoice
 from neurosym.operators import Category, Count, LegalName, Length, Primitive, Share, Variant, unknown_format
+from neurosym.pair_states import DESCRIPTION
 from neurosym.place_operators import Kept
 from neurosym.reading import read_json
 from neurosym.symbols import Symbol
 
-FORMAT = "neurosym-relations-1"
+FORMAT = "neurosym-relations-2"
 Description = tuple[Length, ...]
 """How a target stands to a reference, as numbers; see `neurosym.pair_states.describe_pair`."""
 
@@ -58,6 +59,10 @@ class PairStates(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
         check_fields(self)
         if not self.states:
             raise InvalidValue("Pairs need one state or more.")
+        if len(self.scales) != len(DESCRIPTION):
+            raise InvalidValue(
+                f"States have {len(self.scales)} scales; valid: {len(DESCRIPTION)}: {', '.join(DESCRIPTION)}."
+            )
         for state in self.states:
             if len(state.centre) != len(self.scales):
                 raise InvalidValue(
@@ -122,6 +127,7 @@ class RelationOperator(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
         occupied: How it turned out where a third object rested on the reference.
         laden: How it turned out where a third object rested on the target; kept if that went along.
         variant: Which of the parameters of its primitive it is performed with.
+        promised: Code of the state that it promises, where that is not the most frequent one.
     """
 
     name: LegalName
@@ -133,6 +139,7 @@ class RelationOperator(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     occupied: Kept
     laden: Kept
     variant: Variant = ""
+    promised: str = ""
 
     def __post_init__(self) -> None:
         check_fields(self)
@@ -144,8 +151,12 @@ class RelationOperator(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
 
     @property
     def promise(self) -> PairEnd | None:
-        """The most frequent end in which the target was carried to the reference; None if there is none."""
-        return next((end for end in self.ends if end.state), None)
+        """The end in the state that it promises, or else the most frequent one of those it was carried to.
+
+        None if it was never carried to the reference.
+        """
+        carried = (end for end in self.ends if end.state)
+        return next((end for end in carried if self.promised in ("", end.state)), None)
 
 
 class RelationOperators(msgspec.Struct, frozen=True, forbid_unknown_fields=True):

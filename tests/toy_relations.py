@@ -28,11 +28,11 @@ def relations() -> RelationOperators:
     """What the rules of the toy world make true of pairs."""
     nothing = (0.0, 0.0, 0.0)
     states = (
-        PairState("000", "apart-000", (1.5, 0.0, 0.0, 0.0), 0.8, False),
-        PairState(ON, REST, (0.0, 1.0, 1.0, 0.0), 0.0, True),
-        PairState(IN, LIE, (0.2, 0.1, 1.0, 0.0), 0.0, True),
-        PairState("011", "below-011", (0.0, -1.0, 1.0, 0.0), 0.0, False),
-        PairState("100", "beside-100", (1.0, 0.0, 1.0, 0.0), 0.1, False),
+        PairState("000", "apart-000", (1.5, 0.0, 0.0, 0.0, 0.0), 0.8, False),
+        PairState(ON, REST, (0.0, 1.0, 1.0, 0.0, 0.0), 0.0, True),
+        PairState(IN, LIE, (0.2, 0.1, 1.0, 0.0, 0.0), 0.0, True),
+        PairState("011", "below-011", (0.0, -1.0, 1.0, 0.0, 0.0), 0.0, False),
+        PairState("100", "beside-100", (1.0, 0.0, 1.0, 0.0, 0.0), 0.1, False),
     )
     mean = tuple((one + other) / 2 for one, other in zip(CUBE, BLOCK, strict=True))
     kinds = (
@@ -43,7 +43,7 @@ def relations() -> RelationOperators:
     on, lying = PairEnd(ON, 19, 0.95, (0.0, 0.0, 1.0), nothing), PairEnd(IN, 20, 1.0, (0, 0, 0.09), nothing)
     return RelationOperators(
         states,
-        (0.5, 0.3, 0.1, 0.1),
+        (0.5, 0.3, 0.1, 0.1, 0.1),
         kinds,
         (Primitive("01", CARRY, 0.0),),
         (

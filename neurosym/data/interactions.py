@@ -196,7 +196,7 @@ def _axes(outcome: Outcome, effect: Float[np.ndarray, "3"]) -> Float[np.ndarray,
 def _pair_axes(outcome: Outcome, reference: int) -> Float[np.ndarray, "E"]:
     """Return how the target stands to another object in the end if it was carried there; else zeros."""
     where = np.clip(touching_units(outcome.end, outcome.target, reference), -FARTHEST, FARTHEST)
-    *_, touching, tilted = describe_pair(outcome.end, outcome.target, reference, outcome.contacts)
+    *_, touching, tilted, _ = describe_pair(outcome.end, outcome.target, reference, outcome.contacts)
     row = np.array([*where, touching, tilted, 1.0])
     return row if outcome.carried else np.zeros_like(row)
 

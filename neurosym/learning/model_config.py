@@ -11,7 +11,7 @@ DEFAULT_BITS = (2, 4)
 """Bits of object and action symbols of the default regime; docs/learning.md says why."""
 PLACE_BITS = (2, 3)
 """Bits of object and action symbols of actions that are aimed at places."""
-PAIR_BITS = (4, 3)
+PAIR_BITS = (5, 3)
 """Bits of kinds of pairs, and of action symbols of actions that are aimed at other objects."""
 STATE_BITS = 3
 """Bits of the state that a pair of objects is in."""

@@ -3,6 +3,7 @@
 Pairs are described in touching units (`pair_states.py`), before anybody touched them and as actions left
 them. k-means finds the ways that are typical, and codes are given such that states one bit apart are alike. A
 reference bears its target in states that fresh pairs are never in, and that targets are carried into.
+Touching counts for less than the rest: what stands inside of a ring touches it or not, as chance has it.
 Names are made afterwards, from the numbers that are typical of a state.
 """
 
@@ -13,6 +14,7 @@ from jaxtyping import Float
 
 from neurosym.data.interactions import Interactions
 from neurosym.learning.coclustering import gray_order, kmeans, nearest
+from neurosym.pair_states import DESCRIPTION
 from neurosym.relation_operators import PairState, PairStates
 from neurosym.symbols import all_symbols
 
@@ -20,6 +22,8 @@ STARTS = 20
 """How often k-means starts; the best is kept."""
 RARE = 0.01
 """What fresh pairs are so rarely is what actions made of them."""
+TOUCHING = 0.3
+"""What counts a difference in touching, beside the same difference in a number that spreads as much."""
 _DIGITS = 4
 _OVER, _TILTED, _TOUCHING, _NEAR = 0.75, 0.4, 0.5, 1.5  # how names tell states apart
 
@@ -43,6 +47,7 @@ def learn_states(
     """
     points = np.concatenate([fresh[rng.permutation(len(fresh))[: len(ends)]], ends, turned])
     scales = np.maximum(points.std(0), 1e-3)
+    scales[DESCRIPTION.index("touching")] /= TOUCHING
     kinds, scaled = 2**bits, points / scales
     labels = min((kmeans(scaled, kinds, rng) for _ in range(STARTS)), key=lambda one: _error(scaled, one))
     centres = np.array([scaled[labels == kind].mean(0) for kind in range(kinds) if np.any(labels == kind)])
@@ -67,25 +72,32 @@ def learn_states(
 def ends_in(interactions: Interactions) -> tuple[Float[np.ndarray, "N D"], Float[np.ndarray, "N D"]]:
     """Describe how pairs stand in the end if the target was carried; and the same the other way round.
 
-    Seen from the target, which stands straight in the middle of things, the reference is as far below.
+    Seen from the target, the reference is as far below. References are taken to stand straight: they mostly
+    do, and data do not tell.
 
     Args:
         interactions: The data, each aimed at another object.
     """
     x, y, up, touching, tilted, carried = np.asarray(interactions.effects, dtype=np.float64).T
-    ends = np.column_stack([np.maximum(np.abs(x), np.abs(y)), up, touching, tilted])[carried > 0]
-    return ends, ends * (1.0, -1.0, 1.0, 0.0)
+    away, straight = np.maximum(np.abs(x), np.abs(y)), np.zeros_like(x)
+    ends, turned = (
+        np.column_stack([away, up, touching, tilted, straight]),
+        np.column_stack([away, -up, touching, straight, tilted]),
+    )
+    return ends[carried > 0], turned[carried > 0]
 
 
-def name_state(centre: Sequence[float] | Float[np.ndarray, "4"]) -> str:
+def name_state(centre: Sequence[float] | Float[np.ndarray, "5"]) -> str:
     """Say in a word or two how a target mostly stands to a reference in a state.
 
     Args:
         centre: The description that is typical.
     """
-    away, up, touching, tilted = (float(value) for value in centre)
+    away, up, touching, tilted, reference_tilted = (float(value) for value in centre)
     if tilted > _TILTED:
         return "leans-on"
+    if reference_tilted > _TILTED:
+        return "props-up"
     if away < _OVER:
         return "rests-on" if up > _OVER else "lies-under" if up < -_OVER else "sits-in"
     if touching > _TOUCHING:

@@ -1,7 +1,7 @@
 """Rehearsals on pairs: into which states operators bring them, and where others rest on them already."""
 
 from collections import Counter
-from collections.abc import Iterator, Sequence
+from collections.abc import Collection, Iterator, Sequence
 from dataclasses import dataclass
 
 import msgspec
@@ -16,6 +16,7 @@ from neurosym.primitives.categories import rounded
 from neurosym.primitives.performing import perform
 from neurosym.primitives.rehearsal import Rehearsals
 from neurosym.progress import Progress
+from neurosym.promises import LEAST_CHANCE
 from neurosym.relation_operators import PairEnd, PairStates, RelationOperator, RelationOperators
 from neurosym.symbols import Categorise, Symbol, symbols_of
 from neurosym.table import OtherObject
@@ -35,6 +36,9 @@ def tabulate_pairs(
 ) -> RelationOperators:
     """Tell into which states each primitive brought pairs of each kind.
 
+    Where some pairs of a kind come to bear their targets in one way and some in another, there is an operator
+    for each; how often it turned out so says how sure it is.
+
     Args:
         rehearsals: What happened.
         feature_names: What the features of one object are.
@@ -42,28 +46,31 @@ def tabulate_pairs(
     """
     kinds = _kinds(rehearsals, feature_names)
     names = {state.symbol: state.name for state in states.states}
+    bearing = {state.symbol for state in states.states if state.bears}
     operators = []
     for number, primitive in enumerate(rehearsals.primitives):
         for kind in kinds:
             if not (outcomes := rehearsals.on(kind.symbol, number)):
                 continue
             ends = _ends(outcomes, states)
-            promised = next((names[end.state] for end in ends if end.state), "miss")
-            name = f"{promised}-by-{primitive.label}-{kind.name}"
-            untried = Kept(name, 0, 0)
-            operators.append(
-                RelationOperator(
-                    name,
-                    kind.symbol,
-                    primitive.symbol,
-                    len(outcomes),
-                    ends,
-                    borne=untried,
-                    occupied=untried,
-                    laden=untried,
-                    variant=primitive.variant,
+            usual, *others = _promised(ends, bearing) or [""]
+            for state in (usual, *others):
+                name = f"{names.get(state, 'miss')}-by-{primitive.label}-{kind.name}"
+                untried = Kept(name, 0, 0)
+                operators.append(
+                    RelationOperator(
+                        name,
+                        kind.symbol,
+                        primitive.symbol,
+                        len(outcomes),
+                        ends,
+                        borne=untried,
+                        occupied=untried,
+                        laden=untried,
+                        variant=primitive.variant,
+                        promised="" if state == usual else state,
+                    )
                 )
-            )
     return RelationOperators(states.states, states.scales, kinds, rehearsals.primitives, tuple(operators))
 
 
@@ -147,6 +154,13 @@ def _went_along(outcome: Outcome) -> bool:
     """Say whether the third object stands to the target in the end as it did before."""
     before, after = (touching_units(scene, _THIRD, TARGET) for scene in (outcome.start, outcome.end))
     return bool(np.abs(after - before).max() < _ALIKE)
+
+
+def _promised(ends: Sequence[PairEnd], bearing: Collection[str]) -> list[str]:
+    """List the states that are promised: the most frequent, and others in which targets are often borne."""
+    carried = [end for end in ends if end.state]
+    often = (end for end in carried[1:] if end.state in bearing and end.share >= LEAST_CHANCE)
+    return [end.state for end in (*carried[:1], *often)]
 
 
 @dataclass(frozen=True, slots=True)

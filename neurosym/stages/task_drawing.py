@@ -7,6 +7,7 @@ import numpy as np
 from neurosym.errors import InvalidValue, UnknownChoice
 from neurosym.grounding import Grounding
 from neurosym.operators import TOLERANCE
+from neurosym.pddl.relational import LEAST_SHARE
 from neurosym.pddl.relational_check import puts_for
 from neurosym.problems import Problem
 from neurosym.related import KindsOfPairs, known_bearers, with_pairs
@@ -122,6 +123,7 @@ def ways_of(problem: Problem, grounding: Grounding, kinds: KindsOfPairs | None =
         (target, other): tuple(
             Way(put.state.name, put.takes_occupied, np.array(relations.primitive_of(put.operator).action))
             for put in puts_for(problem, grounding, target, other)
+            if put.end.share >= LEAST_SHARE
         )
         for target in names
         for other in names

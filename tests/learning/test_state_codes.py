@@ -5,10 +5,10 @@ import numpy as np
 from neurosym.learning.state_codes import learn_states, name_state
 
 APART, ON, UNDER, IN = (
-    (1.6, 0.0, 0.0, 0.0),
-    (0.2, 1.0, 1.0, 0.0),
-    (0.2, -1.0, 1.0, 0.0),
-    (0.1, 0.1, 1.0, 0.0),
+    (1.6, 0.0, 0.0, 0.0, 0.0),
+    (0.2, 1.0, 1.0, 0.0, 0.0),
+    (0.2, -1.0, 1.0, 0.0, 0.0),
+    (0.1, 0.1, 1.0, 0.0, 0.0),
 )
 
 
@@ -21,7 +21,7 @@ def states():
     """States of pairs that nobody touched, that were put on and into others, and the other way round."""
     rng = np.random.default_rng(0)
     ends = np.concatenate([around(ON, 80, rng), around(IN, 40, rng)])
-    turned = np.concatenate([around(UNDER, 80, rng), around((0.1, -0.1, 1.0, 0.0), 40, rng)])
+    turned = np.concatenate([around(UNDER, 80, rng), around((0.1, -0.1, 1.0, 0.0, 0.0), 40, rng)])
     return learn_states(around(APART, 200, rng), ends, turned, 3, rng)
 
 
@@ -45,6 +45,7 @@ def test_same_draws_give_the_same_states():
 def test_names_say_what_is_typical():
     names = [name_state(centre) for centre in (APART, ON, UNDER, IN)]
     assert names == ["apart-from", "rests-on", "lies-under", "sits-in"]
-    assert name_state((0.2, 0.5, 1.0, 0.8)) == "leans-on"
-    assert name_state((1.0, 0.0, 1.0, 0.0)) == "touches"
-    assert name_state((1.2, 0.0, 0.0, 0.0)) == "beside"
+    assert name_state((0.2, 0.5, 1.0, 0.8, 0.0)) == "leans-on"
+    assert name_state((0.2, -0.5, 1.0, 0.0, 0.8)) == "props-up"
+    assert name_state((1.0, 0.0, 1.0, 0.0, 0.0)) == "touches"
+    assert name_state((1.2, 0.0, 0.0, 0.0, 0.0)) == "beside"

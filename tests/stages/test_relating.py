@@ -87,7 +87,7 @@ def test_what_carries_is_tried_with_other_objects(folder: DomainFolder):
 
 def test_states_tell_what_stands_on_another_from_what_stands_apart(folder: DomainFolder):
     states = PairStates.load(folder / RELATION_STATES)
-    on, apart = states.of((0.1, 1.0, 1.0, 0.0)), states.of((1.9, 0.0, 0.0, 0.0))
+    on, apart = states.of((0.1, 1.0, 1.0, 0.0, 0.0)), states.of((1.9, 0.0, 0.0, 0.0, 0.0))
     assert (on.bears, apart.bears) == (True, False)
     assert on.name.startswith("rests-on-")
 

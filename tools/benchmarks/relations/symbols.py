@@ -194,7 +194,7 @@ def _chance_of(predicted: Float[np.ndarray, "6"], states: PairStates, on: Sequen
     """Return the chance that a target ends on its reference, as predicted; 0 if in another state."""
     chance = float(np.clip(predicted[-1], 0.01, 1.0))
     x, y, up, touching, tilted = (predicted[:5] / chance).tolist()  # where it is not carried, data have zeros
-    described = (max(abs(x), abs(y)), up, touching, tilted)
+    described = (max(abs(x), abs(y)), up, touching, tilted, 0.0)
     return chance if states.of(described).symbol in on else 0.0
 
 
