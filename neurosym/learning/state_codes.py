@@ -3,7 +3,6 @@
 Pairs are described in touching units (`pair_states.py`), before anybody touched them and as actions left
 them. k-means finds the ways that are typical, and codes are given such that states one bit apart are alike. A
 reference bears its target in states that fresh pairs are never in, and that targets are carried into.
-Touching counts for less than the rest: what stands inside of a ring touches it or not, as chance has it.
 Names are made afterwards, from the numbers that are typical of a state.
 """
 
@@ -14,7 +13,6 @@ from jaxtyping import Float
 
 from neurosym.data.interactions import Interactions
 from neurosym.learning.coclustering import gray_order, kmeans, nearest
-from neurosym.pair_states import DESCRIPTION
 from neurosym.relation_operators import PairState, PairStates
 from neurosym.symbols import all_symbols
 
@@ -22,8 +20,6 @@ STARTS = 20
 """How often k-means starts; the best is kept."""
 RARE = 0.01
 """What fresh pairs are so rarely is what actions made of them."""
-TOUCHING = 0.3
-"""What counts a difference in touching, beside the same difference in a number that spreads as much."""
 _DIGITS = 4
 _OVER, _TILTED, _TOUCHING, _NEAR = 0.75, 0.4, 0.5, 1.5  # how names tell states apart
 
@@ -47,7 +43,6 @@ def learn_states(
     """
     points = np.concatenate([fresh[rng.permutation(len(fresh))[: len(ends)]], ends, turned])
     scales = np.maximum(points.std(0), 1e-3)
-    scales[DESCRIPTION.index("touching")] /= TOUCHING
     kinds, scaled = 2**bits, points / scales
     labels = min((kmeans(scaled, kinds, rng) for _ in range(STARTS)), key=lambda one: _error(scaled, one))
     centres = np.array([scaled[labels == kind].mean(0) for kind in range(kinds) if np.any(labels == kind)])

@@ -1,7 +1,7 @@
 """Judging actions that are aimed at other objects: by the state that the pair ends in.
 
-An action is good for a kind of pair if it surely brings about one state, whichever that is, with the target
-neither turned over nor leaning, and nothing else moved.
+An action is good for a kind of pair if it surely brings about one state in which the reference bears the
+target, whichever that is, with the target not turned over, and nothing else moved.
 """
 
 from collections import Counter
@@ -19,6 +19,7 @@ from neurosym.world import Outcome, OutcomeKind
 EXACT = 0.5
 """A spread at which an action is still 1 / sqrt(2) as sure as one without any [touching units]."""
 _TILTED, _CARRIED = 4, 5  # columns of what is predicted
+_LEAST_CHANCE = 0.1
 
 
 def by_state(states: PairStates) -> Judging:
@@ -27,9 +28,10 @@ def by_state(states: PairStates) -> Judging:
     Args:
         states: The states of pairs.
     """
+    bearing = _bearing(states)
 
     def watch(outcome: Outcome) -> Performance:
-        state = end_state(outcome, states)
+        state = found if (found := end_state(outcome, states)) in bearing else ""
         assert isinstance(outcome.reference, OtherObject), "aimed at another object"
         where = touching_units(outcome.end, outcome.target, outcome.reference.index)
         kind: OutcomeKind = "carried" if state else "missed"
@@ -51,6 +53,23 @@ def end_state(outcome: Outcome, states: PairStates) -> str:
         return ""
     described = describe_pair(outcome.end, outcome.target, outcome.reference.index, outcome.contacts)
     return states.of(described.tolist()).symbol
+
+
+def foreseen_state(predicted: Float[np.ndarray, "N O"], states: PairStates) -> str:
+    """Return the code of the state that an action is foreseen to bring pairs to; empty if that bears nothing.
+
+    Args:
+        predicted: What is predicted of each pair: its end as data have it, and the greatest height.
+        states: The states of pairs.
+    """
+    chances = np.clip(predicted[:, _CARRIED], 0.0, 1.0)
+    x, y, up, touching, tilted = predicted[:, :_CARRIED].sum(0) / max(float(chances.sum()), _LEAST_CHANCE)
+    state = states.of((max(abs(x), abs(y)), up, touching, tilted, 0.0))
+    return state.symbol if state.symbol in _bearing(states) else ""
+
+
+def _bearing(states: PairStates) -> set[str]:
+    return {state.symbol for state in states.states if state.bears}
 
 
 def judge_by_state(performances: Sequence[Performance]) -> Judgement:
@@ -75,7 +94,7 @@ def foresee_relating(predicted: Float[np.ndarray, "N O"]) -> Judgement:
     """
     chances = np.clip(predicted[:, _CARRIED], 0.0, 1.0)
     likely = chances >= chances.max() / 2
-    ends = predicted[likely, :3] / np.maximum(chances[likely, None], 0.1)
+    ends = predicted[likely, :3] / np.maximum(chances[likely, None], _LEAST_CHANCE)
     upright = 1 - np.clip(predicted[:, _TILTED], 0.0, 1.0)
     sureness = float((chances * upright).mean() * _likeness(ends))
     mean = np.array([*predicted[:, :3].mean(0), predicted[:, -1].mean()])

@@ -8,13 +8,14 @@ to. An action that does nothing to a kind has no operator there.
 from collections import Counter
 from collections.abc import Sequence
 from dataclasses import dataclass, field
+from itertools import islice, zip_longest
 
 import numpy as np
 
 from neurosym.actions import ActionBox
 from neurosym.guarded import made
 from neurosym.operators import Primitive
-from neurosym.primitives.by_state import by_state
+from neurosym.primitives.by_state import by_state, foresee_relating, foreseen_state
 from neurosym.primitives.judging import Judging, Performance
 from neurosym.primitives.own import Round, moved
 from neurosym.primitives.performing import perform
@@ -30,7 +31,7 @@ from neurosym.worlds.workers import Task
 ROUNDS = Round(16, 4), Round(8, 4), Round(4, 8)
 """Auditions for a kind of pairs."""
 OF_SYMBOL = 4
-"""Candidates of one symbol that are shortlisted for a kind of pairs at most."""
+"""Candidates of one symbol that are shortlisted for a kind of pairs and a state at most."""
 KEPT = 3
 """Actions that a kind of pairs has in the end at most."""
 FORESEEN, SURE = 0.1, 0.3
@@ -80,7 +81,7 @@ def choose_for_pairs(
     least = sum(one.objects for one in ROUNDS)
     sample = sample_by_category(world, categorise, least=least, seed=seed, stream=_STREAM)
     contests = {
-        kind: _Contest(scenes, _shortlist(candidates, predict, scenes, judging, world.action_box, seed))
+        kind: _Contest(scenes, _shortlist(candidates, predict, scenes, states, world.action_box, seed))
         for kind, scenes in sample.scenes.items()
     }
     total = sum(
@@ -117,22 +118,23 @@ def _shortlist(
     candidates: Sequence[Primitive],
     predict: PredictOutcomes,
     scenes: Sequence[Scene],
-    judging: Judging,
+    states: PairStates,
     box: ActionBox,
     seed: int,
 ) -> list[Primitive]:
-    """List the candidates that are foreseen to do most surely the same to pairs of a kind."""
+    """List candidates that are foreseen to bring a kind surely into a state, some for each state in turn."""
     features = np.concatenate([scene.features for scene in scenes])
     actions = np.concatenate([moved(one, len(features), box, seed) for one in candidates])
     predicted = np.split(predict(np.tile(features, (len(candidates), 1)), actions), len(candidates))
-    sureness = [judging.foresee(rows).sureness for rows in predicted]
-    of_symbol, short = Counter[str](), list[Primitive]()
+    sureness = [foresee_relating(rows).sureness for rows in predicted]
+    taken, for_state = Counter[tuple[str, str]](), dict[str, list[Primitive]]()
     for number in np.argsort(-np.array(sureness), kind="stable"):
-        one = candidates[number]
-        if sureness[number] >= FORESEEN and of_symbol[one.symbol] < OF_SYMBOL:
-            of_symbol[one.symbol] += 1
-            short.append(one)
-    return short[: ROUNDS[0].candidates]
+        one, state = candidates[number], foreseen_state(predicted[number], states)
+        if state and sureness[number] >= FORESEEN and taken[one.symbol, state] < OF_SYMBOL:
+            taken[one.symbol, state] += 1
+            for_state.setdefault(state, []).append(one)
+    in_turn = (one for row in zip_longest(*for_state.values()) for one in row if one is not None)
+    return list(islice(in_turn, ROUNDS[0].candidates))
 
 
 def _ranked(contest: _Contest, judging: Judging) -> list[Primitive]:
