@@ -19,6 +19,7 @@ from neurosym.reading import read_json
 from neurosym.symbols import Symbol
 
 FORMAT = "neurosym-relations-2"
+_TOUCHING, _CERTAIN = DESCRIPTION.index("touching"), 0.9
 Description = tuple[Length, ...]
 """How a target stands to a reference, as numbers; see `neurosym.pair_states.describe_pair`."""
 
@@ -82,13 +83,17 @@ class PairStates(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     def of(self, description: Sequence[float]) -> PairState:
         """Return the state of a pair: the one whose centre is nearest.
 
+        A pair that touches is in no state in which pairs never do, and the other way round: what stands on a
+        third object may be just above the reference.
+
         Args:
             description: How the target stands to the reference.
         """
 
-        def away(state: PairState) -> float:
+        def away(state: PairState) -> tuple[bool, float]:
+            differs = abs(description[_TOUCHING] - state.centre[_TOUCHING]) > _CERTAIN
             rows = zip(description, state.centre, self.scales, strict=True)
-            return math.hypot(*((one - centre) / scale for one, centre, scale in rows))
+            return differs, math.hypot(*((one - centre) / scale for one, centre, scale in rows))
 
         return min(self.states, key=away)
 
