@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from neurosym.studio.library import Library
 
 LARGEST_PORT = 65535
+_LOOK_UP = 1.0  # how long the main thread waits at a time [s]
 
 
 def studio(
@@ -58,7 +59,9 @@ def studio(
         say("Ctrl-C ends it")
         if not no_browser:
             _open_browser(running.address)
-        threading.Event().wait()
+        never = threading.Event()
+        while not never.wait(_LOOK_UP):
+            pass  # a signal that comes just before a wait is heard after it
     except KeyboardInterrupt:
         say("the studio is closed")
     finally:
