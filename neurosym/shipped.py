@@ -6,7 +6,7 @@ from pathlib import Path
 
 from neurosym.errors import CannotWrite
 
-DOMAINS = ("tabletop", "places", "tabletop-paper")
+DOMAINS = ("tabletop", "places", "towers", "tabletop-paper")
 """The names of the shipped domains."""
 MADE_AGAIN = ("plans", "runs", "pictures")
 """Folders of a domain that hold what a user makes anew."""

@@ -43,6 +43,8 @@ TASKS: tuple[tuple[AnyTask, int, int, int], ...] = (
     ("anywhere", 8, 3, 1),
 )
 """What problems ask for, with how many objects, how high towers are, and how many of them there are."""
+RESTING: tuple[AnyTask, ...] = ("tower", "unstack", "exchange")
+"""These ask for the state in which targets rest on their references, and not for any."""
 _MOST_OPERATORS = 40
 
 
@@ -51,11 +53,18 @@ def main() -> None:
     take_places(LEARNED, FOLDER)
     run(FOLDER, steps=STEPS, places=PLACES, relations=RELATIONS, seed=SEED, problems=0)
     folder = DomainFolder(FOLDER)
+    resting = state_called("rests-on", folder)
     every = [(kind, objects, height) for kind, objects, height, count in TASKS for _ in range(count)]
     for number, (kind, objects, height) in enumerate(every, start=1):
         name = f"{kind}-{objects}-{number:02d}"
         drawn = problem_stage(
-            folder, name=name, objects=objects, task=kind, height=height, seed=SEED + number
+            folder,
+            name=name,
+            objects=objects,
+            task=kind,
+            height=height,
+            state=resting if kind in RESTING else "",
+            seed=SEED + number,
         )
         folder.perform(drawn, again=False)
         try_problem(folder, name, PLANNER)
@@ -79,6 +88,18 @@ def take_places(learned: Path, folder: Path) -> None:
             make_folder((folder / name).parent)
             shutil.copy(learned / name, folder / name)
     write_json(folder / MANIFEST, Manifest(stages=stages))
+
+
+def state_called(word: str, folder: DomainFolder) -> str:
+    """Return the first state whose name begins so.
+
+    Args:
+        word: The beginning.
+        folder: The domain folder.
+    """
+    relations = Grounding.load(folder / GROUNDING).relations
+    assert relations is not None, "relations were learned"
+    return next(state.name for state in relations.states if state.bears and state.name.startswith(word))
 
 
 def sections(folder: DomainFolder) -> list[str]:
@@ -118,7 +139,8 @@ def sections(folder: DomainFolder) -> list[str]:
         "## Problems",
         f"Problem number i is drawn with seed {SEED} + i. A *tower* shall be built of some of the objects, "
         "and in *boxes* half of them shall each be on or in one of its own. *Unstack* begins with a stack "
-        "to be sorted so; in *exchange*, two things that others bear change places. In *anywhere*, "
+        "to be sorted so; in *exchange*, two things that others bear change places. These three ask "
+        "for the state in which things rest on others. In *anywhere*, "
         "goals lie all over the table. *Reached*: whether the learned states say so at the end, with "
         "replanning.",
         *problems_table(folder, (PLANNER,)),

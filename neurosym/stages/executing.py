@@ -7,7 +7,7 @@ from typing import Any, Protocol
 import msgspec
 
 from neurosym.console import say
-from neurosym.errors import InvalidFile, InvalidValue, UnknownChoice
+from neurosym.errors import InvalidFile, InvalidPlanner, InvalidValue, UnknownChoice
 from neurosym.execution.executor import execute
 from neurosym.execution.machine import this_machine
 from neurosym.execution.record import Run, StepRecord
@@ -17,7 +17,7 @@ from neurosym.files import make_folder, write_json
 from neurosym.grounding import Grounding
 from neurosym.pddl.plan_text import read_plan
 from neurosym.pddl.validation import hand_problem
-from neurosym.planners import Planner, PlanResult, plan, planner_named
+from neurosym.planners import Planner, PlanResult, PlanStatus, plan, planner_named
 from neurosym.planners.registry import Replanner
 from neurosym.problems import Problem
 from neurosym.reading import digest, read_json
@@ -143,7 +143,12 @@ def replanning(planner: Planner, time_limit: float | None = None) -> Replanner:
     """
 
     def replan(problem: Problem, grounding: Grounding) -> PlanResult:
-        return plan(problem, grounding, planner, time_limit=time_limit)
+        try:
+            return plan(problem, grounding, planner, time_limit=time_limit)
+        except InvalidPlanner:
+            raise
+        except InvalidValue as error:  # things ended where no problem can begin, like off the table
+            return PlanResult(PlanStatus.FAILED, (), 0.0, str(error))
 
     return replan
 

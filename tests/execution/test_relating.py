@@ -13,9 +13,10 @@ from neurosym.execution.record import Run
 from neurosym.execution.rerun import compare_runs, rerun
 from neurosym.files import write_json
 from neurosym.pddl.plan_text import PlanStep
-from neurosym.planners import plan
+from neurosym.planners import PlanStatus, plan, planner_named
 from neurosym.problems import Problem
 from neurosym.reading import read_json
+from neurosym.stages.executing import replanning
 from neurosym.worlds.aimed import Aimed
 
 PROBLEMS = (tower(), tower_at_place(), sorting())
@@ -46,6 +47,15 @@ class Spoiled(Aimed):
             action[8:10] += self.aside
             action[7] = 0.0 if self.aside else 1.0
         return WORLD.interact(scene, action, target, **options)
+
+
+def test_no_new_plan_from_off_the_table_is_a_result():
+    first, *others = tower().objects
+    off = msgspec.structs.replace(first, position=(5.0, 0.0, first.position[2]))
+    problem = msgspec.structs.replace(tower(), objects=(off, *others))
+    result = replanning(planner_named("fast-downward"))(problem, grounding())
+    assert result.status is PlanStatus.FAILED
+    assert "off the table" in result.reason
 
 
 @pytest.mark.parametrize("problem", PROBLEMS, ids=lambda problem: problem.name)

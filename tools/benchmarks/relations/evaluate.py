@@ -23,12 +23,11 @@ from tools.benchmarks.relations.summary import summarise
 from tools.benchmarks.relations.tables import page
 from tools.benchmarks.relations.trying import try_all
 from tools.benchmarks.world.measures import Advance
+from tools.relearn_towers import RELATIONS as STEPS
 
 RESULTS, WORK = Path("docs/results"), Path("evaluation/relations")
 RECORDS, DOMAINS = "relations-records.zip", "relations-domains.zip"
 PLACES = "places-domains.zip"
-STEPS = 8192
-"""Interactions that are aimed at other objects."""
 FIRST_TASK = 740_000
 """Seed of the first task, far from those of other evaluations."""
 BLOCK = 5
@@ -57,6 +56,8 @@ def main(
     keeping.restore(results / PLACES, work / "places")
     keeping.take_shipped(work / "places")
     learned.restore(results / DOMAINS, work)
+    if steps == STEPS:
+        learned.take_shipped(work)
 
     def report() -> None:
         pack(work / "jobs", results / RECORDS)

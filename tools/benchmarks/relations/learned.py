@@ -31,6 +31,8 @@ from neurosym.strategies import StrategyName
 from tools.benchmarks.jobs import pack, unpack
 from tools.benchmarks.planning.measures import REHEARSALS
 from tools.benchmarks.relations import symbols
+from tools.relearn_places import SEED
+from tools.relearn_towers import FOLDER as SHIPPED
 
 REGIME = "default"
 NEW_PAIRS = 730_000
@@ -82,17 +84,31 @@ def _learn(domain: DomainFolder, seed: int, steps: int, strategy: StrategyName) 
 
 
 def keep(work: Path, archive: Path) -> None:
-    """Put what it takes to try the learned domains into an archive.
+    """Put what it takes to try the learned domains into an archive, but for the one that is shipped.
 
     Args:
         work: The working folder.
         archive: A zip file.
     """
     with TemporaryDirectory() as flat:
-        for folder in work.glob("seed-*"):
-            for name in KEPT if (folder / RELATION_OPERATORS).exists() else ():
+        for folder in sorted(work.glob("seed-*")):
+            is_own = folder.name != f"seed-{SEED}" or not SHIPPED.exists()
+            for name in KEPT if is_own and (folder / RELATION_OPERATORS).exists() else ():
                 shutil.copy(folder / name, Path(flat) / f"{folder.name}.{Path(name).name}")
         pack(Path(flat), archive, "seed-*")
+
+
+def take_shipped(work: Path) -> None:
+    """Copy what the shipped domain, which is that of its seed, learned of relations, unless it is there.
+
+    Args:
+        work: The working folder.
+    """
+    for name in KEPT if SHIPPED.exists() else ():
+        target = work / f"seed-{SEED}" / name
+        if not target.exists():
+            make_folder(target.parent)
+            shutil.copy(SHIPPED / name, target)
 
 
 def restore(archive: Path, work: Path) -> None:
