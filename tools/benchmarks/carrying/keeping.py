@@ -34,20 +34,22 @@ def is_worth_keeping(grounding: Path) -> bool:
     return grounding.exists() and not (shipped.exists() and filecmp.cmp(grounding, shipped, shallow=False))
 
 
-def restore(archive: Path, work: Path) -> None:
+def restore(archive: Path, work: Path, inside: str = "") -> None:
     """Take from an archive what `keep` put there, for domains that are not in the working folder yet.
 
     Args:
         archive: A zip file, if there is one.
         work: The working folder.
+        inside: In which folder of each domain the files lie.
     """
     with TemporaryDirectory() as flat:
         unpack(archive, Path(flat))
         for path in Path(flat).iterdir():
             folder, name = path.name.split(".", 1)
-            if not (work / folder / name).exists():
-                (work / folder).mkdir(exist_ok=True)
-                shutil.copy(path, work / folder / name)
+            target = work / folder / inside / name
+            if not target.exists():
+                target.parent.mkdir(parents=True, exist_ok=True)
+                shutil.copy(path, target)
 
 
 def take_shipped(work: Path) -> None:

@@ -16,6 +16,7 @@ import tyro
 
 from neurosym.console import progress_bar, say
 from neurosym.files import make_folder, write_atomically
+from neurosym.stages.layout import RELATIONS
 from tools.benchmarks.carrying import keeping
 from tools.benchmarks.jobs import Job, as_text, load_jobs, machine, pack, perform, unpack
 from tools.benchmarks.relations import by_hand, learned, tasks
@@ -55,7 +56,7 @@ def main(
     make_folder(work / "places")
     keeping.restore(results / PLACES, work / "places")
     keeping.take_shipped(work / "places")
-    learned.restore(results / DOMAINS, work)
+    keeping.restore(results / DOMAINS, work, RELATIONS)
     if steps == STEPS:
         learned.take_shipped(work)
 

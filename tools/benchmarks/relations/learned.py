@@ -19,7 +19,6 @@ from neurosym.stages.layout import (
     PLACES,
     RELATION_MODEL,
     RELATION_OPERATORS,
-    RELATIONS,
     WORLD,
 )
 from neurosym.stages.relating import (
@@ -28,7 +27,7 @@ from neurosym.stages.relating import (
     train_relations_stage,
 )
 from neurosym.strategies import StrategyName
-from tools.benchmarks.jobs import pack, unpack
+from tools.benchmarks.jobs import pack
 from tools.benchmarks.planning.measures import REHEARSALS
 from tools.benchmarks.relations import symbols
 from tools.relearn_places import SEED
@@ -109,20 +108,3 @@ def take_shipped(work: Path) -> None:
         if not target.exists():
             make_folder(target.parent)
             shutil.copy(SHIPPED / name, target)
-
-
-def restore(archive: Path, work: Path) -> None:
-    """Take from an archive what `keep` put there, for domains that are not in the working folder yet.
-
-    Args:
-        archive: A zip file, if there is one.
-        work: The working folder.
-    """
-    with TemporaryDirectory() as flat:
-        unpack(archive, Path(flat))
-        for path in Path(flat).iterdir():
-            folder, name = path.name.split(".", 1)
-            target = work / folder / RELATIONS / name
-            if not target.exists():
-                target.parent.mkdir(parents=True, exist_ok=True)
-                shutil.copy(path, target)
