@@ -80,6 +80,11 @@ class PairStates(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
         """
         return read_json(path, cls)
 
+    @property
+    def bearing(self) -> frozenset[Symbol]:
+        """Codes of the states in which the reference bears its target."""
+        return frozenset(state.symbol for state in self.states if state.bears)
+
     def of(self, description: Sequence[float]) -> PairState:
         """Return the state of a pair: the one whose centre is nearest.
 

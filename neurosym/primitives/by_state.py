@@ -28,7 +28,7 @@ def by_state(states: PairStates) -> Judging:
     Args:
         states: The states of pairs.
     """
-    bearing = _bearing(states)
+    bearing = states.bearing
 
     def watch(outcome: Outcome) -> Performance:
         state = found if (found := end_state(outcome, states)) in bearing else ""
@@ -65,11 +65,7 @@ def foreseen_state(predicted: Float[np.ndarray, "N O"], states: PairStates) -> s
     chances = np.clip(predicted[:, _CARRIED], 0.0, 1.0)
     x, y, up, touching, tilted = predicted[:, :_CARRIED].sum(0) / max(float(chances.sum()), _LEAST_CHANCE)
     state = states.of((max(abs(x), abs(y)), up, touching, tilted, 0.0))
-    return state.symbol if state.symbol in _bearing(states) else ""
-
-
-def _bearing(states: PairStates) -> set[str]:
-    return {state.symbol for state in states.states if state.bears}
+    return state.symbol if state.symbol in states.bearing else ""
 
 
 def judge_by_state(performances: Sequence[Performance]) -> Judgement:

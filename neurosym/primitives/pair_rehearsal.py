@@ -46,7 +46,7 @@ def tabulate_pairs(
     """
     kinds = _kinds(rehearsals, feature_names)
     names = {state.symbol: state.name for state in states.states}
-    bearing = {state.symbol for state in states.states if state.bears}
+    bearing = states.bearing
     operators = []
     for number, primitive in enumerate(rehearsals.primitives):
         for kind in kinds:
@@ -96,7 +96,7 @@ def rehearse_among(
         progress: Called after each rehearsal.
     """
     states = PairStates(table.states, table.scales)
-    bearing = {state.symbol for state in table.states if state.bears}
+    bearing = states.bearing
     rng = np.random.default_rng([seed, _STREAM])
     ends = [
         outcome.end

@@ -38,6 +38,14 @@ def test_what_only_actions_bring_about_is_borne():
     assert sum(one.share for one in found.states) == 1
 
 
+def test_what_does_not_touch_rests_on_nothing():
+    found = states()
+    above = (0.2, 1.4, 0.0, 0.0, 0.0)
+    assert found.of((0.2, 1.4, 1.0, 0.0, 0.0)) == found.of(ON)
+    assert found.of(above) != found.of(ON)
+    assert found.bearing == {one.symbol for one in found.states if one.bears}
+
+
 def test_same_draws_give_the_same_states():
     assert states() == states()
 
