@@ -9,7 +9,7 @@ import pytest
 from command_line import refusal
 
 from neurosym import locks
-from neurosym.commands.cli import main
+from neurosym.commands.new_problem import new_problem
 from neurosym.errors import CannotWrite, FolderTaken, InvalidFile
 from neurosym.files import write_atomically
 from neurosym.stages.compiling import compile_stage
@@ -145,9 +145,7 @@ def test_problems_made_at_the_same_time_get_names_of_their_own(folder: Path, cap
 
     def make(seed: int) -> None:
         together.wait()
-        with pytest.raises(SystemExit) as ended:
-            main(["new-problem", str(folder), "--seed", str(seed)])
-        assert ended.value.code == 0
+        assert new_problem(folder, seed=seed) == 0
 
     threads = [threading.Thread(target=make, args=(seed,)) for seed in range(4)]
     for thread in threads:
