@@ -13,7 +13,7 @@ DESCRIPTION = ("away", "above", "touching", "tilted", "reference tilted")
 """What the numbers of a description are. Along x or y, whichever is more, the target is so far away from the
 reference; along z it is so far above it [touching units]. They touch or not; and the target and the reference
 are tilted by so much, as shares of the greatest tilt that counts."""
-FARTHEST = 2.0
+FARTHEST = 2.5
 """Farther apart than this objects have nothing to do with one another [touching units]."""
 _STEEPEST = 0.35  # an object leans no more than this counts [rad]
 

@@ -13,11 +13,14 @@ from jaxtyping import Float
 
 from neurosym.data.interactions import Interactions
 from neurosym.learning.coclustering import gray_order, kmeans, nearest
+from neurosym.pair_states import DESCRIPTION
 from neurosym.relation_operators import PairState, PairStates
 from neurosym.symbols import all_symbols
 
 STARTS = 20
 """How often k-means starts; the best is kept."""
+TOUCHING_COUNTS = 0.5
+"""What touching or not counts beside the other numbers: what sits in a ring does so, touching it or not."""
 RARE = 0.01
 """What fresh pairs are so rarely is what actions made of them."""
 _DIGITS = 4
@@ -43,6 +46,7 @@ def learn_states(
     """
     points = np.concatenate([fresh[rng.permutation(len(fresh))[: len(ends)]], ends, turned])
     scales = np.maximum(points.std(0), 1e-3)
+    scales[DESCRIPTION.index("touching")] /= TOUCHING_COUNTS
     kinds, scaled = 2**bits, points / scales
     labels = min((kmeans(scaled, kinds, rng) for _ in range(STARTS)), key=lambda one: _error(scaled, one))
     centres = np.array([scaled[labels == kind].mean(0) for kind in range(kinds) if np.any(labels == kind)])

@@ -1,6 +1,7 @@
 """Motions that are known to carry an object to a place, to be tried with other objects as references.
 
-They are a start for exploring what can be done with pairs: how to grasp need not be found out once more.
+They are a start for exploring what can be done with pairs: how to grasp need not be found out once more. A
+place is a reference without size, so that what ends there ends on or in an object instead.
 """
 
 from dataclasses import dataclass
@@ -15,12 +16,14 @@ from neurosym.symbols import Categorise, Symbol, symbols_of
 
 JITTER = 0.003
 """Standard deviation by which their lengths are changed [m]."""
+TO_THE_MIDDLE = 0.5
+"""Share of the motions that end where the reference is; the others end at random."""
 _LAST = 4  # parameters of the last waypoint, which is relative to the reference
 
 
 @dataclass(frozen=True)
 class KnownMotions:
-    """Draws motions that carry objects of a target's category, the last waypoint at random.
+    """Draws motions that carry objects of a target's category, to the reference or with a random end.
 
     Attributes:
         places: What carries objects to places.
@@ -34,11 +37,13 @@ class KnownMotions:
 
     @cached_property
     def _of_category(self) -> dict[Symbol, Float[np.ndarray, "P A"]]:
-        table, found = self.places.operators, dict[Symbol, list[tuple[float, ...]]]()
+        table, found = self.places.operators, dict[Symbol, list[Float[np.ndarray, "A"]]]()
         actions = {one.label: one.action for one in table.primitives}
         for one in table.operators:
             if one.promise and one.promise.kind == "carried" and 2 * one.successes > one.trials:
-                found.setdefault(one.category, []).append(actions[one.label])
+                to_the_middle = np.array(actions[one.label])
+                to_the_middle[-_LAST:][:2] -= one.promise.resting_effect[:2]
+                found.setdefault(one.category, []).append(to_the_middle)
         return {category: np.array(rows) for category, rows in found.items()}
 
     def __call__(
@@ -56,8 +61,9 @@ class KnownMotions:
         drawn = self.box.sample(rng, count)
         if known is None:
             return drawn[:0]
-        first = known[rng.integers(len(known), size=count), :-_LAST]
-        length = ~self.box.gripper[:-_LAST]
-        drawn[:, :-_LAST] = first + rng.normal(0.0, JITTER, first.shape) * length
-        inside: np.ndarray = np.clip(drawn, self.box.low, self.box.high)
+        motions = known[rng.integers(len(known), size=count)]
+        motions += rng.normal(0.0, JITTER, motions.shape) * ~self.box.gripper
+        elsewhere = rng.random(count) >= TO_THE_MIDDLE
+        motions[elsewhere, -_LAST:] = drawn[elsewhere, -_LAST:]
+        inside: np.ndarray = np.clip(motions, self.box.low, self.box.high)
         return inside
