@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from neurosym.pair_states import describe_pair, extent, tilt, touching_units
+from neurosym.pair_states import FARTHEST, describe_pair, extent, tilt, touching_units
 from neurosym.world import Scene
 
 UPRIGHT = (0.0, 0.0, 0.0, 1.0)
@@ -27,9 +27,9 @@ def test_order_of_a_pair_tells_which_is_above():
     np.testing.assert_allclose(describe_pair(STACK, 1, 0, ((0, 1),)), (0, -1, 1, 0, 0), atol=1e-6)
 
 
-def test_what_is_far_away_is_no_farther_than_two_units():
+def test_what_is_far_away_is_no_farther_than_the_most():
     apart = scene((CUBE, (0.3, 0.3, 0.02), UPRIGHT), (CUBE, (0.9, -0.3, 0.02), UPRIGHT))
-    np.testing.assert_allclose(describe_pair(apart, 0, 1, ()), (2, 0, 0, 0, 0), atol=1e-9)
+    np.testing.assert_allclose(describe_pair(apart, 0, 1, ()), (FARTHEST, 0, 0, 0, 0), atol=1e-9)
 
 
 def test_sizes_are_those_along_the_axes_of_the_world():

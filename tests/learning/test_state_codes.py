@@ -13,8 +13,8 @@ APART, ON, UNDER, IN = (
 
 
 def around(centre: tuple[float, ...], count: int, rng: np.random.Generator) -> np.ndarray:
-    """Draw descriptions close to a centre."""
-    return np.array(centre) + rng.normal(0.0, 0.02, (count, len(centre)))
+    """Draw descriptions as far away and as high as a centre, or nearly so."""
+    return np.array(centre) + rng.normal(0.0, 0.02, (count, len(centre))) * (1, 1, 0, 0, 0)
 
 
 def states():
@@ -22,7 +22,7 @@ def states():
     rng = np.random.default_rng(0)
     ends = np.concatenate([around(ON, 80, rng), around(IN, 40, rng)])
     turned = np.concatenate([around(UNDER, 80, rng), around((0.1, -0.1, 1.0, 0.0, 0.0), 40, rng)])
-    return learn_states(around(APART, 200, rng), ends, turned, 3, rng)
+    return learn_states(around(APART, 200, rng), ends, turned, 2, rng)
 
 
 def test_states_that_differ_have_codes_of_their_own():
@@ -44,6 +44,14 @@ def test_what_does_not_touch_rests_on_nothing():
     assert found.of((0.2, 1.4, 1.0, 0.0, 0.0)) == found.of(ON)
     assert found.of(above) != found.of(ON)
     assert found.bearing == {one.symbol for one in found.states if one.bears}
+
+
+def test_what_sits_in_a_ring_is_in_one_state_whether_it_touches_it_or_not():
+    rng = np.random.default_rng(1)
+    touching, free = around(IN, 60, rng), around((*IN[:2], 0.0, 0.0, 0.0), 60, rng)
+    ends = np.concatenate([around(ON, 200, rng), touching, free])
+    found = learn_states(around(APART, 300, rng), ends, ends * (1, -1, 1, 1, 1), 2, rng)
+    assert found.of(touching[0].tolist()) == found.of(free[0].tolist()) != found.of(ON)
 
 
 def test_same_draws_give_the_same_states():
