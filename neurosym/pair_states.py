@@ -15,7 +15,8 @@ reference; along z it is so far above it [touching units]. They touch or not; an
 are tilted by so much, as shares of the greatest tilt that counts."""
 FARTHEST = 2.5
 """Farther apart than this objects have nothing to do with one another [touching units]."""
-_STEEPEST = 0.35  # an object leans no more than this counts [rad]
+STEEPEST = 0.35
+"""The tilt of an object counts up to this [rad]."""
 
 
 def describe_pair(
@@ -33,7 +34,7 @@ def describe_pair(
     away = min(float(np.abs(units[:2]).max()), FARTHEST)
     up = np.clip(units[2], -FARTHEST, FARTHEST)
     pair = (min(target, reference), max(target, reference))
-    tilts = (tilt(scene, index) / _STEEPEST for index in (target, reference))
+    tilts = (tilt(scene, index) / STEEPEST for index in (target, reference))
     return np.array([away, up, float(pair in contacts), *tilts])
 
 
@@ -62,14 +63,14 @@ def extent(scene: Scene, index: int) -> Float[np.ndarray, "3"]:
 
 
 def tilt(scene: Scene, index: int) -> float:
-    """Return how far an object is tilted from lying on a face, at most `_STEEPEST` [rad].
+    """Return how far an object is tilted from lying on a face, at most `STEEPEST` [rad].
 
     Args:
         scene: The objects.
         index: Which one.
     """
     steepest = float(np.abs(_rotation(scene.orientations[index])[2]).max())
-    return min(float(np.arccos(min(1.0, steepest))), _STEEPEST)
+    return min(float(np.arccos(min(1.0, steepest))), STEEPEST)
 
 
 def _rotation(quaternion: Float[np.ndarray, "4"]) -> Float[np.ndarray, "3 3"]:

@@ -11,7 +11,7 @@ from jaxtyping import Float
 from neurosym.checks import as_path, check_fields, check_kind
 from neurosym.errors import InvalidValue, UnknownChoice
 from neurosym.files import write_json
-from neurosym.operators import TOLERANCE, Length, Vector
+from neurosym.operators import TOLERANCE, Length, Share, Vector
 from neurosym.reading import read_json
 from neurosym.relation_goals import RelationGoal, check_relation_goals
 from neurosym.spots import spot_named
@@ -62,6 +62,8 @@ class Problem(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
         places: Where objects may be carried to: x and y of each place [m], by its name; drawn if not given.
         relations: Which object shall stand to which other one in which state: target, reference, state.
         pairs: Kinds of the pairs of objects, by the names of target and reference with a blank between.
+        foreseen: How surely operators are foreseen to keep their promises with a pair: by the same names of
+            the pair, and then of the operator; where that is not said, as surely as with its kind.
         touching: Names of the objects that touch, where somebody saw that; else it is told by geometry.
     """
 
@@ -73,6 +75,7 @@ class Problem(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     places: dict[str, tuple[Length, Length]] | msgspec.UnsetType = msgspec.UNSET
     relations: tuple[RelationGoal, ...] | msgspec.UnsetType = msgspec.UNSET
     pairs: dict[str, Symbol] | msgspec.UnsetType = msgspec.UNSET
+    foreseen: dict[str, dict[str, Share]] | msgspec.UnsetType = msgspec.UNSET
     touching: tuple[tuple[str, str], ...] | msgspec.UnsetType = msgspec.UNSET
 
     def __post_init__(self) -> None:

@@ -20,6 +20,9 @@ from neurosym.symbols import Symbol
 
 FORMAT = "neurosym-relations-2"
 _TOUCHING, _CERTAIN = DESCRIPTION.index("touching"), 0.9
+SELDOM = 0.1
+"""An operator promises a state if this share of its kind's pairs or more ends so, besides the most frequent
+state. With some of them it may be foreseen to do so surely."""
 Description = tuple[Length, ...]
 """How a target stands to a reference, as numbers; see `neurosym.pair_states.describe_pair`."""
 
@@ -84,6 +87,11 @@ class PairStates(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     def bearing(self) -> frozenset[Symbol]:
         """Codes of the states in which the reference bears its target."""
         return frozenset(state.symbol for state in self.states if state.bears)
+
+    @property
+    def bearing_order(self) -> tuple[Symbol, ...]:
+        """The same codes in order, as networks foresee these states."""
+        return tuple(sorted(self.bearing))
 
     def of(self, description: Sequence[float]) -> PairState:
         """Return the state of a pair: the one whose centre is nearest.

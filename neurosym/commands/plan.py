@@ -58,7 +58,7 @@ def plan(
 ) -> int:
     """Plan for a problem; exit code 3 if there is no plan, with the reason.
 
-    `bfs` is the paper's breadth-first search over the effects that the network predicts, three deep;
+    `bfs` is the paper's breadth-first search over what the network predicts, three deep without relations;
     `counting` finds the fewest primitives there can be. Any other planner can be given DIR/domain.pddl and
     DIR/problems/PROBLEM.pddl, and its plan file executed.
     """

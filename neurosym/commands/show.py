@@ -104,11 +104,11 @@ def _show_operator(domain: DomainFolder, name: str, output: Path | None, gui: bo
     from neurosym.pictures.motions import operator_motions
     from neurosym.pictures.pair_motions import pair_motion
     from neurosym.related import relating
-    from neurosym.stages.task_drawing import kinds_of_pairs
+    from neurosym.stages.task_drawing import sight_of_pairs
 
     world, grounding = _learned(domain)
     if on_pair := relating(name, grounding):
-        motions: Sequence[Motion] = [pair_motion(world, grounding, on_pair, kinds=kinds_of_pairs(domain))]
+        motions: Sequence[Motion] = [pair_motion(world, grounding, on_pair, sight=sight_of_pairs(domain))]
     else:
         motions = operator_motions(world, grounding, [grounding.operator_named(name)], **_rehearsed(domain))
     _show_motions(domain, world, motions, f"operator-{name}", output, gui)

@@ -17,7 +17,7 @@ from neurosym.problems import Problem
 from neurosym.reading import digest, read_json
 from neurosym.stages.folder import DomainFolder
 from neurosym.stages.layout import COMPARISONS, GROUNDING, MODEL, WORLD
-from neurosym.stages.task_drawing import AnyTask, draw_any_task, kinds_of_pairs
+from neurosym.stages.task_drawing import AnyTask, draw_any_task, sight_of_pairs
 from neurosym.symbols import Symbol
 from neurosym.worlds.pool import worker_pool
 from neurosym.worlds.problem_drawing import draw_problem
@@ -85,7 +85,7 @@ class Bench:
         grounding = Grounding.load(folder.require(GROUNDING))
         model = EffectModel.load(folder.require(MODEL))
         symbols = grounding.operators.symbols
-        self._kinds = kinds_of_pairs(folder)
+        self._sight = sight_of_pairs(folder)
         self.categorise: Callable[[Float[ndarray, "N F"]], tuple[Symbol, ...]] = model.object_symbols
         self.setting = Setting(
             world=read_world(folder.require(WORLD))(),
@@ -118,7 +118,7 @@ class Bench:
         else:
             known = self.setting.grounding
             options: dict[str, Any] = {"name": name, "objects": objects, "seed": seed, "fits": fits}
-            drawn = draw_any_task(world, self.categorise, known, task, kinds=self._kinds, **options)
+            drawn = draw_any_task(world, self.categorise, known, task, sight=self._sight, **options)
         return msgspec.structs.replace(drawn, tolerance=tolerance)
 
 

@@ -9,7 +9,7 @@ Names are made afterwards, from the numbers that are typical of a state.
 from collections.abc import Sequence
 
 import numpy as np
-from jaxtyping import Float
+from jaxtyping import Bool, Float
 
 from neurosym.data.interactions import Interactions
 from neurosym.learning.coclustering import gray_order, kmeans, nearest
@@ -71,19 +71,35 @@ def learn_states(
 def ends_in(interactions: Interactions) -> tuple[Float[np.ndarray, "N D"], Float[np.ndarray, "N D"]]:
     """Describe how pairs stand in the end if the target was carried; and the same the other way round.
 
-    Seen from the target, the reference is as far below. References are taken to stand straight: they mostly
-    do, and data do not tell.
+    Seen from the target, the reference is as far below.
 
     Args:
         interactions: The data, each aimed at another object.
     """
-    x, y, up, touching, tilted, carried = np.asarray(interactions.effects, dtype=np.float64).T
-    away, straight = np.maximum(np.abs(x), np.abs(y)), np.zeros_like(x)
-    ends, turned = (
-        np.column_stack([away, up, touching, tilted, straight]),
-        np.column_stack([away, -up, touching, straight, tilted]),
-    )
-    return ends[carried > 0], turned[carried > 0]
+    ends = described_ends(interactions)[carried(interactions)]
+    away, up, touching, tilted, reference_tilted = ends.T
+    return ends, np.column_stack([away, -up, touching, reference_tilted, tilted])
+
+
+def described_ends(interactions: Interactions) -> Float[np.ndarray, "N D"]:
+    """Describe how each pair stands in the end, where the target was carried.
+
+    References are taken to stand straight: they mostly do, and data do not tell.
+
+    Args:
+        interactions: The data, each aimed at another object.
+    """
+    x, y, up, touching, tilted, _ = np.asarray(interactions.effects, dtype=np.float64).T
+    return np.column_stack([np.maximum(np.abs(x), np.abs(y)), up, touching, tilted, np.zeros_like(x)])
+
+
+def carried(interactions: Interactions) -> Bool[np.ndarray, "N"]:
+    """Say of each interaction whether the target was carried to the reference.
+
+    Args:
+        interactions: The data, each aimed at another object.
+    """
+    return np.asarray(interactions.effects[:, -1] > 0)
 
 
 def name_state(centre: Sequence[float] | Float[np.ndarray, "5"]) -> str:

@@ -11,6 +11,7 @@ from neurosym.grounding import FORMAT, FORMAT_WITH_PLACES, FORMAT_WITH_RELATIONS
 from neurosym.naming import counted_axes
 from neurosym.operators import OperatorTable
 from neurosym.pddl.determinisation import with_every_outcome
+from neurosym.pddl.grades import GRADES, USUAL
 from neurosym.place_operators import PlaceOperators
 from neurosym.problems import LEGAL_NAME
 from neurosym.relation_operators import RelationOperators
@@ -23,7 +24,7 @@ RESERVED = tuple(f"{axis}-{kind}" for kind in ("cell", "step") for axis in "xyz"
 WORDS_OF_RELATIONS = (
     *("place", "count", "origin", "none", "one", "from-place", "from-object", "nowhere", "stands", "free"),
     *("taken", "room", "bears", "next", "done", "hand-empty", "total-cost", "can-be-taken", "rests-with"),
-    *("goal-place", "may-stand", "overlaps", "look-next", "reach-place"),
+    *("goal-place", "may-stand", "overlaps", "look-next", "reach-place", "grade", USUAL, *GRADES),
 )
 """What the encoding `relational` calls types, constants, predicates and actions."""
 RESERVED_FOR_RELATIONS = ("leave-", "look-", "can-", "cost-of-", "count-")

@@ -1,24 +1,28 @@
 """What the encoding `relational` is printed from: operators on pairs, what they ask, and what they cost.
 
 What an operator asks is what its rehearsals showed. Where a third object on the reference, on the target, or
-under it spoiled more than half of them, that is forbidden; otherwise it is allowed, and costs what it showed.
+under it spoiled more than half of what goes well otherwise, that is forbidden. Else it is allowed, and costs
+what it showed.
 """
 
 import math
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import lru_cache
 
 from neurosym.grounding import MIN_TRIALS, Grounding
 from neurosym.operators import Category, Operator
+from neurosym.pddl.grades import GRADES, USUAL, grade_of
 from neurosym.pddl.moves import step_cost
 from neurosym.pddl.place_domain import carriers_of
 from neurosym.place_operators import Kept
+from neurosym.problems import Problem
 from neurosym.promises import LEAST_CHANCE
-from neurosym.relation_operators import PairEnd, PairState, RelationOperator, RelationOperators
+from neurosym.relation_goals import pair_key
+from neurosym.relation_operators import SELDOM, PairEnd, PairState, RelationOperator, RelationOperators
 
 LEAST_SHARE = 0.5
-"""What keeps an operator's promise in a smaller share of rehearsals is forbidden."""
+"""Where a third object leaves less than this of what is usual, it is forbidden."""
 _NEVER = Kept("never", 0, 0)
 
 
@@ -31,12 +35,14 @@ class Put:
         end: How it promises to turn out.
         state: The state that the pair ends in.
         kind: The kind of pairs that it is for.
+        grade: How surely it is foreseen to keep its promise with the pair at hand.
     """
 
     operator: RelationOperator
     end: PairEnd
     state: PairState
     kind: Category
+    grade: str = USUAL
 
     @property
     def name(self) -> str:
@@ -46,17 +52,42 @@ class Put:
     @property
     def takes_borne(self) -> bool:
         """Whether the target may rest on a third object."""
-        return self.operator.borne.share >= LEAST_SHARE
+        return self._keeps(self.operator.borne)
 
     @property
     def takes_occupied(self) -> bool:
         """Whether a third object may rest on the reference."""
-        return self.operator.occupied.share >= LEAST_SHARE
+        return self._keeps(self.operator.occupied)
 
     @property
     def takes_laden(self) -> bool:
         """Whether a third object may rest on the target, and then goes along."""
-        return self.operator.laden.share >= LEAST_SHARE
+        return self._keeps(self.operator.laden)
+
+    def _keeps(self, kept: Kept) -> bool:
+        return bool(kept.trials) and kept.share >= LEAST_SHARE * self.end.share
+
+    @property
+    def share(self) -> float:
+        """In which share of the cases it is foreseen to keep its promise."""
+        return GRADES.get(self.grade, self.end.share)
+
+    @property
+    def is_likely(self) -> bool:
+        """Whether it keeps its promise often enough to be planned with."""
+        return self.share >= LEAST_CHANCE
+
+    def with_pair(self, problem: Problem, target: str, reference: str) -> "Put":
+        """Return it as it is foreseen to turn out with a pair of objects.
+
+        Args:
+            problem: The problem, which may say what is foreseen.
+            target: Name of the target.
+            reference: Name of the reference.
+        """
+        foreseen = problem.foreseen if isinstance(problem.foreseen, dict) else {}
+        share = foreseen.get(pair_key(target, reference), {}).get(self.name)
+        return self if share is None else replace(self, grade=grade_of(share))
 
     def chance(self, *, borne: bool = False, occupied: bool = False, laden: bool = False) -> float:
         """Return the chance that a step goes as promised, by what rehearsals with third objects showed.
@@ -66,8 +97,9 @@ class Put:
             occupied: Whether a third object rests on the reference.
             laden: Whether a third object rests on the target.
         """
-        usual = _chance(self.end.count, self.operator.trials)
-        found = usual
+        trials = self.operator.trials
+        usual = _chance(self.end.count, trials)
+        found = GRADES.get(self.grade, usual)
         cases = ((borne, self.operator.borne), (occupied, self.operator.occupied))
         for is_so, kept in (*cases, (laden, self.operator.laden)):
             if is_so and kept.trials:
@@ -232,8 +264,8 @@ def left_out(table: RelationOperators) -> Mapping[str, str]:
             found[one.name] = reason
             continue
         assert one.promise is not None
-        asked = (kept.share >= LEAST_SHARE for kept in (one.borne, one.occupied, one.laden))
-        case = (one.pair, one.promise.state, *asked)
+        put = _put(one, table)
+        case = (one.pair, one.promise.state, put.takes_borne, put.takes_occupied, put.takes_laden)
         other = surest.setdefault(case, one)
         if other is one:
             continue
@@ -257,7 +289,7 @@ def _why_worthless(operator: RelationOperator, table: RelationOperators) -> str 
         return "never carries its target to the reference"
     if not table.state_named(operator.promise.state).bears:
         return "ends in a state in which the reference bears nothing"
-    if operator.promise.count < LEAST_CHANCE * operator.trials:
+    if operator.promise.share < SELDOM:
         return f"keeps its promise in {operator.promise.count} of {operator.trials} rehearsals only"
     return None
 

@@ -84,7 +84,7 @@ def why_no_relation(problem: Problem, grounding: Grounding) -> str:
 
 
 def puts_for(problem: Problem, grounding: Grounding, target: str, reference: str) -> tuple[Put, ...]:
-    """List what the domain can do with a pair of objects.
+    """List what the domain can do with a pair of objects, as it is foreseen to turn out with them.
 
     Args:
         problem: The problem, with the kinds of its pairs.
@@ -94,7 +94,9 @@ def puts_for(problem: Problem, grounding: Grounding, target: str, reference: str
     """
     kinds = problem.pairs if isinstance(problem.pairs, dict) else {}
     kind = kinds.get(pair_key(target, reference))
-    return tuple(put for put in puts_of(grounding) if put.kind.symbol == kind)
+    of_kind = (put for put in puts_of(grounding) if put.kind.symbol == kind)
+    at_hand = (put.with_pair(problem, target, reference) for put in of_kind)
+    return tuple(put for put in at_hand if put.is_likely)
 
 
 def valid_relations(problem: Problem, grounding: Grounding, target: str) -> str:

@@ -12,6 +12,7 @@ says `(not (exists ...))` instead. Both have types and action costs.
 from neurosym.errors import InvalidValue
 from neurosym.grounding import Grounding
 from neurosym.operators import Operator
+from neurosym.pddl.grades import GRADES, USUAL
 from neurosym.pddl.moves import LIFTED, RELATIONAL, Encoding
 from neurosym.pddl.place_domain import LOOK, NOWHERE, REACH, about_carrier
 from neurosym.pddl.printing import action_text, comment
@@ -25,6 +26,7 @@ from neurosym.pddl.relational import (
     takes_loads,
 )
 from neurosym.pddl.relational_words import about_put, about_state, about_third
+from neurosym.promises import LEAST_CHANCE
 from neurosym.relation_operators import PairState
 
 LEAVE = "leave-"
@@ -36,6 +38,8 @@ FROM_PLACE, FROM_OBJECT = "from-place", "from-object"
 """Where an object in the hand comes from."""
 NONE, ONE = "none", "one"
 """How many objects another one bears, to begin with."""
+_LIKELY = [(share, grade) for grade, share in GRADES.items() if share >= LEAST_CHANCE]
+_GRADES = ", ".join(f"{grade} ({share:g})" for share, grade in sorted(_LIKELY, reverse=True))
 _FREE = "(increase (total-cost) 0)"
 
 
@@ -73,9 +77,9 @@ def cost_function(name: str) -> str:
     return f"cost-of-{name}"
 
 
-def can_predicate(carrier: str) -> str:
-    """Name the predicate of the objects that an operator carries to places."""
-    return f"can-{carrier}"
+def can_predicate(operator: str) -> str:
+    """Name the predicate of the objects, or of the pairs, that an operator is likely to do its work with."""
+    return f"can-{operator}"
 
 
 def _header(grounding: Grounding, encoding: Encoding) -> str:
@@ -87,14 +91,17 @@ def _header(grounding: Grounding, encoding: Encoding) -> str:
     cost = (
         "Cost of a step: 1."
         if grounding.unit_costs
-        else "Cost of a step: 1 + round(-100 ln((k + 1) / (n + 2))), k successes in n rehearsals."
+        else "Cost of a step: 1 + round(-100 ln p). Here p is (k + 1) / (n + 2) with k successes in n "
+        "rehearsals, or the share that the grade of a pair stands for."
     )
     lines = [
         f"Learned domain {grounding.name}, encoding {encoding}. Printed by neurosym; do not edit.",
         "Every object stands at a place or is borne by another object. A step has two actions: leave-... "
         "takes an object from where it is, and the operator puts it elsewhere.",
         count,
-        f"What spoiled more than half of the rehearsals is forbidden. {cost}",
+        f"What spoiled more than half of what goes well otherwise is forbidden. {cost}",
+        "(can-... ?t ?r ?g): an operator is likely to work with a pair; ?g says how surely. A problem tells "
+        f"that of its pairs, as a network foresees it: {_GRADES}; or {USUAL}, as rehearsals showed.",
     ]
     return comment(lines, "")
 
@@ -104,7 +111,7 @@ def _types(grounding: Grounding, is_lifted: bool) -> str:
     count = "" if is_lifted else "count "
     counts = "" if is_lifted else f"    {NONE} {ONE} - count\n"
     return (
-        f"  (:types\n    movable place {count}origin - object\n    {names} - movable)\n\n"
+        f"  (:types\n    movable place {count}origin grade - object\n    {names} - movable)\n\n"
         f"  (:constants\n{counts}    {FROM_PLACE} {FROM_OBJECT} - origin\n    {NOWHERE} - place)"
     )
 
@@ -123,6 +130,7 @@ def _predicates(grounding: Grounding, is_lifted: bool) -> str:
     lines += [f"({state.name} ?t ?r - movable)" for state in bearing_states(grounding)]
     kinds = {put.kind.symbol: put.kind.name for put in puts_of(grounding)}
     lines += [f"({name} ?t ?r - movable)" for _, name in sorted(kinds.items())]
+    lines += [f"({can_predicate(put.name)} ?t ?r - movable ?g - grade)" for put in puts_of(grounding)]
     lines += [
         f"({can_predicate(one.name)} ?o - {_type(one.operator, grounding)})"
         for one in relational_carriers(grounding)
@@ -133,9 +141,9 @@ def _predicates(grounding: Grounding, is_lifted: bool) -> str:
 def _functions(grounding: Grounding, is_lifted: bool) -> str:
     lines = ["(total-cost) - number"]
     for put in puts_of(grounding):
-        if parts := cost_parameters(put, is_lifted):
-            names = [put.name, *([put.name + LADEN] if put.takes_laden else [])]
-            lines += [f"({cost_function(name)} {' '.join(parts)}) - number" for name in names]
+        names = [put.name, *([put.name + LADEN] if put.takes_laden else [])]
+        parts = " ".join(cost_parameters(put, is_lifted))
+        lines += [f"({cost_function(name)} {parts}) - number" for name in names]
     lines += [
         f"({cost_function(one.name)} ?o - {_type(one.operator, grounding)} ?from - origin) - number"
         for one in relational_carriers(grounding)
@@ -151,7 +159,8 @@ def cost_parameters(put: Put, is_lifted: bool) -> list[str]:
         is_lifted: Whether nothing is counted.
     """
     counted = put.takes_occupied and not is_lifted
-    return [*(["?n - count"] if counted else []), *(["?from - origin"] if put.takes_borne else [])]
+    counts, origins = ["?n - count"] if counted else [], ["?from - origin"] if put.takes_borne else []
+    return ["?g - grade", *counts, *origins]
 
 
 def _taking(grounding: Grounding, is_lifted: bool) -> list[str]:
@@ -192,15 +201,16 @@ def _leave(state: PairState, before: list[str], after: list[str], is_lifted: boo
 
 def _putting(put: Put, grounding: Grounding, is_lifted: bool) -> str:
     """Print an operator on pairs, and again with a load if it takes one."""
-    texts = [_put_action(put, grounding, is_lifted, laden=False)]
+    texts = [_put_action(put, is_lifted, laden=False)]
     if put.takes_laden:
-        texts.append(_put_action(put, grounding, is_lifted, laden=True))
+        texts.append(_put_action(put, is_lifted, laden=True))
     return "\n".join([comment(about_put(put, grounding), "  "), *texts])
 
 
-def _put_action(put: Put, grounding: Grounding, is_lifted: bool, *, laden: bool) -> str:
+def _put_action(put: Put, is_lifted: bool, *, laden: bool) -> str:
     name = put.name + (LADEN if laden else "")
     parameters, before, after = "?t ?r - movable", [f"({put.kind.name} ?t ?r)"], ["(hand-empty)"]
+    before += [f"({can_predicate(put.name)} ?t ?r ?g)"]
     origin = "?from" if put.takes_borne else FROM_PLACE
     before += [f"(taken ?t {origin})"]
     after += [f"(not (taken ?t {origin}))", f"({put.state.name} ?t ?r)"]
@@ -218,10 +228,9 @@ def _put_action(put: Put, grounding: Grounding, is_lifted: bool, *, laden: bool)
         parameters += " ?n ?more - count" if put.takes_occupied else ""
         before += [f"(bears ?r {now})", *(["(next ?n ?more)"] if put.takes_occupied else [])]
         after += [f"(not (bears ?r {now}))", f"(bears ?r {more})"]
-    parameters += " ?from - origin" if put.takes_borne else ""
+    parameters += f"{' ?from - origin' if put.takes_borne else ''} ?g - grade"
     named = [part.split()[0] for part in cost_parameters(put, is_lifted)]
-    cost = f"({' '.join([cost_function(name), *named])})" if named else put.cost(grounding, laden=laden)
-    after += [f"(increase (total-cost) {cost})"]
+    after += [f"(increase (total-cost) ({' '.join([cost_function(name), *named])}))"]
     return action_text(name, parameters, before, after)
 
 

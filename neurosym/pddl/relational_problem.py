@@ -2,6 +2,7 @@
 
 from collections import Counter
 from collections.abc import Collection
+from dataclasses import replace
 from itertools import pairwise, product
 
 import msgspec
@@ -11,13 +12,21 @@ from jaxtyping import Float
 from neurosym.grounding import Grounding
 from neurosym.operators import Operator, Vector
 from neurosym.pair_states import extent
+from neurosym.pddl.grades import GRADES, USUAL
 from neurosym.pddl.moves import LIFTED, RELATIONAL, Encoding
 from neurosym.pddl.occupants import occupants
 from neurosym.pddl.place_domain import NOWHERE, carriers_for
 from neurosym.pddl.place_problem import START
 from neurosym.pddl.places import blockers, is_at, with_places
 from neurosym.pddl.printing import comment
-from neurosym.pddl.relational import Carrier, Put, bearing_states, puts_of, relational_carriers
+from neurosym.pddl.relational import (
+    Carrier,
+    Put,
+    bearing_states,
+    puts_of,
+    relational_carriers,
+)
+from neurosym.pddl.relational_check import puts_for
 from neurosym.pddl.relational_domain import (
     FROM_OBJECT,
     FROM_PLACE,
@@ -26,7 +35,6 @@ from neurosym.pddl.relational_domain import (
     ONE,
     can_predicate,
     cost_function,
-    cost_parameters,
 )
 from neurosym.problems import ROUNDED, Problem
 from neurosym.promises import promised
@@ -108,6 +116,15 @@ class Task:
             if kind in known and target in self.problem.object_names and other in self.problem.object_names
         }
 
+    def puts(self) -> dict[tuple[str, str], tuple[Put, ...]]:
+        """Return what is likely to work with each pair that something in the domain is for."""
+        return {pair: puts_for(self.problem, self.grounding, *pair) for pair in sorted(self.kinds())}
+
+    def grades(self) -> tuple[str, ...]:
+        """List how surely operators are foreseen to keep their promises with pairs of these objects."""
+        found = {put.grade for puts in self.puts().values() for put in puts}
+        return tuple(grade for grade in (USUAL, *GRADES) if grade in found) or (USUAL,)
+
     def blockers(self, name: str, spot: tuple[float, float]) -> tuple[str, ...]:
         """Name the other objects on the table that stand at first where an object would come to stand."""
         found = blockers(name, spot, self.flat, self.apart)
@@ -119,7 +136,7 @@ class Task:
         lines = [f"{item.name} - {category(item.category).name}" for item in self.problem.objects]
         standing = [f"{START}{name}" for name in self.problem.object_names if name not in self.bearers]
         places = [*standing, *self.places]
-        lines += [f"{' '.join(places)} - place"]
+        lines += [f"{' '.join(places)} - place", f"{' '.join(self.grades())} - grade"]
         more = COUNTS[2 : self.most_borne() + 1]
         return lines if is_lifted or not more else [*lines, f"{' '.join(more)} - count"]
 
@@ -136,7 +153,8 @@ class Task:
         for place, spot in self.places.items():
             lines += self._place(place, spot, is_lifted)
         kinds = self.kinds()
-        takers = {*(target for target, _ in kinds), *self.carried}
+        puts = self.puts()
+        takers = {*(target for (target, _), found in puts.items() if found), *self.carried}
         lines += [f"(can-be-taken {name})" for name in self.problem.object_names if name in takers]
         for target in self.problem.object_names:
             said = [
@@ -146,6 +164,9 @@ class Task:
         if not is_lifted:
             counts = COUNTS[: self.most_borne() + 1]
             lines.append(" ".join(f"(next {less} {more})" for less, more in pairwise(counts)))
+        for (target, other), found in puts.items():
+            likely = [f"({can_predicate(put.name)} {target} {other} {put.grade})" for put in found]
+            lines += [" ".join(likely)] if likely else []
         return [*lines, *self._costs_on_pairs(is_lifted), *self._costs_to_places()]
 
     def _start(self, name: str, is_lifted: bool) -> list[str]:
@@ -182,23 +203,24 @@ class Task:
         return [f"(goal-place {name} {place})"] if is_there else []
 
     def _costs_on_pairs(self, is_lifted: bool) -> list[str]:
-        """Say what operators on pairs cost where that depends on third objects."""
+        """Say what operators on pairs cost, by how surely they are foreseen to go, and by third objects."""
         return [
-            line
+            " ".join(self._put_costs(put, is_lifted, laden))
             for put in puts_of(self.grounding)
             for laden in ((False, True) if put.takes_laden else (False,))
-            for line in self._put_costs(put, cost_parameters(put, is_lifted), laden)
         ]
 
-    def _put_costs(self, put: Put, parts: list[str], laden: bool) -> list[str]:
+    def _put_costs(self, put: Put, is_lifted: bool, laden: bool) -> list[str]:
         function = cost_function(put.name + (LADEN if laden else ""))
-        counts = COUNTS[: self.most_borne() + 1] if "?n - count" in parts else ("",)
+        is_counted = put.takes_occupied and not is_lifted
+        counts = COUNTS[: self.most_borne() + 1] if is_counted else ("",)
+        origins = (FROM_PLACE, FROM_OBJECT) if put.takes_borne else ("",)
         said = []
-        for count, origin in product(counts, (FROM_PLACE, FROM_OBJECT) if put.takes_borne else ("",)):
-            borne, occupied = origin == FROM_OBJECT, count not in ("", NONE)
-            cost = put.cost(self.grounding, borne=borne, occupied=occupied, laden=laden)
-            said.append(f"(= ({' '.join(filter(None, (function, count, origin)))}) {cost})")
-        return [" ".join(said)] if parts else []
+        for grade, count, origin in product(self.grades(), counts, origins):
+            words = " ".join(filter(None, (function, grade, count, origin)))
+            case = {"borne": origin == FROM_OBJECT, "occupied": count not in ("", NONE), "laden": laden}
+            said.append(f"(= ({words}) {replace(put, grade=grade).cost(self.grounding, **case)})")
+        return said
 
     def _costs_to_places(self) -> list[str]:
         """Say what carries each object to places most cheaply, and what each operator costs."""

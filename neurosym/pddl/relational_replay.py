@@ -1,6 +1,7 @@
 """Following a plan of relations: what bears what, where that is in metres, and whether a step is possible."""
 
 from collections.abc import Sequence
+from copy import copy
 from itertools import pairwise
 
 import numpy as np
@@ -19,6 +20,7 @@ from neurosym.problems import Problem
 from neurosym.promises import promised
 from neurosym.related import Borne, carried_along, chain_below, loads_of
 from neurosym.relation_goals import pair_key
+from neurosym.wording import counted
 from neurosym.world import Scene
 
 Words = tuple[str, str, str]
@@ -51,7 +53,7 @@ class Following:
             step: The step.
         """
         name, target, reference = step
-        put, carrier = put_named(name, self.task.grounding), self._carriers.get(name)
+        put, carrier = self._put(step), self._carriers.get(name)
         if put:
             return self._why_not_put(put, target, reference)
         if carrier:
@@ -64,8 +66,8 @@ class Following:
         Args:
             step: The step.
         """
-        name, target, reference = step
-        put, names = put_named(name, self.task.grounding), self.task.problem.object_names
+        _, target, reference = step
+        put, names = self._put(step), self.task.problem.object_names
         row = names.index(target)
         halves = [extent(self._scene(), index) / 2 for index in range(len(names))]
         if put:
@@ -85,6 +87,21 @@ class Following:
             self.stands[target] = reference
         return positions
 
+    def after(self, step: Words) -> "Following":
+        """Return how the objects stand after a step; here they stay as they are.
+
+        Args:
+            step: The step.
+        """
+        then = copy(self)
+        then.bearers, then.stands = dict(self.bearers), dict(self.stands)
+        then.do(step)
+        return then
+
+    def is_reached(self) -> bool:
+        """Say whether all goals are met now."""
+        return self.task.problem.is_met(self.positions) and self.missed() is None
+
     def chance(self, step: Words) -> float:
         """Return the chance that a step goes as promised now.
 
@@ -93,7 +110,7 @@ class Following:
         """
         name, target, reference = step
         borne = target in self.bearers
-        if put := put_named(name, self.task.grounding):
+        if put := self._put(step):
             return put.chance(borne=borne, **self._third(target, reference))
         item = self.task.flat.object_named(target)
         of_item = promised(self.task.grounding, item, self.task.problem.tolerance)
@@ -109,7 +126,7 @@ class Following:
         """
         name, target, reference = step
         borne, grounding = target in self.bearers, self.task.grounding
-        if put := put_named(name, grounding):
+        if put := self._put(step):
             return put.cost(grounding, borne=borne, **self._third(target, reference))
         item = self.task.flat.object_named(target)
         of_item = promised(grounding, item, self.task.problem.tolerance)
@@ -132,7 +149,7 @@ class Following:
             step: The step.
         """
         name, target, reference = step
-        put, borne = put_named(name, self.task.grounding), self.bearers.get(target)
+        put, borne = self._put(step), self.bearers.get(target)
         origin = FROM_OBJECT if borne else FROM_PLACE
         if borne:
             count = len(loads_of(borne.by, self.bearers))
@@ -151,6 +168,12 @@ class Following:
         """Return the ground action that notes that an object stands where its goal is."""
         return f"({REACH} {name} {self.stands.get(name, f'{START}{name}')})"
 
+    def _put(self, step: Words) -> Put | None:
+        """Return the operator on pairs of a step, as it is foreseen to turn out there; None if it is none."""
+        name, target, reference = step
+        put = put_named(name, self.task.grounding)
+        return put.with_pair(self.task.problem, target, reference) if put else None
+
     def _third(self, target: str, reference: str) -> dict[str, bool]:
         """Say whether third objects rest on the reference and on the target; see `Put.chance`."""
         others = {one for one in loads_of(reference, self.bearers) if one != target}
@@ -165,7 +188,7 @@ class Following:
         if put.takes_occupied:
             count = len(loads_of(reference, before))
             words += [COUNTS[count], COUNTS[count + 1]]
-        return [*words, *([origin] if put.takes_borne else [])]
+        return [*words, *([origin] if put.takes_borne else []), put.grade]
 
     def _why_not_put(self, put: Put, target: str, reference: str) -> tuple[str, tuple[str, ...]] | None:
         pairs = self.task.problem.pairs
@@ -177,6 +200,12 @@ class Following:
         others = [one for one in loads_of(reference, self.bearers) if one != target]
         if others and not put.takes_occupied:
             return f"{reference} bears {others[0]}, which rehearsals forbid", (reference, others[0])
+        if len(others) >= self.task.most_borne():
+            return f"{reference} bears {counted(len(others), 'object')}, and plans count no more", (
+                reference,
+            )
+        if loads_of(target, self.bearers) and reference not in self.stands:
+            return f"{target} bears something, and {reference} stands at no place", (reference,)
         return self._why_not_taken(put, target)
 
     def _why_not_carried(

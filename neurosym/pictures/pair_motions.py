@@ -6,7 +6,7 @@ from neurosym.errors import InvalidValue
 from neurosym.grounding import Grounding
 from neurosym.pair_states import describe_pair
 from neurosym.pictures.motions import Motion
-from neurosym.related import KindsOfPairs, nearest_kinds
+from neurosym.related import PairSight, nearest_kinds
 from neurosym.relation_operators import RelationOperator, RelationOperators
 from neurosym.table import OtherObject
 from neurosym.world import Outcome, World
@@ -19,7 +19,7 @@ def pair_motion(
     world: World,
     grounding: Grounding,
     operator: RelationOperator,
-    kinds: KindsOfPairs | None = None,
+    sight: PairSight | None = None,
     *,
     seed: int = 0,
 ) -> Motion:
@@ -31,7 +31,7 @@ def pair_motion(
         world: The world to act in.
         grounding: The learned domain.
         operator: The operator.
-        kinds: Gives the kinds of pairs; by default a pair is of the kind whose mean features are nearest.
+        sight: What networks say of pairs; by default a pair is of the kind whose mean features are nearest.
         seed: Same seed, same pair.
 
     Raises:
@@ -39,7 +39,7 @@ def pair_motion(
     """
     relations = grounding.relations
     assert relations is not None, "the operator is one of its own"
-    give = kinds or (lambda features: nearest_kinds(features, relations.pairs))
+    give = sight.kinds if sight else (lambda features: nearest_kinds(features, relations.pairs))
     action, reference = np.array(relations.primitive_of(operator).action), OtherObject(1)
     found = list[Motion]()
     for draw in range(DRAWS):

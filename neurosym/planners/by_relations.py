@@ -6,6 +6,8 @@ import time
 from functools import partial
 from pathlib import Path
 
+import msgspec
+
 from neurosym.drafts import naming
 from neurosym.errors import InvalidPlan, InvalidValue
 from neurosym.pddl.domain import domain_text
@@ -18,10 +20,15 @@ from neurosym.pddl.validation import validate
 from neurosym.planners.effort import check_time, within
 from neurosym.planners.fast_downward import RELATIONS_SUFFIX
 from neurosym.planners.planner import PddlProgram, Planner, Query
+from neurosym.planners.relational_bfs import plan_relational_bfs
 from neurosym.planners.result import PlanResult, PlanStatus
 from neurosym.planners.scratch import scratch_folder
 from neurosym.problems import Problem
 from neurosym.related import is_reached, is_relational, relations_of, with_pairs
+
+BREADTH_FIRST = ("bfs", "bfs-operators")
+"""These search themselves: the first by what a network foresees of each pair, the other by what rehearsals
+showed for its kind."""
 
 
 def by_relations(planner: Planner, query: Query, takers: tuple[str, ...], *, is_ours: bool) -> Planner:
@@ -30,7 +37,7 @@ def by_relations(planner: Planner, query: Query, takers: tuple[str, ...], *, is_
     Args:
         planner: The planner.
         query: What it is asked.
-        takers: Names of the planners that can be asked for relations.
+        takers: Names of the planners that can be asked for relations in PDDL.
         is_ours: Whether it is none that somebody wrote, who may do with relations what they like.
 
     Raises:
@@ -50,11 +57,15 @@ def by_relations(planner: Planner, query: Query, takers: tuple[str, ...], *, is_
         assert planner.program is not None
         solve = partial(plan_by_relations, program=planner.program)
         return dataclasses.replace(planner, solve=solve)
+    if planner.name in BREADTH_FIRST and is_ours:
+        return dataclasses.replace(
+            planner, solve=partial(_breadth_first, foresees=planner.reads == "network")
+        )
     if planner.program is None and not is_ours:
         return planner
     raise InvalidValue(
         f"The problem {problem.name} is one of relations, which {planner.name} does not take; valid: "
-        f"{', '.join(sorted(takers))}."
+        f"{', '.join(sorted((*takers, *BREADTH_FIRST)))}."
     )
 
 
@@ -69,11 +80,25 @@ def plan_by_relations(query: Query, *, program: PddlProgram) -> PlanResult:
         InvalidValue: If an object's name means something else in the domain.
     """
     problem = with_pairs(query.problem, query.grounding.relations)
+    return _told_at_once(problem, query) or within(
+        query.time_limit, partial(_search, query, problem, program)
+    )
+
+
+def _breadth_first(query: Query, *, foresees: bool) -> PlanResult:
+    problem = with_pairs(query.problem, query.grounding.relations)
+    problem = problem if foresees else msgspec.structs.replace(problem, foreseen=msgspec.UNSET)
+    searched = partial(plan_relational_bfs, problem, query.grounding, time_limit=query.time_limit)
+    return _told_at_once(problem, query) or searched()
+
+
+def _told_at_once(problem: Problem, query: Query) -> PlanResult | None:
+    """Say that there is nothing to do, or that nothing can be done; None if it takes a search to tell."""
     if is_reached(problem, query.grounding):
         return PlanResult(PlanStatus.SOLVED, (), 0.0, "the goal is met at the start")
     if reason := why_no_relation(problem, query.grounding):
         return PlanResult(PlanStatus.UNSOLVABLE, (), 0.0, reason)
-    return within(query.time_limit, partial(_search, query, problem, program))
+    return None
 
 
 def _search(query: Query, problem: Problem, program: PddlProgram, deadline: float) -> PlanResult:

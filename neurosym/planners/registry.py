@@ -85,7 +85,7 @@ def plan(
 
 
 def reads_relations(planner: Planner) -> bool:
-    """Say whether a planner can be asked for relations: it reads PDDL that is no grid and no numbers.
+    """Say whether a planner can be asked for relations in PDDL: it reads what is no grid and no numbers.
 
     Args:
         planner: The planner.

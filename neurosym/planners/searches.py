@@ -49,7 +49,7 @@ def _explained(result: PlanResult, why: Explanation) -> PlanResult:
 SEARCHES = (
     Planner(
         "bfs",
-        "breadth-first search over the effects that the model predicts, up to 3 primitives (the paper's)",
+        "the paper's breadth-first search over what the model predicts: 3 primitives, or steps of relations",
         search_breadth_first,
         reads="network",
         depth=DEPTH,

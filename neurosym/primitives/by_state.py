@@ -1,45 +1,39 @@
 """Judging actions that are aimed at other objects: by the state that the pair ends in.
 
-An action is good for a kind of pair if it surely brings about one state in which the reference bears the
-target, whichever that is, with the target not turned over, and nothing else moved.
+An action is good for a kind of pair and a state in which the reference bears the target, if it surely brings
+that about, with the target not turned over, and nothing else moved.
 """
 
-from collections import Counter
 from collections.abc import Sequence
 
 import numpy as np
 from jaxtyping import Float
 
-from neurosym.pair_states import describe_pair, touching_units
-from neurosym.primitives.judging import TURNED, Judgement, Judging, Performance
+from neurosym.pair_states import DESCRIPTION, STEEPEST, describe_pair, touching_units
+from neurosym.primitives.judging import TURNED, Performance
 from neurosym.relation_operators import PairStates
 from neurosym.table import OtherObject
 from neurosym.world import Outcome, OutcomeKind
 
 EXACT = 0.5
 """A spread at which an action is still 1 / sqrt(2) as sure as one without any [touching units]."""
-_TILTED, _CARRIED = 4, 5  # columns of what is predicted
-_LEAST_CHANCE = 0.1
+_TILTED = DESCRIPTION.index("tilted")
 
 
-def by_state(states: PairStates) -> Judging:
-    """Return how actions are judged that are aimed at other objects.
+def watch(outcome: Outcome, states: PairStates) -> Performance:
+    """Say of an outcome what is judged.
 
     Args:
+        outcome: What happened, aimed at another object.
         states: The states of pairs.
     """
-    bearing = states.bearing
-
-    def watch(outcome: Outcome) -> Performance:
-        state = found if (found := end_state(outcome, states)) in bearing else ""
-        assert isinstance(outcome.reference, OtherObject), "aimed at another object"
-        where = touching_units(outcome.end, outcome.target, outcome.reference.index)
-        kind: OutcomeKind = "carried" if state else "missed"
-        return Performance(
-            kind, tuple(where.tolist()), outcome.peak_height, outcome.turn, bool(outcome.disturbed), state
-        )
-
-    return Judging(foresee_relating, watch, judge_by_state)
+    state = found if (found := end_state(outcome, states)) in states.bearing else ""
+    assert isinstance(outcome.reference, OtherObject), "aimed at another object"
+    where = touching_units(outcome.end, outcome.target, outcome.reference.index)
+    kind: OutcomeKind = "carried" if state else "missed"
+    return Performance(
+        kind, tuple(where.tolist()), outcome.peak_height, outcome.turn, bool(outcome.disturbed), state
+    )
 
 
 def end_state(outcome: Outcome, states: PairStates) -> str:
@@ -55,46 +49,27 @@ def end_state(outcome: Outcome, states: PairStates) -> str:
     return states.of(described.tolist()).symbol
 
 
-def foreseen_state(predicted: Float[np.ndarray, "N O"], states: PairStates) -> str:
-    """Return the code of the state that an action is foreseen to bring pairs to; empty if that bears nothing.
+def straight_states(states: PairStates) -> tuple[str, ...]:
+    """Return the codes of the states that bear and in which targets are not turned over, in order.
 
     Args:
-        predicted: What is predicted of each pair: its end as data have it, and the greatest height.
         states: The states of pairs.
     """
-    chances = np.clip(predicted[:, _CARRIED], 0.0, 1.0)
-    x, y, up, touching, tilted = predicted[:, :_CARRIED].sum(0) / max(float(chances.sum()), _LEAST_CHANCE)
-    state = states.of((max(abs(x), abs(y)), up, touching, tilted, 0.0))
-    return state.symbol if state.symbol in states.bearing else ""
+    most = TURNED / STEEPEST
+    return tuple(state.symbol for state in states.states if state.bears and state.centre[_TILTED] <= most)
 
 
-def judge_by_state(performances: Sequence[Performance]) -> Judgement:
-    """Judge how surely an action brings pairs of a kind into one state.
+def sureness(performances: Sequence[Performance], state: str) -> float:
+    """Say how surely an action brings pairs of a kind into a state, and how alike: from 0 to 1.
 
     Args:
         performances: One for each pair.
+        state: Code of the state.
     """
-    good = [one for one in performances if one.state and not one.disturbs and one.turn <= TURNED]
+    good = [one for one in performances if one.state == state and not one.disturbs and one.turn <= TURNED]
     if not good:
-        return Judgement(None, np.zeros(4), 0.0)
-    state, count = Counter(one.state for one in good).most_common(1)[0]
-    rows = np.array([[*one.outcome, one.peak_height] for one in good if one.state == state])
-    return Judgement("carried", rows.mean(0), count / len(performances) * _likeness(rows[:, :3]))
-
-
-def foresee_relating(predicted: Float[np.ndarray, "N O"]) -> Judgement:
-    """Judge an action that is aimed at another object by what is predicted of some pairs.
-
-    Args:
-        predicted: What is predicted of each pair: its end as data have it, and the greatest height.
-    """
-    chances = np.clip(predicted[:, _CARRIED], 0.0, 1.0)
-    likely = chances >= chances.max() / 2
-    ends = predicted[likely, :3] / np.maximum(chances[likely, None], _LEAST_CHANCE)
-    upright = 1 - np.clip(predicted[:, _TILTED], 0.0, 1.0)
-    sureness = float((chances * upright).mean() * _likeness(ends))
-    mean = np.array([*predicted[:, :3].mean(0), predicted[:, -1].mean()])
-    return Judgement("carried", mean, sureness)
+        return 0.0
+    return len(good) / len(performances) * _likeness(np.array([one.outcome for one in good]))
 
 
 def _likeness(ends: Float[np.ndarray, "N 3"]) -> float:

@@ -20,7 +20,7 @@ from neurosym.operators import Primitive
 from neurosym.place_operators import PlaceOperators
 from neurosym.primitives.among_others import MARGIN, rehearse_beside, rehearse_occupied
 from neurosym.primitives.distillation import distill
-from neurosym.primitives.judging import BY_PLACE, foresee_carrying
+from neurosym.primitives.judging import foresee_carrying
 from neurosym.primitives.own import CARRYING_ROUNDS, choose_own
 from neurosym.primitives.rehearsal import rehearse, tabulate
 from neurosym.primitives.table import NothingDistilled, silent
@@ -83,7 +83,7 @@ def find_carriers(
             predict,
             interactions.features,
             categorise,
-            judging=BY_PLACE,
+            foresee=foresee_carrying,
             rounds=CARRYING_ROUNDS,
             **options,
             progress=advance,

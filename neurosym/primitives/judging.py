@@ -58,6 +58,10 @@ class Judgement:
     sureness: float
 
 
+Foresee = Callable[[Float[np.ndarray, "N O"]], Judgement]
+"""Judges an action by what is predicted of some objects, a row each."""
+
+
 def performance(outcome: Outcome) -> Performance:
     """Say of an outcome what is judged."""
     ended = outcome.effect if outcome.kind == "held" else outcome.resting_effect
@@ -130,22 +134,3 @@ def likeness(outcomes: Float[np.ndarray, "N E"]) -> float:
 def _unlikeness(outcomes: Float[np.ndarray, "N E"]) -> float:
     variance = float(((outcomes - outcomes.mean(0)) ** 2).sum(1).mean())
     return math.sqrt(1 + variance / EXACT**2)
-
-
-@dataclass(frozen=True, slots=True)
-class Judging:
-    """How actions are judged.
-
-    Attributes:
-        foresee: Judges an action by what is predicted of some objects, a row each.
-        watch: Says of an outcome what is judged.
-        judge: Judges an action by how it turned out.
-    """
-
-    foresee: Callable[[Float[np.ndarray, "N O"]], Judgement]
-    watch: Callable[[Outcome], Performance] = performance
-    judge: Callable[[Sequence[Performance]], Judgement] = judge
-
-
-BY_DISPLACEMENT, BY_PLACE = Judging(foresee_displacement), Judging(foresee_carrying)
-"""How actions are judged that displace objects, and that carry them to places."""

@@ -17,7 +17,14 @@ from jaxtyping import Float
 from neurosym.actions import ActionBox
 from neurosym.guarded import made
 from neurosym.operators import Primitive
-from neurosym.primitives.judging import BY_DISPLACEMENT, Judgement, Judging, Performance
+from neurosym.primitives.judging import (
+    Foresee,
+    Judgement,
+    Performance,
+    foresee_displacement,
+    judge,
+    performance,
+)
 from neurosym.primitives.performing import perform
 from neurosym.primitives.repertoire import Repertoire, with_own
 from neurosym.primitives.sampling import sample_by_category
@@ -71,18 +78,16 @@ class _Contest:
     Attributes:
         scenes: An object of the category in each.
         groups: For each symbol, those that are left, the shared one first.
-        judging: How they are judged.
         seen: How they turned out.
     """
 
     scenes: tuple[Scene, ...]
     groups: list[list[Primitive]]
-    judging: Judging
     seen: dict[Primitive, list[Performance]] = field(default_factory=dict)
 
     def judged(self) -> list[list[Judgement]]:
         """Judge those that are left."""
-        return [[self.judging.judge(self.seen[one]) for one in group] for group in self.groups]
+        return [[judge(self.seen[one]) for one in group] for group in self.groups]
 
 
 def choose_own(
@@ -93,7 +98,7 @@ def choose_own(
     features: Float[np.ndarray, "M F"],
     categorise: Categorise,
     *,
-    judging: Judging = BY_DISPLACEMENT,
+    foresee: Foresee = foresee_displacement,
     rounds: Sequence[Round] = ROUNDS,
     seed: int,
     workers: int = 1,
@@ -108,7 +113,7 @@ def choose_own(
         predict: A network that sees the objects themselves and not their symbols.
         features: Objects to predict the effects on.
         categorise: Gives the object symbols of features.
-        judging: How actions are judged.
+        foresee: How actions are judged by what is predicted.
         rounds: Of the auditions, with fewer candidates in each.
         seed: Where all draws start.
         workers: How many processes; their number does not change the result.
@@ -125,9 +130,9 @@ def choose_own(
     for category, scenes in sample.scenes.items():
         objects = np.concatenate([features[symbols == category], *(scene.features for scene in scenes)])
         objects = objects[:OBJECTS_TO_PREDICT]
-        few = shortlist_own(rivals, predict, objects, world.action_box, rounds[0].candidates, seed, judging)
+        few = shortlist_own(rivals, predict, objects, world.action_box, rounds[0].candidates, seed, foresee)
         groups = [[one, *best] for one, best in zip(shared, few, strict=True)]
-        contests[category] = _Contest(scenes, groups, judging)
+        contests[category] = _Contest(scenes, groups)
     kept = [one.candidates for one in rounds[1:]] + [1]
     for count, end, one in zip(kept, ends, rounds, strict=True):
         part = slice(end - one.objects, end)
@@ -144,7 +149,7 @@ def shortlist_own(
     box: ActionBox,
     count: int,
     seed: int,
-    judging: Judging = BY_DISPLACEMENT,
+    foresee: Foresee = foresee_displacement,
 ) -> list[list[Primitive]]:
     """Keep of each symbol the few candidates that are predicted to do best, beside those of the others.
 
@@ -155,7 +160,7 @@ def shortlist_own(
         box: What actions must stay inside.
         count: How many are kept of each symbol.
         seed: Where the changes of actions are drawn from.
-        judging: How actions are judged.
+        foresee: How actions are judged by what is predicted.
     """
     judged: list[list[Judgement]] = [[] for _ in groups]
     for group, judgements in zip(groups, judged, strict=True):
@@ -163,7 +168,7 @@ def shortlist_own(
             continue
         actions = np.concatenate([moved(one, len(features), box, seed) for one in group])
         predicted = np.split(predict(np.tile(features, (len(group), 1)), actions), len(group))
-        judgements += map(judging.foresee, predicted)
+        judgements += map(foresee, predicted)
     return [
         [group[number] for number in best[:count]]
         for group, best in zip(groups, _ranked(judged), strict=True)
@@ -201,16 +206,16 @@ def _audition(
     progress: Progress | None,
 ) -> None:
     """Have all that are left perform on a part of the objects of their category."""
-    tasks, owners = list[Task](), list[tuple[Judging, list[Performance]]]()
+    tasks, owners = list[Task](), list[list[Performance]]()
     for contest in contests:
         for primitive in (one for group in contest.groups for one in group):
             actions = moved(primitive, len(contest.scenes), box, seed)
             for scene, action in zip(contest.scenes[part], actions[part], strict=True):
                 tasks.append(Task(scene, action))
-                owners.append((contest.judging, contest.seen.setdefault(primitive, [])))
+                owners.append(contest.seen.setdefault(primitive, []))
     outcomes = perform(world_factory, tasks, workers, progress)
-    for (judging, seen), outcome in zip(owners, outcomes, strict=True):
-        seen.append(judging.watch(outcome))
+    for seen, outcome in zip(owners, outcomes, strict=True):
+        seen.append(performance(outcome))
 
 
 def _keep_best(contest: _Contest, count: int) -> list[list[Primitive]]:
@@ -248,7 +253,7 @@ def _ranked(judged: Sequence[Sequence[Judgement]]) -> list[list[int]]:
 def _chosen(contest: _Contest) -> list[Primitive]:
     """Return the best of each symbol, and the shared ones that add something to them."""
     best = [group[0] for group in contest.groups]
-    effects = {one: contest.judging.judge(contest.seen[one]) for group in contest.groups for one in group}
+    effects = {one: judge(contest.seen[one]) for group in contest.groups for one in group}
     kept = [*best]
     if any(one.kind == "carried" for one in effects.values()):
         return kept

@@ -16,8 +16,7 @@ from neurosym.primitives.categories import rounded
 from neurosym.primitives.performing import perform
 from neurosym.primitives.rehearsal import Rehearsals
 from neurosym.progress import Progress
-from neurosym.promises import LEAST_CHANCE
-from neurosym.relation_operators import PairEnd, PairStates, RelationOperator, RelationOperators
+from neurosym.relation_operators import SELDOM, PairEnd, PairStates, RelationOperator, RelationOperators
 from neurosym.symbols import Categorise, Symbol, symbols_of
 from neurosym.table import OtherObject
 from neurosym.world import Outcome, Scene, WorldFactory
@@ -159,7 +158,7 @@ def _went_along(outcome: Outcome) -> bool:
 def _promised(ends: Sequence[PairEnd], bearing: Collection[str]) -> list[str]:
     """List the states that are promised: the most frequent, and others in which targets are often borne."""
     carried = [end for end in ends if end.state]
-    often = (end for end in carried[1:] if end.state in bearing and end.share >= LEAST_CHANCE)
+    often = (end for end in carried[1:] if end.state in bearing and end.share >= SELDOM)
     return [end.state for end in (*carried[:1], *often)]
 
 

@@ -16,8 +16,8 @@ from neurosym.primitives.pair_choice import choose_for_pairs
 from neurosym.primitives.pair_rehearsal import rehearse_among, tabulate_pairs
 from neurosym.primitives.rehearsal import rehearse
 from neurosym.primitives.table import NothingDistilled, silent
-from neurosym.primitives.variety import PredictOutcomes
 from neurosym.progress import OpenBar
+from neurosym.related import ChancesOfStates
 from neurosym.relation_operators import PairStates, RelationOperators
 from neurosym.world import WorldFactory
 from neurosym.worlds.related import RelatedFactory
@@ -25,7 +25,7 @@ from neurosym.worlds.related import RelatedFactory
 
 def find_relators(
     model: EffectModel,
-    predict: PredictOutcomes,
+    foresee: ChancesOfStates,
     interactions: Interactions,
     box: ActionBox,
     states: PairStates,
@@ -40,7 +40,7 @@ def find_relators(
 
     Args:
         model: Whose action symbols are distilled, and whose object symbols are kinds of pairs.
-        predict: A network without a bottleneck on the same data, which shortlists.
+        foresee: Foresees the chances of the states that bear, in their order; it shortlists.
         interactions: The data, each aimed at another object.
         box: What parameters must stay inside.
         states: The states of pairs.
@@ -62,7 +62,7 @@ def find_relators(
         raise NothingDistilled
     with open_bar("auditioning what is aimed at objects") as advance:
         chosen = choose_for_pairs(
-            related, candidates, predict, model.object_symbols, states, **options, progress=advance
+            related, candidates, foresee, model.object_symbols, states, **options, progress=advance
         )
     with open_bar("rehearsing on pairs") as advance:
         found = rehearse(related, chosen, model.object_symbols, objects=pairs, **options, progress=advance)

@@ -52,7 +52,7 @@ from neurosym.stages.other_tools import (
     write_pictures,
 )
 from neurosym.stages.practising import operator_table
-from neurosym.stages.task_drawing import AnyTask, draw_any_task, kinds_of_pairs
+from neurosym.stages.task_drawing import AnyTask, draw_any_task, sight_of_pairs
 from neurosym.wording import quoted
 from neurosym.worlds.relation_tasks import HEIGHT, RELATION_TASKS
 from neurosym.worlds.world_file import read_world
@@ -150,6 +150,7 @@ def problem_stage(
         world = read_world(folder.require(WORLD))()
         grounding = Grounding.load(folder.require(GROUNDING))
         categorise = EffectModel.load(folder.require(MODEL)).object_symbols
+        sight = sight_of_pairs(folder)
         if task is not None:
             other = load_scene(folder / scene_file(folder.problem(like))) if like else None
             shape: dict[str, Any] = {"height": height, "state": state, "like": other}
@@ -161,7 +162,7 @@ def problem_stage(
                 name=name,
                 objects=objects,
                 seed=seed,
-                kinds=kinds_of_pairs(folder),
+                sight=sight,
                 **shape,
             )
         elif goals is None and not relations:
@@ -171,7 +172,7 @@ def problem_stage(
             problem = set_problem(
                 world, categorise, goals or {}, name=name, objects=objects, seed=seed, relations=meant
             )
-        problem = with_pairs(problem.within(tolerance), grounding.relations, kinds_of_pairs(folder))
+        problem = with_pairs(problem.within(tolerance), grounding.relations, sight)
         check_relations(problem, grounding)
         placed = _placed(problem, grounding)
         printed = _printed(placed, grounding)

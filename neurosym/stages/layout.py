@@ -34,7 +34,7 @@ RELATIONS = "relations"
 """What was learned of actions that are aimed at other objects, in files that are called likewise."""
 RELATION_INTERACTIONS = f"{RELATIONS}/{INTERACTIONS}"
 """`explore --relations`: a row for each interaction that was aimed at another object."""
-RELATION_MODEL, RELATION_DIRECT_MODEL = f"{RELATIONS}/{MODEL}", f"{RELATIONS}/{DIRECT_MODEL}"
+RELATION_MODEL, RELATION_CHANCES = f"{RELATIONS}/{MODEL}", f"{RELATIONS}/chances.safetensors"
 """`train`: the networks that were fitted to these; the object symbols are kinds of pairs."""
 RELATION_TRAINING = f"{RELATIONS}/{TRAINING}"
 """`train`: how well they fit."""
@@ -97,7 +97,7 @@ COMMANDS = {
     PLACE_OPERATORS: "distill",
     RELATION_INTERACTIONS: "explore",
     RELATION_MODEL: "train",
-    RELATION_DIRECT_MODEL: "train",
+    RELATION_CHANCES: "train",
     RELATION_STATES: "train",
     RELATION_OPERATORS: "distill",
     DOMAIN: "compile-domain",

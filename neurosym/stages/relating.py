@@ -21,7 +21,7 @@ from neurosym.stages.folder import DomainFolder
 from neurosym.stages.layout import (
     MODEL,
     PLACE_OPERATORS,
-    RELATION_DIRECT_MODEL,
+    RELATION_CHANCES,
     RELATION_INTERACTIONS,
     RELATION_MODEL,
     RELATION_OPERATORS,
@@ -98,6 +98,7 @@ def train_relations_stage(folder: DomainFolder, *, seed: int, regime: str) -> St
     chosen = regime_named(regime)
 
     def work() -> None:
+        from neurosym.learning.state_chances import fit_chances
         from neurosym.learning.state_codes import ends_in, learn_states
 
         path = folder.require(RELATION_INTERACTIONS)
@@ -107,14 +108,24 @@ def train_relations_stage(folder: DomainFolder, *, seed: int, regime: str) -> St
         rng = np.random.default_rng([seed, _STREAM])
         world = RelatedFactory(read_world(folder.require(WORLD)))()
         states = learn_states(_fresh(world, rng), *ends_in(interactions), STATE_BITS, rng)
+        if not states.bearing:
+            raise InvalidFile(path, "no object came to bear another one; explore more")
         trained = train_aimed(interactions, what="pairs", regime=chosen, bits=PAIR_BITS, seed=seed)
+        with progress_bar("learning what is foreseen of pairs") as advance:
+            chances = fit_chances(
+                interactions,
+                states,
+                chosen.training,
+                seed=seed,
+                progress=lambda stage, share: advance(round(100 * share), 100, stage),
+            )
         write_json(folder / RELATION_STATES, states)
         write_json(folder / RELATION_TRAINING, trained.report)
-        trained.direct.save(folder / RELATION_DIRECT_MODEL)
+        chances.save(folder / RELATION_CHANCES)
         trained.model.save(folder / RELATION_MODEL)
 
     inputs = (WORLD, RELATION_INTERACTIONS)
-    outputs = (RELATION_STATES, RELATION_MODEL, RELATION_DIRECT_MODEL, RELATION_TRAINING)
+    outputs = (RELATION_STATES, RELATION_MODEL, RELATION_CHANCES, RELATION_TRAINING)
     return Stage("train-relations", inputs, outputs, work, {"seed": seed, "regime": regime}, Claim.ALONE)
 
 
@@ -126,6 +137,7 @@ def distill_relations_stage(folder: DomainFolder, *, pairs: int, seed: int, work
     def work() -> None:
         from neurosym.learning.direct_model import DirectModel
         from neurosym.learning.effect_model import EffectModel
+        from neurosym.learning.state_chances import foreseen_by
         from neurosym.primitives.relating import find_relators
         from neurosym.primitives.table import NothingDistilled
         from neurosym.relation_operators import PairStates
@@ -134,7 +146,7 @@ def distill_relations_stage(folder: DomainFolder, *, pairs: int, seed: int, work
         try:
             found = find_relators(
                 EffectModel.load(folder.require(RELATION_MODEL)),
-                DirectModel.load(folder.require(RELATION_DIRECT_MODEL)).predict_outcomes,
+                foreseen_by(DirectModel.load(folder.require(RELATION_CHANCES))),
                 Interactions.load(folder.require(RELATION_INTERACTIONS)),
                 factory().action_box,
                 PairStates.load(folder.require(RELATION_STATES)),
@@ -150,7 +162,7 @@ def distill_relations_stage(folder: DomainFolder, *, pairs: int, seed: int, work
             ) from error
         write_json(folder / RELATION_OPERATORS, found)
 
-    inputs = (WORLD, RELATION_MODEL, RELATION_DIRECT_MODEL, RELATION_INTERACTIONS, RELATION_STATES)
+    inputs = (WORLD, RELATION_MODEL, RELATION_CHANCES, RELATION_INTERACTIONS, RELATION_STATES)
     options = {"objects": pairs, "seed": seed}
     return Stage("distill-relations", inputs, (RELATION_OPERATORS,), work, options, Claim.ALONE)
 

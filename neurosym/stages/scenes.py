@@ -16,7 +16,7 @@ from neurosym.stages.folder import DomainFolder
 from neurosym.stages.layout import GROUNDING, PROBLEMS, WORLD, problem_files, relation_files, scene_file
 from neurosym.stages.manifest import Stage
 from neurosym.stages.planning import check_scene
-from neurosym.stages.task_drawing import kinds_of_pairs
+from neurosym.stages.task_drawing import sight_of_pairs
 
 
 def scene_stage(folder: DomainFolder, file: Path, *, name: str, tolerance: float | None = None) -> Stage:
@@ -33,7 +33,7 @@ def scene_stage(folder: DomainFolder, file: Path, *, name: str, tolerance: float
     def work() -> None:
         grounding = Grounding.load(folder.require(GROUNDING))
         problem = msgspec.structs.replace(Problem.load(file), name=name).within(tolerance)
-        problem = with_pairs(problem, grounding.relations, kinds_of_pairs(folder))
+        problem = with_pairs(problem, grounding.relations, sight_of_pairs(folder))
         check_scene(folder, problem, file)
         try:
             for item in problem.objects:  # only what a run saw may be a little off

@@ -10,9 +10,10 @@ from neurosym.operators import TOLERANCE
 from neurosym.pddl.relational import LEAST_SHARE
 from neurosym.pddl.relational_check import puts_for
 from neurosym.problems import Problem
-from neurosym.related import KindsOfPairs, known_bearers, with_pairs
+from neurosym.related import PairSight, known_bearers, with_pairs
+from neurosym.relation_operators import PairStates
 from neurosym.stages.folder import DomainFolder
-from neurosym.stages.layout import RELATION_MODEL
+from neurosym.stages.layout import RELATION_CHANCES, RELATION_MODEL, RELATION_STATES
 from neurosym.symbols import Categorise
 from neurosym.world import World
 from neurosym.worlds.relation_tasks import HEIGHT, RELATION_TASKS, RelationTask, Way, Ways, draw_relation_task
@@ -39,7 +40,7 @@ def draw_any_task(
     like: Problem | None = None,
     tolerance: float = TOLERANCE,
     fits: Fits | None = None,
-    kinds: KindsOfPairs | None = None,
+    sight: PairSight | None = None,
 ) -> Problem:
     """Draw a task of any kind.
 
@@ -56,7 +57,7 @@ def draw_any_task(
         like: The other scene, for `like`.
         tolerance: How near each object must come to its goal [m].
         fits: Says of the features of an object whether it may be drawn; for goals on the table.
-        kinds: Gives the kinds of pairs; by default a pair is of the kind whose mean features are nearest.
+        sight: What networks say of pairs; by default a pair is of the kind whose mean features are nearest.
 
     Raises:
         UnknownChoice: If there is no such kind.
@@ -80,7 +81,7 @@ def draw_any_task(
         world,
         categorise,
         relations,
-        lambda drawn: ways_of(drawn, grounding, kinds),
+        lambda drawn: ways_of(drawn, grounding, sight),
         kind,
         name=name,
         objects=objects,
@@ -91,39 +92,45 @@ def draw_any_task(
         likened=tuple((target, borne.by, borne.state.name) for target, borne in bearers.items()),
         tolerance=tolerance,
     )
-    return with_pairs(problem, relations, kinds)
+    return with_pairs(problem, relations, sight)
 
 
-def kinds_of_pairs(folder: DomainFolder) -> KindsOfPairs | None:
-    """Return what gives the kinds of pairs in a domain folder; None if none were learned.
+def sight_of_pairs(folder: DomainFolder) -> PairSight | None:
+    """Return what the networks of a domain folder say of pairs; None if none were learned.
 
     Args:
         folder: The domain folder.
     """
     if not (folder / RELATION_MODEL).exists():
         return None
+    from neurosym.learning.direct_model import DirectModel
     from neurosym.learning.effect_model import EffectModel
+    from neurosym.learning.state_chances import foreseen_by
 
-    return EffectModel.load(folder / RELATION_MODEL).object_symbols
+    kinds = EffectModel.load(folder / RELATION_MODEL).object_symbols
+    if not (folder / RELATION_CHANCES).exists():
+        return PairSight(kinds)
+    chances = foreseen_by(DirectModel.load(folder / RELATION_CHANCES))
+    return PairSight(kinds, chances, PairStates.load(folder.require(RELATION_STATES)).bearing_order)
 
 
-def ways_of(problem: Problem, grounding: Grounding, kinds: KindsOfPairs | None = None) -> Ways:
+def ways_of(problem: Problem, grounding: Grounding, sight: PairSight | None = None) -> Ways:
     """Say what can be done with each pair of objects of a problem.
 
     Args:
         problem: The problem.
         grounding: The learned domain.
-        kinds: Gives the kinds of pairs; by default a pair is of the kind whose mean features are nearest.
+        sight: What networks say of pairs; by default a pair is of the kind whose mean features are nearest.
     """
     relations = grounding.relations
     if relations is None:
         return {}
-    problem, names = with_pairs(problem, relations, kinds), problem.object_names
+    problem, names = with_pairs(problem, relations, sight), problem.object_names
     return {
         (target, other): tuple(
             Way(put.state.name, put.takes_occupied, np.array(relations.primitive_of(put.operator).action))
             for put in puts_for(problem, grounding, target, other)
-            if put.end.share >= LEAST_SHARE
+            if put.share >= LEAST_SHARE
         )
         for target in names
         for other in names

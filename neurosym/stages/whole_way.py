@@ -97,7 +97,9 @@ def go_the_whole_way(
         distill_stage(folder, objects=rehearsals, seed=seed, workers=workers, choice=choice),
         *_places_stages(folder, strategy, places, seed, regime, rehearsals, workers),
         *_relations_stages(folder, strategy, relations, seed, regime, rehearsals, workers),
-        compile_stage(folder, cell=CELL, with_places=places > 0 or None),
+        compile_stage(
+            folder, cell=CELL, with_places=places > 0 or None, with_relations=relations > 0 or None
+        ),
     )
     with folder.claimed(Claim.ALONE):
         for stage in learning:

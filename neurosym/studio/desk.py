@@ -29,7 +29,6 @@ from neurosym.studio.relating import (
 )
 from neurosym.studio.saying import Word, told
 from neurosym.studio.symbols import Promise, nearest_flip, promises_for
-from neurosym.symbols import Symbol
 
 Topic = Literal["scene", "place", "plan", "run", "step", "pose", "status"]
 """What has changed: which objects there are, where things are, the plan, the run, a pose, what is said."""
@@ -55,10 +54,7 @@ class Desk:
         self.word = Word()
         self._complaints: tuple[Problem | None, Mapping[str, str]] = (None, {})
         self._reaches: dict[SceneObject, Reach] = {}
-        self._kinds: tuple[dict[str, tuple[float, ...]], dict[str, Symbol] | msgspec.UnsetType] = (
-            {},
-            msgspec.UNSET,
-        )
+        self._paired: tuple[dict[str, tuple[float, ...]], Problem] | None = None
         self._listeners: list[Callable[[Topic], None]] = []
         self._lock = threading.RLock()
 
@@ -229,11 +225,10 @@ class Desk:
             return problem
         features = {item.name: item.features for item in problem.objects}
         with self._lock:
-            known, kinds = self._kinds
-            if known != features:
-                kinds = self.library.paired(problem).pairs
-                self._kinds = features, kinds
-        return msgspec.structs.replace(problem, pairs=kinds)
+            if self._paired is None or self._paired[0] != features:
+                self._paired = features, self.library.paired(problem)
+            _, seen = self._paired
+        return msgspec.structs.replace(problem, pairs=seen.pairs, foreseen=seen.foreseen)
 
     def ghosts(self) -> Mapping[str, Vector]:
         """Return where the ghost of each object with a goal stands [m]."""

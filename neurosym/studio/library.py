@@ -15,11 +15,11 @@ from neurosym.grounding import Grounding
 from neurosym.object_limits import ObjectLimits, limits_of
 from neurosym.poses import Part, Posed
 from neurosym.problems import Problem
-from neurosym.related import KindsOfPairs, with_pairs
+from neurosym.related import PairSight, with_pairs
 from neurosym.stages.folder import DomainFolder
 from neurosym.stages.layout import GROUNDING, INTERACTIONS, MODEL, RECORD, RUNS, WORLD
 from neurosym.stages.planning import load_problem
-from neurosym.stages.task_drawing import kinds_of_pairs
+from neurosym.stages.task_drawing import sight_of_pairs
 from neurosym.symbols import Symbol
 from neurosym.wording import harmless
 from neurosym.world import World
@@ -84,10 +84,10 @@ class Library:
             return None
 
     @cached_property
-    def kinds_of_pairs(self) -> KindsOfPairs | None:
-        """What gives pairs of objects their kinds; None if it cannot be read, and `damage` says why."""
+    def sight_of_pairs(self) -> PairSight | None:
+        """What networks say of pairs of objects; None if they cannot be read, and `damage` says why."""
         try:
-            return kinds_of_pairs(self.folder)
+            return sight_of_pairs(self.folder)
         except NeurosymError as error:
             self.damage.note(error)
             return None
@@ -154,7 +154,7 @@ class Library:
         if relations is None:
             return problem
         with self._lock:
-            return with_pairs(problem, relations, self.kinds_of_pairs)
+            return with_pairs(problem, relations, self.sight_of_pairs)
 
     def margins(self, features: Sequence[float]) -> tuple[float, ...]:
         """Return what each bit of an object is the sign of, before it is squashed; empty without a network.

@@ -115,7 +115,7 @@ def _offset(
 
 def _surest_first(problem: Problem, grounding: Grounding, target: str, reference: str) -> tuple[Put, ...]:
     puts = puts_for(problem, grounding, target, reference)
-    return tuple(sorted(puts, key=lambda put: (-put.end.share, put.name)))
+    return tuple(sorted(puts, key=lambda put: (-put.share, put.name)))
 
 
 def goals_for(problem: Problem, grounding: Grounding, name: str) -> tuple[RelationGoal, ...]:

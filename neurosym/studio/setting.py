@@ -145,7 +145,9 @@ def resized(
     if (goal := problem.goals.get(name)) is not None:
         problem = with_goal(problem, name, goal[0], goal[1], goal[2] - z + height)
     objects = tuple(changed if one.name == name else one for one in problem.objects)
-    return _replaced(problem, objects=objects, pairs=msgspec.UNSET, touching=msgspec.UNSET)
+    return _replaced(
+        problem, objects=objects, pairs=msgspec.UNSET, foreseen=msgspec.UNSET, touching=msgspec.UNSET
+    )
 
 
 def with_object(
@@ -166,7 +168,7 @@ def with_object(
     item = SceneObject(name, _category(features, categorise), tuple(map(float, features)), position)
     if problem is None:
         return Problem("scene", (item,), {})
-    return _replaced(problem, objects=(*problem.objects, item), pairs=msgspec.UNSET)
+    return _replaced(problem, objects=(*problem.objects, item), pairs=msgspec.UNSET, foreseen=msgspec.UNSET)
 
 
 def without_object(problem: Problem, name: str) -> Problem:
@@ -187,7 +189,13 @@ def without_object(problem: Problem, name: str) -> Problem:
     seen = problem.touching
     touching = tuple(pair for pair in seen if name not in pair) if isinstance(seen, tuple) else seen
     return _replaced(
-        problem, objects=left, goals=goals, relations=related, touching=touching, pairs=msgspec.UNSET
+        problem,
+        objects=left,
+        goals=goals,
+        relations=related,
+        touching=touching,
+        pairs=msgspec.UNSET,
+        foreseen=msgspec.UNSET,
     )
 
 

@@ -11,6 +11,7 @@
     item-04 - tray
     item-05 - tray
     start-item-03 start-item-04 start-item-05 park-01 park-02 park-03 park-04 park-05 - place
+    usual - grade
     count-2 - count)
   (:init
     (hand-empty) (= (total-cost) 0)
@@ -57,10 +58,22 @@
     (solid-01 item-02 item-01) (solid-01 item-02 item-03) (hollow-11 item-02 item-04) (hollow-11 item-02 item-05)
     (solid-01 item-03 item-01) (solid-01 item-03 item-02) (hollow-11 item-03 item-04) (hollow-11 item-03 item-05)
     (next none one) (next one count-2)
-    (= (cost-of-put-in-01-hollow-11 none from-place) 6) (= (cost-of-put-in-01-hollow-11 none from-object) 10) (= (cost-of-put-in-01-hollow-11 one from-place) 30) (= (cost-of-put-in-01-hollow-11 one from-object) 34) (= (cost-of-put-in-01-hollow-11 count-2 from-place) 30) (= (cost-of-put-in-01-hollow-11 count-2 from-object) 34)
-    (= (cost-of-put-in-01-hollow-11-laden none from-place) 19) (= (cost-of-put-in-01-hollow-11-laden none from-object) 23) (= (cost-of-put-in-01-hollow-11-laden one from-place) 43) (= (cost-of-put-in-01-hollow-11-laden one from-object) 47) (= (cost-of-put-in-01-hollow-11-laden count-2 from-place) 43) (= (cost-of-put-in-01-hollow-11-laden count-2 from-object) 47)
-    (= (cost-of-put-on-01-solid-01 from-place) 11) (= (cost-of-put-on-01-solid-01 from-object) 11)
-    (= (cost-of-put-on-01-solid-01-laden from-place) 19) (= (cost-of-put-on-01-solid-01-laden from-object) 19)
+    (can-put-on-01-solid-01 item-01 item-02 usual)
+    (can-put-on-01-solid-01 item-01 item-03 usual)
+    (can-put-in-01-hollow-11 item-01 item-04 usual)
+    (can-put-in-01-hollow-11 item-01 item-05 usual)
+    (can-put-on-01-solid-01 item-02 item-01 usual)
+    (can-put-on-01-solid-01 item-02 item-03 usual)
+    (can-put-in-01-hollow-11 item-02 item-04 usual)
+    (can-put-in-01-hollow-11 item-02 item-05 usual)
+    (can-put-on-01-solid-01 item-03 item-01 usual)
+    (can-put-on-01-solid-01 item-03 item-02 usual)
+    (can-put-in-01-hollow-11 item-03 item-04 usual)
+    (can-put-in-01-hollow-11 item-03 item-05 usual)
+    (= (cost-of-put-in-01-hollow-11 usual none from-place) 6) (= (cost-of-put-in-01-hollow-11 usual none from-object) 10) (= (cost-of-put-in-01-hollow-11 usual one from-place) 30) (= (cost-of-put-in-01-hollow-11 usual one from-object) 34) (= (cost-of-put-in-01-hollow-11 usual count-2 from-place) 30) (= (cost-of-put-in-01-hollow-11 usual count-2 from-object) 34)
+    (= (cost-of-put-in-01-hollow-11-laden usual none from-place) 19) (= (cost-of-put-in-01-hollow-11-laden usual none from-object) 23) (= (cost-of-put-in-01-hollow-11-laden usual one from-place) 43) (= (cost-of-put-in-01-hollow-11-laden usual one from-object) 47) (= (cost-of-put-in-01-hollow-11-laden usual count-2 from-place) 43) (= (cost-of-put-in-01-hollow-11-laden usual count-2 from-object) 47)
+    (= (cost-of-put-on-01-solid-01 usual from-place) 11) (= (cost-of-put-on-01-solid-01 usual from-object) 11)
+    (= (cost-of-put-on-01-solid-01-laden usual from-place) 19) (= (cost-of-put-on-01-solid-01-laden usual from-object) 19)
     (can-carry-to-01-cube item-01) (= (cost-of-carry-to-01-cube item-01 from-place) 6) (= (cost-of-carry-to-01-cube item-01 from-object) 20)
     (can-carry-to-01-cube item-02) (= (cost-of-carry-to-01-cube item-02 from-place) 6) (= (cost-of-carry-to-01-cube item-02 from-object) 20)
     (can-carry-to-01-block item-03) (= (cost-of-carry-to-01-block item-03 from-place) 6) (= (cost-of-carry-to-01-block item-03 from-object) 20)

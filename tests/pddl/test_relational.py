@@ -90,8 +90,8 @@ def test_domain_forbids_what_rehearsals_showed_to_fail_and_allows_the_rest_at_it
     assert "miss-01-tray-10: never carries its target to the reference." in text
     assert "not (exists" not in text
     problem = problem_text(sorting(), grounding(), RELATIONAL)
-    assert f"(= (cost-of-{PUT_IN} none from-place) 6)" in problem
-    assert f"(= (cost-of-{PUT_IN} one from-place) 30)" in problem
+    assert f"(= (cost-of-{PUT_IN} usual none from-place) 6)" in problem
+    assert f"(= (cost-of-{PUT_IN} usual one from-place) 30)" in problem
 
 
 def relearned(name: str, **changes: int) -> Grounding:
@@ -225,10 +225,9 @@ def test_domains_of_one_kind_refuse_problems_of_the_other():
         domain_text(toy_domain.grounding(), RELATIONAL)
 
 
-@pytest.mark.parametrize("planner", ["bfs", "bfs-operators", "counting"])
-def test_planners_that_know_no_relations_name_those_that_do(planner):
-    with pytest.raises(InvalidValue, match=f"which {planner} does not take; valid: .*fast-downward"):
-        plan(tower(), grounding(), planner)
+def test_planner_that_knows_no_relations_names_those_that_do():
+    with pytest.raises(InvalidValue, match=r"which counting does not take; valid: .*bfs.*fast-downward"):
+        plan(tower(), grounding(), "counting")
 
 
 def test_encodings_of_numbers_and_cells_are_refused_for_relations():
@@ -297,7 +296,7 @@ def test_groundings_with_relations_are_stored_and_have_a_format_of_their_own(tmp
 
 
 @pytest.mark.parametrize(
-    "name", ["none", "count-2", "from-place", "start-item-01", "rests-on-001", "solid-01", PUT_ON]
+    "name", ["none", "count-2", "from-place", "start-item-01", "rests-on-001", "solid-01", PUT_ON, "surely"]
 )
 def test_objects_have_no_names_of_the_domain(name):
     objects = (msgspec.structs.replace(tower().objects[0], name=name), *tower().objects[1:])

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from neurosym.primitives.by_state import foresee_relating, judge_by_state
+from neurosym.primitives.by_state import sureness
 from neurosym.primitives.judging import Performance
 
 
@@ -13,26 +13,18 @@ def ended(state: str, /, **changes: object) -> Performance:
     return Performance(**(values | changes))  # type: ignore[arg-type]
 
 
-def test_sure_is_what_always_ends_in_one_state():
-    assert judge_by_state([ended("01")] * 4).sureness == pytest.approx(1.0)
-    assert judge_by_state([ended("01")] * 3 + [ended("10")]).sureness == pytest.approx(0.75)
-    assert judge_by_state([ended("")] * 4).kind is None
+def test_sure_is_what_always_ends_in_the_state():
+    assert sureness([ended("01")] * 4, "01") == pytest.approx(1.0)
+    assert sureness([ended("01")] * 3 + [ended("10")], "01") == pytest.approx(0.75)
+    assert sureness([ended("01")] * 3 + [ended("10")], "10") == pytest.approx(0.25)
+    assert sureness([ended("01")] * 4, "10") == 0
 
 
 @pytest.mark.parametrize("spoilt", [{"disturbs": True}, {"turn": 1.0}, {"state": ""}])
 def test_what_moves_others_or_turns_over_does_not_count(spoilt: dict[str, object]):
-    assert judge_by_state([ended("01"), ended("01", **spoilt)]).sureness == pytest.approx(0.5)
+    assert sureness([ended("01"), ended("01", **spoilt)], "01") == pytest.approx(0.5)
 
 
 def test_ends_that_differ_in_one_state_are_less_sure():
     spread = [ended("01", outcome=(x, 0.0, 1.0)) for x in (-0.5, 0.5)]
-    assert judge_by_state(spread).sureness == pytest.approx(1 / np.sqrt(2))
-
-
-def test_foreseen_is_the_chance_to_be_carried_upright():
-    sure = np.tile([0.0, 0.0, 1.0, 1.0, 0.0, 1.0, 0.3], (6, 1))
-    leaning, rare = sure.copy(), sure * 0.25
-    leaning[:, 4] = 0.9
-    assert foresee_relating(sure).sureness == pytest.approx(1.0)
-    assert foresee_relating(leaning).sureness == pytest.approx(0.1)
-    assert foresee_relating(rare).sureness == pytest.approx(0.25)
+    assert sureness(spread, "01") == pytest.approx(1 / np.sqrt(2))

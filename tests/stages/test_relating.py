@@ -7,6 +7,7 @@ import pytest
 import toy_relations
 
 from neurosym.commands.init import init
+from neurosym.commands.run import run
 from neurosym.data.dimensions import Dimensions
 from neurosym.data.interactions import Interactions
 from neurosym.errors import InvalidValue, NeurosymError
@@ -17,20 +18,24 @@ from neurosym.learning.model_config import ModelConfig
 from neurosym.operators import Mode, Operator, Primitive
 from neurosym.place_operators import PlaceOperators
 from neurosym.relation_operators import PairStates, RelationOperators
-from neurosym.stages.folder import DomainFolder
+from neurosym.stages.compiling import problem_stage
+from neurosym.stages.folder import DomainFolder, load_scene
 from neurosym.stages.layout import (
     MODEL,
     PLACE_OPERATORS,
     PLACES,
+    RELATION_CHANCES,
     RELATION_INTERACTIONS,
     RELATION_OPERATORS,
     RELATION_STATES,
+    RELATIONAL_DOMAIN,
 )
 from neurosym.stages.relating import (
     distill_relations_stage,
     explore_relations_stage,
     train_relations_stage,
 )
+from neurosym.stages.task_drawing import sight_of_pairs
 from neurosym.world import World
 from neurosym.worlds.toy_relations import make_world
 
@@ -114,3 +119,19 @@ def test_what_carries_to_places_must_be_known(tmp_path: Path):
     stage = explore_relations_stage(domain, strategy="random", steps=8, seed=0, regime="quick", workers=1)
     with pytest.raises(NeurosymError, match=r"effect_model\.safetensors"):
         domain.perform(stage, again=True)
+
+
+def test_whole_way_ends_with_a_domain_of_relations_and_problems_say_what_is_foreseen(tmp_path: Path):
+    path = tmp_path / "toy"
+    options = {"strategy": "random", "regime": "quick", "seed": 3, "workers": 1, "problems": 0}
+    run(path, world="toy-relations", steps=512, places=128, relations=200, **options)
+    folder = DomainFolder(path)
+    assert (folder / RELATIONAL_DOMAIN).exists()
+    folder.perform(problem_stage(folder, name="drawn", objects=3, seed=1, task="boxes"), again=False)
+    problem = load_scene(folder / "problems/drawn.scene.json")
+    assert isinstance(problem.foreseen, dict)
+    assert problem.foreseen.keys() <= problem.pairs.keys()
+    (folder / RELATION_CHANCES).unlink()
+    sight = sight_of_pairs(folder)
+    assert sight is not None
+    assert sight.chances is None

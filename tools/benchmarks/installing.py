@@ -36,10 +36,12 @@ _MEGABYTE = 1e6
 def main(
     pythons: Annotated[tuple[str, ...], tyro.conf.arg(help="Interpreters to try.")] = PYTHONS,
     results: Annotated[Path, tyro.conf.arg(help="Folder for the table.")] = RESULTS,
+    remark: Annotated[str, tyro.conf.arg(help="What to say of the machine, such as that it was busy.")] = "",
 ) -> None:
     """Install, run the demonstration, and write what it took; what was measured is not measured again."""
     path = results / "installing.json"
     kept: dict[str, Any] = json.loads(path.read_text()) if path.exists() else {}
+    kept |= {"remark": remark} if remark else {}
     for python in pythons:
         if not _runs(python):
             say(f"{python} does not run here")
@@ -49,7 +51,8 @@ def main(
                 kept[f"{python}, {way}"] = measured(partial(install, python))
                 kept["machine"] = machine()
                 write_atomically(path, as_text(kept))
-                write_atomically(results / "installing.md", page(kept))
+    write_atomically(path, as_text(kept))
+    write_atomically(results / "installing.md", page(kept))
     say(f"wrote {results / 'installing.md'}")
 
 
@@ -82,13 +85,14 @@ def page(kept: Mapping[str, Any]) -> str:
     rows = [
         [name, *(f"{one[key]:g}" for key in ("install_seconds", "demo_seconds", "environment_megabytes"))]
         for name, one in kept.items()
-        if name != "machine"
+        if name not in ("machine", "remark")
     ]
     about = (
         "`python -m tools.benchmarks.installing` wrote this page: a fresh clone with `make install`, or a "
         "fresh wheel with pip, and then `neurosym demo`. No compiler was at hand. Packages come from where "
         "pip finds them here, so seconds say little about another network. Clones bring what developers need."
     )
+    about += f" {kept['remark']}" if "remark" in kept else ""
     head = ["installed", "install [s]", "demo [s]", "environment [MB]"]
     return f"# Installing\n\n{about}\n\n{markdown_table(head, rows)}\n"
 

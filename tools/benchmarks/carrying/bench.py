@@ -6,7 +6,6 @@ machine disturb little; the seconds of the clock stand beside them.
 """
 
 import json
-import os
 import time
 from collections.abc import Sequence
 from pathlib import Path
@@ -23,6 +22,7 @@ from neurosym.planners import PlanStatus, plan
 from neurosym.problems import Problem, SceneObject
 from tools.benchmarks.carrying.tasks import far
 from tools.benchmarks.planning.measures import bench_of
+from tools.benchmarks.spent import cpu_seconds
 from tools.benchmarks.world.evaluate import machine
 
 SHIPPED = Path("domains/places")
@@ -88,10 +88,10 @@ def timed(problems: Sequence[Problem], grounding: Grounding) -> dict[str, Any]:
     """Plan for problems with as many objects each, and time it."""
     cpu, clock, solved, steps = [], [], 0, []
     for problem in problems:
-        begin, cpu_begin = time.perf_counter(), _cpu()
+        begin, cpu_begin = time.perf_counter(), cpu_seconds()
         found = plan(problem, grounding, "fast-downward")
         clock.append(time.perf_counter() - begin)
-        cpu.append(_cpu() - cpu_begin)
+        cpu.append(cpu_seconds() - cpu_begin)
         solved += found.status is PlanStatus.SOLVED
         steps.append(len(found.steps))
     limit = MOST_SECONDS[len(problems[0].objects)]
@@ -104,11 +104,6 @@ def timed(problems: Sequence[Problem], grounding: Grounding) -> dict[str, Any]:
         "limit_seconds": limit,
         "passed": median(cpu) <= limit,
     }
-
-
-def _cpu() -> float:
-    spent = os.times()
-    return spent.user + spent.system + spent.children_user + spent.children_system
 
 
 if __name__ == "__main__":

@@ -1,7 +1,6 @@
 """Trials: a task is planned once, and the plan is followed blindly and with replanning; kept in short."""
 
 import math
-import os
 from collections.abc import Sequence
 from typing import Any
 
@@ -20,6 +19,7 @@ from neurosym.planners import PlanStatus
 from neurosym.problems import Problem, SceneObject
 from neurosym.promises import promised
 from neurosym.stages.plan_records import MORE_MOTIONS
+from tools.benchmarks.spent import cpu_seconds
 
 PLANNER = "fast-downward"
 
@@ -108,11 +108,11 @@ def try_task(setting: Setting, task: Problem, *, blind: bool, time_limit: float 
         blind: Whether the plan is also followed blindly.
         time_limit: Ceiling for each plan [s]; the planner's own if not given.
     """
-    begin = _cpu()
+    begin = cpu_seconds()
     solve = planner_of(setting, PLANNER, time_limit=time_limit)
     found = solve(task, setting.grounding)
     if found.status is not PlanStatus.SOLVED:
-        return Trial(task.name, found.status.value, found.reason, cpu=_cpu() - begin)
+        return Trial(task.name, found.status.value, found.reason, cpu=cpu_seconds() - begin)
     replanned = execute(setting.world, task, setting.grounding, found.steps, replanner=solve)
     followed = None
     if blind:  # a run in which nothing was planned anew is the one that follows the plan blindly
@@ -130,7 +130,7 @@ def try_task(setting: Setting, task: Problem, *, blind: bool, time_limit: float 
         ),
         blind=followed,
         replanned=shortened(replanned, task, setting.grounding),
-        cpu=round(_cpu() - begin, 2),
+        cpu=round(cpu_seconds() - begin, 2),
     )
 
 
@@ -205,9 +205,3 @@ def to_json(trials: Sequence[Trial]) -> list[Any]:
 def from_json(entries: Sequence[Any]) -> list[Trial]:
     """Read trials that `to_json` wrote."""
     return msgspec.convert(list(entries), list[Trial])
-
-
-def _cpu() -> float:
-    """Return the CPU time of this process and of those it started and waited for [s]."""
-    spent = os.times()
-    return spent.user + spent.system + spent.children_user + spent.children_system

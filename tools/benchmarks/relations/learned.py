@@ -17,8 +17,10 @@ from neurosym.stages.layout import (
     MODEL,
     PLACE_OPERATORS,
     PLACES,
+    RELATION_CHANCES,
     RELATION_MODEL,
     RELATION_OPERATORS,
+    RELATION_STATES,
     WORLD,
 )
 from neurosym.stages.relating import (
@@ -36,7 +38,7 @@ from tools.relearn_towers import FOLDER as SHIPPED
 REGIME = "default"
 NEW_PAIRS = 730_000
 """Added to the seed of a domain, so that it is judged on pairs that it was not learned with."""
-KEPT = (RELATION_MODEL, RELATION_OPERATORS)
+KEPT = (RELATION_STATES, RELATION_MODEL, RELATION_CHANCES, RELATION_OPERATORS)
 """What is needed of relations to try a domain; the rest is kept beside the results on places."""
 
 

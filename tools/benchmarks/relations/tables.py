@@ -71,12 +71,13 @@ def _learned(found: Mapping[str, Any]) -> list[str]:
         "## What was learned",
         f"{counted(found['seeds'], 'seed')}, each with {found['steps']:,} interactions that are aimed at "
         "other objects. The actions that it starts from are those that carry to places with the same seed "
-        "([Carried to places](places.md)). *On* and *in*: how often the operator that geometry calls so on "
-        "the first half of 24 new rehearsals is right on the second. *States* and *kinds*: balanced "
-        "accuracy of the codes against geometry, matched on one half and counted on the other; *kinds* is "
-        "the mean of what *carries* and what *fits*. *Recalled*: of new actions that end on the reference, "
-        "how many are predicted to; and how much of what is predicted is so. At random: learned from "
-        "as many actions that nobody chose.",
+        "([Carried to places](places.md)). *On* and *in*: each operator is performed on 48 new pairs with "
+        "which it is foreseen to keep its promise surely. How often the one that geometry calls so on the "
+        "first half is right on the second; in brackets, the share of all pairs with which that is foreseen. "
+        "*States* and *kinds*: balanced accuracy of the codes against geometry, matched on one half and "
+        "counted on the other; *kinds* is the mean of what *carries* and what *fits*. *Recalled*: of new "
+        "actions that end on the reference, how many are foreseen to; and how much of what is foreseen is "
+        "so. At random: learned from as many actions that nobody chose.",
         markdown_table(["", "on", "in", "states", "kinds", "carries", "fits", "recalled", "precision"], rows),
         "## Tasks",
         "A person draws the tasks and solves each by hand beforehand: the same tasks, by actions that a "
@@ -91,7 +92,7 @@ def _symbols(one: Mapping[str, Any]) -> list[str]:
     best = [one["operators"][name] for name in ("on", "in")]
     static, recall = one["static_bits"], one["recall_on"]
     return [
-        *(f"{each['right']:.0%}" if each else "none" for each in best),
+        *(f"{each['right']:.0%} ({each['pairs']:.1%})" if each else "none" for each in best),
         *(f"{each:.1%}" for each in (one["state_bits"]["balanced"], static["balanced"])),
         *(f"{static[name]:.0%}" for name in ("carries", "fits")),
         *(f"{recall[name]:.0%}" for name in ("recall", "precision")),

@@ -1,6 +1,5 @@
 """Trying tasks of relations with a learned domain; geometry that a person wrote says what was reached."""
 
-import os
 from collections.abc import Mapping, Sequence
 from functools import cache
 from pathlib import Path
@@ -18,14 +17,15 @@ from neurosym.operators import TOLERANCE
 from neurosym.pddl.relational_check import puts_for
 from neurosym.planners import PlanStatus
 from neurosym.problems import Problem
-from neurosym.related import KindsOfPairs, with_contacts, with_pairs
+from neurosym.related import PairSight, with_contacts, with_pairs
 from neurosym.stages.folder import DomainFolder
-from neurosym.stages.task_drawing import kinds_of_pairs
+from neurosym.stages.task_drawing import sight_of_pairs
 from neurosym.world import Outcome, Scene, World
 from neurosym.worlds.aimed import Adapted
 from neurosym.worlds.stacks import standing, upright_items
 from tools.benchmarks.planning.trials import PLANNER
 from tools.benchmarks.relations.tasks import Asked, Draw
+from tools.benchmarks.spent import cpu_seconds
 
 TIME_LIMIT = 60.0
 """Of one plan [s]; far more than any takes."""
@@ -73,39 +73,39 @@ class Trial(msgspec.Struct, frozen=True, omit_defaults=True):
 
 
 @cache
-def bench_of(folder: Path) -> tuple[Bench, KindsOfPairs | None]:
+def bench_of(folder: Path) -> tuple[Bench, PairSight | None]:
     """Load a domain folder, once in each process."""
     domain = DomainFolder(folder)
-    return Bench(domain), kinds_of_pairs(domain)
+    return Bench(domain), sight_of_pairs(domain)
 
 
 def try_all(folder: Path, words: Words, draw: Draw, seeds: Sequence[int]) -> list[Any]:
     """Try tasks; nothing depends on the clock, as far as plans are found in time."""
-    bench, kinds = bench_of(folder)
-    tried = [try_task(bench, kinds, words, draw(bench.setting.world, seed), f"task-{seed}") for seed in seeds]
+    bench, sight = bench_of(folder)
+    tried = [try_task(bench, sight, words, draw(bench.setting.world, seed), f"task-{seed}") for seed in seeds]
     found: list[Any] = msgspec.to_builtins(tried)
     return found
 
 
-def try_task(bench: Bench, kinds: KindsOfPairs | None, words: Words, asked: Asked, name: str) -> Trial:
+def try_task(bench: Bench, sight: PairSight | None, words: Words, asked: Asked, name: str) -> Trial:
     """Plan for a task, and execute the plan with replanning and blindly.
 
     Args:
         bench: The learned domain.
-        kinds: Gives the kinds of pairs.
+        sight: What networks say of pairs.
         words: Which of its states mean what.
         asked: The task.
         name: What its problem is called.
     """
-    begin = _cpu()
-    problem = as_problem(bench, kinds, words, asked, name)
+    begin = cpu_seconds()
+    problem = as_problem(bench, sight, words, asked, name)
     if problem is None:
         return Trial("cannot be said")
     world, grounding = Remembering(bench.setting.world), bench.setting.grounding
     solve = planner_of(Setting(world, grounding, bench.setting.predict), PLANNER, time_limit=TIME_LIMIT)
     found = solve(problem, grounding)
     if found.status is not PlanStatus.SOLVED:
-        return Trial(found.status.value, found.reason, cpu=_cpu() - begin)
+        return Trial(found.status.value, found.reason, cpu=cpu_seconds() - begin)
     run = execute(world, problem, grounding, found.steps, replanner=solve)
     reached = blind = _is_met(asked, world)
     if run.replannings:
@@ -113,11 +113,13 @@ def try_task(bench: Bench, kinds: KindsOfPairs | None, words: Words, asked: Aske
         blind = _is_met(asked, world)
     reason = "" if run.reached else f"{failure(run)}: {run.reason}"
     done = len(run.steps)
-    return Trial(found.status.value, reason, reached, blind, run.reached, done, round(_cpu() - begin, 2))
+    return Trial(
+        found.status.value, reason, reached, blind, run.reached, done, round(cpu_seconds() - begin, 2)
+    )
 
 
 def as_problem(
-    bench: Bench, kinds: KindsOfPairs | None, words: Words, asked: Asked, name: str
+    bench: Bench, sight: PairSight | None, words: Words, asked: Asked, name: str
 ) -> Problem | None:
     """Say what is asked for in the words of a domain; None if it has none for that.
 
@@ -125,7 +127,7 @@ def as_problem(
 
     Args:
         bench: The learned domain.
-        kinds: Gives the kinds of pairs.
+        sight: What networks say of pairs.
         words: Which of its states mean what.
         asked: The task.
         name: What the problem is called.
@@ -138,13 +140,13 @@ def as_problem(
     heights = {target: items[target].features[2] / 2 for target in asked.places}
     goals = {names[n]: (place.x, place.y, heights[n]) for n, place in asked.places.items()}
     plain = with_contacts(Problem(name, items, goals, TOLERANCE), asked.contacts)
-    plain = with_pairs(plain, relations, kinds)
+    plain = with_pairs(plain, relations, sight)
     wanted = []
     for goal in asked.goals:
         meant = words.get(goal.word, ())
         target, reference = names[goal.target], names[goal.reference]
         puts = [put for put in puts_for(plain, grounding, target, reference) if put.state.symbol in meant]
-        best = max(puts, key=lambda put: put.end.share, default=None)
+        best = max(puts, key=lambda put: put.share, default=None)
         if best is None and not meant:
             return None
         state = best.state if best else relations.state_named(meant[0])
@@ -154,8 +156,3 @@ def as_problem(
 
 def _is_met(asked: Asked, world: Remembering) -> bool:
     return world.last is not None and asked.is_met(world.last)
-
-
-def _cpu() -> float:
-    spent = os.times()
-    return spent.user + spent.system + spent.children_user + spent.children_system

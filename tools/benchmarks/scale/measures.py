@@ -1,6 +1,5 @@
 """What sizes cost: CPU seconds and memory, each measured in a process of its own."""
 
-import os
 import resource
 import subprocess
 import sys
@@ -20,6 +19,7 @@ from neurosym.problems import Problem
 from neurosym.sim.config import TabletopConfig
 from neurosym.sim.tabletop import Tabletop
 from tools.benchmarks.scale.made import made_domain, made_problem, write_data
+from tools.benchmarks.spent import cpu_seconds
 
 PLANNERS = ("counting", "fast-downward")
 CEILING = 1800.0
@@ -121,14 +121,9 @@ def _refused(call: Callable[[], object]) -> str:
 
 def _timed(call: Callable[[], Value]) -> tuple[Value, float]:
     """Call something, and measure the CPU seconds of this process and of those that it waits for."""
-    begin = _cpu_seconds()
+    begin = cpu_seconds()
     value = call()
-    return value, _cpu_seconds() - begin
-
-
-def _cpu_seconds() -> float:
-    times = os.times()
-    return times.user + times.system + times.children_user + times.children_system
+    return value, cpu_seconds() - begin
 
 
 def _most_megabytes() -> int:

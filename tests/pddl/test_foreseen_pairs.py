@@ -1,0 +1,131 @@
+"""What networks foresee of the pairs at hand: in problems, in their PDDL, in plans and their replay."""
+
+import dataclasses
+from itertools import permutations
+from pathlib import Path
+
+import msgspec
+import numpy as np
+import pytest
+from toy_relations import PUT_IN, PUT_ON, REST, grounding, relations, scene, sorting, tower
+
+from neurosym.errors import InvalidFile, InvalidValue
+from neurosym.pddl.grades import GRADES, USUAL, grade_of
+from neurosym.pddl.moves import RELATIONAL
+from neurosym.pddl.plan_text import PlanStep
+from neurosym.pddl.problem import problem_text
+from neurosym.pddl.relational import put_named
+from neurosym.pddl.relational_check import puts_for
+from neurosym.pddl.relational_replay import chances_along
+from neurosym.pddl.validation import validate
+from neurosym.place_operators import Kept
+from neurosym.planners import PlanStatus, plan
+from neurosym.problems import Problem
+from neurosym.related import PairSight, with_pairs
+
+
+def kinds(features: np.ndarray) -> tuple[str, ...]:
+    """Tell a tray as the reference, or as the target, or neither."""
+    return tuple("11" if row[7] else "10" if row[3] else "01" for row in features)
+
+
+def sight(on: float, lying: float) -> PairSight:
+    """Networks that foresee the same of all pairs."""
+    return PairSight(kinds, lambda features, _: np.tile((on, lying), (len(features), 1)), ("001", "010"))
+
+
+def seen(problem: Problem, **foreseen: float) -> Problem:
+    return with_pairs(problem, relations(), sight(foreseen.get("on", 0.95), foreseen.get("lying", 0.95)))
+
+
+def test_each_pair_is_asked_for_the_operators_of_its_kind():
+    problem = seen(sorting(), on=0.75)
+    assert isinstance(problem.foreseen, dict)
+    assert problem.foreseen["item-01 item-02"] == {PUT_ON: 0.75}
+    assert problem.foreseen["item-01 item-04"] == {PUT_IN: 0.95}
+    assert "item-04 item-01" not in problem.foreseen
+    assert set(problem.pairs) == {f"{one} {other}" for one, other in permutations(problem.object_names, 2)}
+
+
+def test_without_that_network_pairs_do_as_others_of_their_kind():
+    problem = with_pairs(sorting(), relations(), PairSight(kinds))
+    assert problem.foreseen is msgspec.UNSET
+    (put,) = puts_for(problem, grounding(), "item-01", "item-02")
+    assert (put.grade, put.share) == (USUAL, put.end.share)
+    assert "(can-put-on-01-solid-01 item-01 item-02 usual)" in problem_text(problem, grounding(), RELATIONAL)
+
+
+@pytest.mark.parametrize(
+    ("share", "grade"), [(0.0, "hardly"), (0.25, "seldom"), (0.5, "often"), (0.72, "mostly"), (1.0, "surely")]
+)
+def test_grades_are_the_nearest(share: float, grade: str):
+    assert grade_of(share) == grade
+
+
+def test_what_is_hardly_foreseen_is_not_planned_with_and_has_hardly_a_chance():
+    problem, learned = seen(tower(), on=0.05), grounding()
+    assert puts_for(problem, learned, "item-01", "item-03") == ()
+    assert "(can-put-on" not in problem_text(problem, learned, RELATIONAL)
+    result = plan(problem, learned)
+    assert result.status is PlanStatus.UNSOLVABLE
+    assert result.reason.startswith(f"nothing puts item-01 {REST} item-03")
+    steps = (PlanStep(PUT_ON, "item-03", "item-02"), PlanStep(PUT_ON, "item-01", "item-03"))
+    assert validate(steps, problem, learned).valid  # it may be, if somebody else wants it so
+    assert chances_along([(PUT_ON, "item-03", "item-02")], problem, learned) == (GRADES["hardly"],)
+
+
+def test_cost_is_that_of_the_grade_and_more_where_a_third_object_spoils_it():
+    learned = grounding()
+    put = put_named(PUT_IN, learned)
+    assert put is not None
+    of_pair = put.with_pair(seen(sorting(), lying=0.3), "item-01", "item-04")
+    assert of_pair.chance() == GRADES["seldom"]
+    assert of_pair.chance(occupied=True) < of_pair.chance()
+    text = problem_text(seen(sorting(), lying=0.3), learned, RELATIONAL)
+    assert f"(= (cost-of-{PUT_IN} seldom none from-place) {of_pair.cost(learned)})" in text
+    assert "(can-put-in-01-hollow-11 item-01 item-04 seldom)" in text
+
+
+@pytest.mark.parametrize(
+    ("planner", "status"), [("bfs", PlanStatus.UNSOLVABLE), ("bfs-operators", PlanStatus.SOLVED)]
+)
+def test_breadth_first_search_reads_the_network_or_what_rehearsals_showed(planner: str, status: PlanStatus):
+    assert plan(seen(tower(), on=0.05), grounding(), planner).status is status
+
+
+def test_planner_takes_the_pair_that_is_foreseen_to_go_surely():
+    objects = scene(("cube", 0.5, -0.2), ("tray", 0.5, 0.1), ("cube", 0.7, -0.2))
+    problem = Problem("one-of-two", objects, {}, relations=(("item-01", "item-02", "lies-in-010"),))
+    result = plan(seen(problem, lying=0.9), grounding())
+    assert [step.operator for step in result.steps] == [PUT_IN]
+
+
+def test_networks_that_foresee_other_states_are_refused():
+    others = PairSight(kinds, sight(0.5, 0.5).chances, ("001", "100"))
+    with pytest.raises(InvalidValue, match="was trained on others than the domain has"):
+        with_pairs(sorting(), relations(), others)
+
+
+def test_pairs_that_are_seen_anew_keep_nothing_that_was_foreseen():
+    again = msgspec.structs.replace(seen(sorting()), pairs=msgspec.UNSET)
+    assert with_pairs(again, relations()).foreseen is msgspec.UNSET
+
+
+def test_rare_promises_are_not_forbidden_third_objects_for_being_rare():
+    learned = grounding()
+    put = put_named(PUT_IN, learned)
+    assert put is not None
+    rare = msgspec.structs.replace(put.end, share=0.2, count=4)
+    operator = msgspec.structs.replace(put.operator, borne=Kept(PUT_IN, 10, 2), occupied=Kept(PUT_IN, 10, 0))
+    changed = dataclasses.replace(put, end=rare, operator=operator)
+    assert changed.takes_borne
+    assert not changed.takes_occupied
+
+
+def test_problems_keep_what_is_foreseen_and_refuse_what_is_no_share(tmp_path: Path):
+    path = tmp_path / "seen.json"
+    seen(tower()).save(path)
+    assert Problem.load(path) == seen(tower())
+    path.write_text(path.read_text().replace("0.95", "1.95", 1))
+    with pytest.raises(InvalidFile, match="<= 1"):
+        Problem.load(path)

@@ -1,0 +1,70 @@
+"""Choosing actions for kinds of pairs: what is foreseen decides who is auditioned, and auditions decide."""
+
+import numpy as np
+import toy_relations
+
+from neurosym.operators import Primitive
+from neurosym.primitives.pair_choice import choose_for_pairs
+from neurosym.primitives.pair_rehearsal import tabulate_pairs
+from neurosym.primitives.rehearsal import rehearse
+from neurosym.relation_operators import PairStates
+from neurosym.worlds.related import RelatedFactory
+from neurosym.worlds.toy_relations import make_world
+
+FACTORY = RelatedFactory(make_world)
+TABLE = toy_relations.relations()
+STATES = PairStates(TABLE.states, TABLE.scales)
+CARRY = Primitive("01", toy_relations.CARRY, 0.01)
+ASIDE = Primitive("01", (*toy_relations.CARRY[:8], 0.05, 0.05, 0.05, 0.0), 0.0)
+NOTHING = Primitive("00", (0.0,) * 12, 0.0)
+
+
+def kinds(features: np.ndarray) -> tuple[str, ...]:
+    """Tell whether the reference is hollow."""
+    return tuple("1" if row[7] > 0.5 else "0" for row in features)
+
+
+def hopeful(features: np.ndarray, actions: np.ndarray) -> np.ndarray:
+    """Foresee the best of every action, however it is grasped."""
+    del actions
+    hollow = features[:, 7] > 0.5
+    return np.column_stack([~hollow, hollow]) * 0.9
+
+
+def of_kind(chosen, kind: str) -> list[tuple[float, ...]]:
+    return [one.action for one in chosen.primitives if chosen.serves(one, kind)]
+
+
+def test_auditions_leave_what_really_puts_on_and_into():
+    chosen = choose_for_pairs(FACTORY, [NOTHING, CARRY], hopeful, kinds, STATES, seed=0)
+    assert CARRY.action in of_kind(chosen, "0")
+    assert NOTHING.action not in of_kind(chosen, "0")
+    assert NOTHING.action not in of_kind(chosen, "1")
+
+
+def test_what_is_foreseen_to_do_nothing_is_not_auditioned():
+    performed = list[int]()
+
+    def nothing(features: np.ndarray, actions: np.ndarray) -> np.ndarray:
+        return np.zeros((len(features), 2)) * actions[:, :1]
+
+    chosen = choose_for_pairs(
+        FACTORY, [CARRY], nothing, kinds, STATES, seed=0, progress=lambda done, _: performed.append(done)
+    )
+    assert performed == []
+    assert of_kind(chosen, "0") == []
+
+
+def test_kind_whose_pairs_end_in_several_states_has_an_operator_for_each():
+    chosen = choose_for_pairs(FACTORY, [CARRY], hopeful, kinds, STATES, seed=0)
+    found = rehearse(FACTORY, chosen, kinds, objects=80, seed=1)
+    table = tabulate_pairs(found, make_world().feature_names, STATES)
+    promised = {one.promise.state: one for one in table.operators if one.promise and one.pair == "1"}
+    assert {toy_relations.ON, toy_relations.IN} == set(promised)
+    assert len({one.name for one in promised.values()}) == 2
+    assert sum(one.promise.share for one in promised.values()) <= 1
+
+
+def test_same_seed_chooses_the_same():
+    twice = [choose_for_pairs(FACTORY, [ASIDE, CARRY], hopeful, kinds, STATES, seed=2) for _ in range(2)]
+    assert twice[0] == twice[1]
