@@ -57,7 +57,7 @@ def test_nothing_asked_for_is_met_only_where_a_place_is_reached(world):
 
 def symbols(right: float) -> dict:
     return {
-        "operators": {"on": {"operator": "a", "right": right}, "in": None},
+        "operators": {"on": {"operator": "a", "right": right, "pairs": 0.1}, "in": None},
         "static_bits": {"balanced": 0.8, "carries": 0.9, "fits": 0.7},
         "state_bits": {"balanced": right},
         "recall_on": {"recall": 0.6, "precision": 0.7},
