@@ -82,6 +82,6 @@ def test_summary_counts_seeds_and_means_over_them():
     cell = summary["table"]["tower of 3"]
     assert (cell["tasks"], cell["planned"], cell["blind"]) == (3, 2, [0.0, 0.0])
     text = page(summary)
-    assert "| seed 1 | 90% | none | 90.0% | 80.0% | 90% | 70% | 60% | 70% |" in text
-    assert "| seed 1, at random | 10% | none |" in text
+    assert "| seed 1 | 90% (10.0%) | none | 90.0% | 80.0% | 90% | 70% | 60% | 70% |" in text
+    assert "| seed 1, at random | 10% (10.0%) | none |" in text
     assert "| tower of 3 | 3 | 2 | 0% ± 0 | 75% ± 35 |" in text
