@@ -8,12 +8,12 @@ import zipfile
 from collections.abc import Callable, Mapping
 from concurrent.futures import Future, ProcessPoolExecutor, as_completed
 from concurrent.futures.process import BrokenProcessPool
-from importlib.metadata import version
 from multiprocessing import get_context
 from pathlib import Path
 from typing import Any
 
 from neurosym.console import progress_bar, say
+from neurosym.distribution import version_of
 from neurosym.files import write_atomically
 
 Job = Callable[[], Any]
@@ -113,5 +113,5 @@ def machine(*packages: str) -> dict[str, str]:
     Args:
         packages: Those whose versions count.
     """
-    versions = {name: version(name) for name in packages}
+    versions = {name: version_of(name) for name in packages}
     return {"cpus": str(os.cpu_count()), "python": platform.python_version(), **versions}

@@ -11,7 +11,6 @@ import sys
 import time
 from collections.abc import Callable
 from functools import partial
-from importlib.metadata import version
 from pathlib import Path
 from typing import Annotated, Any
 
@@ -19,6 +18,7 @@ import numpy as np
 import tyro
 
 from neurosym.console import progress_bar, say
+from neurosym.distribution import version_of
 from neurosym.files import write_atomically
 from neurosym.worlds.workers import perform_all
 from tools.benchmarks.world import measures
@@ -121,7 +121,7 @@ def machine() -> dict[str, Any]:
         "cpu": model[0].partition(":")[2].strip() if model else platform.processor(),
         "cores": os.cpu_count(),
         "python": platform.python_version(),
-        **{name: version(name) for name in ("pybullet", "numpy")},
+        **{name: version_of(name) for name in ("pybullet", "numpy")},
     }
 
 
