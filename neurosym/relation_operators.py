@@ -20,7 +20,7 @@ from neurosym.symbols import Symbol
 
 FORMAT = "neurosym-relations-2"
 _TOUCHING, _CERTAIN = DESCRIPTION.index("touching"), 0.9
-SELDOM = 0.1
+SELDOM = 0.03
 """An operator promises a state if this share of its kind's pairs or more ends so, besides the most frequent
 state. With some of them it may be foreseen to do so surely."""
 Description = tuple[Length, ...]

@@ -18,7 +18,7 @@ from neurosym.learning.recipes import fit_direct
 from neurosym.learning.samples import dimensions_of, samples_of
 from neurosym.learning.state_codes import carried, described_ends
 from neurosym.learning.training_config import TrainingConfig
-from neurosym.related import ChancesOfStates
+from neurosym.pair_sight import ChancesOfStates
 from neurosym.relation_operators import PairStates
 
 _STREAM = 0x7363  # keeps these draws apart from those of other fits

@@ -14,6 +14,7 @@ from neurosym.checks import check_kind
 from neurosym.errors import InvalidPlan, InvalidValue, UnknownChoice, shortened
 from neurosym.grounding import Grounding, is_lift
 from neurosym.operators import Operator
+from neurosym.pair_sight import with_pairs
 from neurosym.pddl.grid import AXES, Grid, grid_of
 from neurosym.pddl.moves import (
     BY_RELATIONS,
@@ -39,7 +40,7 @@ from neurosym.pddl.relational_problem import flattened
 from neurosym.pddl.relational_replay import print_relational_plan
 from neurosym.problems import Problem, SceneObject
 from neurosym.reading import MEGABYTE, read_text
-from neurosym.related import bearers_of, is_relational, relating, with_pairs
+from neurosym.related import bearers_of, is_relational, relating
 from neurosym.relation_goals import pair_key
 from neurosym.relation_operators import RelationOperator
 from neurosym.table import Table

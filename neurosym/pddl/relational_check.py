@@ -5,9 +5,10 @@ from collections.abc import Sequence
 
 from neurosym.errors import InvalidValue
 from neurosym.grounding import Grounding
+from neurosym.pair_sight import with_pairs
 from neurosym.pddl.relational import Put, bearing_states, puts_of
 from neurosym.problems import Problem
-from neurosym.related import relations_of, unmet_relations, with_pairs
+from neurosym.related import relations_of, unmet_relations
 from neurosym.relation_goals import RelationGoal, pair_key
 
 

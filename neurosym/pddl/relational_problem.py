@@ -11,6 +11,7 @@ from jaxtyping import Float
 
 from neurosym.grounding import Grounding
 from neurosym.operators import Operator, Vector
+from neurosym.pair_sight import with_pairs
 from neurosym.pair_states import extent
 from neurosym.pddl.grades import GRADES, USUAL
 from neurosym.pddl.moves import LIFTED, RELATIONAL, Encoding
@@ -38,7 +39,7 @@ from neurosym.pddl.relational_domain import (
 )
 from neurosym.problems import ROUNDED, Problem
 from neurosym.promises import promised
-from neurosym.related import Borne, bearers_of, loads_of, relations_of, with_pairs
+from neurosym.related import Borne, bearers_of, loads_of, relations_of
 
 COUNTS = (NONE, ONE, *(f"count-{number}" for number in range(2, 100)))
 """How many objects another one bears."""

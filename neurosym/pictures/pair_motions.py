@@ -4,9 +4,9 @@ import numpy as np
 
 from neurosym.errors import InvalidValue
 from neurosym.grounding import Grounding
+from neurosym.pair_sight import PairSight, nearest_kinds
 from neurosym.pair_states import describe_pair
 from neurosym.pictures.motions import Motion
-from neurosym.related import PairSight, nearest_kinds
 from neurosym.relation_operators import RelationOperator, RelationOperators
 from neurosym.table import OtherObject
 from neurosym.world import Outcome, World

@@ -10,6 +10,7 @@ import msgspec
 
 from neurosym.drafts import naming
 from neurosym.errors import InvalidPlan, InvalidValue
+from neurosym.pair_sight import with_pairs
 from neurosym.pddl.domain import domain_text
 from neurosym.pddl.moves import BY_RELATIONS, RELATIONAL
 from neurosym.pddl.plan_text import parse_plan
@@ -24,7 +25,7 @@ from neurosym.planners.relational_bfs import plan_relational_bfs
 from neurosym.planners.result import PlanResult, PlanStatus
 from neurosym.planners.scratch import scratch_folder
 from neurosym.problems import Problem
-from neurosym.related import is_reached, is_relational, relations_of, with_pairs
+from neurosym.related import is_reached, is_relational, relations_of
 
 BREADTH_FIRST = ("bfs", "bfs-operators")
 """These search themselves: the first by what a network foresees of each pair, the other by what rehearsals

@@ -1,20 +1,21 @@
-"""Choosing actions for kinds of pairs: of all symbols, those that most surely bring a kind into some state.
+"""Choosing actions for kinds of pairs: for each state, the one that most surely brings pairs there.
 
-Candidates are shortlisted by the chances of each state that a network foresees for pairs of the kind, and
-auditioned on these pairs, fewer of them in each round. What is left is the surest for each state that pairs
-can be brought to. An action that does nothing to a kind has no operator there.
+Of the pairs of a kind, some end in one state and some in another. So there is a contest for each kind and
+state, on the pairs with which a network foresees that state most surely, whichever action does it. Candidates
+are shortlisted by what is foreseen of these pairs, and auditioned on them, fewer of them in each round. The
+surest is left. Where nothing brings a kind into a state, there is no operator for that.
 """
 
 from collections import Counter
 from collections.abc import Sequence
 from dataclasses import dataclass, field
-from itertools import zip_longest
 
 import numpy as np
 
 from neurosym.actions import ActionBox
 from neurosym.guarded import made
 from neurosym.operators import Primitive
+from neurosym.pair_sight import ChancesOfStates
 from neurosym.primitives.by_state import straight_states, sureness, watch
 from neurosym.primitives.judging import Performance
 from neurosym.primitives.own import Round, moved
@@ -22,36 +23,45 @@ from neurosym.primitives.performing import perform
 from neurosym.primitives.repertoire import Repertoire, with_own
 from neurosym.primitives.sampling import sample_by_category
 from neurosym.progress import Progress
-from neurosym.related import ChancesOfStates
 from neurosym.relation_operators import PairStates
 from neurosym.symbols import Categorise
 from neurosym.world import Scene, WorldFactory
 from neurosym.worlds.workers import Task
 
-ROUNDS = Round(18, 4), Round(9, 4), Round(6, 8)
-"""Auditions for a kind of pairs."""
+ROUNDS = Round(9, 4), Round(5, 4), Round(3, 8)
+"""Auditions for a kind of pairs and a state."""
+OF_A_KIND = 64
+"""Pairs of a kind that are looked at, to find those that can be brought into a state."""
+FEW = 10
+"""So many candidates, the likeliest, say how surely a pair can be brought into a state."""
 OF_SYMBOL = 4
 """Candidates of one symbol that are shortlisted for a kind of pairs and a state at most."""
-KEPT = 3
-"""Actions that a kind of pairs has in the end at most."""
-FORESEEN, SURE = 0.05, 0.1
+FORESEEN, SURE = 0.2, 0.25
 """Actions that are foreseen, or that turn out, to bring about a state less surely are left out for it."""
 _STREAM = 0x7063  # keeps these draws apart from those of other auditions and rehearsals
 
 
 @dataclass(slots=True, eq=False)
 class _Contest:
-    """The candidates for one kind of pairs.
+    """The candidates for one kind of pairs and one state.
 
     Attributes:
-        scenes: A pair of the kind in each.
-        left: Those that are left, the surest for each state in turn.
+        state: Code of the state.
+        scenes: A pair of the kind in each, which can probably be brought there.
+        left: Those that are left, the surest first.
         seen: How they turned out.
     """
 
+    state: str
     scenes: tuple[Scene, ...]
     left: list[Primitive]
     seen: dict[Primitive, list[Performance]] = field(default_factory=dict)
+
+    def close_round(self, kept: int) -> None:
+        """Keep the surest of those that are left."""
+        sure = {one: sureness(self.seen[one], self.state) for one in self.left}
+        ranked = sorted((one for one in self.left if sure[one] >= SURE), key=lambda one: -sure[one])
+        self.left = ranked[:kept]
 
 
 def choose_for_pairs(
@@ -79,67 +89,64 @@ def choose_for_pairs(
         workers: How many processes; their number does not change the result.
         progress: Called after each performance.
     """
-    world, wanted = made(world_factory), straight_states(states)
-    columns = [states.bearing_order.index(state) for state in wanted]
-    least = sum(one.objects for one in ROUNDS)
-    sample = sample_by_category(world, categorise, least=least, seed=seed, stream=_STREAM)
+    world = made(world_factory)
+    sample = sample_by_category(world, categorise, least=OF_A_KIND, seed=seed, stream=_STREAM)
     contests = {
-        kind: _Contest(scenes, _shortlist(candidates, foresee, columns, scenes, world.action_box, seed))
+        kind: _contests(candidates, foresee, scenes, states, world.action_box, seed)
         for kind, scenes in sample.scenes.items()
     }
-    total = sum(
-        min(one.candidates, len(contest.left)) * one.objects
-        for contest in contests.values()
-        for one in ROUNDS
-    )
-    done, first = 0, 0
-    for number, one in enumerate(ROUNDS):
+    every = [contest for of_kind in contests.values() for contest in of_kind]
+    total = sum(min(one.candidates, len(contest.left)) * one.objects for contest in every for one in ROUNDS)
+    kept, done, first = [one.candidates for one in ROUNDS[1:]] + [1], 0, 0
+    for count, one in zip(kept, ROUNDS, strict=True):
         tasks, owners = list[Task](), list[list[Performance]]()
-        for contest in contests.values():
+        for contest in every:
             scenes = contest.scenes[first : first + one.objects]
-            for primitive in contest.left[: one.candidates]:
+            for primitive in contest.left:
                 actions = moved(primitive, first + len(scenes), world.action_box, seed)[first:]
                 for scene, action in zip(scenes, actions, strict=True):
                     tasks.append(Task(scene, action))
                     owners.append(contest.seen.setdefault(primitive, []))
-        performed = perform(world_factory, tasks, workers, None)
-        for seen, outcome in zip(owners, performed, strict=True):
+        for seen, outcome in zip(owners, perform(world_factory, tasks, workers, None), strict=True):
             seen.append(watch(outcome, states))
             done += 1
             if progress is not None:
                 progress(min(done, total), total)
         first += one.objects
-        for contest in contests.values():
-            contest.left = _in_turn([_surest_first(contest, state) for state in wanted])
-            if number + 1 < len(ROUNDS):
-                contest.left = contest.left[: ROUNDS[number + 1].candidates]
+        for contest in every:
+            contest.close_round(count)
     if progress is not None and total:
         progress(total, total)
     chosen = {
-        kind: _in_turn([_surest_first(contest, state)[:1] for state in wanted])[:KEPT]
-        for kind, contest in contests.items()
+        kind: list(dict.fromkeys(one for contest in of_kind for one in contest.left))
+        for kind, of_kind in contests.items()
     }
     return with_own(_one_each(candidates), chosen)
 
 
-def _shortlist(
+def _contests(
     candidates: Sequence[Primitive],
     foresee: ChancesOfStates,
-    columns: Sequence[int],
     scenes: Sequence[Scene],
+    states: PairStates,
     box: ActionBox,
     seed: int,
-) -> list[Primitive]:
-    """List candidates that are foreseen to bring a kind surely into a state, some for each state in turn."""
+) -> list[_Contest]:
+    """Begin a contest for each state, on the pairs of a kind that can most surely be brought there."""
     features = np.concatenate([scene.features for scene in scenes])
     actions = np.concatenate([moved(one, len(features), box, seed) for one in candidates])
     foreseen = foresee(np.tile(features, (len(candidates), 1)), actions)
-    chances = foreseen.reshape(len(candidates), len(features), -1).mean(1)  # (C, S)
-    listed = []
-    for column in chances[:, columns].T:
-        likely = [number for number in np.argsort(-column, kind="stable") if column[number] >= FORESEEN]
-        listed.append(_few_of_a_symbol([candidates[number] for number in likely]))
-    return _in_turn(listed)[: ROUNDS[0].candidates]
+    chances = foreseen.reshape(len(candidates), len(features), -1)  # (C, N, S)
+    begun = []
+    for state in straight_states(states):
+        of_state = chances[:, :, states.bearing_order.index(state)]
+        at_best = np.sort(of_state, axis=0)[-FEW:].mean(0)
+        pairs = np.sort(np.argsort(-at_best, kind="stable")[: sum(one.objects for one in ROUNDS)])
+        mean = of_state[:, pairs].mean(1)
+        likely = [number for number in np.argsort(-mean, kind="stable") if mean[number] >= FORESEEN]
+        few = _few_of_a_symbol([candidates[number] for number in likely])[: ROUNDS[0].candidates]
+        begun.append(_Contest(state, tuple(scenes[row] for row in pairs), few))
+    return begun
 
 
 def _few_of_a_symbol(candidates: Sequence[Primitive]) -> list[Primitive]:
@@ -151,19 +158,6 @@ def _few_of_a_symbol(candidates: Sequence[Primitive]) -> list[Primitive]:
         if taken[one.symbol] <= OF_SYMBOL:
             few.append(one)
     return few
-
-
-def _surest_first(contest: _Contest, state: str) -> list[Primitive]:
-    """Sort those that bring pairs into a state by how surely they do."""
-    found = [(sureness(contest.seen[one], state), one) for one in contest.left]
-    ranked = sorted(found, key=lambda row: -row[0])
-    return [one for sure, one in ranked if sure >= SURE]
-
-
-def _in_turn(listed: Sequence[Sequence[Primitive]]) -> list[Primitive]:
-    """Return the first of each list, then the second of each, and so on, each action once."""
-    rows = zip_longest(*listed)
-    return list(dict.fromkeys(one for row in rows for one in row if one is not None))
 
 
 def _one_each(candidates: Sequence[Primitive]) -> list[Primitive]:

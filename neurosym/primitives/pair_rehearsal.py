@@ -105,26 +105,30 @@ def rehearse_among(
     ]
     pool = _pool([ends[number] for number in rng.permutation(len(ends))], categorise)
     worthy = [one for one in table.operators if one.promise is not None and one.promise.state in bearing]
-    tasks, owners = list[Task](), list[tuple[str, str]]()
-    for one in worthy:
-        action = np.array(table.primitive_of(one).action)
+    tasks, owners = list[Task](), list[tuple[Symbol, str, str]]()
+    for pair, label in dict.fromkeys((one.pair, one.label) for one in worthy):
+        action = np.array(next(one.action for one in table.primitives if one.label == label))
         for how, scenes in pool.items():
-            for scene in scenes.get(one.pair, [])[:AMONG]:
+            for scene in scenes.get(pair, [])[:AMONG]:
                 tasks.append(Task(scene, action))
-                owners.append((one.name, how))
-    tried, kept = Counter(owners), Counter[tuple[str, str]]()
-    promised = {one.name: one.promise.state for one in worthy if one.promise}
-    for (name, how), outcome in zip(owners, perform(factory, tasks, workers, progress), strict=True):
-        others = {index for index, _ in outcome.disturbed} - ({_THIRD} if how == "laden" else set())
-        went_along = how != "laden" or _went_along(outcome)
-        kept[name, how] += end_state(outcome, states) == promised[name] and not others and went_along
+                owners.append((pair, label, how))
+    ended = Counter[tuple[Symbol, str, str, str]]()
+    for owner, outcome in zip(owners, perform(factory, tasks, workers, progress), strict=True):
+        others = {index for index, _ in outcome.disturbed} - ({_THIRD} if owner[-1] == "laden" else set())
+        if not others and (owner[-1] != "laden" or _went_along(outcome)):
+            ended[(*owner, end_state(outcome, states))] += 1
+    tried = Counter(owners)
+
+    def kept(one: RelationOperator, how: str) -> Kept:
+        if one not in worthy or one.promise is None:
+            return Kept(one.name, 0, 0)
+        owner = one.pair, one.label, how
+        return Kept(one.name, tried[owner], ended[(*owner, one.promise.state)])
+
     return msgspec.structs.replace(
         table,
         operators=tuple(
-            msgspec.structs.replace(
-                one, **{how: Kept(one.name, tried[one.name, how], kept[one.name, how]) for how in pool}
-            )
-            for one in table.operators
+            msgspec.structs.replace(one, **{how: kept(one, how) for how in pool}) for one in table.operators
         ),
     )
 

@@ -11,13 +11,13 @@ from neurosym.actions import ActionBox
 from neurosym.data.interactions import Interactions
 from neurosym.guarded import made
 from neurosym.learning.effect_model import EffectModel
+from neurosym.pair_sight import ChancesOfStates
 from neurosym.primitives.distillation import distill
 from neurosym.primitives.pair_choice import choose_for_pairs
 from neurosym.primitives.pair_rehearsal import rehearse_among, tabulate_pairs
 from neurosym.primitives.rehearsal import rehearse
 from neurosym.primitives.table import NothingDistilled, silent
 from neurosym.progress import OpenBar
-from neurosym.related import ChancesOfStates
 from neurosym.relation_operators import PairStates, RelationOperators
 from neurosym.world import WorldFactory
 from neurosym.worlds.related import RelatedFactory

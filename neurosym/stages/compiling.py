@@ -9,6 +9,7 @@ import numpy as np
 from neurosym.errors import InvalidValue
 from neurosym.files import make_folder, remove, write_atomically
 from neurosym.grounding import Grounding
+from neurosym.pair_sight import with_pairs
 from neurosym.pddl import compile_domain, domain_text, problem_text
 from neurosym.pddl.compiler import check_axes
 from neurosym.pddl.moves import BY_RELATIONS, LIFTED, PLACES, RELATIONAL, Encoding
@@ -20,7 +21,7 @@ from neurosym.pddl.relational_check import check_relations, relations_meant
 from neurosym.pddl.relational_problem import Task
 from neurosym.place_operators import PlaceOperators
 from neurosym.problems import Problem
-from neurosym.related import is_relational, with_pairs
+from neurosym.related import is_relational
 from neurosym.relation_goals import RelationGoal
 from neurosym.relation_operators import RelationOperators
 from neurosym.stages.folder import DomainFolder, load_scene
@@ -52,7 +53,7 @@ from neurosym.stages.other_tools import (
     write_pictures,
 )
 from neurosym.stages.practising import operator_table
-from neurosym.stages.task_drawing import AnyTask, draw_any_task, sight_of_pairs
+from neurosym.stages.task_drawing import AnyTask, draw_any_task, networks_of_pairs, sight_of_pairs
 from neurosym.wording import quoted
 from neurosym.worlds.relation_tasks import HEIGHT, RELATION_TASKS
 from neurosym.worlds.world_file import read_world
@@ -199,7 +200,8 @@ def problem_stage(
         ),
         scene,
     )
-    return Stage(f"new-problem {name}", (WORLD, MODEL, GROUNDING), outputs, work, options)
+    inputs = (WORLD, MODEL, GROUNDING, *networks_of_pairs(folder))
+    return Stage(f"new-problem {name}", inputs, outputs, work, options)
 
 
 def print_problem(

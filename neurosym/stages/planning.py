@@ -8,6 +8,7 @@ from neurosym.errors import InvalidFile, InvalidPlanner, InvalidValue, StageMiss
 from neurosym.factories import is_factory
 from neurosym.grounding import Grounding
 from neurosym.object_limits import limits_of
+from neurosym.pair_sight import with_pairs
 from neurosym.pddl.grid import check_on_table
 from neurosym.pddl.moves import Encoding
 from neurosym.pddl.problem_check import check_problem
@@ -16,7 +17,6 @@ from neurosym.planners.planner import PredictEffects
 from neurosym.planners.registry import check_options
 from neurosym.planners.second_look import plan_with_second_look
 from neurosym.problems import Problem
-from neurosym.related import with_pairs
 from neurosym.stages.compiling import print_problem
 from neurosym.stages.folder import DomainFolder, load_scene
 from neurosym.stages.layout import GROUNDING, MODEL, WORLD, plan_files, scene_file

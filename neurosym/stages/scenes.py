@@ -7,16 +7,16 @@ import msgspec
 from neurosym.errors import InvalidFile, InvalidValue
 from neurosym.files import make_folder
 from neurosym.grounding import Grounding
+from neurosym.pair_sight import with_pairs
 from neurosym.pddl.grid import check_on_table
 from neurosym.problems import Problem
 from neurosym.reading import digest
-from neurosym.related import with_pairs
 from neurosym.stages.compiling import print_problem
 from neurosym.stages.folder import DomainFolder
 from neurosym.stages.layout import GROUNDING, PROBLEMS, WORLD, problem_files, relation_files, scene_file
 from neurosym.stages.manifest import Stage
 from neurosym.stages.planning import check_scene
-from neurosym.stages.task_drawing import sight_of_pairs
+from neurosym.stages.task_drawing import networks_of_pairs, sight_of_pairs
 
 
 def scene_stage(folder: DomainFolder, file: Path, *, name: str, tolerance: float | None = None) -> Stage:
@@ -46,4 +46,5 @@ def scene_stage(folder: DomainFolder, file: Path, *, name: str, tolerance: float
 
     options = {"scene": digest(file)} | ({} if tolerance is None else {"tolerance": tolerance})
     outputs = (*problem_files(name), *relation_files(name), scene)
-    return Stage(f"new-problem {name}", (WORLD, GROUNDING), outputs, work, options)
+    inputs = (WORLD, GROUNDING, *networks_of_pairs(folder))
+    return Stage(f"new-problem {name}", inputs, outputs, work, options)

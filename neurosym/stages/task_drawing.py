@@ -7,10 +7,11 @@ import numpy as np
 from neurosym.errors import InvalidValue, UnknownChoice
 from neurosym.grounding import Grounding
 from neurosym.operators import TOLERANCE
+from neurosym.pair_sight import PairSight, with_pairs
 from neurosym.pddl.relational import LEAST_SHARE
 from neurosym.pddl.relational_check import puts_for
 from neurosym.problems import Problem
-from neurosym.related import PairSight, known_bearers, with_pairs
+from neurosym.related import known_bearers
 from neurosym.relation_operators import PairStates
 from neurosym.stages.folder import DomainFolder
 from neurosym.stages.layout import RELATION_CHANCES, RELATION_MODEL, RELATION_STATES
@@ -112,6 +113,16 @@ def sight_of_pairs(folder: DomainFolder) -> PairSight | None:
         return PairSight(kinds)
     chances = foreseen_by(DirectModel.load(folder / RELATION_CHANCES))
     return PairSight(kinds, chances, PairStates.load(folder.require(RELATION_STATES)).bearing_order)
+
+
+def networks_of_pairs(folder: DomainFolder) -> tuple[str, ...]:
+    """Name the files of a domain folder that `sight_of_pairs` reads.
+
+    Args:
+        folder: The domain folder.
+    """
+    files = RELATION_MODEL, RELATION_CHANCES, RELATION_STATES
+    return tuple(name for name in files if (folder / name).exists())
 
 
 def ways_of(problem: Problem, grounding: Grounding, sight: PairSight | None = None) -> Ways:

@@ -13,9 +13,9 @@ from neurosym.data.interactions import Interactions
 from neurosym.errors import NeurosymError
 from neurosym.grounding import Grounding
 from neurosym.object_limits import ObjectLimits, limits_of
+from neurosym.pair_sight import PairSight, with_pairs
 from neurosym.poses import Part, Posed
 from neurosym.problems import Problem
-from neurosym.related import PairSight, with_pairs
 from neurosym.stages.folder import DomainFolder
 from neurosym.stages.layout import GROUNDING, INTERACTIONS, MODEL, RECORD, RUNS, WORLD
 from neurosym.stages.planning import load_problem

@@ -17,8 +17,9 @@ from neurosym.checks import check_count, check_length, check_seed
 from neurosym.errors import InvalidValue, UnknownChoice
 from neurosym.guarded import guarded, placed
 from neurosym.operators import TOLERANCE
+from neurosym.pair_sight import with_pairs
 from neurosym.problems import Problem, check_names
-from neurosym.related import bearers_of, with_pairs
+from neurosym.related import bearers_of
 from neurosym.relation_goals import RelationGoal
 from neurosym.relation_operators import RelationOperators
 from neurosym.symbols import Categorise

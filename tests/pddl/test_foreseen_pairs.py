@@ -10,6 +10,7 @@ import pytest
 from toy_relations import PUT_IN, PUT_ON, REST, grounding, relations, scene, sorting, tower
 
 from neurosym.errors import InvalidFile, InvalidValue
+from neurosym.pair_sight import PairSight, with_pairs
 from neurosym.pddl.grades import GRADES, USUAL, grade_of
 from neurosym.pddl.moves import RELATIONAL
 from neurosym.pddl.plan_text import PlanStep
@@ -21,7 +22,6 @@ from neurosym.pddl.validation import validate
 from neurosym.place_operators import Kept
 from neurosym.planners import PlanStatus, plan
 from neurosym.problems import Problem
-from neurosym.related import PairSight, with_pairs
 
 
 def kinds(features: np.ndarray) -> tuple[str, ...]:

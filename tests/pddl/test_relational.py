@@ -12,6 +12,7 @@ from validators import unified_planning_accepts
 
 from neurosym.errors import InvalidPlan, InvalidValue, NeurosymError
 from neurosym.grounding import Grounding
+from neurosym.pair_sight import with_pairs
 from neurosym.pddl import domain_text, problem_text
 from neurosym.pddl.moves import BY_RELATIONS, LIFTED, RELATIONAL
 from neurosym.pddl.plan_text import PlanStep, parse_plan, print_ground_plan, print_plan
@@ -22,7 +23,7 @@ from neurosym.planners import PlanStatus, plan
 from neurosym.planners.planner import Planner
 from neurosym.planners.result import PlanResult
 from neurosym.problems import Problem
-from neurosym.related import bearers_of, with_pairs
+from neurosym.related import bearers_of
 
 PROBLEMS = (tower(), tower_at_place(), sorting())
 

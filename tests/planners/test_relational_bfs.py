@@ -4,13 +4,13 @@ import msgspec
 import pytest
 from toy_relations import PUT_IN, PUT_ON, REST, grounding, relations, scene, sorting, tower, tower_at_place
 
+from neurosym.pair_sight import with_pairs
 from neurosym.pddl.moves import RELATIONAL
 from neurosym.pddl.plan_text import print_ground_plan
 from neurosym.pddl.validation import validate
 from neurosym.planners import PlanStatus, plan
 from neurosym.planners.relational_bfs import plan_relational_bfs
 from neurosym.problems import Problem
-from neurosym.related import with_pairs
 
 
 @pytest.mark.parametrize("planner", ["bfs", "bfs-operators"])

@@ -9,7 +9,7 @@ from neurosym.primitives.pair_rehearsal import tabulate_pairs
 from neurosym.primitives.rehearsal import rehearse
 from neurosym.relation_operators import PairStates
 from neurosym.worlds.related import RelatedFactory
-from neurosym.worlds.toy_relations import make_world
+from neurosym.worlds.toy_relations import WALL, make_world
 
 FACTORY = RelatedFactory(make_world)
 TABLE = toy_relations.relations()
@@ -25,10 +25,10 @@ def kinds(features: np.ndarray) -> tuple[str, ...]:
 
 
 def hopeful(features: np.ndarray, actions: np.ndarray) -> np.ndarray:
-    """Foresee the best of every action, however it is grasped."""
+    """Foresee the best of every action: into what is hollow and wide enough, and onto anything else."""
     del actions
-    hollow = features[:, 7] > 0.5
-    return np.column_stack([~hollow, hollow]) * 0.9
+    fits = (features[:, 7] > 0.5) & np.all(features[:, :2] < features[:, 4:6] - 2 * WALL, axis=1)
+    return np.column_stack([~fits, fits]) * 0.9
 
 
 def of_kind(chosen, kind: str) -> list[tuple[float, ...]]:

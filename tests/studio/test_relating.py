@@ -6,8 +6,8 @@ import pytest
 import toy_domain
 from toy_relations import LIE, REST, grounding, scene, sorting, tower
 
+from neurosym.pair_sight import with_pairs
 from neurosym.problems import Problem
-from neurosym.related import with_pairs
 from neurosym.relation_operators import PairEnd
 from neurosym.studio import setting
 from neurosym.studio.placing import complaints_about, reach_of

@@ -13,11 +13,11 @@ from typing import Any
 import numpy as np
 
 from neurosym.learning.effect_model import EffectModel
+from neurosym.pair_sight import PairSight
 from neurosym.pair_states import describe_pair
 from neurosym.place_operators import PlaceOperators
 from neurosym.primitives.by_state import end_state
 from neurosym.primitives.sampling import draw_scene
-from neurosym.related import PairSight
 from neurosym.relation_operators import PairStates, RelationOperator, RelationOperators
 from neurosym.stages.folder import DomainFolder
 from neurosym.stages.layout import MODEL, PLACE_OPERATORS, RELATION_OPERATORS, WORLD

@@ -14,10 +14,11 @@ from neurosym.evaluation.comparison_tasks import Bench
 from neurosym.execution.executor import execute
 from neurosym.execution.summary import failure
 from neurosym.operators import TOLERANCE
+from neurosym.pair_sight import PairSight, with_pairs
 from neurosym.pddl.relational_check import puts_for
 from neurosym.planners import PlanStatus
 from neurosym.problems import Problem
-from neurosym.related import PairSight, with_contacts, with_pairs
+from neurosym.related import with_contacts
 from neurosym.stages.folder import DomainFolder
 from neurosym.stages.task_drawing import sight_of_pairs
 from neurosym.world import Outcome, Scene, World

@@ -1,0 +1,116 @@
+"""What is said of pairs before anything is done: their kinds, and how surely operators will keep promises.
+
+Networks say it where there are some. Without one, a pair is of the kind whose mean features are nearest.
+"""
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from itertools import permutations
+
+import msgspec
+import numpy as np
+from jaxtyping import Float
+
+from neurosym.errors import InvalidValue
+from neurosym.operators import Category
+from neurosym.problems import Problem
+from neurosym.relation_goals import pair_key
+from neurosym.relation_operators import PairStates, RelationOperators
+from neurosym.symbols import Symbol
+
+KindsOfPairs = Callable[[Float[np.ndarray, "N F"]], tuple[Symbol, ...]]
+"""Gives the kinds of pairs, from the features of the target and then those of the reference."""
+ChancesOfStates = Callable[[Float[np.ndarray, "N F"], Float[np.ndarray, "N A"]], Float[np.ndarray, "N S"]]
+"""Foresees the chances of the states that bear, in the order of their codes, from features of pairs and
+actions."""
+_LEAST_SPREAD = 1e-3
+_DIGITS = 3
+
+
+@dataclass(frozen=True, slots=True)
+class PairSight:
+    """What learned networks say of pairs of objects.
+
+    Attributes:
+        kinds: Gives their kinds.
+        chances: Foresees the states that actions bring them to; None where that was not learned.
+        order: Codes of the states, in the order in which they are foreseen.
+    """
+
+    kinds: KindsOfPairs
+    chances: ChancesOfStates | None = None
+    order: tuple[Symbol, ...] = ()
+
+
+def with_pairs(
+    problem: Problem, relations: RelationOperators | None, sight: PairSight | None = None
+) -> Problem:
+    """Return a problem that knows the kinds of all pairs of its objects, and what is foreseen of each.
+
+    Args:
+        problem: The problem; if it knows them already, it stays as it is.
+        relations: What was learned of pairs; if nothing, the problem stays as it is.
+        sight: What networks say of pairs. By default a pair is of the kind whose mean features are nearest,
+            and nothing is foreseen that does not hold for the whole kind.
+
+    Raises:
+        InvalidValue: If the networks foresee other states than the domain has.
+    """
+    if relations is None or problem.pairs is not msgspec.UNSET or not relations.pairs:
+        return problem
+    pairs = [*permutations(problem.objects, 2)]
+    if not pairs:
+        return msgspec.structs.replace(problem, pairs={}, foreseen=msgspec.UNSET)
+    names = [(one.name, other.name) for one, other in pairs]
+    rows = np.array([(*one.features, *other.features) for one, other in pairs])
+    kinds = sight.kinds(rows) if sight else nearest_kinds(rows, relations.pairs)
+    found = {pair_key(*pair): kind for pair, kind in zip(names, kinds, strict=True)}
+    if sight is None or sight.chances is None:
+        return msgspec.structs.replace(problem, pairs=found, foreseen=msgspec.UNSET)
+    chances = _foreseen(rows, kinds, relations, sight, sight.chances)
+    foreseen = {pair_key(*pair): row for pair, row in zip(names, chances, strict=True) if row}
+    return msgspec.structs.replace(problem, pairs=found, foreseen=foreseen)
+
+
+def nearest_kinds(features: Float[np.ndarray, "N F"], kinds: Sequence[Category]) -> tuple[Symbol, ...]:
+    """Return of which kind each pair is by its features alone: that whose mean is nearest.
+
+    Args:
+        features: Features of the targets, and then of the references.
+        kinds: The kinds; those of which nothing was seen are left out.
+    """
+    known = [kind for kind in kinds if kind.feature_means]
+    means = np.array([kind.feature_means for kind in known])  # (K, F)
+    spread = np.maximum(means.std(0), _LEAST_SPREAD)
+    away = np.linalg.norm((features[:, None] - means) / spread, axis=-1)  # (N, K)
+    return tuple(known[int(nearest)].symbol for nearest in away.argmin(1))
+
+
+def _foreseen(
+    features: Float[np.ndarray, "N F"],
+    kinds: Sequence[Symbol],
+    relations: RelationOperators,
+    sight: PairSight,
+    chances: ChancesOfStates,
+) -> list[dict[str, float]]:
+    """Foresee for each pair how surely the operators for its kind keep their promises, by their names."""
+    order = PairStates(relations.states, relations.scales).bearing_order
+    if sight.order != order:
+        raise InvalidValue(
+            "The network that foresees states of pairs was trained on others than the domain has; valid: "
+            "one of the same training: `neurosym distill` and `neurosym compile-domain`."
+        )
+    cases = [
+        (row, operator, order.index(operator.promise.state))
+        for row, kind in enumerate(kinds)
+        for operator in relations.operators
+        if operator.pair == kind and operator.promise and operator.promise.state in order
+    ]
+    found: list[dict[str, float]] = [{} for _ in kinds]
+    if not cases:
+        return found
+    actions = np.array([relations.primitive_of(operator).action for _, operator, _ in cases])
+    predicted = chances(features[[row for row, *_ in cases]], actions)
+    for (row, operator, column), of_states in zip(cases, predicted, strict=True):
+        found[row][operator.name] = round(float(of_states[column]), _DIGITS)
+    return found
