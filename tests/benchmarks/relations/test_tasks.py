@@ -3,7 +3,8 @@
 import numpy as np
 import pytest
 
-from neurosym.world import Outcome
+from neurosym.world import Outcome, Scene
+from tools.benchmarks.relations import protocols
 from tools.benchmarks.relations.geometry import fits
 from tools.benchmarks.relations.summary import summarise
 from tools.benchmarks.relations.tables import page
@@ -61,6 +62,7 @@ def symbols(right: float) -> dict:
         "static_bits": {"balanced": 0.8, "carries": 0.9, "fits": 0.7},
         "state_bits": {"balanced": right},
         "recall_on": {"recall": 0.6, "precision": 0.7},
+        "effect_errors": {"2": {"error": right, "nothing_moves": 2.0, "carried": 0.5}},
     }
 
 
@@ -84,4 +86,21 @@ def test_summary_counts_seeds_and_means_over_them():
     text = page(summary)
     assert "| seed 1 | 90% (10.0%) | none | 90.0% | 80.0% | 90% | 70% | 60% | 70% |" in text
     assert "| seed 1, at random | 10% (10.0%) | none |" in text
+    assert "| 2 | 0.85 | 2.00 | 50% |" in text
     assert "| tower of 3 | 3 | 2 | 0% ± 0 | 75% ± 35 |" in text
+
+
+@pytest.mark.parametrize(("name", "draw", "_"), protocols.cells(1))
+def test_what_others_asked_is_drawn_with_as_many_objects_as_theirs(name, draw, _, world):
+    asked = draw(world, 5)
+    assert asked.goals or asked.places
+    few = name.startswith("three")
+    low, high = (protocols.FEW, protocols.FEW) if few else protocols.AMONG
+    assert low <= len(asked.start) <= high
+    assert not asked.is_met(ended(asked.start)), "something must be done"
+    if isinstance(asked, protocols.Likened):
+        assert asked.is_met(ended(asked.like))
+
+
+def ended(scene: Scene) -> Outcome:
+    return Outcome(scene, scene, scene, 0, False, False, False, 0.0)

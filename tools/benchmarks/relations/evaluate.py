@@ -19,7 +19,7 @@ from neurosym.files import make_folder, write_atomically
 from neurosym.stages.layout import RELATIONS
 from tools.benchmarks.carrying import keeping
 from tools.benchmarks.jobs import Job, as_text, load_jobs, machine, pack, perform, unpack
-from tools.benchmarks.relations import by_hand, learned, tasks
+from tools.benchmarks.relations import by_hand, learned, protocols, tasks
 from tools.benchmarks.relations.summary import summarise
 from tools.benchmarks.relations.tables import page
 from tools.benchmarks.relations.trying import try_all
@@ -50,6 +50,7 @@ def main(
     workers: Annotated[int, tyro.conf.arg(help="Jobs at once.")] = os.cpu_count() or 1,
 ) -> None:
     """Measure, learn and try, and write the results; what was done is not done again."""
+    cells = (*tasks.cells(count), *protocols.cells(count))
     hand = _by_hand(results / "relations.json", scale)
     make_folder(work / "jobs")
     unpack(results / RECORDS, work / "jobs")
@@ -62,7 +63,7 @@ def main(
 
     def report() -> None:
         pack(work / "jobs", results / RECORDS)
-        summary = summarise(hand, load_jobs(work / "jobs"), tasks.cells(count), seeds=seeds, steps=steps)
+        summary = summarise(hand, load_jobs(work / "jobs"), cells, seeds=seeds, steps=steps)
         write_atomically(results / "relations.json", as_text(summary))
         write_atomically(results / "relations.md", page(summary))
 
@@ -81,7 +82,7 @@ def main(
         name: job
         for seed in every
         if (known := found.get(f"learn-{seed}"))
-        for name, job in _tried(work / f"seed-{seed}", seed, known["words"], tasks.cells(count)).items()
+        for name, job in _tried(work / f"seed-{seed}", seed, known["words"], cells).items()
     }
     perform(work / "jobs", trying, workers, report, label="trying tasks")
     at_random: dict[str, Job] = {

@@ -31,7 +31,7 @@ from neurosym.stages.relating import (
 from neurosym.strategies import StrategyName
 from tools.benchmarks.jobs import pack
 from tools.benchmarks.planning.measures import REHEARSALS
-from tools.benchmarks.relations import symbols
+from tools.benchmarks.relations import protocols, symbols
 from tools.relearn_places import SEED
 from tools.relearn_towers import FOLDER as SHIPPED
 
@@ -55,7 +55,8 @@ def learn(
         strategy: How they are chosen.
 
     Returns:
-        How well its symbols agree with geometry, see `symbols.measure`, and CPU seconds of each stage.
+        How well its symbols agree with geometry, see `symbols.measure`, how well ends are predicted, see
+        `protocols.effect_errors`, and CPU seconds of each stage.
     """
     make_folder(folder / PLACES)
     for name in (WORLD, MODEL):
@@ -68,7 +69,9 @@ def learn(
     relations = RelationOperators.load(folder / RELATION_OPERATORS)
     with_relations = msgspec.structs.replace(grounding, relations=relations, format=FORMAT_WITH_RELATIONS)
     with_relations.save(folder / GROUNDING)
-    return {**symbols.measure(folder, NEW_PAIRS + seed, workers=1), "cpu_seconds": seconds}
+    measured = symbols.measure(folder, NEW_PAIRS + seed, workers=1)
+    errors = protocols.effect_errors(folder, NEW_PAIRS + seed, workers=1)
+    return {**measured, "effect_errors": errors, "cpu_seconds": seconds}
 
 
 def _learn(domain: DomainFolder, seed: int, steps: int, strategy: StrategyName) -> dict[str, float]:

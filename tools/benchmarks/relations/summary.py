@@ -47,6 +47,7 @@ def summarise(
         "static_bits": _mean([one["static_bits"]["balanced"] for one in each.values()]),
         "state_bits": _mean([one["state_bits"]["balanced"] for one in each.values()]),
         "recall_on": _mean([one["recall_on"]["recall"] for one in each.values()]),
+        "effect_errors": _errors([one["effect_errors"] for one in each.values()]),
         "learned": {str(seed): one for seed, one in each.items()},
         "at_random": {
             name.removeprefix("random-"): one for name, one in found.items() if name.startswith("random-")
@@ -87,6 +88,12 @@ def _share(trials: Sequence[Mapping[str, Any]], what: str) -> float:
 def _seeds_with(each: Mapping[int, Any], name: str) -> int:
     best = [one["operators"][name] for one in each.values()]
     return sum(one is not None and one["right"] >= RIGHT for one in best)
+
+
+def _errors(of_seeds: Sequence[Mapping[str, Mapping[str, float]]]) -> dict[str, dict[str, float]]:
+    """Average what was measured of predicted ends over seeds, for each number of objects."""
+    sizes = of_seeds[0] if of_seeds else {}
+    return {size: {name: mean(one[size][name] for one in of_seeds) for name in sizes[size]} for size in sizes}
 
 
 def _mean(values: Sequence[float]) -> float | None:

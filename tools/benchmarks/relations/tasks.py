@@ -9,6 +9,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import partial
 from itertools import pairwise
+from typing import TypeVar
 
 import numpy as np
 
@@ -65,6 +66,8 @@ class Asked:
         )
 
 
+AnyAsked = TypeVar("AnyAsked", bound=Asked)
+
 Deed = tuple[int, OtherObject | Place]
 """What is carried, and where to."""
 Draw = Callable[[World, int], Asked]
@@ -88,7 +91,7 @@ def tower(world: World, seed: int, *, height: int, objects: int = OBJECTS, at_pl
         deeds += [(goal.target, OtherObject(goal.reference)) for goal in goals]
         return asked if _solved(asked, deeds, world) else None
 
-    return _drawn(attempt, objects, [height, int(at_place)], seed)
+    return drawn(attempt, objects, [height, int(at_place)], seed)
 
 
 def boxes(world: World, seed: int, *, count: int = 3) -> Asked:
@@ -101,7 +104,7 @@ def boxes(world: World, seed: int, *, count: int = 3) -> Asked:
         asked = Asked(scene, (), goals, {})
         return asked if _solved(asked, _one_by_one(goals), world) else None
 
-    return _drawn(attempt, 2 * count, [9, count], seed)
+    return drawn(attempt, 2 * count, [9, count], seed)
 
 
 def unstack(world: World, seed: int, *, height: int = 3) -> Asked:
@@ -121,7 +124,7 @@ def unstack(world: World, seed: int, *, height: int = 3) -> Asked:
         asked = Asked(built.end, built.contacts, goals, {})
         return asked if _solved(asked, _one_by_one(goals), world) else None
 
-    return _drawn(attempt, OBJECTS, [10, height], seed)
+    return drawn(attempt, OBJECTS, [10, height], seed)
 
 
 def swap(world: World, seed: int) -> Asked:
@@ -142,7 +145,7 @@ def swap(world: World, seed: int) -> Asked:
         asked = Asked(built.end, built.contacts, goals, {})
         return asked if _solved(asked, [(one, place), *_one_by_one(goals)], world) else None
 
-    return _drawn(attempt, OBJECTS, [11], seed)
+    return drawn(attempt, OBJECTS, [11], seed)
 
 
 Cell = tuple[str, Draw, int]
@@ -166,9 +169,20 @@ def cells(count: int) -> tuple[Cell, ...]:
     )
 
 
-def _drawn(
-    attempt: Callable[[Scene, np.random.Generator], Asked | None], objects: int, kind: list[int], seed: int
-) -> Asked:
+def drawn(
+    attempt: Callable[[Scene, np.random.Generator], AnyAsked | None], objects: int, kind: list[int], seed: int
+) -> AnyAsked:
+    """Draw scenes until one makes a task.
+
+    Args:
+        attempt: Makes a task of a scene, or says that there is none.
+        objects: How many objects a scene has.
+        kind: Tells this kind of tasks from others.
+        seed: Same seed, same task.
+
+    Raises:
+        RuntimeError: If none of many scenes makes one.
+    """
     for draw in range(_DRAWS):
         rng = np.random.default_rng([_STREAM, *kind, objects, seed, draw])
         asked = attempt(sample_scene(TabletopConfig(), rng, objects), rng)
