@@ -82,7 +82,7 @@ def few(world: World, seed: int) -> Asked:
 
 
 def one_put(world: World, seed: int) -> Likened:
-    """Draw two consecutive states among five to eight objects, one of which is put near another one between."""
+    """Draw two consecutive states among five to eight objects: between them one is put near another one."""
 
     def attempt(scene: Scene, rng: np.random.Generator) -> Likened | None:
         start = _put(scene, rng, world, off=REACH)
