@@ -3,9 +3,11 @@
 from pathlib import Path
 
 import pytest
+import toy_relations
 from command_line import neurosym
 from toy_domain import grounding, problem
 
+from neurosym.pddl.moves import BY_RELATIONS
 from neurosym.planners import PLANNERS, pddl_planner
 from neurosym.planners.catalogue import PROGRAMS
 from tools.benchmarks.planning import planner_matrix as matrix
@@ -21,6 +23,16 @@ def test_cell_tells_of_a_plan_and_what_its_replay_says():
     found = matrix.measure("lama-first", "stepwise", blocked, grounding(), time_limit=30.0)
     assert (found["status"], found["valid"]) == ("solved", False)
     assert "item-01 ends where item-02 is" in found["words"]
+
+
+@pytest.mark.parametrize("encoding", BY_RELATIONS)
+def test_tower_is_asked_for_by_relations(encoding: str):
+    towers = toy_relations.tower(), toy_relations.grounding()
+    found = matrix.measure("lama-first", encoding, *towers, time_limit=30.0)
+    assert (found["status"], found["valid"], found["cell_mm"]) == ("solved", True, None)
+    assert found["steps"] == 2
+    assert (encoding, "tower") in matrix._asked({"tower": towers})
+    assert ("stepwise", "tower") not in matrix._asked({"tower": towers})
 
 
 def test_cell_tells_in_whose_words_an_encoding_is_refused():
