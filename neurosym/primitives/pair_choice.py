@@ -1,9 +1,10 @@
-"""Choosing actions for kinds of pairs: for each state, the one that most surely brings pairs there.
+"""Choosing actions for kinds of pairs: for each state, a few that together bring as many pairs there as can.
 
-Of the pairs of a kind, some end in one state and some in another. So there is a contest for each kind and
-state, on the pairs with which a network foresees that state most surely, whichever action does it. Candidates
-are shortlisted by what is foreseen of these pairs, and auditioned on them, fewer of them in each round. The
-surest is left. Where nothing brings a kind into a state, there is no operator for that.
+No action does the same to all pairs of a kind. A network foresees what each candidate does to each pair. The
+candidate that brings most pairs into a state comes first, then the one that adds most to it, while that is
+worth its operators. For each of these there is a contest on the pairs that it adds. Candidates are listed by
+what is foreseen of these pairs, and auditioned on them, fewer of them in each round. The surest is left.
+Where nothing brings a kind into a state, there is no operator for that.
 """
 
 from collections import Counter
@@ -28,12 +29,12 @@ from neurosym.symbols import Categorise
 from neurosym.world import Scene, WorldFactory
 from neurosym.worlds.workers import Task
 
-ROUNDS = Round(9, 4), Round(5, 4), Round(3, 8)
-"""Auditions for a kind of pairs and a state."""
+ROUNDS = Round(5, 4), Round(2, 8)
+"""Auditions of one contest."""
 OF_A_KIND = 64
-"""Pairs of a kind that are looked at, to find those that can be brought into a state."""
-FEW = 10
-"""So many candidates, the likeliest, say how surely a pair can be brought into a state."""
+"""Pairs of a kind that are looked at, to find which can be brought into a state, and by what."""
+MOST, WORTH = 4, 0.1
+"""Contests for a kind and a state at most; each adds this share or more of all that can be brought there."""
 OF_SYMBOL = 4
 """Candidates of one symbol that are shortlisted for a kind of pairs and a state at most."""
 FORESEEN, SURE = 0.2, 0.25
@@ -43,11 +44,11 @@ _STREAM = 0x7063  # keeps these draws apart from those of other auditions and re
 
 @dataclass(slots=True, eq=False)
 class _Contest:
-    """The candidates for one kind of pairs and one state.
+    """The candidates for some pairs of one kind, and one state.
 
     Attributes:
         state: Code of the state.
-        scenes: A pair of the kind in each, which can probably be brought there.
+        scenes: One of the pairs in each.
         left: Those that are left, the surest first.
         seen: How they turned out.
     """
@@ -132,7 +133,7 @@ def _contests(
     box: ActionBox,
     seed: int,
 ) -> list[_Contest]:
-    """Begin a contest for each state, on the pairs of a kind that can most surely be brought there."""
+    """Begin contests for each state on pairs of a kind, those first of which most can be brought there."""
     features = np.concatenate([scene.features for scene in scenes])
     actions = np.concatenate([moved(one, len(features), box, seed) for one in candidates])
     foreseen = foresee(np.tile(features, (len(candidates), 1)), actions)
@@ -140,12 +141,18 @@ def _contests(
     begun = []
     for state in straight_states(states):
         of_state = chances[:, :, states.bearing_order.index(state)]
-        at_best = np.sort(of_state, axis=0)[-FEW:].mean(0)
-        pairs = np.sort(np.argsort(-at_best, kind="stable")[: sum(one.objects for one in ROUNDS)])
-        mean = of_state[:, pairs].mean(1)
-        likely = [number for number in np.argsort(-mean, kind="stable") if mean[number] >= FORESEEN]
-        few = _few_of_a_symbol([candidates[number] for number in likely])[: ROUNDS[0].candidates]
-        begun.append(_Contest(state, tuple(scenes[row] for row in pairs), few))
+        worth, known = WORTH * of_state.max(0).mean(), np.zeros(len(features))
+        for _ in range(MOST):
+            gains = np.maximum(of_state - known, 0.0)
+            best = int(gains.mean(1).argmax())
+            if gains[best].mean() <= worth:
+                break
+            pairs = np.sort(np.argsort(-gains[best], kind="stable")[: sum(one.objects for one in ROUNDS)])
+            mean = of_state[:, pairs].mean(1)
+            likely = [number for number in np.argsort(-mean, kind="stable") if mean[number] >= FORESEEN]
+            few = _few_of_a_symbol([candidates[number] for number in likely])[: ROUNDS[0].candidates]
+            begun.append(_Contest(state, tuple(scenes[row] for row in pairs), few))
+            known = np.maximum(known, of_state[best])
     return begun
 
 

@@ -1,12 +1,12 @@
-"""The domain folder that cases begin with: learned once, on the toy world, by every command."""
+"""The domain folder that cases begin with: learned once, on a toy world with relations, by every command."""
 
 import subprocess
 import sys
 from pathlib import Path
 
 LEARN = (
-    "run {0} --world toy --steps 1024 --seed 3 --strategy random --regime quick --workers 1 --rehearsals 40 "
-    "--problems 2 --places 512"
+    "run {0} --world toy-relations --steps 1024 --seed 3 --strategy random --regime quick --workers 1 "
+    "--rehearsals 40 --problems 2 --places 512 --relations 1024"
 )
 MORE = (
     "plan {0} task-01 --planner bfs",
@@ -18,6 +18,12 @@ MORE = (
     "practise {0} --interactions 60 --workers 1",
 )
 """What is added to a learned folder, so that every format that is read has a seed."""
+RELATED = (
+    "new-problem {0} --name tower --task tower --objects 4 --seed 3",
+    "plan {0} tower",
+    "execute {0} tower {0}/plans/tower.fast-downward.plan",
+)
+"""What is added to one that learned relations."""
 
 
 def build(folder: Path) -> None:
@@ -26,6 +32,8 @@ def build(folder: Path) -> None:
         unfinished = folder.with_name(f"{folder.name}-unfinished")
         _perform(LEARN, unfinished)
         complete(unfinished)
+        for line in RELATED:
+            _perform(line, unfinished)
         unfinished.rename(folder)
 
 

@@ -6,6 +6,8 @@ from pathlib import Path
 from random import Random
 
 import pytest
+import toy_relations
+from command_line import neurosym
 from fuzz.cases import Case, Edit, as_json, drawn_case, from_json, read_seeds
 from fuzz.files import KINDS, MUTATIONS, mutated
 from fuzz.lines import ENDING, NEVER, asks_for_much, command_line
@@ -16,6 +18,8 @@ from neurosym.stages import layout
 
 ROUND = range(45)
 """The cases of the short round, by the numbers that they are drawn from."""
+RELATED = ("plan", "execute", "replay", "new-problem", "show", "explain", "figures", "report")
+"""Commands that read what is known of relations."""
 FINE = Ending(0, 0, 0, (), (), "", "", "", 1.0)
 TRACEBACK = """Traceback (most recent call last):
   File "/somewhere/neurosym/commands/cli.py", line 68, in main
@@ -38,6 +42,20 @@ def seed(toy_folder, tmp_path_factory) -> Path:
 
 
 @pytest.fixture(scope="module")
+def related(tmp_path_factory) -> Path:
+    """A domain folder with relations that a person wrote, a problem, a plan, and its run."""
+    folder = tmp_path_factory.mktemp("fuzz") / "related"
+    folder.mkdir()
+    (folder / "world.toml").write_text('world = "toy-relations"\n')
+    toy_relations.grounding().save(folder / "grounding.json")
+    toy_relations.sorting().save(folder.parent / "sorting.json")
+    assert neurosym("new-problem", folder, "--scene", folder.parent / "sorting.json") == 0
+    assert neurosym("plan", folder, "sorting") == 0
+    assert neurosym("execute", folder, "sorting", folder / "plans/sorting.fast-downward.plan") == 0
+    return folder
+
+
+@pytest.fixture(scope="module")
 def run(seed) -> Runner:
     with runner(seed) as running:
         yield running
@@ -49,6 +67,16 @@ def test_short_round_finds_nothing(run, seed):
         case = drawn_case(Random(number), ENDING, seeds, alone=2)
         found = judge(case, run.run(case))
         assert not found, (number, as_json(case)[:500], found)
+
+
+def test_short_round_on_relations_finds_nothing(related):
+    seeds = read_seeds(related)
+    commands = {name: ENDING[name] for name in RELATED}
+    with runner(related) as run:
+        for number in ROUND[:20]:
+            case = drawn_case(Random(number), commands, seeds)
+            found = judge(case, run.run(case))
+            assert not found, (number, as_json(case)[:500], found)
 
 
 def test_folder_to_begin_with_has_every_file_that_a_command_reads(seed):
