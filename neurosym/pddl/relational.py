@@ -6,7 +6,7 @@ what it showed.
 """
 
 import math
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from functools import lru_cache
 
@@ -20,9 +20,12 @@ from neurosym.problems import Problem
 from neurosym.promises import LEAST_CHANCE
 from neurosym.relation_goals import pair_key
 from neurosym.relation_operators import SELDOM, PairEnd, PairState, RelationOperator, RelationOperators
+from neurosym.symbols import Symbol
 
 LEAST_SHARE = 0.5
 """Where a third object leaves less than this of what is usual, it is forbidden."""
+ALIKE = 4
+"""So many operators for the same are in the domain at most: which does it most surely depends on the pair."""
 _NEVER = Kept("never", 0, 0)
 
 
@@ -63,6 +66,15 @@ class Put:
     def takes_laden(self) -> bool:
         """Whether a third object may rest on the target, and then goes along."""
         return self._keeps(self.operator.laden)
+
+    @property
+    def case(self) -> tuple[Symbol, bool, bool, bool]:
+        """What it does to its kind of pairs, and what third objects it takes."""
+        return self.state.symbol, self.takes_borne, self.takes_occupied, self.takes_laden
+
+    def sureness(self) -> tuple[float, str]:
+        """Return what sorts operators for the same case by how surely they keep their promises."""
+        return self.chance(), self.name
 
     def _keeps(self, kept: Kept) -> bool:
         return bool(kept.trials) and kept.share >= LEAST_SHARE * self.end.share
@@ -257,29 +269,17 @@ def left_out(table: RelationOperators) -> Mapping[str, str]:
     Args:
         table: What was learned of pairs.
     """
-    found = dict[str, str]()
-    surest = dict[tuple[object, ...], RelationOperator]()
+    found, alike = dict[str, str](), dict[tuple[object, ...], list[Put]]()
     for one in table.operators:
         if reason := _why_worthless(one, table):
             found[one.name] = reason
-            continue
-        assert one.promise is not None
-        put = _put(one, table)
-        case = (one.pair, one.promise.state, put.takes_borne, put.takes_occupied, put.takes_laden)
-        other = surest.setdefault(case, one)
-        if other is one:
-            continue
-        worse, better = sorted((one, other), key=_sureness(table))
-        found[worse.name] = f"does less surely what {better.name} does"
-        surest[case] = better
+        else:
+            put = _put(one, table)
+            alike.setdefault((one.pair, *put.case), []).append(put)
+    for puts in alike.values():
+        surest, *others = sorted(puts, key=Put.sureness, reverse=True)
+        found |= {one.name: f"does less surely what {surest.name} does" for one in others[ALIKE - 1 :]}
     return found
-
-
-def _sureness(table: RelationOperators) -> Callable[[RelationOperator], tuple[float, str]]:
-    def sureness(operator: RelationOperator) -> tuple[float, str]:
-        return _put(operator, table).chance(), operator.name
-
-    return sureness
 
 
 def _why_worthless(operator: RelationOperator, table: RelationOperators) -> str | None:

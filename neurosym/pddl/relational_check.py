@@ -87,6 +87,8 @@ def why_no_relation(problem: Problem, grounding: Grounding) -> str:
 def puts_for(problem: Problem, grounding: Grounding, target: str, reference: str) -> tuple[Put, ...]:
     """List what the domain can do with a pair of objects, as it is foreseen to turn out with them.
 
+    Of operators for the same it is the surest with this pair.
+
     Args:
         problem: The problem, with the kinds of its pairs.
         grounding: The learned domain.
@@ -96,8 +98,9 @@ def puts_for(problem: Problem, grounding: Grounding, target: str, reference: str
     kinds = problem.pairs if isinstance(problem.pairs, dict) else {}
     kind = kinds.get(pair_key(target, reference))
     of_kind = (put for put in puts_of(grounding) if put.kind.symbol == kind)
-    at_hand = (put.with_pair(problem, target, reference) for put in of_kind)
-    return tuple(put for put in at_hand if put.is_likely)
+    at_hand = [put.with_pair(problem, target, reference) for put in of_kind]
+    surest = {put.case: put for put in sorted(at_hand, key=Put.sureness) if put.is_likely}
+    return tuple(put for put in at_hand if surest.get(put.case) is put)
 
 
 def valid_relations(problem: Problem, grounding: Grounding, target: str) -> str:

@@ -17,7 +17,7 @@ from neurosym.pddl import domain_text, problem_text
 from neurosym.pddl.moves import BY_RELATIONS, LIFTED, RELATIONAL
 from neurosym.pddl.plan_text import PlanStep, parse_plan, print_ground_plan, print_plan
 from neurosym.pddl.relational import puts_of
-from neurosym.pddl.relational_check import check_relations
+from neurosym.pddl.relational_check import check_relations, puts_for
 from neurosym.pddl.validation import validate
 from neurosym.planners import PlanStatus, plan
 from neurosym.planners.planner import Planner
@@ -128,15 +128,31 @@ def test_what_fails_from_another_object_goes_by_way_of_a_place():
     assert {step.operator for step in steps[::2]} == {"carry-to-01-cube"}
 
 
-def test_of_operators_that_do_the_same_the_surest_is_in_the_domain():
+def test_of_operators_that_do_the_same_a_few_are_in_the_domain_and_each_pair_gets_the_surest():
     learned = grounding()
     assert learned.relations is not None
     one = learned.relations.operators[0]
-    worse = msgspec.structs.replace(one, name="worse", ends=(msgspec.structs.replace(one.ends[0], count=9),))
-    both = msgspec.structs.replace(learned.relations, operators=(worse, *learned.relations.operators))
+    worse = [
+        msgspec.structs.replace(
+            one, name=f"worse-{count}", ends=(msgspec.structs.replace(one.ends[0], count=count),)
+        )
+        for count in (15, 16, 17, 18)
+    ]
+    both = msgspec.structs.replace(learned.relations, operators=(*worse, *learned.relations.operators))
     changed = msgspec.structs.replace(learned, relations=both)
-    assert puts_of(changed) == puts_of(learned)
-    assert f"worse: does less surely what {PUT_ON} does." in domain_text(changed, RELATIONAL)
+    assert {put.name for put in puts_of(changed)} - {put.name for put in puts_of(learned)} == {
+        "worse-16",
+        "worse-17",
+        "worse-18",
+    }
+    assert f"worse-15: does less surely what {PUT_ON} does." in domain_text(changed, RELATIONAL)
+    problem = with_pairs(tower(), changed.relations)
+    assert [put.name for put in puts_for(problem, changed, "item-01", "item-03")] == [PUT_ON]
+    foreseen = {"item-01 item-03": {PUT_ON: 0.5, "worse-16": 0.9}}
+    problem = msgspec.structs.replace(problem, foreseen=foreseen)
+    assert [put.name for put in puts_for(problem, changed, "item-01", "item-03")] == ["worse-16"]
+    assert "(can-worse-16 item-01 item-03 surely)" in problem_text(problem, changed, RELATIONAL)
+    assert "item-01 item-03 often)" not in problem_text(problem, changed, RELATIONAL)
 
 
 @pytest.mark.parametrize(
