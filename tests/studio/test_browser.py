@@ -7,8 +7,10 @@ way; the others take minutes where a browser draws in software, and are run by `
 from collections.abc import Iterator
 from pathlib import Path
 
+import msgspec
 import numpy as np
 import pytest
+from places import ROOT
 from studio_pages import shipped_library
 
 from neurosym.studio.serving import Studio
@@ -34,6 +36,16 @@ def browser():
 def studio() -> Iterator[Studio]:
     library = shipped_library()
     opened = Studio(library, problem=library.load_problem("task-02"))
+    opened.start()
+    yield opened
+    opened.close()
+
+
+@pytest.fixture(scope="module")
+def towers() -> Iterator[Studio]:
+    """A studio on the domain of relations."""
+    library = shipped_library(ROOT / "domains" / "towers")
+    opened = Studio(library, problem=library.load_problem("tower-2-01"))
     opened.start()
     yield opened
     opened.close()
@@ -77,6 +89,34 @@ def test_goal_is_dragged_planned_to_and_run(window, tmp_path: Path):
     assert [
         url for url in window.asked if "//127.0.0.1:" not in url and not url.startswith(("data:", "blob:"))
     ] == []
+
+
+@pytest.mark.evaluation
+def test_ghost_is_dropped_on_an_object_and_the_tower_is_built(browser, towers):
+    window = Window(browser, towers)
+    session = window.page.session
+    target, other, _ = session.problem.related[0]
+    session.put(msgspec.structs.replace(session.problem, relations=()))
+    session.add_goal(target)
+    x, y, _ = session.problem.object_named(other).position
+    for _ in range(3):  # drawn in software, a page may miss the end of a motion of the mouse
+        window.drag(window.knob(target), (x, y, window.knob(target)[2]))
+        if session.problem.related:
+            break
+    assert [goal[:2] for goal in session.problem.related] == [(target, other)]
+    window.open("Plan")
+    window.press("Plan")
+    window.wait(lambda: session.plans and not session.is_planning)
+    assert session.plan_shown.plan_file
+    window.tab.get_by_text("found a plan of").wait_for(timeout=1000 * SLOW)
+    session.running.set_speed(0.0)
+    window.open("Run")
+    window.press("Run")
+    window.wait(lambda: session.running.run is not None and not session.running.is_active)
+    window.tab.get_by_text("promised", exact=True).wait_for(timeout=1000 * SLOW)
+    assert session.running.run.steps[0].object == target
+    assert window.errors == []
+    window.context.close()
 
 
 @pytest.mark.evaluation
