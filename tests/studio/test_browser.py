@@ -168,7 +168,7 @@ def test_page_that_is_loaded_again_during_a_run_goes_on(window):
     session = window.page.session
     session.plan("fast-downward")
     window.wait(lambda: session.plans and not session.is_planning)
-    session.running.set_speed(0.5)
+    session.running.set_speed(0.1)  # slow enough that the page is there again before its last step
     session.running.begin()
     window.wait(lambda: session.running.seen)
     window.tab.reload()
