@@ -106,16 +106,21 @@ def states_of(problem: Problem, relations: RelationOperators) -> dict[tuple[str,
 def bearers_of(problem: Problem, relations: RelationOperators) -> dict[str, Borne]:
     """Return what bears each object that another one bears.
 
+    Of two objects that look as if each bore the other, as a box and the ring around it do, the one bears that
+    the goals say bears.
+
     Args:
         problem: The problem, with the objects as they stand now.
         relations: What was learned of pairs.
     """
     known = _known_ends(relations)
     kinds = problem.pairs if isinstance(problem.pairs, dict) else {}
+    asked = {(target, reference) for target, reference, _ in problem.related}
+    bears = {names: (state, off) for names, (state, off) in _seen(problem, relations).items() if state.bears}
     bearing = [
         ((kinds.get(pair_key(*names), ""), state.symbol) not in known, off, names, state)
-        for names, (state, off) in _seen(problem, relations).items()
-        if state.bears
+        for names, (state, off) in bears.items()
+        if names in asked or not (names[::-1] in asked and names[::-1] in bears)
     ]
     found = dict[str, Borne]()
     for *_, (target, reference), state in sorted(bearing, key=lambda row: row[:3]):

@@ -2,9 +2,9 @@
 
 No action does the same to all pairs of a kind. A network foresees what each candidate does to each pair. The
 candidate that brings most pairs into a state comes first, then the one that adds most to it, while that is
-worth its operators. For each of these there is a contest on the pairs that it adds. Candidates are listed by
-what is foreseen of these pairs, and auditioned on them, fewer of them in each round. The surest is left.
-Where nothing brings a kind into a state, there is no operator for that.
+worth it: kinds that are met often get more actions than rare ones. For each of these there is a contest on
+the pairs that it adds. Candidates are listed by what is foreseen of them, and auditioned on them, fewer
+of them in each round. The surest is left. Where nothing brings a kind into a state, there is no operator.
 """
 
 from collections import Counter
@@ -12,6 +12,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 
 import numpy as np
+from jaxtyping import Float
 
 from neurosym.actions import ActionBox
 from neurosym.guarded import made
@@ -25,16 +26,17 @@ from neurosym.primitives.repertoire import Repertoire, with_own
 from neurosym.primitives.sampling import sample_by_category
 from neurosym.progress import Progress
 from neurosym.relation_operators import PairStates
-from neurosym.symbols import Categorise
+from neurosym.symbols import Categorise, Symbol
 from neurosym.world import Scene, WorldFactory
 from neurosym.worlds.workers import Task
 
-ROUNDS = Round(5, 4), Round(2, 8)
+ROUNDS = Round(4, 4), Round(2, 6)
 """Auditions of one contest."""
 OF_A_KIND = 64
 """Pairs of a kind that are looked at, to find which can be brought into a state, and by what."""
-MOST, WORTH = 4, 0.1
-"""Contests for a kind and a state at most; each adds this share or more of all that can be brought there."""
+WORTH = 0.002
+"""An action beyond the first for a kind and a state adds this share or more of all pairs, of whatever kind,
+that can be brought there."""
 OF_SYMBOL = 4
 """Candidates of one symbol that are shortlisted for a kind of pairs and a state at most."""
 FORESEEN, SURE = 0.2, 0.25
@@ -92,10 +94,20 @@ def choose_for_pairs(
     """
     world = made(world_factory)
     sample = sample_by_category(world, categorise, least=OF_A_KIND, seed=seed, stream=_STREAM)
-    contests = {
-        kind: _contests(candidates, foresee, scenes, states, world.action_box, seed)
+    foreseen = {
+        kind: _foreseen(candidates, foresee, scenes, world.action_box, seed)
         for kind, scenes in sample.scenes.items()
     }
+    contests: dict[Symbol, list[_Contest]] = {kind: [] for kind in foreseen}
+    for state in straight_states(states):
+        column = states.bearing_order.index(state)
+        reach = {
+            kind: sample.shares[kind] * chances[:, :, column].max(0).mean()
+            for kind, chances in foreseen.items()
+        }
+        for kind, chances in foreseen.items():
+            worth = WORTH * sum(reach.values()) / sample.shares[kind]
+            contests[kind] += _contests(candidates, chances[:, :, column], sample.scenes[kind], state, worth)
     every = [contest for of_kind in contests.values() for contest in of_kind]
     total = sum(min(one.candidates, len(contest.left)) * one.objects for contest in every for one in ROUNDS)
     kept, done, first = [one.candidates for one in ROUNDS[1:]] + [1], 0, 0
@@ -125,35 +137,48 @@ def choose_for_pairs(
     return with_own(_one_each(candidates), chosen)
 
 
-def _contests(
+def _foreseen(
     candidates: Sequence[Primitive],
     foresee: ChancesOfStates,
     scenes: Sequence[Scene],
-    states: PairStates,
     box: ActionBox,
     seed: int,
-) -> list[_Contest]:
-    """Begin contests for each state on pairs of a kind, those first of which most can be brought there."""
+) -> Float[np.ndarray, "C N S"]:
+    """Foresee what each candidate does to each pair."""
     features = np.concatenate([scene.features for scene in scenes])
     actions = np.concatenate([moved(one, len(features), box, seed) for one in candidates])
     foreseen = foresee(np.tile(features, (len(candidates), 1)), actions)
-    chances = foreseen.reshape(len(candidates), len(features), -1)  # (C, N, S)
-    begun = []
-    for state in straight_states(states):
-        of_state = chances[:, :, states.bearing_order.index(state)]
-        worth, known = WORTH * of_state.max(0).mean(), np.zeros(len(features))
-        for _ in range(MOST):
-            gains = np.maximum(of_state - known, 0.0)
-            best = int(gains.mean(1).argmax())
-            if gains[best].mean() <= worth:
-                break
-            pairs = np.sort(np.argsort(-gains[best], kind="stable")[: sum(one.objects for one in ROUNDS)])
-            mean = of_state[:, pairs].mean(1)
-            likely = [number for number in np.argsort(-mean, kind="stable") if mean[number] >= FORESEEN]
-            few = _few_of_a_symbol([candidates[number] for number in likely])[: ROUNDS[0].candidates]
-            begun.append(_Contest(state, tuple(scenes[row] for row in pairs), few))
-            known = np.maximum(known, of_state[best])
-    return begun
+    return foreseen.reshape(len(candidates), len(features), -1)
+
+
+def _contests(
+    candidates: Sequence[Primitive],
+    chances: Float[np.ndarray, "C N"],
+    scenes: Sequence[Scene],
+    state: str,
+    worth: float,
+) -> list[_Contest]:
+    """Begin contests for a kind and a state: on those pairs first of which most can be brought there.
+
+    Args:
+        candidates: What may be done.
+        chances: How surely each candidate is foreseen to bring each pair into the state.
+        scenes: The pairs.
+        state: Code of the state.
+        worth: How much a further action adds to the mean chance, at least.
+    """
+    begun, known = list[_Contest](), np.zeros(len(scenes))
+    while True:
+        gains = np.maximum(chances - known, 0.0)
+        best = int(gains.mean(1).argmax())
+        if begun and gains[best].mean() <= worth:
+            return begun
+        pairs = np.sort(np.argsort(-gains[best], kind="stable")[: sum(one.objects for one in ROUNDS)])
+        mean = chances[:, pairs].mean(1)
+        likely = [number for number in np.argsort(-mean, kind="stable") if mean[number] >= FORESEEN]
+        few = _few_of_a_symbol([candidates[number] for number in likely])[: ROUNDS[0].candidates]
+        begun.append(_Contest(state, tuple(scenes[row] for row in pairs), few))
+        known = np.maximum(known, chances[best])
 
 
 def _few_of_a_symbol(candidates: Sequence[Primitive]) -> list[Primitive]:

@@ -194,6 +194,17 @@ def test_what_bears_what_is_seen_in_a_box_with_a_stack():
     }
 
 
+@pytest.mark.parametrize(("target", "reference"), [("item-01", "item-02"), ("item-02", "item-01")])
+def test_of_two_that_look_as_if_each_bore_the_other_the_one_bears_that_goals_ask_for(target, reference):
+    learned = grounding().relations
+    _, lying, miss = learned.operators
+    around = msgspec.structs.replace(miss, ends=lying.ends)  # trays are put around cubes, too
+    known = msgspec.structs.replace(learned, operators=(*learned.operators[:2], around))
+    objects = scene(("tray", 0.7, 0.0), ("cube", 0.7, 0.0, 0.005))
+    problem = with_pairs(Problem("mutual", objects, {}, relations=((target, reference, LIE),)), known)
+    assert {name: one.by for name, one in bearers_of(problem, known).items()} == {target: reference}
+
+
 def test_kinds_of_pairs_are_kept_in_the_file_of_a_problem_and_old_files_have_none(tmp_path: Path):
     problem = with_pairs(tower(), grounding().relations)
     assert isinstance(problem.pairs, dict)

@@ -50,6 +50,11 @@ def test_what_fits_is_narrower_than_the_inside_of_a_hollow_one(width, kind, does
     assert fits(np.array([0.05, width, 0.06, SOLID]), np.array([0.15, 0.15, 0.04, kind])) is does
 
 
+def test_what_a_hollow_object_stands_on_is_not_in_it():
+    ring_on_box = outcome(TRAY, (0.7, 0.1, -0.03), touching=True)
+    assert relation(ring_on_box, 0, 1) == "against"
+
+
 def test_quarter_turned_object_counts_by_the_sizes_it_shows():
     quarter = (0.0, math.sin(math.pi / 4), 0.0, math.cos(math.pi / 4))
     assert relation(outcome(SOLID, (0.7, 0.1, 0.065), touching=True, turn=quarter), 0, 1) == "on"

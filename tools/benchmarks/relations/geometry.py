@@ -35,7 +35,8 @@ def relation(outcome: Outcome, one: int, other: int) -> Relation:
     centre = scene.positions[one][:2]
     is_over = bool(np.all((below[:2] <= centre) & (centre <= above[:2])))
     is_hollow = scene.features[other][3] > (SOLID + OPEN_TOP) / 2
-    if is_over and is_hollow and is_upright(scene, other) and low[2] < above[2] - SUNK:
+    is_sunk = below[2] - SUNK < low[2] < above[2] - SUNK
+    if is_over and is_hollow and is_upright(scene, other) and is_sunk:
         return "in" if is_upright(scene, one) else "leaning"
     if pair in outcome.contacts:
         if not is_upright(scene, one):

@@ -5,6 +5,7 @@ with five to ten. Their actions are given: grasp, and let go near another object
 that. Objects have other shapes and sizes than theirs, and this simulator takes eight at most.
 """
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import permutations
 from pathlib import Path
@@ -76,7 +77,7 @@ def few(world: World, seed: int) -> Asked:
             for one, other in permutations(range(FEW), 2)
             if (name := relation(end, one, other)) in ("on", "in")
         )
-        return Asked(scene, (), goals, {}) if goals else None
+        return Asked(scene, (), goals, {}) if goals and _is_plain(goals) else None
 
     return drawn(attempt, FEW, [12], seed)
 
@@ -100,12 +101,17 @@ def one_put(world: World, seed: int) -> Likened:
             goals += bearing
             if not bearing:
                 places[index] = Place(*end.end.positions[index][:2].tolist())
-        if not goals and not places:
+        if not (goals or places) or not _is_plain(goals):
             return None
         return Likened(start.end, start.contacts, tuple(goals), places, end.end)
 
     low, high = AMONG
     return drawn(attempt, low + seed % (high - low + 1), [13], seed)
+
+
+def _is_plain(goals: Sequence[Goal]) -> bool:
+    """Say whether nothing stands on or in two things at once, which goals cannot say."""
+    return len({goal.target for goal in goals}) == len(goals)
 
 
 def _put(scene: Scene, rng: np.random.Generator, world: World, *, off: float) -> Outcome | None:
