@@ -55,6 +55,12 @@ def test_what_a_hollow_object_stands_on_is_not_in_it():
     assert relation(ring_on_box, 0, 1) == "against"
 
 
+@pytest.mark.parametrize("touching", [False, True])
+def test_hollow_object_is_around_what_is_in_it(touching):
+    box_in_tray = outcome(TRAY, (0.7, 0.12, 0.036), touching=touching)
+    assert (relation(box_in_tray, 0, 1), relation(box_in_tray, 1, 0)) == ("in", "around")
+
+
 def test_quarter_turned_object_counts_by_the_sizes_it_shows():
     quarter = (0.0, math.sin(math.pi / 4), 0.0, math.cos(math.pi / 4))
     assert relation(outcome(SOLID, (0.7, 0.1, 0.065), touching=True, turn=quarter), 0, 1) == "on"

@@ -10,7 +10,7 @@ from neurosym.sim.shapes import OPEN_TOP, SOLID
 from neurosym.sim.toppling import rotation
 from neurosym.world import Outcome, Scene
 
-Relation = Literal["on", "in", "leaning", "against", "beside", "apart"]
+Relation = Literal["on", "in", "leaning", "against", "beside", "apart", "around"]
 UPRIGHT_COSINE = math.cos(math.radians(10))
 """An object is upright when some face of it points up, but for so much."""
 SUNK = 0.005
@@ -32,18 +32,27 @@ def relation(outcome: Outcome, one: int, other: int) -> Relation:
     scene, pair = outcome.end, (min(one, other), max(one, other))
     low, high = spans(scene, one)
     below, above = spans(scene, other)
-    centre = scene.positions[one][:2]
-    is_over = bool(np.all((below[:2] <= centre) & (centre <= above[:2])))
-    is_hollow = scene.features[other][3] > (SOLID + OPEN_TOP) / 2
-    is_sunk = below[2] - SUNK < low[2] < above[2] - SUNK
-    if is_over and is_hollow and is_upright(scene, other) and is_sunk:
+    if is_inside(scene, one, other):
         return "in" if is_upright(scene, one) else "leaning"
+    if is_inside(scene, other, one):
+        return "around"
     if pair in outcome.contacts:
         if not is_upright(scene, one):
             return "leaning"
         return "on" if low[2] >= above[2] - SUNK else "against"
     gap = float(np.max(np.maximum(below - high, low - above)[:2]))
     return "beside" if gap <= NEAR else "apart"
+
+
+def is_inside(scene: Scene, one: int, other: int) -> bool:
+    """Say whether an object reaches into another one, which is hollow and upright, or stands in it."""
+    low, _ = spans(scene, one)
+    below, above = spans(scene, other)
+    centre = scene.positions[one][:2]
+    is_over = bool(np.all((below[:2] <= centre) & (centre <= above[:2])))
+    is_hollow = scene.features[other][3] > (SOLID + OPEN_TOP) / 2
+    is_sunk = bool(below[2] - SUNK < low[2] < above[2] - SUNK)
+    return is_over and is_hollow and is_sunk and is_upright(scene, other)
 
 
 def fits(target: Float[np.ndarray, " F"], reference: Float[np.ndarray, " F"]) -> bool:

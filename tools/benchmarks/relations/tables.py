@@ -7,7 +7,7 @@ from typing import Any
 from neurosym.markdown import markdown_table
 from neurosym.wording import counted
 
-RELATIONS = ("on", "in", "leaning", "against", "beside", "apart")
+RELATIONS = ("on", "in", "leaning", "against", "beside", "apart", "around")
 
 
 def page(found: Mapping[str, Any]) -> str:
@@ -21,7 +21,7 @@ def page(found: Mapping[str, Any]) -> str:
         f"`{found['command']}` wrote this page. Which relation two objects have is told by "
         "geometry that a person wrote (`tools/benchmarks/relations/geometry.py`). *On*: upright, "
         "touching, and not sunk. *In*: upright inside of a hollow one. *Leaning*: tilted. "
-        "*Against*: touching from the side. *Beside*: at most 5 cm apart.",
+        "*Against*: touching from the side. *Beside*: at most 5 cm apart. *Around*: the other is in it.",
         *_by_hand(found),
         *(_learned(found) if found["learned"] else ()),
     ]
