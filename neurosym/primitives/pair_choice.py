@@ -101,35 +101,13 @@ def choose_for_pairs(
     contests: dict[Symbol, list[_Contest]] = {kind: [] for kind in foreseen}
     for state in straight_states(states):
         column = states.bearing_order.index(state)
-        reach = {
-            kind: sample.shares[kind] * chances[:, :, column].max(0).mean()
-            for kind, chances in foreseen.items()
-        }
-        for kind, chances in foreseen.items():
-            worth = WORTH * sum(reach.values()) / sample.shares[kind]
-            contests[kind] += _contests(candidates, chances[:, :, column], sample.scenes[kind], state, worth)
+        of_state = {kind: chances[:, :, column] for kind, chances in foreseen.items()}
+        reach = sum(sample.shares[kind] * chances.max(0).mean() for kind, chances in of_state.items())
+        for kind, chances in of_state.items():
+            worth = WORTH * reach / sample.shares[kind]
+            contests[kind] += _contests(candidates, chances, sample.scenes[kind], state, worth)
     every = [contest for of_kind in contests.values() for contest in of_kind]
-    total = sum(min(one.candidates, len(contest.left)) * one.objects for contest in every for one in ROUNDS)
-    kept, done, first = [one.candidates for one in ROUNDS[1:]] + [1], 0, 0
-    for count, one in zip(kept, ROUNDS, strict=True):
-        tasks, owners = list[Task](), list[list[Performance]]()
-        for contest in every:
-            scenes = contest.scenes[first : first + one.objects]
-            for primitive in contest.left:
-                actions = moved(primitive, first + len(scenes), world.action_box, seed)[first:]
-                for scene, action in zip(scenes, actions, strict=True):
-                    tasks.append(Task(scene, action))
-                    owners.append(contest.seen.setdefault(primitive, []))
-        for seen, outcome in zip(owners, perform(world_factory, tasks, workers, None), strict=True):
-            seen.append(watch(outcome, states))
-            done += 1
-            if progress is not None:
-                progress(min(done, total), total)
-        first += one.objects
-        for contest in every:
-            contest.close_round(count)
-    if progress is not None and total:
-        progress(total, total)
+    _audition(every, world_factory, states, world.action_box, seed, workers, progress)
     chosen = {
         kind: list(dict.fromkeys(one for contest in of_kind for one in contest.left))
         for kind, of_kind in contests.items()
@@ -179,6 +157,41 @@ def _contests(
         few = _few_of_a_symbol([candidates[number] for number in likely])[: ROUNDS[0].candidates]
         begun.append(_Contest(state, tuple(scenes[row] for row in pairs), few))
         known = np.maximum(known, chances[best])
+
+
+def _audition(
+    contests: Sequence[_Contest],
+    world_factory: WorldFactory,
+    states: PairStates,
+    box: ActionBox,
+    seed: int,
+    workers: int,
+    progress: Progress | None,
+) -> None:
+    """Perform the candidates of all contests in rounds, until one is left in each, or none."""
+    total = sum(
+        min(one.candidates, len(contest.left)) * one.objects for contest in contests for one in ROUNDS
+    )
+    kept, done, first = [one.candidates for one in ROUNDS[1:]] + [1], 0, 0
+    for count, one in zip(kept, ROUNDS, strict=True):
+        tasks, owners = list[Task](), list[list[Performance]]()
+        for contest in contests:
+            scenes = contest.scenes[first : first + one.objects]
+            for primitive in contest.left:
+                actions = moved(primitive, first + len(scenes), box, seed)[first:]
+                for scene, action in zip(scenes, actions, strict=True):
+                    tasks.append(Task(scene, action))
+                    owners.append(contest.seen.setdefault(primitive, []))
+        for seen, outcome in zip(owners, perform(world_factory, tasks, workers, None), strict=True):
+            seen.append(watch(outcome, states))
+            done += 1
+            if progress is not None:
+                progress(min(done, total), total)
+        first += one.objects
+        for contest in contests:
+            contest.close_round(count)
+    if progress is not None and total:
+        progress(total, total)
 
 
 def _few_of_a_symbol(candidates: Sequence[Primitive]) -> list[Primitive]:
