@@ -28,32 +28,42 @@ def check_page(path: Path) -> None:
 
 
 class Filmed:
-    """Looks on at a run, and writes what was seen.
+    """Looks on at a run, and makes a page of what was seen.
 
     Args:
         domain: The domain folder.
-        path: Where the page shall stand.
 
     Attributes:
         onlooker: Who looks on.
     """
 
-    def __init__(self, domain: DomainFolder, path: Path):
+    def __init__(self, domain: DomainFolder):
         from neurosym.studio.library import Library
         from neurosym.studio.messages import Controls
         from neurosym.studio.onlooker import Onlooker
         from neurosym.studio.recording import Reel
 
-        self._library, self._path, self._reel = Library(domain, domain.path.name), path, Reel()
+        self._library, self._reel = Library(domain, domain.path.name), Reel()
         self.onlooker = Onlooker(self._reel, Controls(speed=0.0), pace=0.0)
 
-    def save(self, run: Run) -> None:
-        """Write the page; a run without a step has none."""
+    def page(self, run: Run) -> bytes:
+        """Return the page as HTML; a run without a step has none."""
         from neurosym.studio.recording import film_of
 
         if not self._reel.seen:
-            say("no page: nothing moves in this run")
-            return
+            return b""
         rich.get_console().quiet = True  # on which the server of pages announces itself
         problem = load_problem(self._library.folder, run.problem).within(run.tolerance)
-        write_atomically(self._path, film_of(self._library, problem, self._reel.seen))
+        return film_of(self._library, problem, self._reel.seen)
+
+    def save(self, run: Run, path: Path) -> None:
+        """Write the page.
+
+        Args:
+            run: The run that was seen.
+            path: Where the page shall stand.
+        """
+        if page := self.page(run):
+            write_atomically(path, page)
+        else:
+            say("no page: nothing moves in this run")

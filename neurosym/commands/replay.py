@@ -49,11 +49,11 @@ def replay(
     if inside.is_relative_to(domain.path.resolve()):
         for remark in domain.outdated((inside.relative_to(domain.path.resolve()).as_posix(),)):
             say(f"note: {remark}")
-    film = Filmed(domain, page) if page else None
+    film = Filmed(domain) if page else None
     showing = showing_of(gif, strip, gui)
     run, agreement = replay_run(domain, record, replace(showing, audience=film.onlooker if film else None))
-    if film:
-        film.save(run)
+    if film and page:
+        film.save(run, page)
     say_written(gif, strip, page)
     if agreement.course == "another":
         by = f", by {1000 * agreement.apart:.2g} mm" if math.isfinite(agreement.apart) else ""

@@ -1,7 +1,8 @@
 """The command `neurosym report`: one page about a domain folder."""
 
+from functools import partial
 from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 from tyro.conf import arg
 
@@ -9,7 +10,12 @@ from neurosym.commands.options import CPUS, Folder, Workers, opened
 from neurosym.console import progress_bar, say
 from neurosym.errors import InvalidValue
 from neurosym.files import check_writable, write_atomically
+from neurosym.stages.folder import DomainFolder
 from neurosym.stages.layout import PAGE
+from neurosym.studio.extra import check_extra
+
+if TYPE_CHECKING:
+    from neurosym.report.examples import Example
 
 _MEGABYTE = 1e6
 
@@ -22,12 +28,15 @@ def report(
     curve: Annotated[
         bool, arg(help="Also fit to the first 512, 1024, ... interactions, for a learning curve: minutes.")
     ] = False,
+    films: Annotated[
+        bool, arg(help="Also let the runs that are pictured be turned and watched; needs the extra `studio`.")
+    ] = False,
     workers: Workers = CPUS,
 ) -> int:
     """Write one HTML page about a domain: symbols in words and pictures, exploration, operators, plans, PDDL.
 
-    It needs no network and no scripts. What is missing is said with the command that makes it. Pictures are
-    made once, by performing primitives and runs again.
+    It needs no network, and without films no scripts. What is missing is said with the command that makes it.
+    Pictures are made once, by performing primitives and runs again.
     """
     from neurosym.report.page import gather, render
     from neurosym.report.strips import curve_stage
@@ -41,13 +50,25 @@ def report(
             f"No page can be written to {path}; name a file that ends in .html, in an existing folder."
         )
     check_writable(path)
+    if films:
+        check_extra()
     if curve:
         with progress_bar("learning curve") as advance:
             domain.perform(curve_stage(domain, advance), again=False)
     with progress_bar("pictures") as advance:
-        page = gather(domain, advance, workers=workers)
+        page = gather(domain, advance, workers=workers, film=partial(_film, domain) if films else None)
     text = render(page)
     write_atomically(path, text)
     say(f"wrote {path} ({len(text) / _MEGABYTE:.1f} MB)")
     say(f"next: open {path} in a browser")
     return 0
+
+
+def _film(domain: DomainFolder, example: "Example") -> bytes:
+    """Perform a run again, and make a page of what is seen."""
+    from neurosym.commands.filmed import Filmed
+    from neurosym.stages.executing import Showing, replay_run
+
+    filmed = Filmed(domain)
+    run, _ = replay_run(domain, example.path, Showing(audience=filmed.onlooker))
+    return filmed.page(run)

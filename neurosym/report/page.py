@@ -16,6 +16,7 @@ from neurosym.reading import read_bytes
 from neurosym.report.charts import Chart
 from neurosym.report.examples import Example, problem_reader, runs_of, telling_examples
 from neurosym.report.exploration import Aimed, Explored, aimed, explored
+from neurosym.report.films import Film, Films, films_of
 from neurosym.report.learning import Learned, curve_charts, learned
 from neurosym.report.operators import OperatorRow, operator_rows
 from neurosym.report.plans import PlannerSummary, PlanRow, plan_rows, summaries
@@ -55,7 +56,8 @@ class Page:
         measured: What the operators were measured by.
         plans: The plans and their runs.
         planners: The same, counted by planner.
-        examples: Pictures of runs.
+        examples: Pictures of runs, by name.
+        films: The same runs, whose view can be turned.
         unlike: Runs that go another way when they are performed again.
         comparisons: How planners did, by the kind of task.
         texts: The PDDL files, by name.
@@ -77,20 +79,22 @@ class Page:
     measured: str
     plans: tuple[PlanRow, ...]
     planners: tuple[PlannerSummary, ...]
-    examples: tuple[Shown, ...]
+    examples: dict[str, Shown]
+    films: Films | None
     unlike: tuple[str, ...]
     comparisons: dict[str, Comparison]
     texts: dict[str, str]
     versions: dict[str, str] = field(default_factory=versions)
 
 
-def gather(folder: DomainFolder, progress: Progress, *, workers: int = 1) -> Page:
+def gather(folder: DomainFolder, progress: Progress, *, workers: int = 1, film: Film | None = None) -> Page:
     """Read a domain folder, and make the pictures that are not there yet.
 
     Args:
         folder: The domain folder.
         progress: Called after each picture.
         workers: Processes that make pictures; their number does not change these.
+        film: Makes films of runs, if these are wanted.
 
     Raises:
         InvalidFile: If a file is damaged, other than a plan's record, a run or a problem: those are named.
@@ -130,6 +134,7 @@ def gather(folder: DomainFolder, progress: Progress, *, workers: int = 1) -> Pag
         plans=plans,
         planners=summaries(plans),
         examples=examples,
+        films=films_of({one.name: film(one) for one in runs if one.name in examples}) if film else None,
         unlike=unlike,
         comparisons=comparisons_of(folder.path),
         texts=texts,
@@ -142,10 +147,10 @@ def _pictures(
     runs: Sequence[Example],
     progress: Progress,
     workers: int,
-) -> tuple[dict[str, Shown], tuple[Shown, ...], dict[str, str], tuple[Shown, ...], tuple[str, ...]]:
+) -> tuple[dict[str, Shown], tuple[Shown, ...], dict[str, str], dict[str, Shown], tuple[str, ...]]:
     """Make the strips of primitives, carriers and example runs, as far as there is what they need."""
     if grounding is None or not (folder / WORLD).is_file():
-        return {}, (), {}, (), ()
+        return {}, (), {}, {}, ()
     symbols, others = _pictured(grounding) if (folder / MODEL).is_file() else ([], [])
     carriers = [one.name for one in surest_carriers(grounding)] if (folder / MODEL).is_file() else []
     chosen = telling_examples(runs)[:EXAMPLES]
@@ -163,7 +168,7 @@ def _pictures(
         tuple(strip for strip in carried if isinstance(strip, Shown)),
         {symbol: reason for symbol, reason in primitives.items() if isinstance(reason, str)}
         | {symbol: f"`neurosym show DIR --primitive {symbol}` pictures it" for symbol in others},
-        tuple(strip for strip in strips.values() if isinstance(strip, Shown)),
+        {name: strip for name, strip in strips.items() if isinstance(strip, Shown)},
         tuple(f"{name}: {reason}" for name, reason in strips.items() if isinstance(reason, str)),
     )
 

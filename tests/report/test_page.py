@@ -1,5 +1,6 @@
 """`neurosym report` writes one page that holds what a folder holds, and nothing that a browser would load."""
 
+import json
 import re
 import shutil
 from html import escape
@@ -22,6 +23,7 @@ from neurosym.reading import read_json
 from neurosym.report import page
 from neurosym.report.charts import Axis, lines, round_values
 from neurosym.report.exploration import explored, what_became
+from neurosym.report.films import films_of
 from neurosym.report.page import gather, render
 from neurosym.stages.folder import DomainFolder
 from neurosym.stages.plan_records import PlanRecord
@@ -75,6 +77,33 @@ def test_page_parses_and_loads_nothing(reported):
     assert not re.search(r"https?:|url\(|@import|<script", text)
     assert "script" not in page.tags
     assert all(image["alt"] and int(image["width"]) > 0 for image in page.images)
+
+
+def test_films_share_a_viewer_that_stands_on_the_page_itself(reported):
+    pytest.importorskip("viser")
+    with_films = reported.parent / "films.html"
+    assert neurosym("report", reported, "--films", "--output", with_films) == 0
+    text = with_films.read_text()
+    runs = re.findall(r'data-run="([^"]+)"', text)
+    assert runs
+    assert all((reported / f"runs/{name}.run.json").exists() for name in runs)
+    films = json.loads(text.partition('id="films">')[2].partition("</script>")[0])
+    assert sorted(films["seen"]) == sorted(runs)
+    assert len(films["before"] + films["after"]) > 100_000, "the viewer"
+    assert "</script" not in text.partition('id="films">')[2].partition("</script>")[0]
+    policy = re.search(r'Content-Security-Policy" content="([^"]+)"', text)[1]
+    assert policy.startswith("default-src 'none';")
+    assert "http" not in policy
+
+
+def test_films_need_the_extra(reported, monkeypatch, capsys):
+    monkeypatch.setattr("neurosym.studio.extra.LEAST", (99, 0))
+    assert "viser" in refusal(capsys, "report", reported, "--films")
+
+
+def test_pages_that_are_no_films_are_left_out():
+    assert films_of({}) is None
+    assert films_of({"still": b"", "other": b"<html></html>"}) is None
 
 
 def test_page_shows_every_symbol_operator_and_plan(reported):

@@ -7,20 +7,34 @@ import pytest
 from command_line import neurosym
 from places import SHIPPED
 
-BROWSERS = ("chromium-headless-shell", "chromium", "chromium-browser", "google-chrome")
+from tools.benchmarks.studio.browser import BROWSERS, FLAGS, SLOW, browser_here
 
 
 @pytest.fixture(scope="module")
-def browser():
-    """A browser of this machine without a window."""
+def launch():
+    """What opens a browser of this machine without a window."""
     playwright = pytest.importorskip("playwright.sync_api", reason="pip install 'neurosym-pddl[browser]'")
-    found = next(filter(None, map(shutil.which, BROWSERS)), None)
+    found = browser_here()
     if found is None:
         pytest.skip(f"none of {', '.join(BROWSERS)} is installed")
     with playwright.sync_playwright() as running:
-        opened = running.chromium.launch(executable_path=found, args=["--no-sandbox"])
-        yield opened
-        opened.close()
+        yield lambda *flags: running.chromium.launch(executable_path=found, args=["--no-sandbox", *flags])
+
+
+@pytest.fixture(scope="module")
+def browser(launch):
+    """A browser that draws plain pages."""
+    opened = launch()
+    yield opened
+    opened.close()
+
+
+@pytest.fixture(scope="module")
+def browser_for_films(launch):
+    """A browser that draws in three dimensions, too."""
+    opened = launch(*FLAGS)
+    yield opened
+    opened.close()
 
 
 @pytest.fixture(scope="module")
@@ -28,6 +42,22 @@ def page_file(tmp_path_factory) -> Path:
     folder = shutil.copytree(SHIPPED, tmp_path_factory.mktemp("shipped") / "tabletop")
     assert neurosym("report", folder) == 0
     return Path(folder) / "report.html"
+
+
+@pytest.mark.evaluation
+def test_runs_are_watched_and_turned_without_a_network(browser_for_films, page_file, tmp_path):
+    with_films = tmp_path / "films.html"
+    assert neurosym("report", page_file.parent, "--films", "--output", with_films) == 0
+    page, said, asked = browser_for_films.new_page(), [], []
+    page.on("pageerror", lambda error: said.append(str(error)))
+    page.on("request", lambda request: asked.append(request.url))
+    page.goto(with_films.as_uri())
+    for button in page.locator("button.turn").all()[:2]:
+        button.click()
+        page.frame_locator("#film").locator("canvas").first.wait_for(timeout=1000 * SLOW)
+    assert said == []
+    assert [url for url in asked if not url.startswith(("data:", "blob:"))] == [with_films.as_uri()]
+    print(f"{with_films.stat().st_size / 1e6:.2f} MB with films")
 
 
 @pytest.mark.evaluation
