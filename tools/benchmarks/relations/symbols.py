@@ -60,9 +60,10 @@ def measure(folder: Path, seed: int, workers: int) -> dict[str, Any]:
     tried = [*_rehearsed(table, sight, factory, seed, workers)]
     states = PairStates(table.states, table.scales)
     outcomes = [outcome for *_, ends in tried for outcome in ends]
-    (codes, names), judged = _pairs_of(outcomes[::2], states), _pairs_of(outcomes[1::2], states)
-    called = _matched(codes, names)
-    words = {name: [code for code in sorted(called) if called[code] == name] for name in NAMES}
+    judged = _pairs_of(outcomes[1::2], states, NAMES)
+    called = _matched(*_pairs_of(outcomes[::2], states, NAMES))
+    meant = _matched(*_pairs_of(outcomes[::2], states, (*NAMES, "leaning")))
+    words = {name: [code for code in sorted(meant) if meant[code] == name] for name in NAMES}
     return {
         "operators": {name: _best(tried, table, name) for name in ("on", "in")},
         "state_bits": {**_balanced(called, *judged), "pairs": len(judged[0])},
@@ -129,12 +130,14 @@ def _best(tried: Sequence[Tried], table: RelationOperators, name: str) -> dict[s
     return {"operator": one.name, "first_half": first, "right": second, "pairs": share}
 
 
-def _pairs_of(outcomes: Sequence[Outcome], states: PairStates) -> tuple[list[str], list[str]]:
-    """Tell of all pairs of objects their states, and what geometry calls them, if that is a name of ours."""
+def _pairs_of(
+    outcomes: Sequence[Outcome], states: PairStates, told: Sequence[str]
+) -> tuple[list[str], list[str]]:
+    """Tell of all pairs of objects their states, and what geometry calls them, if that is to be told."""
     codes, names = list[str](), list[str]()
     for outcome in outcomes:
         for one, other in permutations(range(len(outcome.end)), 2):
-            if (name := relation(outcome, one, other)) in NAMES:
+            if (name := relation(outcome, one, other)) in told:
                 described = describe_pair(outcome.end, one, other, outcome.contacts)
                 codes.append(states.of(described.tolist()).symbol)
                 names.append(name)
