@@ -1,7 +1,8 @@
 """Relations while a plan runs: what is observed of pairs, what steps promised of them, and what was learned.
 
-After each step the learned states of pairs say what bears what; the world tells which objects touch. A pair
-that failed twice in a row is not tried again, unless there is no plan without it, and then twice more.
+After each step the learned states of pairs say what bears what; the world tells which objects touch. What
+failed with a pair twice in a row is not tried with it again, unless there is no plan without, and then twice
+more. Another operator for the same is tried in its place.
 """
 
 import dataclasses
@@ -29,7 +30,8 @@ from neurosym.table import OtherObject, Place
 from neurosym.world import Outcome, Scene
 
 GIVEN_UP, LAST_HOPE = 2, 4
-"""After how many failures in a row a pair is not tried again; and if there is no plan otherwise."""
+"""After how many failures in a row an operator is not tried again with a pair; and if there is no plan
+otherwise."""
 
 
 @dataclass(slots=True)
@@ -38,12 +40,12 @@ class PairExperience:
 
     Attributes:
         grounding: What was learned of kinds of pairs.
-        patience: After how many failures in a row a pair is not tried again.
+        patience: After how many failures in a row an operator is not tried again with a pair.
     """
 
     grounding: Grounding
     patience: int = GIVEN_UP
-    _kept: dict[str, list[bool]] = field(default_factory=dict)
+    _kept: dict[tuple[str, str], list[bool]] = field(default_factory=dict)
 
     def learn(self, step: PlanStep, outcome: Outcome) -> None:
         """Remember whether a step on a pair did as promised.
@@ -54,24 +56,27 @@ class PairExperience:
         """
         put = put_named(step.operator, self.grounding)
         kept = put is not None and ended_in(outcome, self.grounding) == put.state
-        self._kept.setdefault(pair_key(step.object, step.place), []).append(kept)
+        self._kept.setdefault((pair_key(step.object, step.place), step.operator), []).append(kept)
 
     def hoping_again(self) -> "PairExperience":
         """Return the same with the patience for some more failures."""
         return PairExperience(self.grounding, LAST_HOPE, self._kept)
 
     def believed(self, problem: Problem) -> Problem:
-        """Return a problem without the pairs that are given up.
+        """Return a problem in which nothing is foreseen of what is given up.
 
         Args:
             problem: The problem.
         """
-        if not isinstance(problem.pairs, dict):
-            return problem
         most = self.patience
-        lost = {pair for pair, kept in self._kept.items() if len(kept) >= most and not any(kept[-most:])}
-        pairs = {pair: kind for pair, kind in problem.pairs.items() if pair not in lost}
-        return msgspec.structs.replace(problem, pairs=pairs)
+        lost = [key for key, kept in self._kept.items() if len(kept) >= most and not any(kept[-most:])]
+        if not lost:
+            return problem
+        known = problem.foreseen if isinstance(problem.foreseen, dict) else {}
+        foreseen = {pair: dict(shares) for pair, shares in known.items()}
+        for pair, operator in lost:
+            foreseen.setdefault(pair, {})[operator] = 0.0
+        return msgspec.structs.replace(problem, foreseen=foreseen)
 
 
 def prepared(problem: Problem, grounding: Grounding) -> Problem:

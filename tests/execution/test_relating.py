@@ -159,3 +159,19 @@ def test_steps_to_nowhere_are_refused_before_anything_moves(step, said):
     with pytest.raises(NeurosymError, match=said):
         execute(WORLD, tower(), grounding(), [*planned(tower()), step], on_step=done.append)
     assert not done
+
+
+def test_after_an_operator_failed_twice_with_a_pair_another_one_is_tried():
+    learned = grounding()
+    first = learned.relations.operators[0]
+    (end,) = first.ends
+    second = msgspec.structs.replace(first, name="second", ends=(msgspec.structs.replace(end, count=18),))
+    both = msgspec.structs.replace(
+        learned.relations, operators=(first, second, *learned.relations.operators[1:])
+    )
+    learned = msgspec.structs.replace(learned, relations=both)
+    steps = plan(tower(), learned).steps
+    run = execute(Spoiled(1, 2), tower(), learned, steps, replanner=replanner)
+    of_pair = [step.operator for step in run.steps if step.object == "item-03"]
+    assert of_pair == [PUT_ON, PUT_ON, "second"]
+    assert run.reached
