@@ -61,6 +61,13 @@ def test_hollow_object_is_around_what_is_in_it(touching):
     assert (relation(box_in_tray, 0, 1), relation(box_in_tray, 1, 0)) == ("in", "around")
 
 
+def test_of_two_hollow_objects_the_smaller_is_in_the_larger():
+    features = np.array([[0.1, 0.1, 0.04, TRAY], [0.15, 0.15, 0.05, TRAY]])
+    scene = Scene(features, np.array([[0.7, 0.1, 0.02], [0.7, 0.1, 0.025]]), np.array([UPRIGHT, UPRIGHT]))
+    rings = Outcome(scene, scene, scene, 0, False, False, False, 0.0)
+    assert (relation(rings, 0, 1), relation(rings, 1, 0)) == ("in", "around")
+
+
 def test_quarter_turned_object_counts_by_the_sizes_it_shows():
     quarter = (0.0, math.sin(math.pi / 4), 0.0, math.cos(math.pi / 4))
     assert relation(outcome(SOLID, (0.7, 0.1, 0.065), touching=True, turn=quarter), 0, 1) == "on"

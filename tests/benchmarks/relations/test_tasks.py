@@ -94,7 +94,7 @@ def test_summary_counts_seeds_and_means_over_them():
 def test_what_others_asked_is_drawn_with_as_many_objects_as_theirs(name, draw, _, world):
     asked = draw(world, 5)
     assert asked.goals or asked.places
-    few = name.startswith("three")
+    few = name.startswith("up to three")
     low, high = (protocols.FEW, protocols.FEW) if few else protocols.AMONG
     assert low <= len(asked.start) <= high
     assert not asked.is_met(ended(asked.start)), "something must be done"

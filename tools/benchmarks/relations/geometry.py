@@ -45,14 +45,15 @@ def relation(outcome: Outcome, one: int, other: int) -> Relation:
 
 
 def is_inside(scene: Scene, one: int, other: int) -> bool:
-    """Say whether an object reaches into another one, which is hollow and upright, or stands in it."""
-    low, _ = spans(scene, one)
+    """Say whether an object reaches into another one, which is hollow, larger and upright, or stands in it."""
+    low, high = spans(scene, one)
     below, above = spans(scene, other)
     centre = scene.positions[one][:2]
     is_over = bool(np.all((below[:2] <= centre) & (centre <= above[:2])))
     is_hollow = scene.features[other][3] > (SOLID + OPEN_TOP) / 2
     is_sunk = bool(below[2] - SUNK < low[2] < above[2] - SUNK)
-    return is_over and is_hollow and is_sunk and is_upright(scene, other)
+    is_smaller = bool(np.prod((high - low)[:2]) < np.prod((above - below)[:2]))
+    return is_over and is_hollow and is_sunk and is_smaller and is_upright(scene, other)
 
 
 def fits(target: Float[np.ndarray, " F"], reference: Float[np.ndarray, " F"]) -> bool:

@@ -58,7 +58,7 @@ def cells(count: int) -> tuple[Cell, ...]:
     Args:
         count: How many tasks of each cell.
     """
-    return (("three objects, up to three puts", few, count), ("one put among 5 to 8", one_put, count))
+    return (("up to three puts of three", few, count), ("one put among 5 to 8", one_put, count))
 
 
 def few(world: World, seed: int) -> Asked:
