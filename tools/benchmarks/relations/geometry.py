@@ -45,7 +45,7 @@ def relation(outcome: Outcome, one: int, other: int) -> Relation:
 
 
 def is_inside(scene: Scene, one: int, other: int) -> bool:
-    """Say whether an object reaches into another one, which is hollow, larger and upright, or stands in it."""
+    """Say whether an object reaches into another one or stands in it, which is hollow, larger and upright."""
     low, high = spans(scene, one)
     below, above = spans(scene, other)
     centre = scene.positions[one][:2]
