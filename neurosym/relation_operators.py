@@ -233,6 +233,19 @@ class RelationOperators(msgspec.Struct, frozen=True, forbid_unknown_fields=True)
                 return state
         raise UnknownChoice("state of a pair", name, (state.name for state in self.states))
 
+    def state_meant(self, word: str) -> PairState:
+        """Return the state of that name or symbol, or the only one whose name begins so.
+
+        Raises:
+            InvalidValue: If several names begin so.
+            UnknownChoice: If none does.
+        """
+        meant = [state for state in self.states if word and state.name.startswith(word)]
+        if len(meant) > 1 and word not in (state.name for state in meant):
+            names = ", ".join(state.name for state in meant)
+            raise InvalidValue(f"{word!r} may be any of several states; valid: {names}.")
+        return meant[0] if len(meant) == 1 else self.state_named(word)
+
     def primitive_of(self, operator: RelationOperator) -> Primitive:
         """Return the primitive that an operator is performed with."""
         return next(one for one in self.primitives if one.label == operator.label)

@@ -20,8 +20,8 @@ def relations_meant(goals: Sequence[RelationGoal], grounding: Grounding) -> tupl
         grounding: The learned domain.
 
     Raises:
-        InvalidValue: If the domain knows nothing of relations.
-        UnknownChoice: If no state is meant, or several are.
+        InvalidValue: If the domain knows nothing of relations, or several states may be meant.
+        UnknownChoice: If no state is meant.
     """
     if not goals:
         return ()
@@ -30,13 +30,8 @@ def relations_meant(goals: Sequence[RelationGoal], grounding: Grounding) -> tupl
             f"The domain {grounding.name} has learned no relations; valid here: goals on the table, as "
             "item-01=0.60,0.10."
         )
-    states = grounding.relations.states
-    found = []
-    for target, reference, word in goals:
-        meant = [state.name for state in states if word and state.name.startswith(word)]
-        name = meant[0] if len(meant) == 1 else word
-        found.append((target, reference, grounding.relations.state_named(name).name))
-    return tuple(found)
+    meant = grounding.relations.state_meant
+    return tuple(dict.fromkeys((target, reference, meant(word).name) for target, reference, word in goals))
 
 
 def check_relations(problem: Problem, grounding: Grounding) -> None:

@@ -16,6 +16,7 @@ from neurosym.pictures.motions import Motion, operator_motions, primitive_motion
 from neurosym.pictures.show import check_pictured, tell
 from neurosym.problems import Problem
 from neurosym.symbols import Categorise
+from neurosym.wording import counted
 from neurosym.world import Frame, Outcome, Scene, World
 
 SAME = 0.001
@@ -135,7 +136,7 @@ def run_stills(world: World, problem: Problem, grounding: Grounding, run: Run) -
         frames.append(frame)
         captions.append(f"{number}. {caption_of(record, problem)}")
     captions[-1] += ", goal reached" if run.reached else ", goal missed"
-    told = f"{problem.name}: goal {'reached' if run.reached else 'missed'}, {len(performed)} steps"
+    told = f"{problem.name}: goal {'reached' if run.reached else 'missed'}, {counted(len(performed), 'step')}"
     return Stills(told, tuple(frames), tuple(captions))
 
 

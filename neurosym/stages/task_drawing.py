@@ -54,7 +54,7 @@ def draw_any_task(
         objects: How many objects.
         seed: Same seed, same task.
         height: How many objects a tower or a stack has.
-        state: The state that pairs shall come to, by name or symbol; any, if not given.
+        state: The state that pairs shall come to, by name, its beginning, or symbol; any, if not given.
         like: The other scene, for `like`.
         tolerance: How near each object must come to its goal [m].
         fits: Says of the features of an object whether it may be drawn; for goals on the table.
@@ -88,7 +88,7 @@ def draw_any_task(
         objects=objects,
         seed=seed,
         height=height,
-        state=relations.state_named(state).name if state else "",
+        state=relations.state_meant(state).name if state else "",
         like=like,
         likened=tuple((target, borne.by, borne.state.name) for target, borne in bearers.items()),
         tolerance=tolerance,

@@ -158,6 +158,11 @@ def draw_relation_task(
     check_length("tolerance", tolerance)
     if kind == "like" and (like is None or not likened):
         raise InvalidValue("A task like another scene needs one in which an object bears another.")
+    if kind == "unstack" and objects < 2 * height - 1:
+        raise InvalidValue(
+            f"A stack of {height} is taken apart onto {height - 1} other objects; valid: {2 * height - 1} "
+            "objects or more, or a lower height."
+        )
     number = RELATION_TASKS.index(kind)
     for draw in range(_DRAWS):
         rng = np.random.default_rng([_STREAM, number, objects, seed, draw])
@@ -176,7 +181,7 @@ def draw_relation_task(
     asked = f" in the state {state}" if state else ""
     raise InvalidValue(
         f"None of {_DRAWS} draws of {objects} objects has a task {kind!r}{asked} of height {height} that "
-        "what was learned can do; ask for more objects, or for another state."
+        "what was learned can do; ask for more objects, a lower height, or another state."
     )
 
 

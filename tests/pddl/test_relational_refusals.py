@@ -12,7 +12,7 @@ from neurosym.errors import InvalidPlan, InvalidValue, NeurosymError
 from neurosym.pddl import domain_text
 from neurosym.pddl.moves import RELATIONAL
 from neurosym.pddl.plan_text import PlanStep, parse_plan
-from neurosym.pddl.relational_check import check_relations
+from neurosym.pddl.relational_check import check_relations, relations_meant
 from neurosym.pddl.validation import validate
 from neurosym.planners import PlanStatus, plan
 
@@ -112,3 +112,15 @@ def test_relation_that_nothing_leads_to_is_a_result_with_its_reason():
     result = plan(problem, grounding())
     assert result.status is PlanStatus.UNSOLVABLE
     assert result.reason.startswith("nothing puts item-04 rests-on-001 item-03")
+
+
+def test_states_are_meant_by_the_beginning_of_one_name_only():
+    table = grounding().relations
+    assert table.state_meant("rests").name == REST
+    with pytest.raises(InvalidValue, match="'b' may be any of several states; valid: below-011, beside-100"):
+        table.state_meant("b")
+
+
+def test_a_relation_that_is_asked_for_twice_is_asked_for_once():
+    goal = ("item-01", "item-02", "rests")
+    assert relations_meant((goal, goal), grounding()) == (("item-01", "item-02", REST),)

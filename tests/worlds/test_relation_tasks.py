@@ -79,6 +79,7 @@ def test_task_like_another_scene_asks_for_what_bears_what_there():
         (lambda: drawn("pile"), "no kind of task 'pile'"),
         (lambda: drawn("tower", objects=2), "None of 1000 draws of 2 objects has a task 'tower' of height 3"),
         (lambda: drawn("tower", state="floats"), "no state of a pair 'floats'"),
+        (lambda: drawn("unstack", objects=4), "taken apart onto 2 other objects; valid: 5 objects or more"),
         (lambda: drawn("like"), "needs one in which an object bears another"),
     ],
 )
