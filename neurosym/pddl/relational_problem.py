@@ -3,6 +3,7 @@
 from collections import Counter
 from collections.abc import Collection
 from dataclasses import replace
+from functools import cached_property
 from itertools import pairwise, product
 
 import msgspec
@@ -107,6 +108,7 @@ class Task:
         """Return the name of a state that a goal names by its name or symbol."""
         return self.relations.state_named(state).name
 
+    @cached_property
     def kinds(self) -> dict[tuple[str, str], str]:
         """Return the kinds of those pairs that something in the domain is for, by target and reference."""
         pairs = self.problem.pairs if isinstance(self.problem.pairs, dict) else {}
@@ -117,13 +119,15 @@ class Task:
             if kind in known and target in self.problem.object_names and other in self.problem.object_names
         }
 
+    @cached_property
     def puts(self) -> dict[tuple[str, str], tuple[Put, ...]]:
         """Return what is likely to work with each pair that something in the domain is for."""
-        return {pair: puts_for(self.problem, self.grounding, *pair) for pair in sorted(self.kinds())}
+        return {pair: puts_for(self.problem, self.grounding, *pair) for pair in sorted(self.kinds)}
 
+    @cached_property
     def grades(self) -> tuple[str, ...]:
         """List how surely operators are foreseen to keep their promises with pairs of these objects."""
-        found = {put.grade for puts in self.puts().values() for put in puts}
+        found = {put.grade for puts in self.puts.values() for put in puts}
         return tuple(grade for grade in (USUAL, *GRADES) if grade in found) or (USUAL,)
 
     def blockers(self, name: str, spot: tuple[float, float]) -> tuple[str, ...]:
@@ -137,10 +141,11 @@ class Task:
         lines = [f"{item.name} - {category(item.category).name}" for item in self.problem.objects]
         standing = [f"{START}{name}" for name in self.problem.object_names if name not in self.bearers]
         places = [*standing, *self.places]
-        lines += [f"{' '.join(places)} - place", f"{' '.join(self.grades())} - grade"]
-        more = COUNTS[2 : self.most_borne() + 1]
+        lines += [f"{' '.join(places)} - place", f"{' '.join(self.grades)} - grade"]
+        more = COUNTS[2 : self.most_borne + 1]
         return lines if is_lifted or not more else [*lines, f"{' '.join(more)} - count"]
 
+    @cached_property
     def most_borne(self) -> int:
         """Return how many objects another one bears at most in a plan: as many as asked for, or a few."""
         wanted = Counter(reference for _, reference, _ in self.problem.related)
@@ -153,8 +158,8 @@ class Task:
         lines = [line for name in self.problem.object_names for line in self._start(name, is_lifted)]
         for place, spot in self.places.items():
             lines += self._place(place, spot, is_lifted)
-        kinds = self.kinds()
-        puts = self.puts()
+        kinds = self.kinds
+        puts = self.puts
         takers = {*(target for (target, _), found in puts.items() if found), *self.carried}
         lines += [f"(can-be-taken {name})" for name in self.problem.object_names if name in takers]
         for target in self.problem.object_names:
@@ -163,7 +168,7 @@ class Task:
             ]
             lines += [" ".join(said)] if said else []
         if not is_lifted:
-            counts = COUNTS[: self.most_borne() + 1]
+            counts = COUNTS[: self.most_borne + 1]
             lines.append(" ".join(f"(next {less} {more})" for less, more in pairwise(counts)))
         for (target, other), found in puts.items():
             likely = [f"({can_predicate(put.name)} {target} {other} {put.grade})" for put in found]
@@ -214,10 +219,10 @@ class Task:
     def _put_costs(self, put: Put, is_lifted: bool, laden: bool) -> list[str]:
         function = cost_function(put.name + (LADEN if laden else ""))
         is_counted = put.takes_occupied and not is_lifted
-        counts = COUNTS[: self.most_borne() + 1] if is_counted else ("",)
+        counts = COUNTS[: self.most_borne + 1] if is_counted else ("",)
         origins = (FROM_PLACE, FROM_OBJECT) if put.takes_borne else ("",)
         said = []
-        for grade, count, origin in product(self.grades(), counts, origins):
+        for grade, count, origin in product(self.grades, counts, origins):
             words = " ".join(filter(None, (function, grade, count, origin)))
             case = {"borne": origin == FROM_OBJECT, "occupied": count not in ("", NONE), "laden": laden}
             said.append(f"(= ({words}) {replace(put, grade=grade).cost(self.grounding, **case)})")

@@ -200,7 +200,7 @@ class Following:
         others = [one for one in loads_of(reference, self.bearers) if one != target]
         if others and not put.takes_occupied:
             return f"{reference} bears {others[0]}, which rehearsals forbid", (reference, others[0])
-        if len(others) >= self.task.most_borne():
+        if len(others) >= self.task.most_borne:
             return f"{reference} bears {counted(len(others), 'object')}, and plans count no more", (
                 reference,
             )

@@ -70,7 +70,7 @@ def plan_relational_bfs(
 def _steps(start: Following, grounding: Grounding) -> tuple[Words, ...]:
     """List all steps there are: onto other objects first, in the order of the objects."""
     task = start.task
-    puts = [(put.name, *pair) for pair, found in task.puts().items() for put in found]
+    puts = [(put.name, *pair) for pair, found in task.puts.items() for put in found]
     carried = [
         (carriers_for(item, grounding, task.problem.tolerance)[0].name, item.name, place)
         for item in task.flat.objects
