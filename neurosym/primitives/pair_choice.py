@@ -104,7 +104,7 @@ def choose_for_pairs(
         of_state = {kind: chances[:, :, column] for kind, chances in foreseen.items()}
         reach = sum(sample.shares[kind] * chances.max(0).mean() for kind, chances in of_state.items())
         for kind, chances in of_state.items():
-            worth = WORTH * reach / sample.shares[kind]
+            worth = float(WORTH * reach / sample.shares[kind])
             contests[kind] += _contests(candidates, chances, sample.scenes[kind], state, worth)
     every = [contest for of_kind in contests.values() for contest in of_kind]
     _audition(every, world_factory, states, world.action_box, seed, workers, progress)
