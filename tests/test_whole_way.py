@@ -45,7 +45,7 @@ def folder(tmp_path_factory) -> Path:
         command, start_new_session=True, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE
     )
     deadline = time.monotonic() + 300
-    while not (path / "manifest.json").exists() and time.monotonic() < deadline:
+    while not (path / "interactions.npz").exists() and time.monotonic() < deadline:
         assert first.poll() is None, first.stderr.read() if first.stderr else ""
         time.sleep(0.05)
     os.killpg(first.pid, signal.SIGKILL)
