@@ -188,6 +188,7 @@ def test_two_windows_of_a_browser_stay_in_step(window):
     window.page.session.say("both can read this")
     for tab in (window.tab, other):
         tab.get_by_text("both can read this").wait_for(timeout=1000 * SLOW)
+        assert tab.get_by_text("both can read this").is_visible()
     other.close()
 
 
@@ -220,6 +221,7 @@ def test_dead_planner_is_said_and_the_page_stays_usable(window):
     session.load("task-02")
     session.plan("fast-downward")
     window.wait(lambda: session.plans and not session.is_planning)
+    assert session.plan_shown.plan_file
 
 
 @pytest.mark.evaluation
