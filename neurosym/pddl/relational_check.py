@@ -27,8 +27,7 @@ def relations_meant(goals: Sequence[RelationGoal], grounding: Grounding) -> tupl
         return ()
     if grounding.relations is None:
         raise InvalidValue(
-            f"The domain {grounding.name} has learned no relations; valid here: goals on the table, as "
-            "item-01=0.60,0.10."
+            "This domain has learned no relations; valid here: goals on the table, as item-01=0.60,0.10."
         )
     meant = grounding.relations.state_meant
     return tuple(dict.fromkeys((target, reference, meant(word).name) for target, reference, word in goals))

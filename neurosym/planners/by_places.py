@@ -6,7 +6,7 @@ from collections.abc import Callable
 from neurosym.grounding import Grounding
 from neurosym.pddl.place_domain import carriers_of
 from neurosym.pddl.place_problem import carried_objects
-from neurosym.pddl.places import with_places
+from neurosym.pddl.places import PARK, with_places
 from neurosym.pddl.plan_text import PlanStep
 from neurosym.pddl.validation import validate
 from neurosym.planners.clearance import clearest_first
@@ -44,6 +44,8 @@ def plan_by_places(
     """
     problem = with_places(problem, grounding)
     result = solve(problem)
+    if result.status is PlanStatus.UNSOLVABLE:
+        return dataclasses.replace(result, status=PlanStatus.NOT_FOUND, reason=_why_none(problem))
     if result.status is not PlanStatus.SOLVED:
         return result
     checked = validate(result.steps, problem, grounding)
@@ -51,6 +53,13 @@ def plan_by_places(
         return dataclasses.replace(result, steps=_clearest_first(result.steps, problem, grounding))
     reason = f"the plan with places is not true when replayed: {checked.reason}"
     return dataclasses.replace(result, status=PlanStatus.FAILED, steps=(), reason=reason)
+
+
+def _why_none(problem: Problem) -> str:
+    """Say with which places there is no plan; with others there may be one."""
+    places = problem.places if isinstance(problem.places, dict) else {}
+    parks = sum(name.startswith(PARK) for name in places)
+    return f"there is no plan with the places of the problem, of which {parks} are free to park on"
 
 
 def _clearest_first(

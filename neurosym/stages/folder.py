@@ -245,7 +245,9 @@ class DomainFolder:
                 continue
             now = self._digests(tuple(record.inputs))
             if changed := [name for name, digested in now.items() if digested != record.inputs[name]]:
-                files, others, command = " and ".join(made), " and ".join(changed), stage.split()[0]
+                files, others = " and ".join(made), " and ".join(changed)
+                command, *of = stage.split()
+                command += f" --name {of[0]}" if command == "new-problem" else ""
                 remarks.append(f"{files} came from another {others}; `neurosym {command}` makes it anew")
         return remarks
 

@@ -22,6 +22,7 @@ from neurosym.stages.folder import DomainFolder, load_scene
 from neurosym.stages.layout import GROUNDING, MODEL, WORLD, plan_files, scene_file
 from neurosym.stages.manifest import Stage
 from neurosym.stages.plan_records import write_plans
+from neurosym.stages.remarks import remarks_on_places
 from neurosym.wording import quoted
 from neurosym.world import World
 from neurosym.worlds.world_file import read_limits
@@ -121,6 +122,8 @@ def plan_stage(
         problem = with_pairs(own.within(tolerance), grounding.relations)
         for item in problem.objects:
             check_on_table(item, grounding)
+        for remark in remarks_on_places(problem, grounding):
+            folder.notify(remark)
         planned = plan_with_second_look(
             problem,
             grounding,

@@ -16,6 +16,7 @@ from neurosym.stages.folder import DomainFolder
 from neurosym.stages.layout import GROUNDING, PROBLEMS, WORLD, problem_files, relation_files, scene_file
 from neurosym.stages.manifest import Stage
 from neurosym.stages.planning import check_scene
+from neurosym.stages.remarks import remarks_on_categories, remarks_on_places
 from neurosym.stages.task_drawing import networks_of_pairs, sight_of_pairs
 
 
@@ -40,6 +41,11 @@ def scene_stage(folder: DomainFolder, file: Path, *, name: str, tolerance: float
                 check_on_table(item, grounding)
         except InvalidValue as error:
             raise InvalidFile(file, str(error).rstrip(".")) from error
+        for remark in (
+            *remarks_on_categories(folder, problem, grounding),
+            *remarks_on_places(problem, grounding),
+        ):
+            folder.notify(remark)
         make_folder(folder / PROBLEMS)
         print_problem(folder, problem, grounding)
         problem.save(folder / scene)

@@ -74,7 +74,7 @@ def draw_any_task(
     relations = grounding.relations
     if relations is None:
         raise InvalidValue(
-            f"The domain {grounding.name} has learned no relations, which the task {kind!r} is made of; "
+            f"This domain has learned no relations, which the task {kind!r} is made of; "
             f"valid: {', '.join(get_args(TaskKind))}."
         )
     bearers = known_bearers(like, relations) if like else {}

@@ -109,6 +109,18 @@ def test_what_came_from_other_files_is_named_with_its_command(folder):
     assert folder.outdated(("interactions.npz",)) == []
 
 
+def test_outdated_problem_is_named_with_the_command_that_names_it(folder):
+    (folder / "world.toml").write_text("one")
+
+    def draw() -> None:
+        (folder / "one.pddl").write_text("drawn")
+
+    folder.perform(Stage("new-problem one", ("world.toml",), ("one.pddl",), draw), again=False)
+    (folder / "world.toml").write_text("another")
+    remark = "one.pddl came from another world.toml; `neurosym new-problem --name one` makes it anew"
+    assert folder.outdated(("one.pddl",)) == [remark]
+
+
 def test_missing_stage_is_named_with_its_command(folder):
     with pytest.raises(StageMissing, match=r"primitives\.json is missing; `neurosym distill"):
         folder.require("primitives.json")

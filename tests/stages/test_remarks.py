@@ -1,0 +1,32 @@
+"""What is said of problems that can be planned for, but hardly are what was meant."""
+
+import msgspec
+import toy_places
+from command_line import neurosym
+from toy_places import grounding
+
+from neurosym.problems import Problem
+from neurosym.stages.remarks import remarks_on_places
+
+
+def test_goals_without_a_place_are_named_where_a_scene_names_places_of_its_own():
+    own = msgspec.structs.replace(toy_places.swap(), places={"left": (0.8, 0.1), "park-a": (0.6, 0.2)})
+    (remark,) = remarks_on_places(own, grounding())
+    assert remark.startswith('none of the "places" lies at the goal of item-02, so nothing is carried there')
+    both = msgspec.structs.replace(own, places={"left": (0.8, 0.1), "right": (0.5, -0.1)})
+    assert [*remarks_on_places(both, grounding())] == []
+    assert [*remarks_on_places(toy_places.swap(), grounding())] == []
+
+
+def test_other_categories_than_the_network_sees_are_said_and_taken(folder, capsys):
+    file = folder / "problems/task-01.scene.json"
+    problem = Problem.load(file)
+    assert neurosym("new-problem", folder, "--scene", file) == 0
+    assert "note" not in capsys.readouterr().out
+    right = problem.objects[0].category
+    wrong = next(code for code in ("00", "01", "10", "11") if code != right)
+    item = msgspec.structs.replace(problem.objects[0], category=wrong)
+    msgspec.structs.replace(problem, objects=(item, *problem.objects[1:])).save(file)
+    assert neurosym("new-problem", folder, "--scene", file) == 0
+    said = capsys.readouterr().out
+    assert f"note: item-01 is said to be of category {wrong}; by its features it is of {right}" in said
