@@ -201,11 +201,9 @@ def _boxes(drawn: _Drawn, _: World) -> Problem | None:
 def _unstack(drawn: _Drawn, world: World) -> Problem | None:
     for state in drawn.states:
         chain = _chain(drawn, state)
-        begun = drawn.stacked(world, [*pairwise(chain)][::-1], state) if chain else None
-        if begun is None:
-            continue
-        matched = _matched(drawn, chain[:-1], len(chain) - 1, avoid=chain)
-        if matched:
+        matched = _matched(drawn, chain[:-1], len(chain) - 1, avoid=chain) if chain else []
+        begun = drawn.stacked(world, [*pairwise(chain)][::-1], state) if matched else None
+        if begun is not None:
             return _asking(begun, matched)
     return None
 
