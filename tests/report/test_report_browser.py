@@ -54,7 +54,9 @@ def test_runs_are_watched_and_turned_without_a_network(browser_for_films, page_f
     page.goto(with_films.as_uri())
     for button in page.locator("button.turn").all()[:2]:
         button.click()
-        page.frame_locator("#film").locator("canvas").first.wait_for(timeout=1000 * SLOW)
+        page.frame_locator("#film iframe").locator("canvas").first.wait_for(timeout=1000 * SLOW)
+    page.locator("#film").get_by_role("button", name="Close").click()
+    assert not page.locator("#film").is_visible()
     assert said == []
     assert [url for url in asked if not url.startswith(("data:", "blob:"))] == [with_films.as_uri()]
     print(f"{with_films.stat().st_size / 1e6:.2f} MB with films")
