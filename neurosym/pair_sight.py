@@ -11,6 +11,7 @@ import msgspec
 import numpy as np
 from jaxtyping import Float
 
+from neurosym.any_pair import for_any_pair, share_with_any
 from neurosym.errors import InvalidValue
 from neurosym.operators import Category
 from neurosym.problems import Problem
@@ -103,8 +104,8 @@ def _foreseen(
     cases = [
         (row, operator, order.index(operator.promise.state))
         for row, kind in enumerate(kinds)
-        for operator in relations.operators
-        if operator.pair == kind and operator.promise and operator.promise.state in order
+        for operator in (*relations.operators, *for_any_pair(relations))
+        if operator.is_for(kind) and operator.promise and operator.promise.state in order
     ]
     found: list[dict[str, float]] = [{} for _ in kinds]
     if not cases:
@@ -112,5 +113,8 @@ def _foreseen(
     actions = np.array([relations.primitive_of(operator).action for _, operator, _ in cases])
     predicted = chances(features[[row for row, *_ in cases]], actions)
     for (row, operator, column), of_states in zip(cases, predicted, strict=True):
-        found[row][operator.name] = round(float(of_states[column]), _DIGITS)
+        chance = float(of_states[column])
+        share = chance if operator.pair else share_with_any(chance)
+        if share is not None:
+            found[row][operator.name] = round(share, _DIGITS)
     return found

@@ -17,6 +17,8 @@ FARTHEST = 2.5
 """Farther apart than this objects have nothing to do with one another [touching units]."""
 STEEPEST = 0.35
 """The tilt of an object counts up to this [rad]."""
+LEANING = 0.4
+"""What is tilted by more than this share of `STEEPEST` leans."""
 
 
 def describe_pair(

@@ -12,6 +12,7 @@ from itertools import combinations, permutations
 import msgspec
 import numpy as np
 
+from neurosym.any_pair import ANY_PAIR, for_any_pair
 from neurosym.errors import InvalidValue
 from neurosym.grounding import Grounding
 from neurosym.pair_sight import with_pairs
@@ -252,8 +253,11 @@ def relating(name: str, grounding: Grounding) -> RelationOperator | None:
         name: Name of an operator.
         grounding: The learned domain.
     """
-    table = grounding.relations.operators if grounding.relations else ()
-    return next((one for one in table if one.name == name), None)
+    relations = grounding.relations
+    if relations is None:
+        return None
+    every = for_any_pair(relations) if name.endswith(ANY_PAIR) else relations.operators
+    return next((one for one in every if one.name == name), None)
 
 
 def _seen(problem: Problem, relations: RelationOperators) -> dict[tuple[str, str], tuple[PairState, float]]:

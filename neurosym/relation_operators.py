@@ -7,22 +7,26 @@ state how the two stand. Both are codes of learned bits; their names are made fr
 import math
 from collections.abc import Sequence
 from pathlib import Path
+from typing import Annotated
 
 import msgspec
 
 from neurosym.checks import check_fields
 from neurosym.errors import InvalidFile, InvalidValue, UnknownChoice
 from neurosym.operators import Category, Count, LegalName, Length, Primitive, Share, Variant, unknown_format
-from neurosym.pair_states import DESCRIPTION
+from neurosym.pair_states import DESCRIPTION, LEANING
 from neurosym.place_operators import Kept
 from neurosym.reading import read_json
 from neurosym.symbols import Symbol
 
 FORMAT = "neurosym-relations-2"
-_TOUCHING, _CERTAIN = DESCRIPTION.index("touching"), 0.9
+_TOUCHING, _TILTED = DESCRIPTION.index("touching"), DESCRIPTION.index("tilted")
+_CERTAIN = 0.9
 SELDOM = 0.03
 """An operator promises a state if this share of its kind's pairs or more ends so, besides the most frequent
 state. With some of them it may be foreseen to do so surely."""
+ANY_KIND = ""
+"""What stands for the kind of pairs where an operator is for pairs of any kind."""
 Description = tuple[Length, ...]
 """How a target stands to a reference, as numbers; see `neurosym.pair_states.describe_pair`."""
 
@@ -46,6 +50,11 @@ class PairState(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
 
     def __post_init__(self) -> None:
         check_fields(self)
+
+    @property
+    def leans(self) -> bool:
+        """Whether the target leans in this state."""
+        return self.centre[_TILTED] > LEANING
 
 
 class PairStates(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
@@ -87,6 +96,11 @@ class PairStates(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     def bearing(self) -> frozenset[Symbol]:
         """Codes of the states in which the reference bears its target."""
         return frozenset(state.symbol for state in self.states if state.bears)
+
+    @property
+    def straight(self) -> frozenset[Symbol]:
+        """Those of these codes in which the target does not lean."""
+        return frozenset(state.symbol for state in self.states if state.bears and not state.leans)
 
     @property
     def bearing_order(self) -> tuple[Symbol, ...]:
@@ -137,7 +151,7 @@ class RelationOperator(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
 
     Attributes:
         name: Readable name, a legal PDDL action name, unique in the table.
-        pair: Code of the kind of pair.
+        pair: Code of the kind of pair, or `ANY_KIND`.
         primitive: Symbol of the primitive.
         trials: How many rehearsals there were.
         ends: What was seen in these, most frequent first.
@@ -149,7 +163,7 @@ class RelationOperator(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     """
 
     name: LegalName
-    pair: Symbol
+    pair: Annotated[str, msgspec.Meta(pattern=r"\A[01]{0,64}\Z")]
     primitive: Symbol
     trials: Count
     ends: tuple[PairEnd, ...]
@@ -166,6 +180,10 @@ class RelationOperator(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     def label(self) -> str:
         """The action symbol and the variant, like "101" or "101b"."""
         return self.primitive + self.variant
+
+    def is_for(self, kind: Symbol | None) -> bool:
+        """Say whether it is for pairs of a kind."""
+        return self.pair in (ANY_KIND, kind)
 
     @property
     def promise(self) -> PairEnd | None:

@@ -13,7 +13,7 @@ from jaxtyping import Bool, Float
 
 from neurosym.data.interactions import Interactions
 from neurosym.learning.coclustering import gray_order, kmeans, nearest
-from neurosym.pair_states import DESCRIPTION
+from neurosym.pair_states import DESCRIPTION, LEANING
 from neurosym.relation_operators import PairState, PairStates
 from neurosym.symbols import all_symbols
 
@@ -24,7 +24,7 @@ TOUCHING_COUNTS = 0.5
 RARE = 0.01
 """What fresh pairs are so rarely is what actions made of them."""
 _DIGITS = 4
-_OVER, _TILTED, _TOUCHING, _NEAR = 0.75, 0.4, 0.5, 1.5  # how names tell states apart
+_OVER, _TOUCHING, _NEAR = 0.75, 0.5, 1.5  # how names tell states apart
 
 
 def learn_states(
@@ -109,9 +109,9 @@ def name_state(centre: Sequence[float] | Float[np.ndarray, "5"]) -> str:
         centre: The description that is typical.
     """
     away, up, touching, tilted, reference_tilted = (float(value) for value in centre)
-    if tilted > _TILTED:
+    if tilted > LEANING:
         return "leans-on"
-    if reference_tilted > _TILTED:
+    if reference_tilted > LEANING:
         return "props-up"
     if away < _OVER:
         return "rests-on" if up > _OVER else "lies-under" if up < -_OVER else "sits-in"

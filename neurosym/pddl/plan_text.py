@@ -273,7 +273,7 @@ def _putting(
         raise UnknownChoice("other object", reference, valid)
     kinds = with_pairs(problem, grounding.relations).pairs
     kind = kinds.get(pair_key(target, reference)) if isinstance(kinds, dict) else None
-    if kind != operator.pair:
+    if not operator.is_for(kind):
         raise InvalidValue(
             f"{operator.name} is for pairs of the kind {operator.pair}, and {target} with {reference} is of "
             f"the kind {kind}"

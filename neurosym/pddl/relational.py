@@ -10,14 +10,14 @@ from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from functools import lru_cache
 
+from neurosym.any_pair import for_any_pair
 from neurosym.grounding import MIN_TRIALS, Grounding
-from neurosym.operators import Category, Operator
+from neurosym.operators import Category
 from neurosym.pddl.grades import GRADES, USUAL, grade_of
-from neurosym.pddl.moves import step_cost
-from neurosym.pddl.place_domain import carriers_of
 from neurosym.place_operators import Kept
 from neurosym.problems import Problem
 from neurosym.promises import LEAST_CHANCE
+from neurosym.related import relating
 from neurosym.relation_goals import pair_key
 from neurosym.relation_operators import SELDOM, PairEnd, PairState, RelationOperator, RelationOperators
 from neurosym.symbols import Symbol
@@ -26,7 +26,6 @@ LEAST_SHARE = 0.5
 """Where a third object leaves less than this of what is usual, it is forbidden."""
 ALIKE = 4
 """So many operators for the same are in the domain at most: which does it most surely depends on the pair."""
-_NEVER = Kept("never", 0, 0)
 
 
 @dataclass(frozen=True, slots=True)
@@ -37,14 +36,14 @@ class Put:
         operator: The operator.
         end: How it promises to turn out.
         state: The state that the pair ends in.
-        kind: The kind of pairs that it is for.
+        kind: The kind of pairs that it is for; None if it is for any of which something is foreseen.
         grade: How surely it is foreseen to keep its promise with the pair at hand.
     """
 
     operator: RelationOperator
     end: PairEnd
     state: PairState
-    kind: Category
+    kind: Category | None
     grade: str = USUAL
 
     @property
@@ -72,9 +71,9 @@ class Put:
         """What it does to its kind of pairs, and what third objects it takes."""
         return self.state.symbol, self.takes_borne, self.takes_occupied, self.takes_laden
 
-    def sureness(self) -> tuple[float, str]:
+    def sureness(self) -> tuple[float, bool, str]:
         """Return what sorts operators for the same case by how surely they keep their promises."""
-        return self.chance(), self.name
+        return self.chance(), self.kind is not None, self.name
 
     def _keeps(self, kept: Kept) -> bool:
         return bool(kept.trials) and kept.share >= LEAST_SHARE * self.end.share
@@ -110,12 +109,12 @@ class Put:
             laden: Whether a third object rests on the target.
         """
         trials = self.operator.trials
-        usual = _chance(self.end.count, trials)
+        usual = smoothed(self.end.count, trials)
         found = GRADES.get(self.grade, usual)
         cases = ((borne, self.operator.borne), (occupied, self.operator.occupied))
         for is_so, kept in (*cases, (laden, self.operator.laden)):
             if is_so and kept.trials:
-                found *= min(1.0, _chance(kept.kept, kept.trials) / usual)
+                found *= min(1.0, smoothed(kept.kept, kept.trials) / usual)
         return found
 
     def cost(self, grounding: Grounding, **case: bool) -> int:
@@ -126,56 +125,6 @@ class Put:
             case: Where third objects rest; see `chance`.
         """
         return 1 if grounding.unit_costs else 1 + round(-100 * math.log(self.chance(**case)))
-
-
-@dataclass(frozen=True, slots=True)
-class Carrier:
-    """An operator that carries objects to places, as it is planned with where objects bear one another.
-
-    Attributes:
-        operator: The operator.
-        borne: How it turned out where the object rested on another one.
-        laden: How it turned out where another one rested on the object.
-    """
-
-    operator: Operator
-    borne: Kept
-    laden: Kept
-
-    @property
-    def name(self) -> str:
-        """Name of the operator."""
-        return self.operator.name
-
-    @property
-    def takes_borne(self) -> bool:
-        """Whether the object may rest on another one; where that was never tried it may."""
-        return self.borne.share >= LEAST_SHARE
-
-    @property
-    def takes_laden(self) -> bool:
-        """Whether another object may rest on it; where that was never tried it may not."""
-        return bool(self.laden.trials) and self.laden.share >= LEAST_SHARE
-
-    def cost(self, operator: Operator, grounding: Grounding, *, borne: bool = False) -> int:
-        """Return what a step costs.
-
-        Args:
-            operator: The operator as it promises for the object.
-            grounding: The learned domain.
-            borne: Whether the object rests on another one.
-        """
-        usual = step_cost(operator, grounding)
-        if not (borne and self.borne.trials) or grounding.unit_costs:
-            return usual
-        return usual + round(
-            max(0.0, -100 * math.log(_chance(self.borne.kept, self.borne.trials) / chance_of(operator)))
-        )
-
-
-def chance_of(operator: Operator) -> float:
-    """Return the chance that a step to a place goes as promised."""
-    return _chance(operator.successes, operator.trials)
 
 
 def puts_of(grounding: Grounding) -> tuple[Put, ...]:
@@ -196,8 +145,7 @@ def put_named(name: str, grounding: Grounding) -> Put | None:
         name: Name of the operator.
         grounding: The learned domain.
     """
-    table = grounding.relations
-    found = next((one for one in table.operators if one.name == name), None) if table else None
+    table, found = grounding.relations, relating(name, grounding)
     return _put(found, table) if table and found and found.promise else None
 
 
@@ -208,35 +156,6 @@ def left_out_puts(grounding: Grounding) -> Mapping[str, str]:
         grounding: The learned domain.
     """
     return left_out(grounding.relations) if grounding.relations else {}
-
-
-def relational_carriers(grounding: Grounding) -> tuple[Carrier, ...]:
-    """List the operators that carry objects to places, with what was seen of stacks.
-
-    Args:
-        grounding: The learned domain.
-    """
-    places = grounding.places
-    if places is None:
-        return ()
-    borne, laden = (
-        {one.name: one for one in table} if isinstance(table, tuple) else {}
-        for table in (places.borne, places.laden)
-    )
-    return tuple(
-        Carrier(one, borne.get(one.name, _NEVER), laden.get(one.name, _NEVER))
-        for one in carriers_of(grounding)
-    )
-
-
-def takes_loads(grounding: Grounding) -> bool:
-    """Say whether something is carried with what rests on it.
-
-    Args:
-        grounding: The learned domain.
-    """
-    takers: list[Put | Carrier] = [*puts_of(grounding), *relational_carriers(grounding)]
-    return any(one.takes_laden for one in takers)
 
 
 def bearing_states(grounding: Grounding) -> tuple[PairState, ...]:
@@ -251,14 +170,15 @@ def bearing_states(grounding: Grounding) -> tuple[PairState, ...]:
 
 @lru_cache(maxsize=8)
 def _puts(table: RelationOperators) -> tuple[Put, ...]:
-    kept = (one for one in table.operators if one.name not in left_out(table))
+    kept = [one for one in table.operators if one.name not in left_out(table)]
+    kept += for_any_pair(table)
     return tuple(_put(one, table) for one in sorted(kept, key=lambda one: one.name))
 
 
 def _put(operator: RelationOperator, table: RelationOperators) -> Put:
     end = operator.promise
     assert end is not None, f"{operator.name} promises nothing"
-    kind = next(one for one in table.pairs if one.symbol == operator.pair)
+    kind = next((one for one in table.pairs if one.symbol == operator.pair), None)
     return Put(operator, end, table.state_named(end.state), kind)
 
 
@@ -287,12 +207,21 @@ def _why_worthless(operator: RelationOperator, table: RelationOperators) -> str 
         return f"fewer than {MIN_TRIALS} rehearsals"
     if operator.promise is None:
         return "never carries its target to the reference"
-    if not table.state_named(operator.promise.state).bears:
+    state = table.state_named(operator.promise.state)
+    if not state.bears:
         return "ends in a state in which the reference bears nothing"
+    if state.leans:
+        return "makes its target lean"
     if operator.promise.share < SELDOM:
         return f"keeps its promise in {operator.promise.count} of {operator.trials} rehearsals only"
     return None
 
 
-def _chance(kept: int, trials: int) -> float:
+def smoothed(kept: int, trials: int) -> float:
+    """Return a chance from what was seen: (k + 1) / (n + 2), the rule of succession.
+
+    Args:
+        kept: How often it went so.
+        trials: Of how many cases.
+    """
     return (kept + 1) / (trials + 2)

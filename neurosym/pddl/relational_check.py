@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from neurosym.errors import InvalidValue
 from neurosym.grounding import Grounding
 from neurosym.pair_sight import with_pairs
+from neurosym.pddl.grades import USUAL
 from neurosym.pddl.relational import Put, bearing_states, puts_of
 from neurosym.problems import Problem
 from neurosym.related import relations_of, unmet_relations
@@ -81,7 +82,8 @@ def why_no_relation(problem: Problem, grounding: Grounding) -> str:
 def puts_for(problem: Problem, grounding: Grounding, target: str, reference: str) -> tuple[Put, ...]:
     """List what the domain can do with a pair of objects, as it is foreseen to turn out with them.
 
-    Of operators for the same it is the surest with this pair.
+    Of operators for the same it is the surest with this pair. One for pairs of any kind must be foreseen, and
+    more surely than what those for the kind of the pair promise.
 
     Args:
         problem: The problem, with the kinds of its pairs.
@@ -91,8 +93,18 @@ def puts_for(problem: Problem, grounding: Grounding, target: str, reference: str
     """
     kinds = problem.pairs if isinstance(problem.pairs, dict) else {}
     kind = kinds.get(pair_key(target, reference))
-    of_kind = (put for put in puts_of(grounding) if put.kind.symbol == kind)
-    at_hand = [put.with_pair(problem, target, reference) for put in of_kind]
+    fitting = [
+        put.with_pair(problem, target, reference) for put in puts_of(grounding) if put.operator.is_for(kind)
+    ]
+    own = dict[str, float]()
+    for put in fitting:
+        if put.kind:
+            own[put.state.name] = max(own.get(put.state.name, 0.0), put.chance())
+    at_hand = [
+        put
+        for put in fitting
+        if put.kind or (put.grade != USUAL and put.chance() > own.get(put.state.name, 0.0))
+    ]
     surest = {put.case: put for put in sorted(at_hand, key=Put.sureness) if put.is_likely}
     return tuple(put for put in at_hand if surest.get(put.case) is put)
 

@@ -17,15 +17,13 @@ from neurosym.pddl.moves import LIFTED, RELATIONAL, Encoding
 from neurosym.pddl.place_domain import LOOK, NOWHERE, REACH, about_carrier
 from neurosym.pddl.printing import action_text, comment
 from neurosym.pddl.relational import (
-    Carrier,
     Put,
     bearing_states,
     left_out_puts,
     puts_of,
-    relational_carriers,
-    takes_loads,
 )
 from neurosym.pddl.relational_words import about_put, about_state, about_third
+from neurosym.pddl.stacked_carriers import Carrier, relational_carriers, takes_loads
 from neurosym.promises import LEAST_CHANCE
 from neurosym.relation_operators import PairState
 
@@ -128,7 +126,7 @@ def _predicates(grounding: Grounding, is_lifted: bool) -> str:
         lines += ["(look-next ?o - movable ?p ?here ?next - place)"]
         lines += ["(bears ?r - movable ?n - count)", "(next ?n ?more - count)"]
     lines += [f"({state.name} ?t ?r - movable)" for state in bearing_states(grounding)]
-    kinds = {put.kind.symbol: put.kind.name for put in puts_of(grounding)}
+    kinds = {put.kind.symbol: put.kind.name for put in puts_of(grounding) if put.kind}
     lines += [f"({name} ?t ?r - movable)" for _, name in sorted(kinds.items())]
     lines += [f"({can_predicate(put.name)} ?t ?r - movable ?g - grade)" for put in puts_of(grounding)]
     lines += [
@@ -209,7 +207,8 @@ def _putting(put: Put, grounding: Grounding, is_lifted: bool) -> str:
 
 def _put_action(put: Put, is_lifted: bool, *, laden: bool) -> str:
     name = put.name + (LADEN if laden else "")
-    parameters, before, after = "?t ?r - movable", [f"({put.kind.name} ?t ?r)"], ["(hand-empty)"]
+    parameters, before, after = "?t ?r - movable", list[str](), ["(hand-empty)"]
+    before += [f"({put.kind.name} ?t ?r)"] if put.kind else []
     before += [f"({can_predicate(put.name)} ?t ?r ?g)"]
     origin = "?from" if put.takes_borne else FROM_PLACE
     before += [f"(taken ?t {origin})"]

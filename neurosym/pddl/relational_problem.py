@@ -4,7 +4,7 @@ from collections import Counter
 from collections.abc import Collection
 from dataclasses import replace
 from functools import cached_property
-from itertools import pairwise, product
+from itertools import pairwise, permutations, product
 
 import msgspec
 import numpy as np
@@ -22,11 +22,9 @@ from neurosym.pddl.place_problem import START
 from neurosym.pddl.places import blockers, is_at, with_places
 from neurosym.pddl.printing import comment
 from neurosym.pddl.relational import (
-    Carrier,
     Put,
     bearing_states,
     puts_of,
-    relational_carriers,
 )
 from neurosym.pddl.relational_check import puts_for
 from neurosym.pddl.relational_domain import (
@@ -38,6 +36,7 @@ from neurosym.pddl.relational_domain import (
     can_predicate,
     cost_function,
 )
+from neurosym.pddl.stacked_carriers import Carrier, relational_carriers
 from neurosym.problems import ROUNDED, Problem
 from neurosym.promises import promised
 from neurosym.related import Borne, bearers_of, loads_of, relations_of
@@ -112,7 +111,7 @@ class Task:
     def kinds(self) -> dict[tuple[str, str], str]:
         """Return the kinds of those pairs that something in the domain is for, by target and reference."""
         pairs = self.problem.pairs if isinstance(self.problem.pairs, dict) else {}
-        known = {put.kind.symbol: put.kind.name for put in puts_of(self.grounding)}
+        known = {put.kind.symbol: put.kind.name for put in puts_of(self.grounding) if put.kind}
         return {
             (target, other): known[kind]
             for (target, _, other), kind in ((key.partition(" "), kind) for key, kind in pairs.items())
@@ -121,8 +120,14 @@ class Task:
 
     @cached_property
     def puts(self) -> dict[tuple[str, str], tuple[Put, ...]]:
-        """Return what is likely to work with each pair that something in the domain is for."""
-        return {pair: puts_for(self.problem, self.grounding, *pair) for pair in sorted(self.kinds)}
+        """Return what is likely to work with each pair."""
+        pairs = permutations(sorted(self.problem.object_names), 2)
+        return {pair: puts_for(self.problem, self.grounding, *pair) for pair in pairs}
+
+    @cached_property
+    def named(self) -> dict[str, Put]:
+        """Return the operators on pairs that the domain has, by name."""
+        return {put.name: put for put in puts_of(self.grounding)}
 
     @cached_property
     def grades(self) -> tuple[str, ...]:

@@ -13,9 +13,10 @@ from neurosym.pddl.footprints import overlapping
 from neurosym.pddl.moves import LIFTED, RELATIONAL, Encoding
 from neurosym.pddl.place_domain import LOOK, NOWHERE, REACH
 from neurosym.pddl.place_problem import START
-from neurosym.pddl.relational import Carrier, Put, chance_of, put_named, relational_carriers
+from neurosym.pddl.relational import Put, put_named
 from neurosym.pddl.relational_domain import FROM_OBJECT, FROM_PLACE, LADEN, LEAVE, LEAVE_PLACE
 from neurosym.pddl.relational_problem import COUNTS, Task
+from neurosym.pddl.stacked_carriers import Carrier, chance_of, relational_carriers
 from neurosym.problems import Problem
 from neurosym.promises import promised
 from neurosym.related import Borne, carried_along, chain_below, loads_of
@@ -171,7 +172,7 @@ class Following:
     def _put(self, step: Words) -> Put | None:
         """Return the operator on pairs of a step, as it is foreseen to turn out there; None if it is none."""
         name, target, reference = step
-        put = put_named(name, self.task.grounding)
+        put = self.task.named.get(name) or put_named(name, self.task.grounding)
         return put.with_pair(self.task.problem, target, reference) if put else None
 
     def _third(self, target: str, reference: str) -> dict[str, bool]:
@@ -193,7 +194,7 @@ class Following:
     def _why_not_put(self, put: Put, target: str, reference: str) -> tuple[str, tuple[str, ...]] | None:
         pairs = self.task.problem.pairs
         kind = pairs.get(pair_key(target, reference)) if isinstance(pairs, dict) else None
-        if kind != put.operator.pair:
+        if not put.operator.is_for(kind):
             return f"it is not for {target} with {reference}, a pair of the kind {kind}", (reference,)
         if target in chain_below(reference, self.bearers):
             return f"{reference} rests on {target} itself", (reference,)

@@ -28,15 +28,16 @@ def about_put(put: Put, grounding: Grounding) -> list[str]:
     """
     operator, end = put.operator, put.end
     x, y, z = end.offset
+    of_kind = f"the kind {operator.pair} ({put.kind.name})" if put.kind else "all kinds it was rehearsed with"
     lines = [
-        f"Primitive {operator.primitive} on pairs of the kind {operator.pair} ({put.kind.name}): ends in the "
+        f"Primitive {operator.primitive} on pairs of {of_kind}: ends in the "
         f"state {put.state.symbol} ({put.state.name}) in {end.count} of {operator.trials} rehearsals, at "
         f"({x:.2f}, {y:.2f}, {z:.2f}) touching units from the reference: cost {put.cost(grounding)}."
     ]
     cases = (
         ("on the reference", operator.occupied, put.takes_occupied),
         ("under the target", operator.borne, put.takes_borne),
-        ("on the target", operator.laden, put.takes_laden),
+        *((("on the target", operator.laden, put.takes_laden),) if put.kind else ()),
     )
     lines += [about_third(where, kept, allowed) for where, kept, allowed in cases]
     assert grounding.relations is not None

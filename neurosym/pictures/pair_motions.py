@@ -44,7 +44,7 @@ def pair_motion(
     found = list[Motion]()
     for draw in range(DRAWS):
         scene = world.sample_scene(np.random.default_rng([seed, draw]), 2)
-        if give(scene.features.reshape(1, -1)) != (operator.pair,):
+        if not operator.is_for(give(scene.features.reshape(1, -1))[0]):
             continue
         found.append(Motion(operator.name, scene, action, reference))
         if _keeps_promise(operator, relations, world.interact(scene, action, 0, reference=reference)):

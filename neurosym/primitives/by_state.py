@@ -9,7 +9,7 @@ from collections.abc import Sequence
 import numpy as np
 from jaxtyping import Float
 
-from neurosym.pair_states import DESCRIPTION, STEEPEST, describe_pair, touching_units
+from neurosym.pair_states import describe_pair, touching_units
 from neurosym.primitives.judging import TURNED, Performance
 from neurosym.relation_operators import PairStates
 from neurosym.table import OtherObject
@@ -17,7 +17,6 @@ from neurosym.world import Outcome, OutcomeKind
 
 EXACT = 0.5
 """A spread at which an action is still 1 / sqrt(2) as sure as one without any [touching units]."""
-_TILTED = DESCRIPTION.index("tilted")
 
 
 def watch(outcome: Outcome, states: PairStates) -> Performance:
@@ -47,16 +46,6 @@ def end_state(outcome: Outcome, states: PairStates) -> str:
         return ""
     described = describe_pair(outcome.end, outcome.target, outcome.reference.index, outcome.contacts)
     return states.of(described.tolist()).symbol
-
-
-def straight_states(states: PairStates) -> tuple[str, ...]:
-    """Return the codes of the states that bear and in which targets are not turned over, in order.
-
-    Args:
-        states: The states of pairs.
-    """
-    most = TURNED / STEEPEST
-    return tuple(state.symbol for state in states.states if state.bears and state.centre[_TILTED] <= most)
 
 
 def sureness(performances: Sequence[Performance], state: str) -> float:

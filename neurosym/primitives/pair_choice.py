@@ -4,7 +4,8 @@ No action does the same to all pairs of a kind. A network foresees what each can
 candidate that brings most pairs into a state comes first, then the one that adds most to it, while that is
 worth it: kinds that are met often get more actions than rare ones. For each of these there is a contest on
 the pairs that it adds. Candidates are listed by what is foreseen of them, and auditioned on them, fewer
-of them in each round. The surest is left. Where nothing brings a kind into a state, there is no operator.
+of them in each round; what was foreseen counts beside what was seen. The surest is left. Where nothing brings
+a kind into a state, there is no operator.
 """
 
 from collections import Counter
@@ -18,7 +19,7 @@ from neurosym.actions import ActionBox
 from neurosym.guarded import made
 from neurosym.operators import Primitive
 from neurosym.pair_sight import ChancesOfStates
-from neurosym.primitives.by_state import straight_states, sureness, watch
+from neurosym.primitives.by_state import sureness, watch
 from neurosym.primitives.judging import Performance
 from neurosym.primitives.own import Round, moved
 from neurosym.primitives.performing import perform
@@ -39,8 +40,10 @@ WORTH = 0.002
 that can be brought there."""
 OF_SYMBOL = 4
 """Candidates of one symbol that are shortlisted for a kind of pairs and a state at most."""
-FORESEEN, SURE = 0.2, 0.25
+LEAST = 0.1
 """Actions that are foreseen, or that turn out, to bring about a state less surely are left out for it."""
+FORESEEN_COUNTS = 10
+"""What is foreseen of an action counts as much as so many performances: few tell little of rare outcomes."""
 _STREAM = 0x7063  # keeps these draws apart from those of other auditions and rehearsals
 
 
@@ -51,20 +54,31 @@ class _Contest:
     Attributes:
         state: Code of the state.
         scenes: One of the pairs in each.
+        foreseen: How surely each candidate brings these pairs into the state, as foreseen.
         left: Those that are left, the surest first.
         seen: How they turned out.
     """
 
     state: str
     scenes: tuple[Scene, ...]
+    foreseen: dict[Primitive, float]
     left: list[Primitive]
     seen: dict[Primitive, list[Performance]] = field(default_factory=dict)
 
     def close_round(self, kept: int) -> None:
         """Keep the surest of those that are left."""
-        sure = {one: sureness(self.seen[one], self.state) for one in self.left}
-        ranked = sorted((one for one in self.left if sure[one] >= SURE), key=lambda one: -sure[one])
+        sure = {one: self._sureness(one) for one in self.left}
+        ranked = sorted((one for one in self.left if sure[one] >= LEAST), key=lambda one: -sure[one])
         self.left = ranked[:kept]
+
+    def won(self) -> list[Primitive]:
+        """Return those that are left and that were seen to do it."""
+        return [one for one in self.left if sureness(self.seen[one], self.state) > 0]
+
+    def _sureness(self, one: Primitive) -> float:
+        seen = self.seen[one]
+        weighed = len(seen) * sureness(seen, self.state) + FORESEEN_COUNTS * self.foreseen[one]
+        return weighed / (len(seen) + FORESEEN_COUNTS)
 
 
 def choose_for_pairs(
@@ -80,7 +94,7 @@ def choose_for_pairs(
 ) -> Repertoire:
     """Choose for each kind of pairs the actions that most surely bring it into each state.
 
-    States in which targets are turned over are left out.
+    States in which targets lean are left out.
 
     Args:
         world_factory: Builds the world in which actions are aimed at other objects.
@@ -99,7 +113,7 @@ def choose_for_pairs(
         for kind, scenes in sample.scenes.items()
     }
     contests: dict[Symbol, list[_Contest]] = {kind: [] for kind in foreseen}
-    for state in straight_states(states):
+    for state in sorted(states.straight):
         column = states.bearing_order.index(state)
         of_state = {kind: chances[:, :, column] for kind, chances in foreseen.items()}
         reach = sum(sample.shares[kind] * chances.max(0).mean() for kind, chances in of_state.items())
@@ -109,7 +123,7 @@ def choose_for_pairs(
     every = [contest for of_kind in contests.values() for contest in of_kind]
     _audition(every, world_factory, states, world.action_box, seed, workers, progress)
     chosen = {
-        kind: list(dict.fromkeys(one for contest in of_kind for one in contest.left))
+        kind: list(dict.fromkeys(one for contest in of_kind for one in contest.won()))
         for kind, of_kind in contests.items()
     }
     return with_own(_one_each(candidates), chosen)
@@ -153,9 +167,10 @@ def _contests(
             return begun
         pairs = np.sort(np.argsort(-gains[best], kind="stable")[: sum(one.objects for one in ROUNDS)])
         mean = chances[:, pairs].mean(1)
-        likely = [number for number in np.argsort(-mean, kind="stable") if mean[number] >= FORESEEN]
+        likely = [number for number in np.argsort(-mean, kind="stable") if mean[number] >= LEAST]
         few = _few_of_a_symbol([candidates[number] for number in likely])[: ROUNDS[0].candidates]
-        begun.append(_Contest(state, tuple(scenes[row] for row in pairs), few))
+        of_pairs = {one: float(sure) for one, sure in zip(candidates, mean, strict=True) if one in few}
+        begun.append(_Contest(state, tuple(scenes[row] for row in pairs), of_pairs, few))
         known = np.maximum(known, chances[best])
 
 

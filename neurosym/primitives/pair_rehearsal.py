@@ -45,14 +45,13 @@ def tabulate_pairs(
     """
     kinds = _kinds(rehearsals, feature_names)
     names = {state.symbol: state.name for state in states.states}
-    bearing = states.bearing
     operators = []
     for number, primitive in enumerate(rehearsals.primitives):
         for kind in kinds:
             if not (outcomes := rehearsals.on(kind.symbol, number)):
                 continue
             ends = _ends(outcomes, states)
-            usual, *others = _promised(ends, bearing) or [""]
+            usual, *others = _promised(ends, states.straight) or [""]
             for state in (usual, *others):
                 name = f"{names.get(state, 'miss')}-by-{primitive.label}-{kind.name}"
                 untried = Kept(name, 0, 0)
@@ -104,7 +103,9 @@ def rehearse_among(
         if outcome is not None and len(outcome.end) > 2 and end_state(outcome, states) in bearing
     ]
     pool = _pool([ends[number] for number in rng.permutation(len(ends))], categorise)
-    worthy = [one for one in table.operators if one.promise is not None and one.promise.state in bearing]
+    worthy = [
+        one for one in table.operators if one.promise is not None and one.promise.state in states.straight
+    ]
     tasks, owners = list[Task](), list[tuple[Symbol, str, str]]()
     for pair, label in dict.fromkeys((one.pair, one.label) for one in worthy):
         action = np.array(next(one.action for one in table.primitives if one.label == label))
@@ -159,10 +160,10 @@ def _went_along(outcome: Outcome) -> bool:
     return bool(np.abs(after - before).max() < _ALIKE)
 
 
-def _promised(ends: Sequence[PairEnd], bearing: Collection[str]) -> list[str]:
-    """List the states that are promised: the most frequent, and others in which targets are often borne."""
+def _promised(ends: Sequence[PairEnd], straight: Collection[str]) -> list[str]:
+    """List the states promised: the most frequent, and others in which targets are often borne straight."""
     carried = [end for end in ends if end.state]
-    often = (end for end in carried[1:] if end.state in bearing and end.share >= SELDOM)
+    often = (end for end in carried[1:] if end.state in straight and end.share >= SELDOM)
     return [end.state for end in (*carried[:1], *often)]
 
 

@@ -126,7 +126,7 @@ def networks_of_pairs(folder: DomainFolder) -> tuple[str, ...]:
 
 
 def ways_of(problem: Problem, grounding: Grounding, sight: PairSight | None = None) -> Ways:
-    """Say what can be done with each pair of objects of a problem.
+    """Say what can be done with each pair of objects of a problem, by operators for pairs of its kind.
 
     Args:
         problem: The problem.
@@ -141,7 +141,7 @@ def ways_of(problem: Problem, grounding: Grounding, sight: PairSight | None = No
         (target, other): tuple(
             Way(put.state.name, put.takes_occupied, np.array(relations.primitive_of(put.operator).action))
             for put in puts_for(problem, grounding, target, other)
-            if put.share >= LEAST_SHARE
+            if put.kind and put.share >= LEAST_SHARE
         )
         for target in names
         for other in names

@@ -114,7 +114,7 @@ def _steps_on_pairs(steps: Iterable[PlanStep], problem: Problem, grounding: Grou
         price, surety = str(now.cost(words)), f"{now.chance(words):.0%}"
         if put := put_named(step.operator, grounding):
             bits, moves = (
-                f"{put.kind.symbol} · {put.operator.label}",
+                f"{put.operator.pair or 'any'} · {put.operator.label}",
                 f"puts it {put.state.name} {step.place}",
             )
         else:

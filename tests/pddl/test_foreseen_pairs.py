@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 from toy_relations import PUT_IN, PUT_ON, REST, grounding, relations, scene, sorting, tower
 
+from neurosym.any_pair import for_any_pair, share_with_any
 from neurosym.errors import InvalidFile, InvalidValue
 from neurosym.pair_sight import PairSight, with_pairs
 from neurosym.pddl.grades import GRADES, USUAL, grade_of
@@ -22,6 +23,9 @@ from neurosym.pddl.validation import validate
 from neurosym.place_operators import Kept
 from neurosym.planners import PlanStatus, plan
 from neurosym.problems import Problem
+from neurosym.relation_operators import PairEnd
+
+ON_ANY, IN_ANY = "rests-on-001-by-01-any-pair", "lies-in-010-by-01-any-pair"
 
 
 def kinds(features: np.ndarray) -> tuple[str, ...]:
@@ -39,11 +43,11 @@ def seen(problem: Problem, **foreseen: float) -> Problem:
 
 
 def test_each_pair_is_asked_for_the_operators_of_its_kind():
-    problem = seen(sorting(), on=0.75)
+    problem = seen(sorting(), on=0.75, lying=0.3)
     assert isinstance(problem.foreseen, dict)
-    assert problem.foreseen["item-01 item-02"] == {PUT_ON: 0.75}
-    assert problem.foreseen["item-01 item-04"] == {PUT_IN: 0.95}
-    assert "item-04 item-01" not in problem.foreseen
+    assert problem.foreseen["item-01 item-02"] == {PUT_ON: 0.75, ON_ANY: 0.45, IN_ANY: 0.2}
+    assert problem.foreseen["item-01 item-04"] == {PUT_IN: 0.3, ON_ANY: 0.45, IN_ANY: 0.2}
+    assert problem.foreseen["item-04 item-01"] == {ON_ANY: 0.45, IN_ANY: 0.2}
     assert set(problem.pairs) == {f"{one} {other}" for one, other in permutations(problem.object_names, 2)}
 
 
@@ -55,6 +59,44 @@ def test_without_that_network_pairs_do_as_others_of_their_kind():
     assert "(can-put-on-01-solid-01 item-01 item-02 usual)" in problem_text(problem, grounding(), RELATIONAL)
 
 
+def test_what_another_kind_of_pairs_is_for_is_offered_where_it_is_foreseen_and_own_operators_are_not():
+    problem, learned = seen(sorting(), on=0.9, lying=0.9), grounding()
+    assert [put.name for put in puts_for(problem, learned, "item-01", "item-02")] == [IN_ANY, PUT_ON]
+    assert [put.name for put in puts_for(problem, learned, "item-04", "item-01")] == [IN_ANY, ON_ANY]
+    assert {put.grade for put in puts_for(problem, learned, "item-04", "item-01")} == {"often"}
+    assert f"(can-{ON_ANY} item-04 item-01 often)" in problem_text(problem, learned, RELATIONAL)
+    step = PlanStep(ON_ANY, "item-04", "item-01")
+    assert validate((step,), problem, learned).failed is None  # the goals are what is left
+    unknown = with_pairs(sorting(), relations(), PairSight(kinds))
+    assert puts_for(unknown, learned, "item-04", "item-01") == ()
+
+
+@pytest.mark.parametrize(("foreseen", "share"), [(0.19, None), (0.2, 0.2), (0.3, 0.2), (0.9, 0.54)])
+def test_what_is_foreseen_of_any_pair_comes_true_less_often(foreseen: float, share: float | None):
+    assert share_with_any(foreseen) == (None if share is None else pytest.approx(share))
+
+
+def test_operator_for_any_pair_adds_up_what_was_rehearsed_with_each_kind():
+    table = relations()
+    first = table.operators[0]
+    other = msgspec.structs.replace(
+        first,
+        name="put-on-01-tray-10",
+        pair="10",
+        trials=10,
+        ends=(PairEnd("001", 1, 0.1, (0.0, 0.0, 0.8), (0.0, 0.0, 0.0)),),
+        borne=Kept("put-on-01-tray-10", 4, 1),
+    )
+    both = msgspec.structs.replace(table, operators=(first, other))
+    (found,) = for_any_pair(both)
+    assert (found.name, found.pair, found.trials) == (ON_ANY, "", 30)
+    (end,) = found.ends
+    assert (end.state, end.count) == ("001", 20)
+    assert end.offset == pytest.approx((0, 0, 0.99))
+    assert end.spread == pytest.approx((0, 0, np.std([1.0] * 19 + [0.8])), abs=1e-4)
+    assert (found.borne.trials, found.borne.kept) == (14, 11)
+
+
 @pytest.mark.parametrize(
     ("share", "grade"), [(0.0, "hardly"), (0.25, "seldom"), (0.5, "often"), (0.72, "mostly"), (1.0, "surely")]
 )
@@ -63,7 +105,7 @@ def test_grades_are_the_nearest(share: float, grade: str):
 
 
 def test_what_is_hardly_foreseen_is_not_planned_with_and_has_hardly_a_chance():
-    problem, learned = seen(tower(), on=0.05), grounding()
+    problem, learned = seen(tower(), on=0.05, lying=0.05), grounding()
     assert puts_for(problem, learned, "item-01", "item-03") == ()
     assert "(can-put-on" not in problem_text(problem, learned, RELATIONAL)
     result = plan(problem, learned)

@@ -6,7 +6,18 @@ import msgspec
 import pytest
 import toy_places
 from places import GOLDEN
-from toy_relations import LIE, PUT_IN, PUT_ON, REST, grounding, scene, sorting, tower, tower_at_place
+from toy_relations import (
+    LIE,
+    PUT_IN,
+    PUT_ON,
+    REST,
+    grounding,
+    relations,
+    scene,
+    sorting,
+    tower,
+    tower_at_place,
+)
 from validators import unified_planning_accepts
 
 from neurosym.errors import InvalidValue
@@ -15,7 +26,7 @@ from neurosym.pair_sight import with_pairs
 from neurosym.pddl import domain_text, problem_text
 from neurosym.pddl.moves import BY_RELATIONS, LIFTED, RELATIONAL
 from neurosym.pddl.plan_text import PlanStep, parse_plan, print_ground_plan, print_plan
-from neurosym.pddl.relational import puts_of
+from neurosym.pddl.relational import left_out_puts, puts_of
 from neurosym.pddl.relational_check import puts_for
 from neurosym.pddl.validation import validate
 from neurosym.planners import PlanStatus, plan
@@ -125,6 +136,17 @@ def test_what_fails_from_another_object_goes_by_way_of_a_place():
     steps = solved(sorting(), relearned(PUT_IN, borne=0))
     assert len(steps) == 4
     assert {step.operator for step in steps[::2]} == {"carry-to-01-cube"}
+
+
+def test_what_makes_its_target_lean_is_not_in_the_domain():
+    table = relations()
+    tilted = (0.0, 1.0, 1.0, 0.9, 0.0)
+    states = tuple(
+        msgspec.structs.replace(one, centre=tilted) if one.name == REST else one for one in table.states
+    )
+    leaning = msgspec.structs.replace(grounding(), relations=msgspec.structs.replace(table, states=states))
+    assert left_out_puts(leaning)[PUT_ON] == "makes its target lean"
+    assert {put.state.name for put in puts_of(leaning)} == {LIE}
 
 
 def test_of_operators_that_do_the_same_a_few_are_in_the_domain_and_each_pair_gets_the_surest():

@@ -55,6 +55,12 @@ def test_what_is_foreseen_to_do_nothing_is_not_auditioned():
     assert of_kind(chosen, "0") == []
 
 
+def test_what_is_foreseen_and_never_seen_is_not_chosen():
+    chosen = choose_for_pairs(FACTORY, [NOTHING], hopeful, kinds, STATES, seed=0)
+    assert of_kind(chosen, "0") == []
+    assert of_kind(chosen, "1") == []
+
+
 def test_kind_whose_pairs_end_in_several_states_has_an_operator_for_each():
     chosen = choose_for_pairs(FACTORY, [CARRY], hopeful, kinds, STATES, seed=0)
     found = rehearse(FACTORY, chosen, kinds, objects=80, seed=1)

@@ -38,6 +38,8 @@ PAIRS = 12_000
 """New pairs, some of which are taken for each operator."""
 NAMES = ("on", "in", "beside", "apart")
 """Relations that codes are matched with."""
+BORNE = ("on", "in")
+"""Of these, those in which something is borne; they are asked for by states that bear."""
 RANDOM = 600
 """New actions whose ends are predicted."""
 PRECISE = 0.7
@@ -63,7 +65,14 @@ def measure(folder: Path, seed: int, workers: int) -> dict[str, Any]:
     judged = _pairs_of(outcomes[1::2], states, NAMES)
     called = _matched(*_pairs_of(outcomes[::2], states, NAMES))
     meant = _matched(*_pairs_of(outcomes[::2], states, (*NAMES, "leaning")))
-    words = {name: [code for code in sorted(meant) if meant[code] == name] for name in NAMES}
+    words = {
+        name: [
+            code
+            for code in sorted(meant)
+            if meant[code] == name and (name not in BORNE or code in states.bearing)
+        ]
+        for name in NAMES
+    }
     return {
         "operators": {name: _best(tried, table, name) for name in ("on", "in")},
         "state_bits": {**_balanced(called, *judged), "pairs": len(judged[0])},

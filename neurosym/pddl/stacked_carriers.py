@@ -1,0 +1,92 @@
+"""What carries objects to places where objects rest on one another: what was seen of stacks, and the cost."""
+
+import math
+from dataclasses import dataclass
+
+from neurosym.grounding import Grounding
+from neurosym.operators import Operator
+from neurosym.pddl.moves import step_cost
+from neurosym.pddl.place_domain import carriers_of
+from neurosym.pddl.relational import LEAST_SHARE, Put, puts_of, smoothed
+from neurosym.place_operators import Kept
+
+_NEVER = Kept("never", 0, 0)
+
+
+@dataclass(frozen=True, slots=True)
+class Carrier:
+    """An operator that carries objects to places, as it is planned with where objects bear one another.
+
+    Attributes:
+        operator: The operator.
+        borne: How it turned out where the object rested on another one.
+        laden: How it turned out where another one rested on the object.
+    """
+
+    operator: Operator
+    borne: Kept
+    laden: Kept
+
+    @property
+    def name(self) -> str:
+        """Name of the operator."""
+        return self.operator.name
+
+    @property
+    def takes_borne(self) -> bool:
+        """Whether the object may rest on another one; where that was never tried it may."""
+        return self.borne.share >= LEAST_SHARE
+
+    @property
+    def takes_laden(self) -> bool:
+        """Whether another object may rest on it; where that was never tried it may not."""
+        return bool(self.laden.trials) and self.laden.share >= LEAST_SHARE
+
+    def cost(self, operator: Operator, grounding: Grounding, *, borne: bool = False) -> int:
+        """Return what a step costs.
+
+        Args:
+            operator: The operator as it promises for the object.
+            grounding: The learned domain.
+            borne: Whether the object rests on another one.
+        """
+        usual = step_cost(operator, grounding)
+        if not (borne and self.borne.trials) or grounding.unit_costs:
+            return usual
+        return usual + round(
+            max(0.0, -100 * math.log(smoothed(self.borne.kept, self.borne.trials) / chance_of(operator)))
+        )
+
+
+def chance_of(operator: Operator) -> float:
+    """Return the chance that a step to a place goes as promised."""
+    return smoothed(operator.successes, operator.trials)
+
+
+def relational_carriers(grounding: Grounding) -> tuple[Carrier, ...]:
+    """List the operators that carry objects to places, with what was seen of stacks.
+
+    Args:
+        grounding: The learned domain.
+    """
+    places = grounding.places
+    if places is None:
+        return ()
+    borne, laden = (
+        {one.name: one for one in table} if isinstance(table, tuple) else {}
+        for table in (places.borne, places.laden)
+    )
+    return tuple(
+        Carrier(one, borne.get(one.name, _NEVER), laden.get(one.name, _NEVER))
+        for one in carriers_of(grounding)
+    )
+
+
+def takes_loads(grounding: Grounding) -> bool:
+    """Say whether something is carried with what rests on it.
+
+    Args:
+        grounding: The learned domain.
+    """
+    takers: list[Put | Carrier] = [*puts_of(grounding), *relational_carriers(grounding)]
+    return any(one.takes_laden for one in takers)
