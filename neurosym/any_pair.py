@@ -22,9 +22,14 @@ pairs unlike those that its primitive was auditioned with.
 Measured with one seed, on pairs that fit: 42 % instead of 73 % (60 pairs), 15 % instead of 36 % (40), 60 %
 instead of 92 % (40).
 """
-LEAST = 0.2
-"""What is foreseen less surely is not said of a pair. What is foreseen as surely or more is tried at least as
-if it came true so often: of several motions that seldom do it, one often does."""
+LEAST, HOPED = 0.1, 0.2
+"""What is foreseen less surely than the first is not said of a pair; the rest is hoped to come true as often
+as the second says, or more.
+
+Measured with one seed: of 25 pairs that fit, with which one motion or another was foreseen to go in in 10 to
+20 %, an action written by hand put 10 in, the likeliest motion 7 of these, and one of the four likeliest 9. Of
+40 pairs with less, the action by hand put in 2.
+"""
 
 
 @lru_cache(maxsize=8)
@@ -79,4 +84,4 @@ def share_with_any(foreseen: float) -> float | None:
     Args:
         foreseen: The chance that a network foresees.
     """
-    return max(LEAST, COMES_TRUE * foreseen) if foreseen >= LEAST else None
+    return max(HOPED, COMES_TRUE * foreseen) if foreseen >= LEAST else None

@@ -43,6 +43,8 @@
     (can-rests-on-011-by-110d-hollow-low-wide-to-any-01011 item-01 item-03 surely) (can-rests-on-011-by-110k-hollow-low-wide-to-any-01011 item-01 item-03 surely)
     (can-rests-on-011-by-110k-hollow-low-wide-to-any-01011 item-01 item-04 often) (can-rests-on-011-by-110l-hollow-low-wide-to-any-01011 item-01 item-04 often)
     (can-rests-on-011-by-100k-solid-low-wide-to-any-01010 item-03 item-01 seldom)
+    (can-rests-on-011-by-100o-any-pair item-03 item-02 seldom) (can-rests-on-011-by-100u-any-pair item-03 item-02 seldom) (can-rests-on-011-by-111c-any-pair item-03 item-02 seldom)
+    (can-rests-on-011-by-100h-any-pair item-03 item-04 seldom) (can-rests-on-011-by-100v-any-pair item-03 item-04 seldom) (can-rests-on-011-by-100w-any-pair item-03 item-04 seldom)
     (can-rests-on-011-by-001h-any-low-wide-to-hollow-low-wide-11111 item-04 item-01 surely) (can-rests-on-011-by-100y-any-low-wide-to-hollow-low-wide-11111 item-04 item-01 surely)
     (can-rests-on-011-by-000g-any-low-wide-to-hollow-low-wide-11111 item-04 item-02 surely) (can-rests-on-011-by-100y-any-low-wide-to-hollow-low-wide-11111 item-04 item-02 surely)
     (can-rests-on-011-by-100k-hollow-tall-wide-to-hollow-low-wide-11011 item-04 item-03 surely)

@@ -25,7 +25,7 @@
     (can-be-taken item-02)
     (hollow-low-wide-to-any-low-wide-00001 item-01 item-02)
     (hollow-low-wide-to-any-01011 item-02 item-01)
-    (can-rests-on-011-by-010a-any-pair item-01 item-02 often) (can-sits-in-111-by-100a-hollow-low-wide-to-any-low-wide-00001 item-01 item-02 seldom) (can-sits-in-111-by-110a-hollow-low-wide-to-any-low-wide-00001 item-01 item-02 mostly)
+    (can-rests-on-011-by-010a-any-pair item-01 item-02 often) (can-rests-on-011-by-100u-any-pair item-01 item-02 seldom) (can-rests-on-011-by-110k-any-pair item-01 item-02 seldom) (can-rests-on-011-by-111c-any-pair item-01 item-02 seldom) (can-sits-in-111-by-100a-hollow-low-wide-to-any-low-wide-00001 item-01 item-02 seldom) (can-sits-in-111-by-110a-hollow-low-wide-to-any-low-wide-00001 item-01 item-02 mostly)
     (can-rests-on-011-by-110j-hollow-low-wide-to-any-01011 item-02 item-01 surely) (can-rests-on-011-by-110k-hollow-low-wide-to-any-01011 item-02 item-01 mostly)
     (= (cost-of-rests-on-011-by-000a-any-pair seldom) 121) (= (cost-of-rests-on-011-by-000a-any-pair often) 70) (= (cost-of-rests-on-011-by-000a-any-pair mostly) 37) (= (cost-of-rests-on-011-by-000a-any-pair surely) 12)
     (= (cost-of-rests-on-011-by-000b-any-pair seldom from-place) 121) (= (cost-of-rests-on-011-by-000b-any-pair seldom from-object) 149) (= (cost-of-rests-on-011-by-000b-any-pair often from-place) 70) (= (cost-of-rests-on-011-by-000b-any-pair often from-object) 98) (= (cost-of-rests-on-011-by-000b-any-pair mostly from-place) 37) (= (cost-of-rests-on-011-by-000b-any-pair mostly from-object) 64) (= (cost-of-rests-on-011-by-000b-any-pair surely from-place) 12) (= (cost-of-rests-on-011-by-000b-any-pair surely from-object) 39)
