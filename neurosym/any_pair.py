@@ -27,8 +27,8 @@ LEAST, HOPED = 0.1, 0.2
 as the second says, or more.
 
 Measured with one seed: of 25 pairs that fit, with which one motion or another was foreseen to go in in 10 to
-20 %, an action written by hand put 10 in, the likeliest motion 7 of these, and one of the four likeliest 9. Of
-40 pairs with less, the action by hand put in 2.
+20 %, an action written by hand put 10 in, the likeliest motion 7 of these, and one of the four likeliest 9.
+Of 40 pairs with less, the action by hand put in 2.
 """
 
 
