@@ -8,7 +8,7 @@ from neurosym.execution.rerun import compare_runs, rerun
 from neurosym.grounding import Grounding
 from neurosym.pddl import domain_text, problem_text
 from neurosym.pddl.moves import RELATIONAL
-from neurosym.planners import PlanStatus
+from neurosym.planners import PlanStatus, plan
 from neurosym.planners.fast_downward import plan_fast_downward
 from neurosym.reading import digest, read_json
 from neurosym.related import is_reached
@@ -33,6 +33,17 @@ def test_what_was_learned_of_single_objects_is_that_of_the_domain_with_places():
     there = DomainFolder(ROOT / "domains" / "places")
     for name in ("effect_model.safetensors", "primitives.json", "places/operators.json"):
         assert digest(FOLDER / name) == digest(there / name)
+
+
+@pytest.mark.parametrize("name", ["anywhere-2-04", "swap-2-07", "row-4-11"])
+def test_goals_on_the_table_are_planned_for_as_in_the_domain_with_places(name):
+    there = DomainFolder(ROOT / "domains" / "places")
+    problem = load_scene(there / f"problems/{name}.scene.json")
+    here, elsewhere = (
+        plan(problem, known) for known in (GROUNDING, Grounding.load(there / "grounding.json"))
+    )
+    assert here.status is PlanStatus.SOLVED
+    assert here.steps == elsewhere.steps
 
 
 def test_problems_are_of_two_to_eight_objects():
