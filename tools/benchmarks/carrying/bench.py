@@ -7,7 +7,7 @@ machine disturb little; the seconds of the clock stand beside them.
 
 import json
 import time
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from statistics import median
 from typing import Annotated, Any
@@ -20,6 +20,7 @@ from neurosym.grounding import Grounding
 from neurosym.operators import TOLERANCE
 from neurosym.planners import PlanStatus, plan
 from neurosym.problems import Problem, SceneObject
+from neurosym.table import Table
 from tools.benchmarks.carrying.tasks import far
 from tools.benchmarks.planning.measures import bench_of
 from tools.benchmarks.spent import cpu_seconds
@@ -52,12 +53,37 @@ def main(
             [lattice(small, grounding, seed) for seed in seeds], grounding, MOST_SECONDS[THIRTY]
         ),
     }
+    tell(parts, output)
+
+
+def tell(parts: Mapping[str, Mapping[str, Any]], output: Path | None) -> None:
+    """Print what was found as JSON, or write it to a file.
+
+    Args:
+        parts: What was found of each part; see `timed`.
+        output: The file, if it is to be written to one.
+    """
     passed = all(part["passed"] for part in parts.values())
     text = json.dumps({"passed": passed, "machine": machine(), **parts}, indent=2) + "\n"
     if output is None:
         print(text, end="")
     else:
         write_atomically(output, text)
+
+
+def lattice_points(table: Table, rows: int, columns: int) -> list[tuple[float, float]]:
+    """List the points of a lattice over a table [m].
+
+    Args:
+        table: The table.
+        rows: How many points along x.
+        columns: How many points along y.
+    """
+    return [
+        (float(x), float(y))
+        for x in np.linspace(*table.x, rows + 2)[1:-1]
+        for y in np.linspace(*table.y, columns + 2)[1:-1]
+    ]
 
 
 def lattice(kinds: Sequence[SceneObject], grounding: Grounding, seed: int) -> Problem:
@@ -69,11 +95,7 @@ def lattice(kinds: Sequence[SceneObject], grounding: Grounding, seed: int) -> Pr
         seed: Same seed, same problem.
     """
     rng = np.random.default_rng(seed)
-    points = [
-        (float(x), float(y))
-        for x in np.linspace(*grounding.table.x, SIDE + 2)[1:-1]
-        for y in np.linspace(*grounding.table.y, SIDE + 2)[1:-1]
-    ]
+    points = lattice_points(grounding.table, SIDE, SIDE)
     starts, ends = (rng.permutation(len(points))[:THIRTY] for _ in range(2))
     items, goals = [], {}
     for number, (start, end, kind) in enumerate(

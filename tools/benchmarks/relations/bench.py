@@ -5,7 +5,6 @@ a lattice, which no robot builds. CPU seconds of all processes count, so that ot
 disturb little; the seconds of the clock stand beside them.
 """
 
-import json
 from collections.abc import Callable, Sequence
 from itertools import pairwise
 from pathlib import Path
@@ -15,7 +14,6 @@ import msgspec
 import numpy as np
 import tyro
 
-from neurosym.files import write_atomically
 from neurosym.grounding import Grounding
 from neurosym.operators import TOLERANCE
 from neurosym.pair_sight import PairSight, with_pairs
@@ -23,9 +21,8 @@ from neurosym.problems import Problem, SceneObject
 from neurosym.relation_goals import RelationGoal
 from neurosym.stages.folder import DomainFolder
 from neurosym.stages.task_drawing import draw_any_task, sight_of_pairs, ways_of
-from tools.benchmarks.carrying.bench import timed
+from tools.benchmarks.carrying.bench import lattice_points, tell, timed
 from tools.benchmarks.planning.measures import bench_of
-from tools.benchmarks.world.evaluate import machine
 from tools.relearn_towers import FOLDER as SHIPPED
 from tools.relearn_towers import state_called
 
@@ -46,7 +43,7 @@ def main(
 ) -> None:
     """Measure, and print what was found as JSON."""
     folder, seeds = DomainFolder(SHIPPED), range(FIRST, FIRST + tasks)
-    bench, sight = bench_of(SHIPPED), sight_of_pairs(DomainFolder(SHIPPED))
+    bench, sight = bench_of(SHIPPED), sight_of_pairs(folder)
     assert sight is not None, "relations were learned"
     grounding, resting = bench.setting.grounding, state_called("rests-on", folder)
     eight = [
@@ -74,12 +71,7 @@ def main(
             ("twenty_objects", twenty, MOST_SECONDS[TWENTY]),
         )
     }
-    passed = all(part["passed"] for part in parts.values())
-    text = json.dumps({"passed": passed, "machine": machine(), **parts}, indent=2) + "\n"
-    if output is None:
-        print(text, end="")
-    else:
-        write_atomically(output, text)
+    tell(parts, output)
 
 
 def towers(
@@ -95,11 +87,7 @@ def towers(
         seed: Same seed, same problem.
     """
     rng = np.random.default_rng(seed)
-    points = [
-        (float(x), float(y))
-        for x in np.linspace(*grounding.table.x, ROWS + 2)[1:-1]
-        for y in np.linspace(*grounding.table.y, COLUMNS + 2)[1:-1]
-    ]
+    points = lattice_points(grounding.table, ROWS, COLUMNS)
     items = tuple(
         SceneObject(f"item-{number:02d}", like.category, like.features, (*points[number], like.position[2]))
         for number, like in enumerate(kinds[kind] for kind in rng.integers(len(kinds), size=TWENTY))
