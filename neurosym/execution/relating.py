@@ -21,7 +21,7 @@ from neurosym.pair_states import describe_pair, extent
 from neurosym.pddl.places import with_places
 from neurosym.pddl.plan_text import PlanStep
 from neurosym.pddl.relational import put_named
-from neurosym.pddl.relational_problem import Task
+from neurosym.pddl.relational_task import Task
 from neurosym.problems import Problem
 from neurosym.related import Contacts, bearers_of, is_relational, relating, with_contacts
 from neurosym.relation_goals import RelationGoal, pair_key

@@ -36,8 +36,8 @@ from neurosym.pddl.place_domain import NOTES
 from neurosym.pddl.place_problem import START, PlaceNotes
 from neurosym.pddl.places import with_places
 from neurosym.pddl.relational_domain import FROM_OBJECT, FROM_PLACE, LADEN, LEAVE
-from neurosym.pddl.relational_problem import flattened
 from neurosym.pddl.relational_replay import print_relational_plan
+from neurosym.pddl.relational_task import flattened
 from neurosym.problems import Problem, SceneObject
 from neurosym.reading import MEGABYTE, read_text
 from neurosym.related import bearers_of, is_relational, relating

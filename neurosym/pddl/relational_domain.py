@@ -16,14 +16,9 @@ from neurosym.pddl.grades import GRADES, USUAL
 from neurosym.pddl.moves import LIFTED, RELATIONAL, Encoding
 from neurosym.pddl.place_domain import LOOK, NOWHERE, REACH, about_carrier
 from neurosym.pddl.printing import action_text, comment
-from neurosym.pddl.relational import (
-    Put,
-    bearing_states,
-    left_out_puts,
-    puts_of,
-)
+from neurosym.pddl.relational import Put, bearing_states, left_out_puts
+from neurosym.pddl.relational_actions import Actions, Carrier, actions_of
 from neurosym.pddl.relational_words import about_put, about_state, about_third
-from neurosym.pddl.stacked_carriers import Carrier, relational_carriers, takes_loads
 from neurosym.promises import LEAST_CHANCE
 from neurosym.relation_operators import PairState
 
@@ -41,29 +36,33 @@ _GRADES = ", ".join(f"{grade} ({share:g})" for share, grade in sorted(_LIKELY, r
 _FREE = "(increase (total-cost) 0)"
 
 
-def relational_domain_text(grounding: Grounding, encoding: Encoding = RELATIONAL) -> str:
+def relational_domain_text(
+    grounding: Grounding, encoding: Encoding = RELATIONAL, actions: Actions | None = None
+) -> str:
     """Print the domain.
 
     Args:
         grounding: The learned domain.
         encoding: `relational`, or `relational-lifted` with `not` and `exists`.
+        actions: What it has actions for, if not for all that was learned.
 
     Raises:
         InvalidValue: If nothing in the domain puts objects in relations.
     """
-    if not puts_of(grounding):
+    every = actions_of(grounding)
+    if not every.puts:
         raise InvalidValue(f"Nothing in the domain {grounding.name} puts objects in relations.")
-    is_lifted = encoding == LIFTED
+    actions, is_lifted = actions or every, encoding == LIFTED
     logic = " :negative-preconditions :existential-preconditions" if is_lifted else ""
     blocks = [
         _header(grounding, encoding),
         f"(define (domain {grounding.name})\n  (:requirements :strips :typing{logic} :action-costs)",
         _types(grounding, is_lifted),
-        _predicates(grounding, is_lifted),
-        _functions(grounding, is_lifted),
-        *_taking(grounding, is_lifted),
-        *(_putting(put, grounding, is_lifted) for put in puts_of(grounding)),
-        *(_carrying(one, grounding, is_lifted) for one in relational_carriers(grounding)),
+        _predicates(actions, grounding, is_lifted),
+        _functions(actions, grounding, is_lifted),
+        *_taking(actions, grounding, is_lifted),
+        *(_putting(put, grounding, is_lifted) for put in actions.puts),
+        *(_carrying(one, grounding, is_lifted) for one in actions.carriers),
         *_noting(is_lifted),
         _left_out(grounding),
     ]
@@ -114,7 +113,7 @@ def _types(grounding: Grounding, is_lifted: bool) -> str:
     )
 
 
-def _predicates(grounding: Grounding, is_lifted: bool) -> str:
+def _predicates(actions: Actions, grounding: Grounding, is_lifted: bool) -> str:
     lines = ["(hand-empty)", "(can-be-taken ?o - movable)", "(taken ?o - movable ?from - origin)"]
     lines += ["(stands ?o - movable ?p - place)", "(free ?p - place)"]
     lines += ["(goal-place ?o - movable ?p - place)", "(done ?o - movable)"]
@@ -126,25 +125,23 @@ def _predicates(grounding: Grounding, is_lifted: bool) -> str:
         lines += ["(look-next ?o - movable ?p ?here ?next - place)"]
         lines += ["(bears ?r - movable ?n - count)", "(next ?n ?more - count)"]
     lines += [f"({state.name} ?t ?r - movable)" for state in bearing_states(grounding)]
-    kinds = {put.kind.symbol: put.kind.name for put in puts_of(grounding) if put.kind}
-    lines += [f"({name} ?t ?r - movable)" for _, name in sorted(kinds.items())]
-    lines += [f"({can_predicate(put.name)} ?t ?r - movable ?g - grade)" for put in puts_of(grounding)]
+    lines += [f"({name} ?t ?r - movable)" for _, name in sorted(actions.kinds.items())]
+    lines += [f"({can_predicate(put.name)} ?t ?r - movable ?g - grade)" for put in actions.puts]
     lines += [
-        f"({can_predicate(one.name)} ?o - {_type(one.operator, grounding)})"
-        for one in relational_carriers(grounding)
+        f"({can_predicate(one.name)} ?o - {_type(one.operator, grounding)})" for one in actions.carriers
     ]
     return "  (:predicates\n" + "\n".join(f"    {line}" for line in lines) + ")"
 
 
-def _functions(grounding: Grounding, is_lifted: bool) -> str:
+def _functions(actions: Actions, grounding: Grounding, is_lifted: bool) -> str:
     lines = ["(total-cost) - number"]
-    for put in puts_of(grounding):
+    for put in actions.puts:
         names = [put.name, *([put.name + LADEN] if put.takes_laden else [])]
         parts = " ".join(cost_parameters(put, is_lifted))
         lines += [f"({cost_function(name)} {parts}) - number" for name in names]
     lines += [
         f"({cost_function(one.name)} ?o - {_type(one.operator, grounding)} ?from - origin) - number"
-        for one in relational_carriers(grounding)
+        for one in actions.carriers
     ]
     return "  (:functions\n" + "\n".join(f"    {line}" for line in lines) + ")"
 
@@ -161,9 +158,9 @@ def cost_parameters(put: Put, is_lifted: bool) -> list[str]:
     return ["?g - grade", *counts, *origins]
 
 
-def _taking(grounding: Grounding, is_lifted: bool) -> list[str]:
+def _taking(actions: Actions, grounding: Grounding, is_lifted: bool) -> list[str]:
     """Print the actions that take objects from where they are."""
-    bare = [] if takes_loads(grounding) else [_bears_nothing("?o", is_lifted)]
+    bare = [] if actions.takes_loads else [_bears_nothing("?o", is_lifted)]
     before = ["(hand-empty)", "(can-be-taken ?o)", *bare]
     after = ["(not (hand-empty))", "(not (done ?o))"]
     place = action_text(

@@ -14,9 +14,10 @@ from neurosym.pddl.moves import LIFTED, RELATIONAL, Encoding
 from neurosym.pddl.place_domain import LOOK, NOWHERE, REACH
 from neurosym.pddl.place_problem import START
 from neurosym.pddl.relational import Put, put_named
+from neurosym.pddl.relational_actions import Carrier, chance_of, relational_carriers
 from neurosym.pddl.relational_domain import FROM_OBJECT, FROM_PLACE, LADEN, LEAVE, LEAVE_PLACE
-from neurosym.pddl.relational_problem import COUNTS, Task
-from neurosym.pddl.stacked_carriers import Carrier, chance_of, relational_carriers
+from neurosym.pddl.relational_problem import COUNTS
+from neurosym.pddl.relational_task import Task
 from neurosym.problems import Problem
 from neurosym.promises import promised
 from neurosym.related import Borne, carried_along, chain_below, loads_of

@@ -11,12 +11,12 @@ import msgspec
 from neurosym.drafts import naming
 from neurosym.errors import InvalidPlan, InvalidValue
 from neurosym.pair_sight import with_pairs
-from neurosym.pddl.domain import domain_text
 from neurosym.pddl.moves import BY_RELATIONS, RELATIONAL
 from neurosym.pddl.plan_text import parse_plan
-from neurosym.pddl.problem import problem_text
+from neurosym.pddl.problem import check_object
 from neurosym.pddl.relational_check import why_no_relation
-from neurosym.pddl.relational_problem import Task
+from neurosym.pddl.relational_problem import needed_texts
+from neurosym.pddl.relational_task import Task
 from neurosym.pddl.validation import validate
 from neurosym.planners.effort import check_time, within
 from neurosym.planners.fast_downward import RELATIONS_SUFFIX
@@ -106,12 +106,11 @@ def _search(query: Query, problem: Problem, program: PddlProgram, deadline: floa
     """Print domain and problem, call the planner, read what it wrote, and replay it."""
     grounding, encoding = query.grounding, query.encoding or RELATIONAL
     check_time(deadline)
+    for item in problem.objects:
+        check_object(item, grounding)
     with scratch_folder() as folder:
         domain, task = folder / "domain.pddl", folder / f"problem{RELATIONS_SUFFIX}"
-        for file, text in (
-            (domain, domain_text(grounding, encoding)),
-            (task, problem_text(problem, grounding, encoding)),
-        ):
+        for file, text in zip((domain, task), needed_texts(problem, grounding, encoding), strict=True):
             with naming(file):
                 file.write_text(text)
         answer = program.call(domain, task, time_limit=deadline - time.perf_counter())
@@ -135,7 +134,7 @@ def _search(query: Query, problem: Problem, program: PddlProgram, deadline: floa
 def _why(problem: Problem, query: Query) -> str:
     """Name the objects with a goal on the table that nothing carries there."""
     task = Task(problem, query.grounding)
-    fixed = [name for name in problem.unmet if name not in task.carried]
+    fixed = [name for name in problem.unmet if name not in task.carriers]
     if not fixed:
         return ""
     verb = "has a goal" if len(fixed) == 1 else "have goals"

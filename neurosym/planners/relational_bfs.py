@@ -10,7 +10,6 @@ import math
 from collections.abc import Hashable
 
 from neurosym.grounding import Grounding
-from neurosym.pddl.place_domain import carriers_for
 from neurosym.pddl.plan_text import PlanStep
 from neurosym.pddl.relational_replay import Following, Words
 from neurosym.planners.effort import check_time, within
@@ -36,7 +35,7 @@ def plan_relational_bfs(
         most_steps: How many steps are looked at.
     """
     start = Following(problem, grounding)
-    steps = _steps(start, grounding)
+    steps = _steps(start)
 
     def search(deadline: float) -> PlanResult:
         level: list[_Begun] = [((), start)]
@@ -67,14 +66,14 @@ def plan_relational_bfs(
     return within(time_limit, search)
 
 
-def _steps(start: Following, grounding: Grounding) -> tuple[Words, ...]:
+def _steps(start: Following) -> tuple[Words, ...]:
     """List all steps there are: onto other objects first, in the order of the objects."""
     task = start.task
     puts = [(put.name, *pair) for pair, found in task.puts.items() for put in found]
     carried = [
-        (carriers_for(item, grounding, task.problem.tolerance)[0].name, item.name, place)
-        for item in task.flat.objects
-        if item.name in task.carried
+        (task.carriers[name], name, place)
+        for name in task.problem.object_names
+        if name in task.carriers
         for place in task.places
     ]
     return (*puts, *carried)

@@ -18,7 +18,7 @@ from neurosym.pddl.places import with_places
 from neurosym.pddl.problem import check_object
 from neurosym.pddl.relational import puts_of
 from neurosym.pddl.relational_check import check_relations, relations_meant
-from neurosym.pddl.relational_problem import Task
+from neurosym.pddl.relational_task import Task
 from neurosym.place_operators import PlaceOperators
 from neurosym.problems import Problem
 from neurosym.related import is_relational

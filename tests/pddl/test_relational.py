@@ -28,6 +28,7 @@ from neurosym.pddl.moves import BY_RELATIONS, LIFTED, RELATIONAL
 from neurosym.pddl.plan_text import PlanStep, parse_plan, print_ground_plan, print_plan
 from neurosym.pddl.relational import left_out_puts, puts_of
 from neurosym.pddl.relational_check import puts_for
+from neurosym.pddl.relational_problem import needed_texts
 from neurosym.pddl.validation import validate
 from neurosym.planners import PlanStatus, plan
 from neurosym.planners.planner import Planner
@@ -92,6 +93,23 @@ def test_printed_plans_are_read_back_and_accepted_by_others(problem, encoding, t
     first, *others = [line for line in ground.splitlines() if not line.startswith("(l")]
     assert first
     assert not unified_planning_accepts(domain, task, "\n".join(others) + "\n")
+
+
+@pytest.mark.parametrize("encoding", BY_RELATIONS)
+def test_planners_read_only_what_a_problem_has_a_use_for(encoding, tmp_path: Path):
+    learned, problem = grounding(), with_pairs(tower(), relations())
+    domain, task = tmp_path / "domain.pddl", tmp_path / "problem.pddl"
+    for file, text in zip((domain, task), needed_texts(problem, learned, encoding), strict=True):
+        file.write_text(text)
+        assert PUT_ON in text
+        assert PUT_IN not in text, "there is no tray"
+    ground = print_ground_plan(solved(problem, encoding=encoding), problem, learned, encoding)
+    assert unified_planning_accepts(domain, task, ground)
+
+
+def test_an_object_alone_is_put_on_nothing():
+    alone = with_pairs(Problem("alone", scene(("cube", 0.6, 0.1)), {}, 0.02), relations())
+    assert PUT_ON not in needed_texts(alone, grounding())[0]
 
 
 def test_domain_forbids_what_rehearsals_showed_to_fail_and_allows_the_rest_at_its_cost():

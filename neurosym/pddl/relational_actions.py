@@ -1,4 +1,7 @@
-"""What carries objects to places where objects rest on one another: what was seen of stacks, and the cost."""
+"""What the actions of the encoding `relational` do: put objects on or into others, or carry them to places.
+
+Of what carries objects to places it matters here how it turns out where objects rest on one another.
+"""
 
 import math
 from dataclasses import dataclass
@@ -9,6 +12,7 @@ from neurosym.pddl.moves import step_cost
 from neurosym.pddl.place_domain import carriers_of
 from neurosym.pddl.relational import LEAST_SHARE, Put, puts_of, smoothed
 from neurosym.place_operators import Kept
+from neurosym.symbols import Symbol
 
 _NEVER = Kept("never", 0, 0)
 
@@ -82,11 +86,34 @@ def relational_carriers(grounding: Grounding) -> tuple[Carrier, ...]:
     )
 
 
-def takes_loads(grounding: Grounding) -> bool:
-    """Say whether something is carried with what rests on it.
+@dataclass(frozen=True, slots=True)
+class Actions:
+    """What the encoding has actions for: all of a domain, or what a problem has a use for.
+
+    Attributes:
+        puts: Operators on pairs.
+        carriers: Operators that carry objects to places.
+    """
+
+    puts: tuple[Put, ...]
+    carriers: tuple[Carrier, ...]
+
+    @property
+    def takes_loads(self) -> bool:
+        """Whether something is carried with what rests on it."""
+        takers: list[Put | Carrier] = [*self.puts, *self.carriers]
+        return any(one.takes_laden for one in takers)
+
+    @property
+    def kinds(self) -> dict[Symbol, str]:
+        """Names of the kinds of pairs that something is for, by symbol."""
+        return {put.kind.symbol: put.kind.name for put in self.puts if put.kind}
+
+
+def actions_of(grounding: Grounding) -> Actions:
+    """List all that a domain has.
 
     Args:
         grounding: The learned domain.
     """
-    takers: list[Put | Carrier] = [*puts_of(grounding), *relational_carriers(grounding)]
-    return any(one.takes_laden for one in takers)
+    return Actions(puts_of(grounding), relational_carriers(grounding))
