@@ -2,10 +2,12 @@
 
 import numpy as np
 import pytest
+from places import ROOT
 
 from neurosym.world import Outcome, Scene
 from tools.benchmarks.relations import protocols
 from tools.benchmarks.relations.geometry import fits
+from tools.benchmarks.relations.singly import one_by_one
 from tools.benchmarks.relations.summary import summarise
 from tools.benchmarks.relations.tables import page
 from tools.benchmarks.relations.tasks import Asked, cells
@@ -50,7 +52,7 @@ def test_nothing_asked_for_is_met_only_where_a_place_is_reached(world):
     (target, place), *_ = asked.places.items()
     end = asked.start.positions.copy()
     end[target, :2] = place.x, place.y
-    alone = Asked(asked.start, (), (), asked.places)
+    alone = Asked(asked.start, (), (), asked.places, ())
     moved = asked.start.__class__(asked.start.features, end, asked.start.orientations)
     ends = [Outcome(asked.start, scene, scene, 0, False, False, False, 0.0) for scene in (asked.start, moved)]
     assert [alone.is_met(one) for one in ends] == [False, True]
@@ -66,6 +68,11 @@ def symbols(right: float) -> dict:
     }
 
 
+def after(interactions: int, on: float, within: float | None) -> dict:
+    found = {name: {"right": right, "pairs": 0.1} for name, right in (("on", on), ("in", within)) if right}
+    return {"interactions": interactions, "borne": interactions / 4, "on": None, "in": None, **found}
+
+
 def test_summary_counts_seeds_and_means_over_them():
     tower = [{"status": "solved", "reached": True, "blind": False}, {"status": "no plan"}]
     found = {
@@ -74,7 +81,11 @@ def test_summary_counts_seeds_and_means_over_them():
         "try-1-tower-of-3-0": tower,
         "try-2-tower-of-3-0": tower[:1],
         "try-2-tower-of-3-at-a-place-0": tower[1:],
-        "random-1": symbols(0.1),
+        "learn-random-1": symbols(0.1),
+        "try-random-1-tower-of-3-0": tower[1:],
+        "singly-1-tower-of-3": [True, False],
+        "begun-1": [after(160, 0.9, None), after(320, 0.9, 0.85)],
+        "begun-random-1": [after(160, 0.8, 1.0), after(320, 0.8, 1.0)],
     }
     summary = summarise(HAND, found, cells(10), seeds=5, steps=1)
     assert (summary["on_operator_seeds"], summary["in_operator_seeds"]) == (1, 0)
@@ -87,7 +98,9 @@ def test_summary_counts_seeds_and_means_over_them():
     assert "| seed 1 | 90% (10.0%) | none | 90.0% | 80.0% | 90% | 70% | 60% | 70% |" in text
     assert "| seed 1, at random | 10% (10.0%) | none |" in text
     assert "| 2 | 0.85 | 2.00 | 50% |" in text
-    assert "| tower of 3 | 3 | 2 | 0% ± 0 | 75% ± 35 |" in text
+    assert "| tower of 3 | 3 | 2 | 0% ± 0 | 75% ± 35 | 50% | 0% | 0% |" in text
+    assert "| 160 | 90% | 0% | 25% | 80% | 100% | 25% |" in text
+    assert "for each seed: disagreement: 320; random: more." in text
 
 
 @pytest.mark.parametrize(("name", "draw", "_"), protocols.cells(1))
@@ -104,3 +117,7 @@ def test_what_others_asked_is_drawn_with_as_many_objects_as_theirs(name, draw, _
 
 def ended(scene: Scene) -> Outcome:
     return Outcome(scene, scene, scene, 0, False, False, False, 0.0)
+
+
+def test_what_carries_single_objects_is_aimed_at_others_in_the_order_of_a_person():
+    assert one_by_one(ROOT / "domains" / "places", cells(1)[0][1], [7]) in ([True], [False])

@@ -7,7 +7,7 @@ that a person can solve. Goes on where it was interrupted.
 
 import json
 import os
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from functools import partial
 from pathlib import Path
 from typing import Annotated, Any
@@ -20,7 +20,9 @@ from neurosym.stages.layout import RELATIONS
 from tools.benchmarks.carrying import keeping
 from tools.benchmarks.jobs import Job, as_text, load_jobs, machine, pack, perform, unpack
 from tools.benchmarks.relations import by_hand, learned, protocols, tasks
-from tools.benchmarks.relations.summary import summarise
+from tools.benchmarks.relations.beginnings import found_after
+from tools.benchmarks.relations.singly import one_by_one
+from tools.benchmarks.relations.summary import CURIOUS, RANDOM, SINGLY, Way, summarise
 from tools.benchmarks.relations.tables import page
 from tools.benchmarks.relations.trying import try_all
 from tools.benchmarks.world.measures import Advance
@@ -68,30 +70,18 @@ def main(
         write_atomically(results / "relations.md", page(summary))
 
     report()
-    every = range(1, seeds + 1)
-    learning: dict[str, Job] = {
-        f"learn-{seed}": partial(
-            learned.learn, work / "places" / f"seed-{seed}", work / f"seed-{seed}", seed, steps
-        )
-        for seed in every
-    }
-    perform(work / "jobs", learning, workers, report, label="learning relations")
+
+    def do(jobs: Mapping[str, Job], label: str) -> None:
+        perform(work / "jobs", jobs, workers, report, label=label)
+
+    every, some = range(1, seeds + 1), range(1, min(seeds, AT_RANDOM) + 1)
+    do(_learning(work, CURIOUS, every, steps), "learning relations")
     learned.keep(work, results / DOMAINS)
-    found = load_jobs(work / "jobs")
-    trying = {
-        name: job
-        for seed in every
-        if (known := found.get(f"learn-{seed}"))
-        for name, job in _tried(work / f"seed-{seed}", seed, known["words"], cells).items()
-    }
-    perform(work / "jobs", trying, workers, report, label="trying tasks")
-    at_random: dict[str, Job] = {
-        f"random-{seed}": partial(
-            learned.learn, work / "places" / f"seed-{seed}", work / f"random-{seed}", seed, steps, "random"
-        )
-        for seed in range(1, min(seeds, AT_RANDOM) + 1)
-    }
-    perform(work / "jobs", at_random, workers, report, label="learning from random actions")
+    do(_tried(work, CURIOUS, every, cells), "trying tasks")
+    do(_singly(work, every, tasks.cells(count)), "trying with single objects")
+    do(_begun(work, every), "learning from the first interactions")
+    do(_learning(work, RANDOM, some, steps), "learning from random actions")
+    do(_tried(work, RANDOM, some, cells), "trying what was learned from these")
     say(f"wrote {results / 'relations.md'}")
 
 
@@ -121,17 +111,63 @@ def _parts(scale: float) -> dict[str, Callable[[Advance], Any]]:
     }
 
 
-def _tried(
-    folder: Path, seed: int, words: Mapping[str, list[str]], cells: tuple[tasks.Cell, ...]
-) -> dict[str, Job]:
-    first = FIRST_TASK + 1000 * seed
+def _learning(work: Path, way: Way, seeds: Sequence[int], steps: int) -> dict[str, Job]:
     return {
-        f"try-{seed}-{tasks.slug(name)}-{start}": partial(
-            try_all, folder, words, draw, range(first + start, first + start + BLOCK)
+        f"learn-{way.label(seed)}": partial(
+            learned.learn, _places(work, seed), way.folder(work, seed), seed, steps, way.strategy
         )
+        for seed in seeds
+    }
+
+
+def _tried(work: Path, way: Way, seeds: Sequence[int], cells: Sequence[tasks.Cell]) -> dict[str, Job]:
+    """List the tasks of those seeds with which something was learned, some at a time."""
+    known = load_jobs(work / "jobs")
+    return {
+        f"try-{way.label(seed)}-{tasks.slug(name)}-{start}": partial(
+            try_all, way.folder(work, seed), learnt["words"], draw, _tasks(seed, start, BLOCK)
+        )
+        for seed in seeds
+        if (learnt := known.get(f"learn-{way.label(seed)}"))
         for name, draw, count in cells
         for start in range(0, count, BLOCK)
     }
+
+
+def _singly(work: Path, seeds: Sequence[int], cells: Sequence[tasks.Cell]) -> dict[str, Job]:
+    return {
+        f"{SINGLY}-{seed}-{tasks.slug(name)}": partial(
+            one_by_one, CURIOUS.folder(work, seed), draw, _tasks(seed, 0, count)
+        )
+        for seed in seeds
+        for name, draw, count in cells
+    }
+
+
+def _begun(work: Path, seeds: Sequence[int]) -> dict[str, Job]:
+    return {
+        f"begun-{way.label(seed)}": partial(
+            found_after,
+            _places(work, seed),
+            way.folder(work, seed),
+            work / f"begun-{way.label(seed)}",
+            seed,
+            way.strategy,
+        )
+        for seed in seeds
+        for way in (CURIOUS, RANDOM)
+    }
+
+
+def _places(work: Path, seed: int) -> Path:
+    """Return the domain with places that relations are learned from with a seed."""
+    return work / "places" / f"seed-{seed}"
+
+
+def _tasks(seed: int, start: int, count: int) -> range:
+    """Return the seeds of some tasks that the domain of a seed is tried on."""
+    first = FIRST_TASK + 1000 * seed + start
+    return range(first, first + count)
 
 
 if __name__ == "__main__":

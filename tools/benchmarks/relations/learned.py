@@ -58,12 +58,8 @@ def learn(
         How well its symbols agree with geometry, see `symbols.measure`, how well ends are predicted, see
         `protocols.effect_errors`, and CPU seconds of each stage.
     """
-    make_folder(folder / PLACES)
-    for name in (WORLD, MODEL):
-        shutil.copy(places / name, folder / name)
-    grounding = Grounding.load(places / GROUNDING)
-    write_json(folder / PLACE_OPERATORS, grounding.places)
-    seconds = {}
+    grounding, seconds = Grounding.load(places / GROUNDING), {}
+    begun(places, folder)
     if not (folder / RELATION_OPERATORS).exists():
         seconds = _learn(DomainFolder(folder), seed, steps, strategy)
     relations = RelationOperators.load(folder / RELATION_OPERATORS)
@@ -72,6 +68,20 @@ def learn(
     measured = symbols.measure(folder, NEW_PAIRS + seed, workers=1)
     errors = protocols.effect_errors(folder, NEW_PAIRS + seed, workers=1)
     return {**measured, "effect_errors": errors, "cpu_seconds": seconds}
+
+
+def begun(places: Path, folder: Path) -> Path:
+    """Copy what relations are learned from, and return the folder.
+
+    Args:
+        places: A domain with places.
+        folder: Where the domain with relations lies.
+    """
+    make_folder(folder / PLACES)
+    for name in (WORLD, MODEL):
+        shutil.copy(places / name, folder / name)
+    write_json(folder / PLACE_OPERATORS, Grounding.load(places / GROUNDING).places)
+    return folder
 
 
 def _learn(domain: DomainFolder, seed: int, steps: int, strategy: StrategyName) -> dict[str, float]:

@@ -77,7 +77,7 @@ def few(world: World, seed: int) -> Asked:
             for one, other in permutations(range(FEW), 2)
             if (name := relation(end, one, other)) in ("on", "in")
         )
-        return Asked(scene, (), goals, {}) if goals and _is_plain(goals) else None
+        return Asked(scene, (), goals, {}, ()) if goals and _is_plain(goals) else None
 
     return drawn(attempt, FEW, [12], seed)
 
@@ -103,7 +103,7 @@ def one_put(world: World, seed: int) -> Likened:
                 places[index] = Place(*end.end.positions[index][:2].tolist())
         if not (goals or places) or not _is_plain(goals):
             return None
-        return Likened(start.end, start.contacts, tuple(goals), places, end.end)
+        return Likened(start.end, start.contacts, tuple(goals), places, (), end.end)
 
     low, high = AMONG
     return drawn(attempt, low + seed % (high - low + 1), [13], seed)

@@ -1,13 +1,44 @@
 """What came of learning relations over seeds, as plain values."""
 
 from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
 from statistics import mean
 from typing import Any
 
+from neurosym.strategies import StrategyName
 from tools.benchmarks.relations.tasks import Cell, slug
 
+
+@dataclass(frozen=True, slots=True)
+class Way:
+    """How interactions are chosen that relations are learned from.
+
+    Attributes:
+        strategy: Its name.
+        prefix: What the names of folders begin with.
+        mark: What comes before the seed in names of jobs.
+    """
+
+    strategy: StrategyName
+    prefix: str
+    mark: str = ""
+
+    def folder(self, work: Path, seed: int) -> Path:
+        """Return where the domain of a seed lies."""
+        return work / f"{self.prefix}-{seed}"
+
+    def label(self, seed: int) -> str:
+        """Name a seed in names of jobs."""
+        return f"{self.mark}{seed}"
+
+
+CURIOUS, RANDOM = Way("disagreement", "seed"), Way("random", "random", "random-")
+SINGLY = "singly"
+"""What the names of those jobs begin with that try symbols of single objects."""
 RIGHT = 0.85
 """An operator has been found if it is right so often where it is promised."""
+PUTS = "on", "in"
 KEYS = {"boxes": "three into three", "sort": "unstack and sort", "swap": "swap"}
 AT_PLACE = "tower of 3 at a place"
 
@@ -29,8 +60,9 @@ def summarise(
         seeds: How many seeds.
         steps: Interactions that are aimed at other objects.
     """
-    each = {seed: found[name] for seed in range(1, seeds + 1) if (name := f"learn-{seed}") in found}
-    table = {name: _cell(found, name, range(1, seeds + 1)) for name, *_ in cells}
+    every = range(1, seeds + 1)
+    each, at_random = (_learned(found, way, every) for way in (CURIOUS, RANDOM))
+    table = {name: _cell(found, name, CURIOUS, every) for name, *_ in cells}
 
     def reached(name: str) -> float | None:
         return _mean(table[name]["replanned"])
@@ -49,24 +81,63 @@ def summarise(
         "recall_on": _mean([one["recall_on"]["recall"] for one in each.values()]),
         "effect_errors": _errors([one["effect_errors"] for one in each.values()]),
         "learned": {str(seed): one for seed, one in each.items()},
-        "at_random": {
-            name.removeprefix("random-"): one for name, one in found.items() if name.startswith("random-")
-        },
+        "at_random": {str(seed): one for seed, one in at_random.items()},
         "table": table,
+        "table_at_random": {name: _cell(found, name, RANDOM, every) for name, *_ in cells},
+        "singly": {name: _singly(found, name, every) for name, *_ in cells},
+        "begun": {way.strategy: _begun(found, way, every) for way in (CURIOUS, RANDOM)},
     }
 
 
-def _cell(found: Mapping[str, Any], name: str, seeds: Sequence[int]) -> dict[str, Any]:
+def _begun(found: Mapping[str, Any], way: Way, seeds: Sequence[int]) -> dict[str, Any]:
+    """Gather what could be done after the first interactions.
+
+    Returns:
+        For each number of interactions the mean share in which what puts on and what puts in is right, 0
+        where there is none; and for each seed the first number after which both are.
+    """
+    of_seeds = [one for seed in seeds if (one := found.get(f"begun-{way.label(seed)}"))]
+    rows = [
+        {
+            "interactions": after[0]["interactions"],
+            **{name: mean(_right(one[name]) for one in after) for name in PUTS},
+            "borne": mean(one["borne"] / one["interactions"] for one in after),
+        }
+        for after in zip(*of_seeds, strict=True)
+    ]
+    both = [
+        next((row["interactions"] for row in one if min(_right(row[put]) for put in PUTS) >= RIGHT), None)
+        for one in of_seeds
+    ]
+    return {"after": rows, "until_both": both}
+
+
+def _right(found: Mapping[str, float] | None) -> float:
+    return found["right"] if found else 0.0
+
+
+def _learned(found: Mapping[str, Any], way: Way, seeds: Sequence[int]) -> dict[int, Any]:
+    names = {seed: f"learn-{way.label(seed)}" for seed in seeds}
+    return {seed: found[name] for seed, name in names.items() if name in found}
+
+
+def _singly(found: Mapping[str, Any], name: str, seeds: Sequence[int]) -> list[float]:
+    """Return the share that symbols of single objects reached of a cell, for each seed that was tried."""
+    of_seeds = (found.get(f"{SINGLY}-{seed}-{slug(name)}") for seed in seeds)
+    return [mean(reached) for reached in of_seeds if reached]
+
+
+def _cell(found: Mapping[str, Any], name: str, way: Way, seeds: Sequence[int]) -> dict[str, Any]:
     """Gather the trials of a cell, with the shares of each seed that has some."""
+    begins = [f"try-{way.label(seed)}-{slug(name)}-" for seed in seeds]
     of_seeds = [
         [
             trial
             for job, trials in found.items()
-            if job.startswith(f"try-{seed}-{slug(name)}-")
-            and job.removeprefix(f"try-{seed}-{slug(name)}-").isdigit()
+            if job.startswith(begin) and job.removeprefix(begin).isdigit()
             for trial in trials
         ]
-        for seed in seeds
+        for begin in begins
     ]
     known = [trials for trials in of_seeds if trials]
     every = [trial for trials in known for trial in trials]

@@ -32,6 +32,10 @@ _DRAWS = 3000
 _STREAM = 0x7461
 
 
+Deed = tuple[int, OtherObject | Place]
+"""What is carried, and where to."""
+
+
 @dataclass(frozen=True, slots=True)
 class Goal:
     """That a target shall stand so to a reference; both are numbers of objects."""
@@ -50,12 +54,14 @@ class Asked:
         contacts: Which of them touch.
         goals: How they shall stand to one another.
         places: Where objects shall be on the table, by their numbers.
+        deeds: What a person carries where to, one after another, to bring that about.
     """
 
     start: Scene
     contacts: tuple[tuple[int, int], ...]
     goals: tuple[Goal, ...]
     places: dict[int, Place]
+    deeds: tuple[Deed, ...]
 
     def is_met(self, end: Outcome) -> bool:
         """Say by geometry whether all that was asked for is so after an interaction."""
@@ -67,9 +73,6 @@ class Asked:
 
 
 AnyAsked = TypeVar("AnyAsked", bound=Asked)
-
-Deed = tuple[int, OtherObject | Place]
-"""What is carried, and where to."""
 Draw = Callable[[World, int], Asked]
 """Draws the task of a seed."""
 
@@ -86,10 +89,7 @@ def tower(world: World, seed: int, *, height: int, objects: int = OBJECTS, at_pl
         if at_place and place is None:
             return None
         places = {chain[0]: place} if place else {}
-        asked = Asked(scene, (), goals, places)
-        deeds: list[Deed] = [*places.items()]
-        deeds += [(goal.target, OtherObject(goal.reference)) for goal in goals]
-        return asked if _solved(asked, deeds, world) else None
+        return _if_solved(Asked(scene, (), goals, places, (*places.items(), *_one_by_one(goals))), world)
 
     return drawn(attempt, objects, [height, int(at_place)], seed)
 
@@ -101,8 +101,7 @@ def boxes(world: World, seed: int, *, count: int = 3) -> Asked:
         goals = _matched(scene, rng.permutation(len(scene)).tolist(), "in", count)
         if goals is None:
             return None
-        asked = Asked(scene, (), goals, {})
-        return asked if _solved(asked, _one_by_one(goals), world) else None
+        return _if_solved(Asked(scene, (), goals, {}, _one_by_one(goals)), world)
 
     return drawn(attempt, 2 * count, [9, count], seed)
 
@@ -121,8 +120,7 @@ def unstack(world: World, seed: int, *, height: int = 3) -> Asked:
         goals = _matched(scene, upper, None, height - 1, others)
         if goals is None:
             return None
-        asked = Asked(built.end, built.contacts, goals, {})
-        return asked if _solved(asked, _one_by_one(goals), world) else None
+        return _if_solved(Asked(built.end, built.contacts, goals, {}, _one_by_one(goals)), world)
 
     return drawn(attempt, OBJECTS, [10, height], seed)
 
@@ -142,8 +140,8 @@ def swap(world: World, seed: int) -> Asked:
         if place is None:
             return None
         goals = Goal(other, here, "on"), Goal(one, there, "on")
-        asked = Asked(built.end, built.contacts, goals, {})
-        return asked if _solved(asked, [(one, place), *_one_by_one(goals)], world) else None
+        deeds = ((one, place), *_one_by_one(goals))
+        return _if_solved(Asked(built.end, built.contacts, goals, {}, deeds), world)
 
     return drawn(attempt, OBJECTS, [11], seed)
 
@@ -224,8 +222,8 @@ def _word(scene: Scene, target: int, other: int) -> Relation | None:
     return "in" if fits(scene.features[target], scene.features[other]) else None
 
 
-def _one_by_one(goals: Sequence[Goal]) -> list[Deed]:
-    return [(goal.target, OtherObject(goal.reference)) for goal in goals]
+def _one_by_one(goals: Sequence[Goal]) -> tuple[Deed, ...]:
+    return tuple((goal.target, OtherObject(goal.reference)) for goal in goals)
 
 
 def _free_place(scene: Scene, target: int, rng: np.random.Generator) -> Place | None:
@@ -242,10 +240,10 @@ def _free_place(scene: Scene, target: int, rng: np.random.Generator) -> Place | 
     return None
 
 
-def _solved(asked: Asked, deeds: Sequence[Deed], world: World) -> bool:
-    """Say whether deeds by hand bring about what is asked for."""
-    end = _done(asked.start, deeds, world)
-    return end is not None and asked.is_met(end)
+def _if_solved(asked: Asked, world: World) -> Asked | None:
+    """Return a task if its deeds, done by hand, bring about what is asked for."""
+    end = _done(asked.start, asked.deeds, world)
+    return asked if end is not None and asked.is_met(end) else None
 
 
 def _done(scene: Scene, deeds: Sequence[Deed], world: World) -> Outcome | None:
