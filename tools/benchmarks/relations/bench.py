@@ -8,7 +8,7 @@ disturb little; the seconds of the clock stand beside them.
 from collections.abc import Callable, Sequence
 from itertools import pairwise
 from pathlib import Path
-from typing import Annotated
+from typing import Annotated, Any
 
 import msgspec
 import numpy as np
@@ -17,6 +17,8 @@ import tyro
 from neurosym.grounding import Grounding
 from neurosym.operators import TOLERANCE
 from neurosym.pair_sight import PairSight, with_pairs
+from neurosym.pddl.relational import puts_of
+from neurosym.pddl.relational_task import Task
 from neurosym.problems import Problem, SceneObject
 from neurosym.relation_goals import RelationGoal
 from neurosym.stages.folder import DomainFolder
@@ -65,13 +67,20 @@ def main(
     small = [item for task in eight for item in task.objects if max(item.features[:2]) <= SMALL]
     twenty = [towers(small, grounding, sight, resting, seed) for seed in seeds]
     parts = {
-        name: timed([with_pairs(one, grounding.relations, sight) for one in problems], grounding, limit)
+        name: _timed([with_pairs(one, grounding.relations, sight) for one in problems], grounding, limit)
         for name, problems, limit in (
             ("eight_objects", eight, MOST_SECONDS[EIGHT]),
             ("twenty_objects", twenty, MOST_SECONDS[TWENTY]),
         )
     }
     tell(parts, output)
+
+
+def _timed(problems: Sequence[Problem], grounding: Grounding, limit: float) -> dict[str, Any]:
+    """Time plans, and count the operators on pairs that their problems have a use for."""
+    used = [len(Task(problem, grounding).needed().puts) for problem in problems]
+    counts = {"operators_of_domain": len(puts_of(grounding)), "operators_used": [min(used), max(used)]}
+    return timed(problems, grounding, limit) | counts
 
 
 def towers(

@@ -22,7 +22,7 @@ from tools.benchmarks.jobs import Job, as_text, load_jobs, machine, pack, perfor
 from tools.benchmarks.relations import by_hand, learned, protocols, tasks
 from tools.benchmarks.relations.beginnings import found_after
 from tools.benchmarks.relations.singly import one_by_one
-from tools.benchmarks.relations.summary import CURIOUS, RANDOM, SINGLY, Way, summarise
+from tools.benchmarks.relations.summary import BEGUN, CURIOUS, RANDOM, SINGLY, Way, summarise
 from tools.benchmarks.relations.tables import page
 from tools.benchmarks.relations.trying import try_all
 from tools.benchmarks.world.measures import Advance
@@ -154,8 +154,8 @@ def _begun(work: Path, seeds: Sequence[int]) -> dict[str, Job]:
             seed,
             way.strategy,
         )
+        for way in BEGUN
         for seed in seeds
-        for way in (CURIOUS, RANDOM)
     }
 
 

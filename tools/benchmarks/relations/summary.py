@@ -34,6 +34,9 @@ class Way:
 
 
 CURIOUS, RANDOM = Way("disagreement", "seed"), Way("random", "random", "random-")
+ENTROPY = Way("entropy", "entropy", "entropy-")
+BEGUN = CURIOUS, RANDOM, ENTROPY
+"""Ways of which the first interactions are looked at."""
 SINGLY = "singly"
 """What the names of those jobs begin with that try symbols of single objects."""
 RIGHT = 0.85
@@ -85,7 +88,7 @@ def summarise(
         "table": table,
         "table_at_random": {name: _cell(found, name, RANDOM, every) for name, *_ in cells},
         "singly": {name: _singly(found, name, every) for name, *_ in cells},
-        "begun": {way.strategy: _begun(found, way, every) for way in (CURIOUS, RANDOM)},
+        "begun": {way.strategy: _begun(found, way, every) for way in BEGUN},
     }
 
 
