@@ -20,6 +20,9 @@ def explain(
     output: Annotated[
         Path | None, arg(metavar="FILE.md", help="Write it as Markdown here instead of printing it.")
     ] = None,
+    symbol: Annotated[
+        str | None, arg(metavar="SYMBOL", help="Say it of this symbol only, given as bits or as a name.")
+    ] = None,
     json: Json = False,
 ) -> int:
     """Say in words what each symbol means: what the hand does and brings about, which objects are alike."""
@@ -28,15 +31,16 @@ def explain(
     answer, domain = answer_in(json), opened(folder)
     if output:
         _check_page_path(output)
-    explanation = explain_folder(domain)
+    every = explain_folder(domain)
+    explanation = every.only(symbol) if symbol else every
     if output:
         write_atomically(output, explanation_page(explanation, domain.path.resolve().name))
-        say(explanation.summary[0])
+        say(every.summary[0])
         say(f"wrote {output}")
-    else:
-        show_explanation(explanation)
-    if (domain / GROUNDING).is_file() and (domain / WORLD).is_file():
-        say_next(f"neurosym show {quoted(folder)} --primitive {explanation.actions[0].symbol}")
+    elif not show_explanation(explanation):
+        say_next(f"neurosym explain {quoted(folder)} --symbol {explanation.actions[0].symbol}")
+    elif (domain / GROUNDING).is_file() and (domain / WORLD).is_file():
+        say_next(f"neurosym show {quoted(folder)} --primitive {every.actions[0].symbol}")
     elif (domain / WORLD).is_file():
         say_next(f"neurosym compile-domain {quoted(folder)}")
     answer(explanation)

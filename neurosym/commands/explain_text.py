@@ -11,12 +11,23 @@ from neurosym.wording import harmless
 _COLUMNS = ("operator", "trials", "as promised", "share", "ends", "effect", "spread")
 _WIDEST = 110  # columns of running text
 _INDENT = "  "
+_MANY = 60
 
 
-def show_explanation(explanation: Explanation) -> None:
-    """Print an explanation for a terminal."""
+def show_explanation(explanation: Explanation) -> bool:
+    """Print an explanation for a terminal; of very many symbols only what each is called.
+
+    Args:
+        explanation: The explanation.
+
+    Returns:
+        Whether all was said.
+    """
     for line in explanation.summary:
         _say_wrapped(line)
+    if sum(len(symbols) for _, symbols in _parts(explanation)) > _MANY:
+        _say_titles(explanation)
+        return False
     for kind, symbols in _parts(explanation):
         for symbol in symbols:
             say("")
@@ -24,6 +35,7 @@ def show_explanation(explanation: Explanation) -> None:
             _say_wrapped(symbol.about, _INDENT)
             _say_effects(symbol.effects)
             _say_wrapped(symbol.compared, _INDENT)
+    return True
 
 
 def explanation_page(explanation: Explanation, title: str) -> str:
@@ -53,6 +65,16 @@ def _parts(explanation: Explanation) -> tuple[tuple[str, tuple[SymbolExplanation
         ("Object", explanation.objects),
     )
     return tuple((kind, symbols) for kind, symbols in parts if symbols)
+
+
+def _say_titles(explanation: Explanation) -> None:
+    for kind, symbols in _parts(explanation):
+        say("")
+        _say_wrapped(f"{kind} symbols:")
+        for symbol in symbols:
+            _say_wrapped(f"{symbol.symbol}: {symbol.title}", _INDENT)
+    say("")
+    _say_wrapped("With --symbol all that is known of one is said, and --output FILE.md writes all of it.")
 
 
 def _effects(effects: Sequence[EffectRow]) -> tuple[list[str], list[list[str]]]:

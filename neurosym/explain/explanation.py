@@ -5,9 +5,9 @@ thing. Object symbols: which objects they hold, and to which other category the 
 """
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
-from neurosym.errors import InvalidValue
+from neurosym.errors import InvalidValue, UnknownChoice
 from neurosym.explain.action_words import (
     AXES,
     action_in_words,
@@ -31,6 +31,9 @@ from neurosym.wording import listed_briefly
 
 WhyLeftOut = Callable[[Operator], str | None]
 """Says why an operator is not in the PDDL domain; None if it is."""
+
+
+_PARTS = ("actions", "carrying", "relating", "states", "pairs", "objects")
 
 
 @dataclass(frozen=True, slots=True)
@@ -98,6 +101,25 @@ class Explanation:
     relating: tuple[SymbolExplanation, ...] = ()
     states: tuple[SymbolExplanation, ...] = ()
     pairs: tuple[SymbolExplanation, ...] = ()
+
+    def only(self, symbol: str) -> "Explanation":
+        """Keep what is said of one symbol, which may be one of actions and of objects alike.
+
+        Args:
+            symbol: Its bits, or its name.
+
+        Raises:
+            UnknownChoice: If there is none.
+        """
+        parts = {
+            name: tuple(one for one in part if symbol in (one.symbol, one.title))
+            for name in _PARTS
+            if (part := getattr(self, name))
+        }
+        if not any(parts.values()):
+            known = (one.symbol for name in _PARTS for one in getattr(self, name))
+            raise UnknownChoice("symbol", symbol, dict.fromkeys(known), "`neurosym explain DIR`")
+        return replace(self, summary=(), **parts)
 
 
 def explain(

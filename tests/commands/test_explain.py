@@ -3,6 +3,7 @@
 import pytest
 from command_line import neurosym, refusal
 from own_data import own_columns, write_data
+from places import ROOT
 from shipped import FOLDER, GROUNDING
 from tables import table
 
@@ -32,6 +33,24 @@ def test_command_prints_every_symbol_and_what_to_type_next(folder, capsys):
     for category in operators.categories:
         assert f"Object symbol {category.symbol}: {category.name}" in said
     assert "next: neurosym show" in said
+
+
+def test_one_symbol_may_be_asked_for_by_its_bits_or_its_name(folder, capsys):
+    category = OperatorTable.load(folder / "primitives.json").categories[0]
+    for word in (category.symbol, category.name):
+        assert neurosym("explain", folder, "--symbol", word) == 0
+        said = capsys.readouterr().out
+        assert f"Object symbol {category.symbol}: {category.name}" in said
+        assert "Action symbol" not in said
+    assert "There is no symbol 'banana'; valid: " in refusal(capsys, "explain", folder, "--symbol", "banana")
+
+
+def test_of_very_many_symbols_each_is_named_and_one_told_of_on_demand(capsys):
+    assert neurosym("explain", ROOT / "domains" / "towers") == 0
+    said = capsys.readouterr().out
+    assert "  1011: push-forward" in said
+    assert "The hand starts" not in said
+    assert "--symbol 0000" in said.splitlines()[-1]
 
 
 def test_operator_left_out_is_printed_with_its_reason(folder, capsys):
