@@ -4,7 +4,7 @@ import textwrap
 from collections.abc import Sequence
 
 from neurosym.console import console, say
-from neurosym.explain.explanation import EffectRow, Explanation, SymbolExplanation
+from neurosym.explain.explained import EffectRow, Explanation, SymbolExplanation
 from neurosym.markdown import markdown_table
 from neurosym.wording import harmless
 

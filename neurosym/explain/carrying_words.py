@@ -11,7 +11,7 @@ from neurosym.explain.action_words import (
     spread_in_words,
 )
 from neurosym.explain.comparison_words import ENDS
-from neurosym.explain.explanation import EffectRow, SymbolExplanation
+from neurosym.explain.explained import EffectRow, SymbolExplanation
 from neurosym.operators import TOLERANCE, Mode, Operator, Primitive
 from neurosym.place_operators import NEVER_CARRIES, PlaceOperators
 from neurosym.symbols import Symbol

@@ -18,7 +18,7 @@ from neurosym.stages.layout import (
 from neurosym.stages.practising import operator_table
 
 if TYPE_CHECKING:
-    from neurosym.explain.explanation import Explanation, SymbolExplanation
+    from neurosym.explain.explained import Explanation, SymbolExplanation
     from neurosym.grounding import Grounding
     from neurosym.world import World
 

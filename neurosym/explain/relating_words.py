@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 
 from neurosym.explain.carrying_words import aimed_action_in_words
-from neurosym.explain.explanation import EffectRow, SymbolExplanation
+from neurosym.explain.explained import EffectRow, SymbolExplanation
 from neurosym.naming import names_of_features
 from neurosym.operators import Category
 from neurosym.pair_states import DESCRIPTION

@@ -28,7 +28,7 @@ from neurosym.stages.practising import operator_table
 from neurosym.worlds.pool import worker_pool
 
 if TYPE_CHECKING:
-    from neurosym.explain.explanation import Explanation
+    from neurosym.explain.explained import Explanation
 
 EXAMPLES = 6
 """How many runs are shown in pictures."""

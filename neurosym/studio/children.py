@@ -33,6 +33,8 @@ from neurosym.studio.messages import (
 from neurosym.studio.onlooker import Onlooker
 from neurosym.worlds.children import GRACE, end_with_parent, leave_signals_to_parent, say_up
 
+HOLD = 3.0
+"""So long is the end of an interaction shown before the table is there again [s]."""
 SETTING = "setting.json"
 """Where a page keeps the scene that it takes over, in its folder."""
 
@@ -177,6 +179,7 @@ def _recall(job: Recall, connection: Connection) -> Any:
         world.on_pose = onlooker.see
     outcome = world.interact(motion.scene, motion.action, 0)
     onlooker.see_outcome(outcome)
+    onlooker.hold(HOLD)
     said = judge(interactions, job.row, outcome, is_same)
     return Performed(outcome.kind, tuple(map(float, outcome.effect)), outcome.end, said)
 

@@ -1,7 +1,7 @@
 """The domain that a page shows: what was learned, read once and shared by all who look at it."""
 
 import threading
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 from typing import TYPE_CHECKING, Literal
@@ -204,12 +204,15 @@ class Library:
 
     def first_problem(self) -> Problem | None:
         """Return the first problem of the folder that can be read, if there is one."""
+        return next(self.problems(), None)
+
+    def problems(self) -> Iterator[Problem]:
+        """Read the problems of the folder, as far as they can be read."""
         for name in self.problem_names():
             try:
-                return self.load_problem(name)
+                yield self.load_problem(name)
             except NeurosymError as error:
                 self.damage.note(error)
-        return None
 
     def robot_parts(self) -> tuple[Part, ...]:
         """Return what the robot is drawn with; nothing if the world does not say."""

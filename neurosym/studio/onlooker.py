@@ -124,6 +124,16 @@ class Onlooker:
             self._last = 0.0
             self.glide(outcome.lifted, outcome.end)
 
+    def hold(self, seconds: float) -> None:
+        """Let what is seen stay for a while, unless everything is to go as fast as it can.
+
+        Args:
+            seconds: How long, at the speed of reality [s].
+        """
+        end = time.monotonic() + (seconds / self._controls.speed if self._controls.speed > 0 else 0.0)
+        while (left := end - time.monotonic()) > 0 and not self._controls.is_stopped:
+            self._wait_for_word(min(left, _LONGEST_WAIT))
+
     def replanned(self, replanning: Replanning) -> None:
         """Send what was planned anew."""
         self._connection.send(replanning)

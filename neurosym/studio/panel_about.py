@@ -26,6 +26,8 @@ class AboutPanel(Panel):
         word, library = session.word, session.library
         name = session.problem.name if session.problem else "no object yet"
         lines = [paragraph(f"<b>{safe(library.name)}</b> · {safe(name)}")]
+        if not word.text:
+            lines.append(paragraph("New here? The panel Tour shows in eight cards what this robot learned."))
         if word.text:
             said = coloured(word.text, BAD if word.is_bad else GOOD)
             lines.append(f'<div role="status" aria-live="polite">{paragraph(said)}</div>')

@@ -26,6 +26,7 @@ class PlanPanel(Panel):
     def build(self) -> None:
         """Make the fields."""
         gui, session = self.gui, self.session
+        self._drawn: Planned | None = None
         names = tuple(name for name, planner in PLANNERS.items() if not planner.missing())
         first = "fast-downward" if "fast-downward" in names else names[0]
         self._planner = gui.add_dropdown("Planner", names, initial_value=first)
@@ -65,6 +66,7 @@ class PlanPanel(Panel):
         if topics & {"plan", "scene"}:
             self._show_choice()
             self._show_pddl()
+        if topics & {"plan", "scene", "step", "run"}:
             self._draw_paths()
 
     def text(self) -> str:
@@ -124,8 +126,15 @@ class PlanPanel(Panel):
         return f"; no domain of the folder has an action {name}"
 
     def _draw_paths(self) -> None:
-        session, chosen = self.session, self.session.plan_shown
-        if session.problem is None or chosen is None or not chosen.record.steps:
+        """Draw where the plan takes everything, while that is what is done or is to be done."""
+        session, chosen, running = self.session, self.session.plan_shown, self.session.running
+        is_other = running.is_active and (running.problem is None or bool(running.replannings))
+        if chosen is None or not chosen.record.steps or is_other or running.run is not None:
+            chosen = None
+        if chosen is self._drawn:
+            return
+        self._drawn = chosen
+        if chosen is None:
             self.page.overlays.clear("paths")
             return
         steps = [PlanStep(*step) for step in chosen.record.steps]

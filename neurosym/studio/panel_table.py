@@ -99,8 +99,9 @@ class TablePanel(Panel):
         if problem is None or item is None or not topics & {"scene", "place", "status"}:
             return
         set_options(self._object, problem.object_names, item.name)
-        if problem.name in self._problem.options:
-            set_value(self._problem, problem.name)
+        names = self.session.library.problem_names()
+        others = () if problem.name in names else (problem.name,)
+        set_options(self._problem, (*others, *names), problem.name)
         set_value(self._at, (round(item.position[0], 3), round(item.position[1], 3)))
         goal = problem.goals.get(item.name)
         if goal is not None:
@@ -128,7 +129,7 @@ class TablePanel(Panel):
         return paragraph(f"<b>{safe(item.category)}</b> {safe(name)}") + bits
 
     def _load(self, name: str) -> None:
-        if name != NOTHING:
+        if name in self.session.library.problem_names():
             self.session.load(name)
 
     def _aim(self, goal: tuple[float, float, float]) -> None:

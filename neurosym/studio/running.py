@@ -259,7 +259,7 @@ class Running:
             session.say(text + (again if said.course else ""), is_bad=not said.run.reached)
         elif isinstance(said, Performed):
             self.outcome = said
-            session.say(said.said or f"it ended {said.kind}")
+            session.say(said.said or f"it ended {said.kind}", is_bad=said.kind in ("lost", "toppled"))
         elif isinstance(said, Failed):
             session.say(said.sentence, is_bad=True)
         session.tell("run")

@@ -78,18 +78,27 @@ class Session(Desk):
         return ticket.place if ticket else 0
 
     @told
-    def draw(self, objects: int, seed: int, task: AnyTask | None) -> None:
-        """Draw a task: as the paper draws them, or of a kind that people ask for."""
+    def draw(self, objects: int, seed: int, task: AnyTask | None, *, goals: bool = True) -> None:
+        """Draw a task: as the paper draws them, or of a kind that people ask for.
+
+        Args:
+            objects: How many objects.
+            seed: Same seed, same task.
+            task: Its kind; None for the paper's.
+            goals: Whether objects keep their goals.
+        """
         if not 1 <= objects <= MOST_OBJECTS:
             raise InvalidValue(f"{objects} objects cannot be drawn; valid: 1 to {MOST_OBJECTS}.")
         job = DrawTask(self.room.path, f"drawn-{task or 'paper'}-{objects}-{seed}", objects, seed, task)
         self.say("drawing a task")
-        self._planners.submit(job, self._hear_drawn)
+        self._planners.submit(job, lambda said: self._hear_drawn(said, goals=goals))
 
-    def _hear_drawn(self, said: Any) -> None:
+    def _hear_drawn(self, said: Any, *, goals: bool) -> None:
         if isinstance(said, Drawn):
-            self._change(said.problem, "scene")
-            self.say(f"a task with {len(said.problem.objects)} objects is on the table")
+            problem = said.problem if goals else msgspec.structs.replace(said.problem, goals={}, relations=())
+            self._change(problem, "scene")
+            many = counted(len(problem.objects), "object")
+            self.say(f"a task with {many} is on the table" if goals else f"{many} stand on the table")
         elif isinstance(said, Failed):
             self.say(said.sentence, is_bad=True)
 
@@ -210,9 +219,16 @@ class Session(Desk):
         self._change(msgspec.structs.replace(problem, goals=goals, provenance="by hand"), "scene")
         self.plan(planner)
 
+    def forget_run(self) -> None:
+        """Show the table as it is set, and not as the last run or motion left it."""
+        if not self.running.is_active and self.running.clear():
+            self.tell("run")
+
     def _refuse_while_running(self) -> None:
         if self.running.is_active:
-            raise InvalidValue("A plan is running; stop it first. Objects can be dragged meanwhile.")
+            raise InvalidValue(
+                "A plan is running; stop it first. Meanwhile objects can be dragged, and goals stay."
+            )
 
     def _grab(self, name: str, x: float, y: float) -> bool:
         if not self.running.is_active:

@@ -42,7 +42,8 @@ CARDS = (
         (
             "The robot begins without words. It moves its hand through three points near an object, opens "
             "or closes it at each, and looks what happens.",
-            "It did so {interactions} times. Press the button to see one of them happen again.",
+            "It did so {interactions} times, each time with another object elsewhere. Press the button "
+            "to see one of them happen again; then your table is back.",
         ),
         "See one experience",
         Deed.EXPERIENCE,
@@ -52,7 +53,7 @@ CARDS = (
         (
             "Of each experience three numbers are kept: how far the object moved forward, to the left and "
             "up. That is the effect.",
-            "See another one, and watch where the object ends.",
+            "See another one. The numbers stand below when it is over.",
         ),
         "See another effect",
         Deed.EFFECT,
@@ -60,8 +61,8 @@ CARDS = (
     Card(
         "a bit",
         (
-            "A network learns to predict effects, but all that it may use of an object is {object_bits} "
-            "bits. So it must choose what matters.",
+            "A program that learns from examples, a neural network, predicts effects. But all that it may "
+            "use of an object is {object_bits} bits, each 0 or 1. So it must choose what matters.",
             "Press the button: the object changes size until one bit flips. On the panel Table you can do it "
             "with the sliders, and the bars show how far each bit is from its flip.",
         ),
@@ -72,8 +73,8 @@ CARDS = (
         "a category",
         (
             "Objects with the same bits are one category. The robot expects the same of all of them.",
-            "Nobody told it the {categories} categories of this domain; their names were made afterwards, "
-            "from what was measured. Draw four objects and compare the bits beside their names.",
+            "Nobody told it the {categories} categories that there are here. Their names were made "
+            "afterwards, from what was measured. Draw four objects, and four others, and compare their bits.",
         ),
         "Draw four objects",
         Deed.CATEGORY,
@@ -83,7 +84,7 @@ CARDS = (
         (
             "Motions get bits, too: {action_bits} of them. For each pattern of bits the robot finds a motion "
             "that stands for it. That is a primitive, and there are {primitives}.",
-            "See the one that it is surest of with the object that is chosen.",
+            "See the one that it is surest of with an object on the table.",
         ),
         "Perform a primitive",
         Deed.PRIMITIVE,
@@ -91,9 +92,10 @@ CARDS = (
     Card(
         "an operator",
         (
-            "What a primitive does to a category is an operator. It was rehearsed many times, so the robot "
-            "knows where an object ends, and how surely: {operators} operators are in the domain.",
-            "On the panel Symbols, arrows show where each takes the object. See one that it is less sure of.",
+            "What a primitive does to a category is an operator. Each was tried many times, so the robot "
+            "knows where an object ends, and how surely. It has {operators} of them.",
+            "On the panel Symbols, arrows show where each takes the object. See one that it is less sure of: "
+            "sometimes it goes as promised, and sometimes not.",
         ),
         "Perform a less sure one",
         Deed.OPERATOR,
@@ -101,10 +103,10 @@ CARDS = (
     Card(
         "a plan",
         (
-            "Operators are printed as PDDL, a language that every planner reads. A planner that knows "
-            "nothing of arms finds which operators lead to the goal, one after another.",
-            "Drag the ghost of an object by the knob above it, and press the button. The panel Plan shows "
-            "each step.",
+            "Operators are printed as PDDL, a language that planners read. A planner is a program that knows "
+            "nothing of arms. It finds which operators lead to the goal, one after another.",
+            "The see-through objects are goals: so shall things stand. Drag one by the ball above it if you "
+            "like, and press the button. The panel Plan shows each step.",
         ),
         "Plan to the goal",
         Deed.PLAN,
@@ -113,8 +115,8 @@ CARDS = (
         "what went otherwise",
         (
             "Now the arm does it. The panel Run compares what each step promised with what happened.",
-            "Where they part so far that the goal would be missed, the robot plans anew. Drag an object "
-            "while it runs, and see why it does.",
+            "Where they part so far that the goal would be missed, the robot plans anew. Take an object by "
+            "its body while it runs, and drag it elsewhere: before the next step it is there.",
         ),
         "Run the plan",
         Deed.RUN,

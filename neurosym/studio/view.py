@@ -56,6 +56,7 @@ class View:
         self._labels: dict[str, viser.LabelHandle] = {}
         self._names: tuple[str, ...] = ()
         self._links: dict[int, viser.FrameHandle] = {}
+        self._frames: dict[str, viser.FrameHandle] = {}
         self._draw_table()
         self._draw_robot()
 
@@ -118,7 +119,6 @@ class View:
         for thing in (*self._objects.values(), *self._goals.values()):
             for node in (*thing.nodes, *thing.outlines):
                 node.remove()
-            thing.frame.remove()
         self._objects, self._goals, self._labels = {}, {}, {}
         self._names = tuple(item.name for item in items)
         for number, item in enumerate(items):
@@ -189,8 +189,14 @@ class View:
             (x, y, _), _ = spots[name]
             self._labels[name].position = (x, y, height)
 
+    def _frame(self, path: str) -> viser.FrameHandle:
+        """Return what is hung up there, and keep it: windows remember how one of that name was turned."""
+        if path not in self._frames:
+            self._frames[path] = self._scene.add_frame(path, show_axes=False)
+        return self._frames[path]
+
     def _object(self, item: SceneObject, colour: tuple[int, int, int]) -> _Thing:
-        frame = self._scene.add_frame(f"/objects/{item.name}", show_axes=False)
+        frame = self._frame(f"/objects/{item.name}")
         corners, faces = mesh_of(self._library.object_parts(item.features))
         node = self._scene.add_mesh_simple(
             f"/objects/{item.name}/body", corners, faces, color=colour, flat_shading=True
@@ -202,7 +208,7 @@ class View:
     def _goal(self, item: SceneObject, colour: tuple[int, int, int]) -> _Thing:
         """Draw a ghost, the knob on its pin that it is dragged by, its footprint and its tolerance."""
         name, top = item.name, item.features[2] / 2
-        frame = self._scene.add_frame(f"/goals/{name}", show_axes=False)
+        frame = self._frame(f"/goals/{name}")
         corners, faces = mesh_of(self._library.object_parts(item.features))
         ghost = self._scene.add_mesh_simple(
             f"/goals/{name}/ghost",

@@ -264,7 +264,6 @@ def test_tour_leads_from_an_experience_to_what_went_otherwise(window):
         window.wait(lambda: not session.running.is_active and not session.is_planning)
         if label == "Draw four objects":
             window.wait(lambda: len(session.problem.objects) == 4)
-            session.load("task-02")
         if number < 8:
             window.press("Next card")
     assert session.running.run is not None

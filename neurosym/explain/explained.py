@@ -1,0 +1,94 @@
+"""What is said of the symbols of a domain, as values that a page, a terminal or a program can show."""
+
+from dataclasses import dataclass, replace
+
+from neurosym.errors import UnknownChoice
+from neurosym.symbols import Symbol
+
+_PARTS = ("actions", "carrying", "relating", "states", "pairs", "objects")
+
+
+@dataclass(frozen=True, slots=True)
+class EffectRow:
+    """One way that an action symbol turns out on a category.
+
+    Attributes:
+        operator: Name of the operator, as in the PDDL domain.
+        trials: How many rehearsals there were, or rows of the data.
+        promised: How many of them ended within the tolerance of what the operator promises.
+        share: Share of the rehearsals that ended so.
+        ends: How the object ended.
+        effect: Mean displacement as it ended, in words.
+        spread: Its standard deviation on each axis, in words.
+        domain: Whether the operator is in the PDDL domain, or why not; empty if nobody knows.
+    """
+
+    operator: str
+    trials: int
+    promised: int
+    share: float
+    ends: str
+    effect: str
+    spread: str
+    domain: str
+
+
+@dataclass(frozen=True, slots=True)
+class SymbolExplanation:
+    """What one symbol means.
+
+    Attributes:
+        symbol: Its bits.
+        title: What an action symbol does to which share of the objects; the name of a category.
+        about: Sentences on what the hand does, or on which objects have the symbol.
+        compared: Sentences on which other symbol is most like it.
+        effects: What an action symbol does, by category and mode; empty for object symbols.
+    """
+
+    symbol: Symbol
+    title: str
+    about: str
+    compared: str
+    effects: tuple[EffectRow, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class Explanation:
+    """What the symbols of a domain mean.
+
+    Attributes:
+        summary: How many symbols there are, and how many do something of their own.
+        actions: The action symbols, in the order of their bits.
+        objects: The object symbols, in the order of their bits.
+        carrying: The symbols of actions that are aimed at a place, if these were learned.
+        relating: The symbols of actions that are aimed at another object, if these were learned.
+        states: The states of pairs of objects, if these were learned.
+        pairs: The kinds of pairs of objects, if these were learned.
+    """
+
+    summary: tuple[str, ...]
+    actions: tuple[SymbolExplanation, ...]
+    objects: tuple[SymbolExplanation, ...]
+    carrying: tuple[SymbolExplanation, ...] = ()
+    relating: tuple[SymbolExplanation, ...] = ()
+    states: tuple[SymbolExplanation, ...] = ()
+    pairs: tuple[SymbolExplanation, ...] = ()
+
+    def only(self, symbol: str) -> "Explanation":
+        """Keep what is said of one symbol, which may be one of actions and of objects alike.
+
+        Args:
+            symbol: Its bits, or its name.
+
+        Raises:
+            UnknownChoice: If there is none.
+        """
+        parts = {
+            name: tuple(one for one in part if symbol in (one.symbol, one.title))
+            for name in _PARTS
+            if (part := getattr(self, name))
+        }
+        if not any(parts.values()):
+            known = (one.symbol for name in _PARTS for one in getattr(self, name))
+            raise UnknownChoice("symbol", symbol, dict.fromkeys(known), "`neurosym explain DIR`")
+        return replace(self, summary=(), **parts)
