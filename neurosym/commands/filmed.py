@@ -54,7 +54,7 @@ class Filmed:
             return b""
         rich.get_console().quiet = True  # on which the server of pages announces itself
         problem = load_problem(self._library.folder, run.problem).within(run.tolerance)
-        return film_of(self._library, problem, self._reel.seen)
+        return film_of(self._library, problem, self._reel.seen, run.steps)
 
     def save(self, run: Run, path: Path) -> None:
         """Write the page.

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import viser
 
+from neurosym.execution.record import StepRecord
 from neurosym.problems import Problem
 from neurosym.studio.library import Library
 from neurosym.studio.messages import Seen
@@ -20,6 +21,8 @@ PACE = 1 / 15
 """Time between two poses that are kept, of a motion as it is [s]."""
 PAUSE = 0.4
 """How long the end of a step is shown [s]."""
+ABOVE = 0.55
+"""How high above the middle of the table the name of a step stands [m]."""
 _LOCK = threading.Lock()
 
 
@@ -33,16 +36,24 @@ def recording_of(session: "Session", *, is_dark: bool = False) -> bytes:
     running = session.running
     if not running.seen or running.problem is None:
         return b""
-    return film_of(session.library, running.problem, running.seen, is_dark=is_dark)
+    return film_of(session.library, running.problem, running.seen, running.records, is_dark=is_dark)
 
 
-def film_of(library: Library, problem: Problem, seen: Sequence[Seen], *, is_dark: bool = False) -> bytes:
+def film_of(
+    library: Library,
+    problem: Problem,
+    seen: Sequence[Seen],
+    steps: Sequence[StepRecord] = (),
+    *,
+    is_dark: bool = False,
+) -> bytes:
     """Return what was seen of a run as one HTML file that needs nothing else.
 
     Args:
         library: The domain.
         problem: What the run was for.
         seen: What was seen, one pose or more.
+        steps: What was done, each named while it is seen.
         is_dark: Whether it is shown dark.
     """
     with _LOCK:
@@ -53,12 +64,19 @@ def film_of(library: Library, problem: Problem, seen: Sequence[Seen], *, is_dark
         view = View(server.scene, library)
         view.show_problem(problem, ghost_spots(library.paired(problem), library.grounding))
         view.show(seen[0])
+        names = [f"{number}: {step.operator} {step.object}" for number, step in enumerate(steps, start=1)]
+        left = iter(names[1:])
+        label = (
+            server.scene.add_label("/step", names[0], position=(*library.middle, ABOVE)) if names else None
+        )
         film = server.get_scene_serializer()
         last = -PACE
         for one in seen:
             if one.seconds < last:  # another motion begins
                 film.insert_sleep(PAUSE)
                 last = -PACE
+                if label is not None and (name := next(left, "")):
+                    label.text = name
             if one.seconds - last >= PACE * 0.99:
                 film.insert_sleep(min(one.seconds - last, PACE * 4) if last >= 0 else 0.0)
                 view.show(one)
