@@ -26,21 +26,25 @@ def explain(
     json: Json = False,
 ) -> int:
     """Say in words what each symbol means: what the hand does and brings about, which objects are alike."""
-    from neurosym.commands.explain_text import explanation_page, show_explanation
+    from neurosym.commands.explain_text import explanation_page, is_long, show_explanation
 
     answer, domain = answer_in(json), opened(folder)
     if output:
         _check_page_path(output)
     every = explain_folder(domain)
-    explanation = every.only(symbol) if symbol else every
+    explanation = every if symbol is None else every.only(symbol)
     if output:
         write_atomically(output, explanation_page(explanation, domain.path.resolve().name))
-        say(every.summary[0])
+        for line in explanation.summary[:1]:
+            say(line)
         say(f"wrote {output}")
-    elif not show_explanation(explanation):
-        say_next(f"neurosym explain {quoted(folder)} --symbol {explanation.actions[0].symbol}")
+    else:
+        show_explanation(explanation)
+    primitive = (explanation.actions or every.actions)[0].symbol
+    if not output and is_long(explanation):
+        say_next(f"neurosym explain {quoted(folder)} --symbol {primitive}")
     elif (domain / GROUNDING).is_file() and (domain / WORLD).is_file():
-        say_next(f"neurosym show {quoted(folder)} --primitive {every.actions[0].symbol}")
+        say_next(f"neurosym show {quoted(folder)} --primitive {primitive}")
     elif (domain / WORLD).is_file():
         say_next(f"neurosym compile-domain {quoted(folder)}")
     answer(explanation)

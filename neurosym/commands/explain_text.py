@@ -12,22 +12,28 @@ _COLUMNS = ("operator", "trials", "as promised", "share", "ends", "effect", "spr
 _WIDEST = 110  # columns of running text
 _INDENT = "  "
 _MANY = 60
+_KINDS = {
+    "actions": "Action",
+    "carrying": "Carrying",
+    "relating": "Relating",
+    "states": "Pair state",
+    "pairs": "Pair",
+    "objects": "Object",
+}
 
 
-def show_explanation(explanation: Explanation) -> bool:
-    """Print an explanation for a terminal; of very many symbols only what each is called.
+def is_long(explanation: Explanation) -> bool:
+    """Say whether there are so many symbols that a terminal shows only what each is called."""
+    return sum(map(len, explanation.parts.values())) > _MANY
 
-    Args:
-        explanation: The explanation.
 
-    Returns:
-        Whether all was said.
-    """
+def show_explanation(explanation: Explanation) -> None:
+    """Print an explanation for a terminal; of very many symbols only what each is called."""
     for line in explanation.summary:
         _say_wrapped(line)
-    if sum(len(symbols) for _, symbols in _parts(explanation)) > _MANY:
+    if is_long(explanation):
         _say_titles(explanation)
-        return False
+        return
     for kind, symbols in _parts(explanation):
         for symbol in symbols:
             say("")
@@ -35,7 +41,6 @@ def show_explanation(explanation: Explanation) -> bool:
             _say_wrapped(symbol.about, _INDENT)
             _say_effects(symbol.effects)
             _say_wrapped(symbol.compared, _INDENT)
-    return True
 
 
 def explanation_page(explanation: Explanation, title: str) -> str:
@@ -56,15 +61,7 @@ def explanation_page(explanation: Explanation, title: str) -> str:
 
 
 def _parts(explanation: Explanation) -> tuple[tuple[str, tuple[SymbolExplanation, ...]], ...]:
-    parts = (
-        ("Action", explanation.actions),
-        ("Carrying", explanation.carrying),
-        ("Relating", explanation.relating),
-        ("Pair state", explanation.states),
-        ("Pair", explanation.pairs),
-        ("Object", explanation.objects),
-    )
-    return tuple((kind, symbols) for kind, symbols in parts if symbols)
+    return tuple((_KINDS[name], symbols) for name, symbols in explanation.parts.items())
 
 
 def _say_titles(explanation: Explanation) -> None:

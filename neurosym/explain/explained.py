@@ -74,6 +74,12 @@ class Explanation:
     states: tuple[SymbolExplanation, ...] = ()
     pairs: tuple[SymbolExplanation, ...] = ()
 
+    @property
+    def parts(self) -> dict[str, tuple[SymbolExplanation, ...]]:
+        """What is said of each kind of symbols, as far as there are any."""
+        every = {name: getattr(self, name) for name in _PARTS}
+        return {name: part for name, part in every.items() if part}
+
     def only(self, symbol: str) -> "Explanation":
         """Keep what is said of one symbol, which may be one of actions and of objects alike.
 
@@ -85,10 +91,9 @@ class Explanation:
         """
         parts = {
             name: tuple(one for one in part if symbol in (one.symbol, one.title))
-            for name in _PARTS
-            if (part := getattr(self, name))
+            for name, part in self.parts.items()
         }
         if not any(parts.values()):
-            known = (one.symbol for name in _PARTS for one in getattr(self, name))
-            raise UnknownChoice("symbol", symbol, dict.fromkeys(known), "`neurosym explain DIR`")
+            known = dict.fromkeys(one.symbol for part in self.parts.values() for one in part)
+            raise UnknownChoice("symbol", symbol, known, "`neurosym explain DIR`")
         return replace(self, summary=(), **parts)

@@ -50,7 +50,7 @@ def relational_problem_text(problem: Problem, grounding: Grounding, encoding: En
 def needed_texts(problem: Problem, grounding: Grounding, encoding: Encoding = RELATIONAL) -> tuple[str, str]:
     """Print a domain with only those actions that a problem has a use for, and the problem.
 
-    It has the same plans as with the whole domain, and planners read it in a third of the time.
+    It has the same plans as with the whole domain, and planners read it faster.
 
     Args:
         problem: The problem, with the objects as they stand now.

@@ -34,6 +34,7 @@ Topic = Literal["scene", "place", "plan", "run", "step", "pose", "status"]
 """What has changed: which objects there are, where things are, the plan, the run, a pose, what is said."""
 MOST_OBJECTS = 8
 """So many objects are simulated at most."""
+NO_OBJECT = "There is no object on the table; add one."
 
 
 class Desk:
@@ -258,7 +259,7 @@ class Desk:
 
     def _problem(self) -> Problem:
         if self.problem is None:
-            raise InvalidValue("There is no object on the table; add one.")
+            raise InvalidValue(NO_OBJECT)
         return self.problem
 
     def _become(self, name: str, features: tuple[float, ...]) -> None:

@@ -126,13 +126,14 @@ class Recall(Job):
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Seen:
-    """Where everything is; see `Pose`."""
+    """Where everything is, see `Pose`; and at which step of a plan, counted from 1, or 0 if it is at none."""
 
     seconds: float
     phase: str
     links: Float[np.ndarray, "L 7"]
     positions: Float[np.ndarray, "M 3"]
     orientations: Float[np.ndarray, "M 4"]
+    step: int = 0
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -16,7 +16,7 @@ GLIDES = 18
 """Poses of a motion in a world that tells none."""
 PACE = 0.9 * POSE_SECONDS
 """Least time between two poses that are sent, however fast a run is [s]."""
-_PAUSED = 0.02  # how often somebody who pauses is listened to [s]
+_PAUSED = 0.02  # how often somebody is listened to while everything rests [s]
 _LONGEST_WAIT = 0.2  # of one pose, so that what is said meanwhile is heard soon [s]
 
 
@@ -50,7 +50,7 @@ class Onlooker:
         self._rest: Scene | None = None
         self._saw = False
         self._due = time.monotonic()
-        self._last = 0.0
+        self._last, self._step = 0.0, 0
         self._grabs: list[Grab] = []
         self._names: tuple[str, ...] = ()
         self._sent = 0.0
@@ -70,7 +70,7 @@ class Onlooker:
         if time.monotonic() - self._sent >= self._pace:
             self._sent = time.monotonic()
             self._connection.send(
-                Seen(pose.seconds, pose.phase, pose.links, pose.positions, pose.orientations)
+                Seen(pose.seconds, pose.phase, pose.links, pose.positions, pose.orientations, self._step)
             )
         self._listen()
         while self._controls.is_paused and not self._controls.is_stopped and not self._controls.one_step:
@@ -85,7 +85,7 @@ class Onlooker:
     def before_step(self, moment: Moment) -> Answer:
         """Say which step is next, wait while the run is paused, and hand over nudges."""
         self._rest, self._saw = moment.scene, False
-        self._last = 0.0
+        self._last, self._step = 0.0, moment.number
         steps = tuple((step.operator, step.object, step.place) for step in moment.left)
         self._connection.send(Next(moment.number, steps, moment.scene))
         self._controls = self._controls.without_step()
@@ -127,12 +127,16 @@ class Onlooker:
     def hold(self, seconds: float) -> None:
         """Let what is seen stay for a while, unless everything is to go as fast as it can.
 
+        The speed may change meanwhile, and time does not count while everything is paused.
+
         Args:
             seconds: How long, at the speed of reality [s].
         """
-        end = time.monotonic() + (seconds / self._controls.speed if self._controls.speed > 0 else 0.0)
-        while (left := end - time.monotonic()) > 0 and not self._controls.is_stopped:
-            self._wait_for_word(min(left, _LONGEST_WAIT))
+        while seconds > 0 and self._controls.speed > 0 and not self._controls.is_stopped:
+            controls, began = self._controls, time.monotonic()
+            self._wait_for_word(_PAUSED)
+            if controls.one_step or not controls.is_paused:
+                seconds -= controls.speed * (time.monotonic() - began)
 
     def replanned(self, replanning: Replanning) -> None:
         """Send what was planned anew."""

@@ -36,7 +36,7 @@ class Panel:
         """Show what has changed."""
 
     def button(
-        self, label: str, act: Callable[[], None], hint: str = "", **options: Any
+        self, label: str, act: Callable[[], object], hint: str = "", **options: Any
     ) -> viser.GuiButtonHandle:
         """Add a button.
 
@@ -47,7 +47,11 @@ class Panel:
             options: As of viser.
         """
         made = self.gui.add_button(label, hint=hint or None, **options)
-        made.on_click(lambda _: act())
+
+        def clicked(_: Any) -> None:
+            act()
+
+        made.on_click(clicked)
         return made
 
 

@@ -11,6 +11,7 @@ from neurosym.planners.registry import reads_relations
 from neurosym.reading import read_text
 from neurosym.related import is_relational
 from neurosym.stages.layout import OPERATORS_DOMAIN, PLACES_DOMAIN, RELATIONAL_DOMAIN
+from neurosym.studio.asking import planners_here, usual_planner
 from neurosym.studio.messages import Planned
 from neurosym.studio.panel import Panel, by_user, set_content, set_options
 from neurosym.studio.session import Topic
@@ -27,8 +28,7 @@ class PlanPanel(Panel):
         """Make the fields."""
         gui, session = self.gui, self.session
         self._drawn: Planned | None = None
-        names = tuple(name for name, planner in PLANNERS.items() if not planner.missing())
-        first = "fast-downward" if "fast-downward" in names else names[0]
+        names, first = planners_here(), usual_planner()
         self._planner = gui.add_dropdown("Planner", names, initial_value=first)
         self._planner.on_update(by_user(lambda name: self._offer_encodings(name)))
         self._other = gui.add_dropdown("Beside it", (NOBODY, *names), hint="A second planner, to compare.")

@@ -2,6 +2,7 @@
 
 from neurosym.studio.panel import Panel, by_user, set_content
 from neurosym.studio.session import Topic
+from neurosym.studio.telling import step_words
 from neurosym.studio.words import paragraph, replanning_list, run_summary, run_table, safe
 
 SPEEDS = {"half": 0.5, "as it is": 1.0, "double": 2.0, "fourfold": 4.0, "at once": 0.0}
@@ -52,8 +53,7 @@ class RunPanel(Panel):
         if running.run is not None:
             parts.append(run_summary(running.run))
         elif running.left:
-            operator, name, place = running.left[0]
-            parts.append(paragraph(safe(f"step {running.number}: {operator} {name} {place}".strip())))
+            parts.append(paragraph(safe(f"step {running.number}: {step_words(*running.left[0])}")))
         parts.append(replanning_list(running.replannings))
         if running.records:
             parts.append(run_table(running.records))

@@ -99,9 +99,13 @@ class TablePanel(Panel):
         if problem is None or item is None or not topics & {"scene", "place", "status"}:
             return
         set_options(self._object, problem.object_names, item.name)
-        names = self.session.library.problem_names()
-        others = () if problem.name in names else (problem.name,)
-        set_options(self._problem, (*others, *names), problem.name)
+        if topics & {
+            "scene",
+            "status",
+        }:  # what lies in the folder is not looked up while something is dragged
+            names = self.session.library.problem_names()
+            others = () if problem.name in names else (problem.name,)
+            set_options(self._problem, (*others, *names), problem.name)
         set_value(self._at, (round(item.position[0], 3), round(item.position[1], 3)))
         goal = problem.goals.get(item.name)
         if goal is not None:

@@ -24,14 +24,14 @@ class TourPanel(Panel):
         self._show()
 
     def turn(self, by: int) -> None:
-        """Show another card."""
+        """Show another card, as soon as the page is drawn: two threads that draw would cross each other."""
         self.guide.turn(by)
-        self._show()
+        self.page.hear("status")
 
     def act(self) -> None:
         """Do what the card speaks of."""
         self.guide.act()
-        self._show()
+        self.page.hear("status")
 
     def text(self) -> str:
         """Return the card, as HTML."""

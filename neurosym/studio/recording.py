@@ -12,6 +12,7 @@ from neurosym.problems import Problem
 from neurosym.studio.library import Library
 from neurosym.studio.messages import Seen
 from neurosym.studio.relating import ghost_spots
+from neurosym.studio.telling import step_words
 from neurosym.studio.view import View, aim_camera
 
 if TYPE_CHECKING:
@@ -53,7 +54,7 @@ def film_of(
         library: The domain.
         problem: What the run was for.
         seen: What was seen, one pose or more.
-        steps: What was done, each named while it is seen.
+        steps: What was done, each named while it is seen, as far as it is known at which step that was.
         is_dark: Whether it is shown dark.
     """
     with _LOCK:
@@ -64,19 +65,16 @@ def film_of(
         view = View(server.scene, library)
         view.show_problem(problem, ghost_spots(library.paired(problem), library.grounding))
         view.show(seen[0])
-        names = [f"{number}: {step.operator} {step.object}" for number, step in enumerate(steps, start=1)]
-        left = iter(names[1:])
-        label = (
-            server.scene.add_label("/step", names[0], position=(*library.middle, ABOVE)) if names else None
-        )
+        names = step_labels(steps)
+        label = server.scene.add_label("/step", "", position=(*library.middle, ABOVE), visible=False)
         film = server.get_scene_serializer()
         last = -PACE
         for one in seen:
             if one.seconds < last:  # another motion begins
                 film.insert_sleep(PAUSE)
                 last = -PACE
-                if label is not None and (name := next(left, "")):
-                    label.text = name
+            if label.text != (name := names.get(one.step, "")):
+                label.text, label.visible = name, bool(name)
             if one.seconds - last >= PACE * 0.99:
                 film.insert_sleep(min(one.seconds - last, PACE * 4) if last >= 0 else 0.0)
                 view.show(one)
@@ -84,6 +82,18 @@ def film_of(
         view.show(seen[-1])
         film.insert_sleep(2 * PAUSE)
         return film.as_html(dark_mode=is_dark).encode()
+
+
+def step_labels(steps: Sequence[StepRecord]) -> dict[int, str]:
+    """Return what a film shows above the table at each step, by its number.
+
+    Args:
+        steps: What was done.
+    """
+    return {
+        number: f"{number}: {step_words(step.operator, step.object, step.place or '')}"
+        for number, step in enumerate(steps, start=1)
+    }
 
 
 class Reel:

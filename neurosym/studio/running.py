@@ -7,9 +7,9 @@ from typing import TYPE_CHECKING, Any
 from neurosym.errors import InvalidValue
 from neurosym.execution.record import Replanning, Run, StepRecord
 from neurosym.problems import Problem
+from neurosym.studio.asking import usual_planner
 from neurosym.studio.messages import (
     Controls,
-    Failed,
     Grab,
     Job,
     Next,
@@ -22,9 +22,9 @@ from neurosym.studio.messages import (
     Seen,
     Step,
 )
+from neurosym.studio.telling import end_word, replanned
 from neurosym.studio.workers import Ticket, Workers
 from neurosym.table import Place
-from neurosym.wording import counted
 from neurosym.world import Scene
 
 if TYPE_CHECKING:
@@ -55,6 +55,7 @@ class Running:
         seen: The poses, for its film.
         scene: Where an action that was only tried happens, if one is.
         outcome: What that action did, once it is over.
+        job: Number of the run or action that was begun last, counted from 1; 0 before the first.
     """
 
     def __init__(self, session: "Session", workers: Workers):
@@ -62,6 +63,7 @@ class Running:
         self.controls = Controls()
         self._ticket: Ticket | None = None
         self._lock = threading.Lock()
+        self.job = 0
         self.clear()
 
     @property
@@ -99,20 +101,27 @@ class Running:
         self.outcome: Performed | None = None
         return had
 
-    def begin(self, replanner: str = "fast-downward", replans: int | None = None) -> None:
-        """Run the plan that is shown.
+    def forget_action(self) -> bool:
+        """Forget an action that was only tried or recalled; say whether there was one. Runs are kept."""
+        with self._lock:
+            was_tried = self.outcome is not None or self.scene is not None
+            return was_tried and self.run is None and not self.is_active and self.clear()
+
+    def begin(self, replanner: str | None = None, replans: int | None = None) -> int | None:
+        """Run the plan that is shown, and return the number of the run; None if it cannot begin.
 
         Args:
-            replanner: Whom to ask for new plans.
+            replanner: Whom to ask for new plans; the usual planner if not given.
             replans: How many may be asked for; 0 to follow the plan blindly, as usual if not given.
         """
         session = self._session
         planned, problem = session.plan_shown, session.problem
         if planned is None or not planned.plan_file or problem is None:
             session.say("There is no plan to run; plan first.", is_bad=True)
-            return
-        job = RunPlan(session.room.path, problem.name, planned.plan_file, replanner, replans, self._fresh())
-        self._submit(job, problem, f"running the plan of {planned.record.planner}")
+            return None
+        asked = replanner or usual_planner()
+        job = RunPlan(session.room.path, problem.name, planned.plan_file, asked, replans, self._fresh())
+        return self._submit(job, problem, f"running the plan of {planned.record.planner}")
 
     def replay(self, name: str) -> None:
         """Run a record of the domain again, as it is.
@@ -129,8 +138,10 @@ class Running:
         if session.problem is not None and session.problem.name == problem:
             self._submit(Replay(session.room.path, name, self._fresh()), session.problem, f"replaying {name}")
 
-    def perform(self, name: str, action: tuple[float, ...], place: Place | None = None) -> None:
+    def perform(self, name: str, action: tuple[float, ...], place: Place | None = None) -> int | None:
         """Try an action on an object as it stands on the table; the table is as before afterwards.
+
+        It is given a number, which is returned; None if it cannot begin.
 
         Args:
             name: Name of the object.
@@ -139,19 +150,20 @@ class Running:
         """
         session = self._session
         if session.problem is None:
-            return
+            return None
         job = Perform(session.room.path, session.problem, name, action, place, self._fresh())
-        self._submit(job, session.problem, f"trying a motion on {name}")
+        return self._submit(job, session.problem, f"trying a motion on {name}")
 
-    def recall(self, row: int) -> None:
-        """Make an interaction of the domain's data happen again.
+    def recall(self, row: int) -> int | None:
+        """Make an interaction of the domain's data happen again; return its number, or None as `perform`.
 
         Args:
             row: Which, counted from 0.
         """
         session = self._session
         data = session.library.folder.path / "interactions.npz"
-        self._submit(Recall(session.room.path, data, row, self._fresh()), None, f"interaction {row} again")
+        job = Recall(session.room.path, data, row, self._fresh())
+        return self._submit(job, None, f"interaction {row} again")
 
     def stop(self) -> None:
         """End a run before its next step; what moves is computed to its end at once."""
@@ -209,17 +221,19 @@ class Running:
     def _fresh(self) -> Controls:
         return replace(self.controls, is_stopped=False, one_step=False)
 
-    def _submit(self, job: Job, problem: Problem | None, what: str) -> None:
+    def _submit(self, job: Job, problem: Problem | None, what: str) -> int | None:
         session = self._session
         with self._lock:
             if self._ticket is not None:
                 session.say("Something runs already; stop it first.", is_bad=True)
-                return
+                return None
             self.clear()
+            number = self.job = self.job + 1
             self.controls, self.problem = self._fresh(), problem
             self._ticket = self._workers.submit(job, self._hear)
         session.say(what)
         session.tell("run")
+        return number
 
     def _hear(self, said: Any) -> None:
         """Take in what the process sends."""
@@ -237,7 +251,7 @@ class Running:
             self._session.tell("step")
         elif isinstance(said, Replanning):
             self.replannings.append(said)
-            self._session.say(f"planned anew before step {said.before_step}: {said.why}")
+            self._session.say(replanned(said))
         elif isinstance(said, Scene):
             self.scene = said
             self._session.tell("run")
@@ -245,21 +259,16 @@ class Running:
             self._end(said)
 
     def _end(self, said: Any) -> None:
+        """Keep what came of it, and only then let something else begin."""
         with self._lock:
+            self.controls = replace(self.controls, is_stopped=False, is_paused=False)
+            self.left = ()
+            if isinstance(said, Ran):
+                self.run, self.file, self.course = said.run, said.file, said.course
+                self.records = list(said.run.steps)
+            elif isinstance(said, Performed):
+                self.outcome = said
             self._ticket = None
-        self.controls = replace(self.controls, is_stopped=False, is_paused=False)
-        self.left = ()
-        session = self._session
-        if isinstance(said, Ran):
-            self.run, self.file, self.course = said.run, said.file, said.course
-            self.records = list(said.run.steps)
-            steps = counted(len(said.run.steps), "step")
-            text = f"goal reached in {steps}" if said.run.reached else f"goal missed: {said.run.reason}"
-            again = f"; the record says {'the same' if said.course != 'another' else 'otherwise'}"
-            session.say(text + (again if said.course else ""), is_bad=not said.run.reached)
-        elif isinstance(said, Performed):
-            self.outcome = said
-            session.say(said.said or f"it ended {said.kind}", is_bad=said.kind in ("lost", "toppled"))
-        elif isinstance(said, Failed):
-            session.say(said.sentence, is_bad=True)
-        session.tell("run")
+        if word := end_word(said):
+            self._session.say(word.text, is_bad=word.is_bad)
+        self._session.tell("run")

@@ -4,6 +4,7 @@ A page calls them, and is told by topic what has changed; tests call them, too. 
 long is handed to a process (`workers`), whose answers come in threads of their own.
 """
 
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
@@ -14,7 +15,6 @@ from neurosym.operators import vector
 from neurosym.pddl.moves import Encoding
 from neurosym.pddl.plan_text import PlanStep
 from neurosym.pddl.validation import validate
-from neurosym.planners import PlanStatus
 from neurosym.problems import Problem
 from neurosym.reading import decode_json
 from neurosym.related import is_relational
@@ -27,6 +27,8 @@ from neurosym.studio.messages import Drawn, DrawTask, Failed, Grab, Planned, Pla
 from neurosym.studio.rooms import Room
 from neurosym.studio.running import Running
 from neurosym.studio.saying import Word, told
+from neurosym.studio.setting import has_goals
+from neurosym.studio.telling import plan_word
 from neurosym.studio.workers import Ticket, Workers
 from neurosym.wording import counted
 
@@ -58,11 +60,13 @@ class Session(Desk):
         self.chosen = ""
         self.running = Running(self, runners)
         self._planning: Ticket | None = None
+        self._drawing: Ticket | None = None
         self._next_plans: list[PlanNew] = []
 
     def close(self) -> None:
         """End what it works on, and remove its folder."""
         self.stop_planning()
+        self.stop_drawing()
         self.running.close()
         self.room.close()
 
@@ -72,13 +76,26 @@ class Session(Desk):
         return self._planning is not None
 
     @property
+    def is_drawing(self) -> bool:
+        """Whether a task is being drawn, or waits in line for that."""
+        return self._drawing is not None
+
+    @property
     def place(self) -> int:
         """How many plans of others are before this page's; 0 if it does not wait."""
         ticket = self._planning
         return ticket.place if ticket else 0
 
     @told
-    def draw(self, objects: int, seed: int, task: AnyTask | None, *, goals: bool = True) -> None:
+    def draw(
+        self,
+        objects: int,
+        seed: int,
+        task: AnyTask | None,
+        *,
+        goals: bool = True,
+        done: Callable[[Problem], None] = lambda _: None,
+    ) -> None:
         """Draw a task: as the paper draws them, or of a kind that people ask for.
 
         Args:
@@ -86,21 +103,46 @@ class Session(Desk):
             seed: Same seed, same task.
             task: Its kind; None for the paper's.
             goals: Whether objects keep their goals.
+            done: Called with the task once it is on the table; never, if it does not come there.
         """
+        self._refuse_while_running()
         if not 1 <= objects <= MOST_OBJECTS:
             raise InvalidValue(f"{objects} objects cannot be drawn; valid: 1 to {MOST_OBJECTS}.")
         job = DrawTask(self.room.path, f"drawn-{task or 'paper'}-{objects}-{seed}", objects, seed, task)
-        self.say("drawing a task")
-        self._planners.submit(job, lambda said: self._hear_drawn(said, goals=goals))
+        with self._lock:  # so that the answer is not heard before it is known that it is waited for
+            if self.is_drawing:
+                raise InvalidValue("A task is being drawn; wait for it.")
+            self.say("drawing a task")
+            before = self.problem
+            self._drawing = self._planners.submit(
+                job, lambda said: self._hear_drawn(said, before, goals=goals, done=done)
+            )
+        self.tell("status")
 
-    def _hear_drawn(self, said: Any, *, goals: bool) -> None:
-        if isinstance(said, Drawn):
-            problem = said.problem if goals else msgspec.structs.replace(said.problem, goals={}, relations=())
-            self._change(problem, "scene")
-            many = counted(len(problem.objects), "object")
-            self.say(f"a task with {many} is on the table" if goals else f"{many} stand on the table")
-        elif isinstance(said, Failed):
-            self.say(said.sentence, is_bad=True)
+    def stop_drawing(self) -> None:
+        """Give up the task that is being drawn."""
+        if ticket := self._drawing:
+            ticket.stop()
+
+    def _hear_drawn(
+        self, said: Any, before: Problem | None, *, goals: bool, done: Callable[[Problem], None]
+    ) -> None:
+        """Put what was drawn on the table, if that is still as it was before."""
+        with self._lock:
+            word = Word("the table was changed meanwhile; draw again", is_bad=True)
+            if isinstance(said, Failed):
+                word = Word(said.sentence, is_bad=True)
+            elif isinstance(said, Drawn) and self.problem is before and not self.running.is_active:
+                problem = said.problem
+                many = counted(len(problem.objects), "object")
+                word = Word(f"a task with {many} is on the table")
+                if not goals:
+                    problem = msgspec.structs.replace(problem, goals={}, relations=())
+                    word = Word(f"{many} stand on the table")
+                self._change(problem, "scene")
+                done(problem)
+            self._drawing = None
+        self.say(word.text, is_bad=word.is_bad)
 
     @told
     def open_file(self, content: bytes) -> None:
@@ -144,22 +186,26 @@ class Session(Desk):
         there are no nearest ones.
         """
         problem = self._problem()
-        if self.is_planning:
-            raise InvalidValue("A planner is at work; stop it, or wait for it.")
         self._refuse_while_running()
-        if not (problem.goals or problem.related):
+        if not has_goals(problem):
             raise InvalidValue("No object has a goal; give one a goal, and plan then.")
-        self.plans, self.chosen = {}, ""
         nearest = not is_relational(problem, self.library.grounding)
-        self._next_plans = [
-            PlanNew(self.room.path, problem, planner, encoding, nearest=nearest) for planner in planners
-        ]
+        with self._lock:
+            if self.is_planning:
+                raise InvalidValue("A planner is at work; stop it, or wait for it.")
+            self.plans, self.chosen = {}, ""
+            self._next_plans = [
+                PlanNew(self.room.path, problem, planner, encoding, nearest=nearest) for planner in planners
+            ]
+            self.say(f"{planners[0]} is planning")
+            self._plan_next()
         self.tell("plan")
-        self._plan_next()
+        self.tell("status")
 
     def stop_planning(self) -> None:
         """End the planner that works."""
-        ticket, self._next_plans = self._planning, []
+        with self._lock:
+            ticket, self._next_plans = self._planning, []
         if ticket is not None:
             ticket.stop()
 
@@ -175,36 +221,40 @@ class Session(Desk):
         """The plan that is shown and run, if there is one."""
         return self.plans.get(self.chosen)
 
-    def _plan_next(self) -> None:
+    def _plan_next(self) -> str:
+        """Ask the planner that is next, and name it; nobody, if all were asked.
+
+        Whoever calls it holds the lock, so that no answer is heard before it is known whom it is from.
+        """
+        if not self._next_plans:
+            self._planning = None
+            return ""
         job = self._next_plans.pop(0)
-        self.say(f"{job.planner} is planning")
-        with self._lock:  # so that the answer is not heard before it is known whom it is from
-            self._planning = self._planners.submit(job, lambda said: self._hear_plan(job, said))
-        self.tell("status")
+        self._planning = self._planners.submit(job, lambda said: self._hear_plan(job, said))
+        return job.planner
 
     def _hear_plan(self, job: PlanNew, said: Any) -> None:
+        """Keep what a planner found, and only then let another one begin."""
         with self._lock:
-            self._planning = None
-        if isinstance(said, Failed):
-            self._next_plans = []
-            self.say(said.sentence, is_bad=True)
-        elif isinstance(said, Planned) and job.problem == self.problem:
+            word = self._keep_plan(job, said)
+            planner = self._plan_next()
+        self.say(word.text, is_bad=word.is_bad)
+        self.tell("plan")
+        if planner:
+            self.say(f"{planner} is planning")
+
+    def _keep_plan(self, job: PlanNew, said: Any) -> Word:
+        """Keep what a planner found for what is on the table, and return what is to be said of it."""
+        if isinstance(said, Planned) and job.problem == self.problem:
             planner = said.record.planner
             self.plans[planner] = said
             if not self.chosen or (said.plan_file and not self.plans[self.chosen].plan_file):
                 self.chosen = planner
-            found = len(said.record.steps)
-            solved = said.record.status is PlanStatus.SOLVED
-            text = f"{planner} found a plan of {counted(found, 'step')}"
-            if not solved:
-                text = f"{planner}: no plan to the goal" + (", but one towards it" if found else "")
-            self.say(text, is_bad=not solved)
-        else:
-            self._next_plans = []
-            self.say("the table was changed meanwhile; plan again")
-        self.tell("plan")
-        if self._next_plans:
-            self._plan_next()
+            return plan_word(said.record)
+        self._next_plans = []
+        if isinstance(said, Failed):
+            return Word(said.sentence, is_bad=True)
+        return Word("the table was changed meanwhile; plan again")
 
     @told
     def accept_nearest(self) -> None:
@@ -219,9 +269,9 @@ class Session(Desk):
         self._change(msgspec.structs.replace(problem, goals=goals, provenance="by hand"), "scene")
         self.plan(planner)
 
-    def forget_run(self) -> None:
-        """Show the table as it is set, and not as the last run or motion left it."""
-        if not self.running.is_active and self.running.clear():
+    def forget_action(self) -> None:
+        """Show the table as it is set, and not as an action left it that was only tried; runs are kept."""
+        if self.running.forget_action():
             self.tell("run")
 
     def _refuse_while_running(self) -> None:

@@ -18,6 +18,11 @@ GOAL_DISTANCE = 0.12
 UPRIGHT = (0.0, 0.0, 0.0, 1.0)
 
 
+def has_goals(problem: Problem) -> bool:
+    """Say whether any object has a goal, on the table or by relation."""
+    return bool(problem.goals or problem.related)
+
+
 def moved(
     problem: Problem, name: str, x: float, y: float, z: float | None = None, along: Collection[str] = ()
 ) -> Problem:

@@ -105,8 +105,10 @@ CARDS = (
         (
             "Operators are printed as PDDL, a language that planners read. A planner is a program that knows "
             "nothing of arms. It finds which operators lead to the goal, one after another.",
-            "The see-through objects are goals: so shall things stand. Drag one by the ball above it if you "
-            "like, and press the button. The panel Plan shows each step.",
+            "The see-through objects are goals: so shall things stand. If nothing on the table has a goal, "
+            "two objects that have one are put there.",
+            "Drag a goal by the ball above it if you like, and press the button. The panel Plan shows each "
+            "step.",
         ),
         "Plan to the goal",
         Deed.PLAN,

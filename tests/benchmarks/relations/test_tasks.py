@@ -1,13 +1,15 @@
 """Tasks of relations that a person solves beforehand, and what is counted of them."""
 
+from types import SimpleNamespace
+
 import numpy as np
 import pytest
 from places import ROOT
 
 from neurosym.world import Outcome, Scene
-from tools.benchmarks.relations import protocols
+from neurosym.worlds.aimed import Adapted
+from tools.benchmarks.relations import protocols, singly, trying
 from tools.benchmarks.relations.geometry import fits
-from tools.benchmarks.relations.singly import one_by_one
 from tools.benchmarks.relations.summary import summarise
 from tools.benchmarks.relations.tables import page
 from tools.benchmarks.relations.tasks import Asked, cells
@@ -100,7 +102,7 @@ def test_summary_counts_seeds_and_means_over_them():
     assert "| 2 | 0.85 | 2.00 | 50% |" in text
     assert "| tower of 3 | 3 | 2 | 0% ± 0 | 75% ± 35 | 50% | 0% | 0% |" in text
     assert "| 160 | 90% | 0% | 25% | 80% | 100% | 25% |" in text
-    assert "for each seed: disagreement: 320; random: more." in text
+    assert "for each seed: curious: 320; at random: more." in text
 
 
 @pytest.mark.parametrize(("name", "draw", "_"), protocols.cells(1))
@@ -119,5 +121,31 @@ def ended(scene: Scene) -> Outcome:
     return Outcome(scene, scene, scene, 0, False, False, False, 0.0)
 
 
-def test_what_carries_single_objects_is_aimed_at_others_in_the_order_of_a_person():
-    assert one_by_one(ROOT / "domains" / "places", cells(1)[0][1], [7]) in ([True], [False])
+class Watched(Adapted):
+    """A world that remembers what was carried where to."""
+
+    def __init__(self, world):
+        super().__init__(world)
+        self.deeds = []
+
+    def sample_scene(self, rng, objects):
+        """Draw a scene."""
+        return self._world.sample_scene(rng, objects)
+
+    def interact(self, scene, action, target, *, reference=None, **options):
+        """Perform an action."""
+        self.deeds.append((target, reference))
+        return self._world.interact(scene, action, target, reference=reference, **options)
+
+
+def test_what_carries_single_objects_is_aimed_at_others_in_the_order_of_a_person(world, monkeypatch):
+    folder, draw = ROOT / "domains" / "places", cells(1)[0][1]
+    bench, _ = trying.bench_of(folder)
+    watched = Watched(bench.setting.world)
+    setting = SimpleNamespace(world=watched, grounding=bench.setting.grounding)
+    known = SimpleNamespace(setting=setting, categorise=bench.categorise)
+    monkeypatch.setattr(singly, "bench_of", lambda _: (known, None))
+    reached = singly.one_by_one(folder, draw, [7])
+    deeds = draw(world, 7).deeds
+    assert tuple(watched.deeds[-len(deeds) :]) == deeds
+    assert len(reached) == 1

@@ -29,7 +29,7 @@ from neurosym.worlds.related import REFERENCE, TARGET, RelatedFactory
 from neurosym.worlds.workers import Task, perform_all
 from neurosym.worlds.world_file import read_world
 from tools.benchmarks.relations.geometry import relation
-from tools.benchmarks.relations.learned import NEW_PAIRS, REGIME, begun
+from tools.benchmarks.relations.learned import NEW_PAIRS, REGIME, copy_start
 from tools.benchmarks.relations.summary import PUTS
 from tools.benchmarks.relations.symbols import REHEARSED, SURE
 
@@ -59,11 +59,14 @@ def found_after(
         did it mostly.
     """
     if not (explored / RELATION_INTERACTIONS).exists():
-        domain, options = DomainFolder(begun(places, folder)), {"strategy": strategy, "seed": seed}
-        stage = explore_relations_stage(domain, steps=NUMBERS[-1], regime=REGIME, workers=1, **options)
+        copy_start(places, folder)
+        domain, explored = DomainFolder(folder), folder
+        stage = explore_relations_stage(
+            domain, strategy=strategy, steps=NUMBERS[-1], seed=seed, regime=REGIME, workers=1
+        )
         domain.perform(stage, again=False)
-        explored = folder
     every = Interactions.load(explored / RELATION_INTERACTIONS)
+    assert len(every) >= NUMBERS[-1], "so many were made"
     factory = RelatedFactory(read_world(explored / WORLD))
     return [_found(every[:number], factory, seed) for number in NUMBERS]
 
@@ -112,6 +115,6 @@ def _best(tried: Sequence[tuple[float, list[Outcome]]], name: str) -> dict[str, 
             outcome.carried and not outcome.disturbed and relation(outcome, TARGET, REFERENCE) == name
             for outcome in outcomes
         ]
-        known.append((float(np.mean(did[::2])), float(np.mean(did[1::2])), share))
-    first, second, share = max(known, default=(0.0, 0.0, 0.0))
+        known.append((float(np.mean(did[::2])), share, float(np.mean(did[1::2]))))
+    first, share, second = max(known, key=lambda one: one[:2], default=(0.0, 0.0, 0.0))
     return {"right": second, "pairs": share} if first > 0.5 else None

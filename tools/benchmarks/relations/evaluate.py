@@ -22,7 +22,7 @@ from tools.benchmarks.jobs import Job, as_text, load_jobs, machine, pack, perfor
 from tools.benchmarks.relations import by_hand, learned, protocols, tasks
 from tools.benchmarks.relations.beginnings import found_after
 from tools.benchmarks.relations.singly import one_by_one
-from tools.benchmarks.relations.summary import BEGUN, CURIOUS, RANDOM, SINGLY, Way, summarise
+from tools.benchmarks.relations.summary import CURIOUS, FIRST, RANDOM, SINGLY, Way, summarise
 from tools.benchmarks.relations.tables import page
 from tools.benchmarks.relations.trying import try_all
 from tools.benchmarks.world.measures import Advance
@@ -79,7 +79,7 @@ def main(
     learned.keep(work, results / DOMAINS)
     do(_tried(work, CURIOUS, every, cells), "trying tasks")
     do(_singly(work, every, tasks.cells(count)), "trying with single objects")
-    do(_begun(work, every), "learning from the first interactions")
+    do(_first(work, every), "learning from the first interactions")
     do(_learning(work, RANDOM, some, steps), "learning from random actions")
     do(_tried(work, RANDOM, some, cells), "trying what was learned from these")
     say(f"wrote {results / 'relations.md'}")
@@ -144,17 +144,17 @@ def _singly(work: Path, seeds: Sequence[int], cells: Sequence[tasks.Cell]) -> di
     }
 
 
-def _begun(work: Path, seeds: Sequence[int]) -> dict[str, Job]:
+def _first(work: Path, seeds: Sequence[int]) -> dict[str, Job]:
     return {
-        f"begun-{way.label(seed)}": partial(
+        f"{FIRST}-{way.label(seed)}": partial(
             found_after,
             _places(work, seed),
             way.folder(work, seed),
-            work / f"begun-{way.label(seed)}",
+            work / f"{FIRST}-{way.label(seed)}",
             seed,
             way.strategy,
         )
-        for way in BEGUN
+        for way in (CURIOUS, RANDOM)
         for seed in seeds
     }
 

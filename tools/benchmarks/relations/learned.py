@@ -59,7 +59,7 @@ def learn(
         `protocols.effect_errors`, and CPU seconds of each stage.
     """
     grounding, seconds = Grounding.load(places / GROUNDING), {}
-    begun(places, folder)
+    copy_start(places, folder)
     if not (folder / RELATION_OPERATORS).exists():
         seconds = _learn(DomainFolder(folder), seed, steps, strategy)
     relations = RelationOperators.load(folder / RELATION_OPERATORS)
@@ -70,8 +70,8 @@ def learn(
     return {**measured, "effect_errors": errors, "cpu_seconds": seconds}
 
 
-def begun(places: Path, folder: Path) -> Path:
-    """Copy what relations are learned from, and return the folder.
+def copy_start(places: Path, folder: Path) -> None:
+    """Copy what relations are learned from.
 
     Args:
         places: A domain with places.
@@ -81,7 +81,6 @@ def begun(places: Path, folder: Path) -> Path:
     for name in (WORLD, MODEL):
         shutil.copy(places / name, folder / name)
     write_json(folder / PLACE_OPERATORS, Grounding.load(places / GROUNDING).places)
-    return folder
 
 
 def _learn(domain: DomainFolder, seed: int, steps: int, strategy: StrategyName) -> dict[str, float]:

@@ -34,11 +34,9 @@ class Way:
 
 
 CURIOUS, RANDOM = Way("disagreement", "seed"), Way("random", "random", "random-")
-ENTROPY = Way("entropy", "entropy", "entropy-")
-BEGUN = CURIOUS, RANDOM, ENTROPY
-"""Ways of which the first interactions are looked at."""
-SINGLY = "singly"
-"""What the names of those jobs begin with that try symbols of single objects."""
+SINGLY, FIRST = "singly", "begun"
+"""What the names of jobs begin with that try symbols of single objects, and that learn from few
+interactions."""
 RIGHT = 0.85
 """An operator has been found if it is right so often where it is promised."""
 PUTS = "on", "in"
@@ -88,18 +86,18 @@ def summarise(
         "table": table,
         "table_at_random": {name: _cell(found, name, RANDOM, every) for name, *_ in cells},
         "singly": {name: _singly(found, name, every) for name, *_ in cells},
-        "begun": {way.strategy: _begun(found, way, every) for way in BEGUN},
+        "first": {way.strategy: _after_first(found, way, every) for way in (CURIOUS, RANDOM)},
     }
 
 
-def _begun(found: Mapping[str, Any], way: Way, seeds: Sequence[int]) -> dict[str, Any]:
+def _after_first(found: Mapping[str, Any], way: Way, seeds: Sequence[int]) -> dict[str, Any]:
     """Gather what could be done after the first interactions.
 
     Returns:
         For each number of interactions the mean share in which what puts on and what puts in is right, 0
         where there is none; and for each seed the first number after which both are.
     """
-    of_seeds = [one for seed in seeds if (one := found.get(f"begun-{way.label(seed)}"))]
+    of_seeds = [one for seed in seeds if (one := found.get(f"{FIRST}-{way.label(seed)}"))]
     rows = [
         {
             "interactions": after[0]["interactions"],

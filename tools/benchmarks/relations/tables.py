@@ -7,6 +7,7 @@ from typing import Any
 from neurosym.markdown import markdown_table
 from neurosym.wording import counted
 
+_CALLED = {"disagreement": "curious", "random": "at random"}
 _PARTS = ("on", "in", "borne")
 RELATIONS = ("on", "in", "leaning", "against", "beside", "apart", "around")
 
@@ -95,7 +96,7 @@ def _learned(found: Mapping[str, Any]) -> list[str]:
         "three objects, a person puts one to three times something on or into something else. Among five to "
         "eight, something is put near something else; every object must then be within 9 cm of where it was.",
         "## The first interactions",
-        *_begun(found["begun"]),
+        *_first(found["first"]),
         "## Predicted ends",
         "New actions, drawn as exploring draws them, and where the network of pairs says that all objects "
         "end. Error of an object, summed over x, y and z, and the same if nothing moved.",
@@ -121,8 +122,9 @@ def _task(name: str, cell: Mapping[str, Any], found: Mapping[str, Any]) -> list[
     return [name, str(cell["tasks"]), str(cell["planned"]), *map(_over_seeds, shares)]
 
 
-def _begun(found: Mapping[str, Any]) -> list[str]:
+def _first(found: Mapping[str, Any]) -> list[str]:
     """Write what could be done after the first interactions, out of curiosity and at random."""
+    found = {_CALLED[strategy]: way for strategy, way in found.items()}
     known = {name: way["after"] for name, way in found.items() if way["after"]}
     rows = [
         [f"{same[0]['interactions']:,}", *(f"{one[part]:.0%}" for one in same for part in _PARTS)]
