@@ -31,6 +31,12 @@ in, and what was foreseen 4. With less, the action by hand put in 2 of 40.
 """
 
 
+FAINT, FAINTEST = 0.02, 4
+"""Where nothing is foreseen more surely than `LEAST`, a problem keeps so many operators for the state that
+are foreseen as surely as the first number or more. They serve goals only: whoever asks for something may know
+that it can be done."""
+
+
 @lru_cache(maxsize=8)
 def for_any_pair(table: RelationOperators) -> tuple[RelationOperator, ...]:
     """Make of each primitive's operators for the same state one for pairs of any kind.

@@ -11,7 +11,7 @@ import msgspec
 import numpy as np
 from jaxtyping import Float
 
-from neurosym.any_pair import for_any_pair, share_with_any
+from neurosym.any_pair import FAINT, FAINTEST, LEAST, for_any_pair, share_with_any
 from neurosym.errors import InvalidValue
 from neurosym.operators import Category
 from neurosym.problems import Problem
@@ -112,9 +112,18 @@ def _foreseen(
         return found
     actions = np.array([relations.primitive_of(operator).action for _, operator, _ in cases])
     predicted = chances(features[[row for row, *_ in cases]], actions)
+    known = {(row, column): 0.0 for row, _, column in cases}
+    faint: dict[tuple[int, int], list[tuple[float, str]]] = {case: [] for case in known}
     for (row, operator, column), of_states in zip(cases, predicted, strict=True):
         chance = float(of_states[column])
         share = chance if operator.pair else share_with_any(chance)
-        if share is not None:
-            found[row][operator.name] = round(share, _DIGITS)
+        if share is None:
+            faint[row, column].append((chance, operator.name))
+            continue
+        found[row][operator.name] = round(share, _DIGITS)
+        known[row, column] = max(known[row, column], share)
+    for (row, column), left in faint.items():
+        if known[row, column] < LEAST:
+            surest = sorted(left, key=lambda one: (-one[0], one[1]))[:FAINTEST]
+            found[row] |= {name: round(chance, _DIGITS) for chance, name in surest if chance >= FAINT}
     return found

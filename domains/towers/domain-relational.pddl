@@ -6,8 +6,8 @@
 ; p). Here p is (k + 1) / (n + 2) with k successes in n rehearsals, or the share that the grade of a pair
 ; stands for.
 ; (can-... ?t ?r ?g): an operator is likely to work with a pair; ?g says how surely. A problem tells that of
-; its pairs, as a network foresees it: surely (0.9), mostly (0.7), often (0.5), seldom (0.3); or usual, as
-; rehearsals showed.
+; its pairs, as a network foresees it: surely (0.9), mostly (0.7), often (0.5), seldom (0.3), hardly (0.1);
+; or usual, as rehearsals showed.
 
 (define (domain tabletop)
   (:requirements :strips :typing :action-costs)

@@ -3,6 +3,7 @@
 from collections import Counter
 from collections.abc import Sequence
 
+from neurosym.any_pair import FAINT
 from neurosym.errors import InvalidValue
 from neurosym.grounding import Grounding
 from neurosym.pair_sight import with_pairs
@@ -83,7 +84,8 @@ def puts_for(problem: Problem, grounding: Grounding, target: str, reference: str
     """List what the domain can do with a pair of objects, as it is foreseen to turn out with them.
 
     Of operators for the same it is the surest with this pair. One for pairs of any kind must be foreseen, and
-    more surely than what those for the kind of the pair promise.
+    more surely than what those for the kind of the pair promise. What a goal asks for is offered even if it
+    is only faintly foreseen, where there is nothing likelier.
 
     Args:
         problem: The problem, with the kinds of its pairs.
@@ -105,8 +107,27 @@ def puts_for(problem: Problem, grounding: Grounding, target: str, reference: str
         for put in fitting
         if put.kind or (put.grade != USUAL and put.chance() > own.get(put.state.name, 0.0))
     ]
-    surest = {put.case: put for put in sorted(at_hand, key=Put.sureness) if put.is_likely}
+    likely = [put for put in at_hand if put.is_likely]
+    likely += _faint(at_hand, likely, problem, target, reference)
+    surest = {put.case: put for put in sorted(likely, key=Put.sureness)}
     return tuple(put for put in at_hand if surest.get(put.case) is put)
+
+
+def _faint(
+    at_hand: Sequence[Put], likely: Sequence[Put], problem: Problem, target: str, reference: str
+) -> list[Put]:
+    """List what does what goals ask of a pair, faintly foreseen, where nothing is likely to do it."""
+    asked = {state for one, other, state in problem.related if (one, other) == (target, reference)}
+    foreseen = problem.foreseen if isinstance(problem.foreseen, dict) else {}
+    shares = foreseen.get(pair_key(target, reference), {})
+    known = {put.state.symbol for put in likely}
+    return [
+        put
+        for put in at_hand
+        if asked & {put.state.name, put.state.symbol}
+        and put.state.symbol not in known
+        and shares.get(put.name, 0.0) >= FAINT
+    ]
 
 
 def valid_relations(problem: Problem, grounding: Grounding, target: str) -> str:

@@ -19,7 +19,6 @@ from neurosym.pddl.printing import action_text, comment
 from neurosym.pddl.relational import Put, bearing_states, left_out_puts
 from neurosym.pddl.relational_actions import Actions, Carrier, actions_of
 from neurosym.pddl.relational_words import about_put, about_state, about_third
-from neurosym.promises import LEAST_CHANCE
 from neurosym.relation_operators import PairState
 
 LEAVE = "leave-"
@@ -31,8 +30,7 @@ FROM_PLACE, FROM_OBJECT = "from-place", "from-object"
 """Where an object in the hand comes from."""
 NONE, ONE = "none", "one"
 """How many objects another one bears, to begin with."""
-_LIKELY = [(share, grade) for grade, share in GRADES.items() if share >= LEAST_CHANCE]
-_GRADES = ", ".join(f"{grade} ({share:g})" for share, grade in sorted(_LIKELY, reverse=True))
+_GRADES = ", ".join(f"{grade} ({share:g})" for grade, share in [*GRADES.items()][::-1])
 _FREE = "(increase (total-cost) 0)"
 
 
