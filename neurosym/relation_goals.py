@@ -29,7 +29,7 @@ def check_relation_goals(
         placed: Names of the objects that have a goal on the table or above it.
     """
     listed = ", ".join(names)
-    over = dict[str, str]()
+    over, states = dict[str, str](), dict[str, str]()
     for target, reference, state in goals:
         for name in (target, reference):
             if name not in names:
@@ -42,6 +42,11 @@ def check_relation_goals(
         if over.setdefault(target, reference) != reference:
             raise InvalidValue(
                 f"{target} shall be with {over[target]} and with {reference}; give it one reference."
+            )
+        if states.setdefault(target, state) != state:
+            raise InvalidValue(
+                f"{target} shall be {states[target]} and {state} {reference}; a pair is in one state at a "
+                "time, so give it one."
             )
         if target in placed:
             raise InvalidValue(

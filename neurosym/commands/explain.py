@@ -21,7 +21,7 @@ def explain(
         Path | None, arg(metavar="FILE.md", help="Write it as Markdown here instead of printing it.")
     ] = None,
     symbol: Annotated[
-        str | None, arg(metavar="SYMBOL", help="Say it of this symbol only, given as bits or as a name.")
+        str | None, arg(metavar="SYMBOL", help="Say it of this symbol only: bits, a name, or an operator.")
     ] = None,
     json: Json = False,
 ) -> int:
@@ -40,12 +40,12 @@ def explain(
         say(f"wrote {output}")
     else:
         show_explanation(explanation)
-    primitive = (explanation.actions or every.actions)[0].symbol
+    first = explanation.actions[0].symbol if explanation.actions else ""
     if not output and is_long(explanation):
-        say_next(f"neurosym explain {quoted(folder)} --symbol {primitive}")
-    elif (domain / GROUNDING).is_file() and (domain / WORLD).is_file():
-        say_next(f"neurosym show {quoted(folder)} --primitive {primitive}")
-    elif (domain / WORLD).is_file():
+        say_next(f"neurosym explain {quoted(folder)} --symbol {first}")
+    elif first and (domain / GROUNDING).is_file() and (domain / WORLD).is_file():
+        say_next(f"neurosym show {quoted(folder)} --primitive {first}")
+    elif first and (domain / WORLD).is_file():
         say_next(f"neurosym compile-domain {quoted(folder)}")
     answer(explanation)
     return 0

@@ -126,7 +126,9 @@ def _say_plan(record: "PlanRecord") -> None:
 
 
 def _likely(chance: float) -> str:
-    return f"{chance:.0%} likely" if chance >= 0.005 else "less than 1% likely"
+    if chance < 0.005:
+        return "less than 1% likely"
+    return f"{chance:.0%} likely" if chance < 0.995 else "more than 99% likely"
 
 
 def _say_alternatives(record: "PlanRecord", folder: Path, wanted: int) -> None:

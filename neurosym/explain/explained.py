@@ -51,6 +51,11 @@ class SymbolExplanation:
     compared: str
     effects: tuple[EffectRow, ...] = ()
 
+    @property
+    def called(self) -> frozenset[str]:
+        """What it may be called by: its bits, its name, and its operators."""
+        return frozenset((self.symbol, self.title, *(row.operator for row in self.effects)))
+
 
 @dataclass(frozen=True, slots=True)
 class Explanation:
@@ -84,14 +89,13 @@ class Explanation:
         """Keep what is said of one symbol, which may be one of actions and of objects alike.
 
         Args:
-            symbol: Its bits, or its name.
+            symbol: Its bits, its name, or an operator of it.
 
         Raises:
             UnknownChoice: If there is none.
         """
         parts = {
-            name: tuple(one for one in part if symbol in (one.symbol, one.title))
-            for name, part in self.parts.items()
+            name: tuple(one for one in part if symbol in one.called) for name, part in self.parts.items()
         }
         if not any(parts.values()):
             known = dict.fromkeys(one.symbol for part in self.parts.values() for one in part)

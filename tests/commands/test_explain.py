@@ -42,6 +42,9 @@ def test_one_symbol_may_be_asked_for_by_its_bits_or_its_name(folder, capsys):
         said = capsys.readouterr().out
         assert f"Object symbol {category.symbol}: {category.name}" in said
         assert "Action symbol" not in said
+    operator = OperatorTable.load(folder / "primitives.json").operators[0]
+    assert neurosym("explain", folder, "--symbol", operator.name) == 0
+    assert operator.name in capsys.readouterr().out
     assert "There is no symbol 'banana'; valid: " in refusal(capsys, "explain", folder, "--symbol", "banana")
 
 

@@ -6,7 +6,7 @@ import msgspec
 import pytest
 import toy_domain
 import toy_places
-from toy_relations import PUT_IN, PUT_ON, REST, grounding, sorting, tower
+from toy_relations import LIE, PUT_IN, PUT_ON, REST, grounding, sorting, tower
 
 from neurosym.errors import InvalidPlan, InvalidValue, NeurosymError
 from neurosym.pddl import domain_text
@@ -64,6 +64,7 @@ def test_lines_of_plans_that_cannot_be_are_refused_in_one_sentence(line, said, t
         ),
         ([("item-01", "item-02", REST), ("item-02", "item-01", REST)], "lead round in a circle"),
         ([("item-01", "item-02", REST), ("item-01", "item-03", REST)], "give it one reference"),
+        ([("item-01", "item-02", REST), ("item-01", "item-02", LIE)], "a pair is in one state at a time"),
         ([("item-01", "moon", REST)], "a relation of moon, which is not in the scene; objects: item-01"),
         ([("item-01", "item-02", "floats")], "no state of a pair 'floats'; valid: apart-000"),
         ([("item-01", "item-02", "apart-000")], "in which nothing is borne; valid states: rests-on-001"),
