@@ -28,7 +28,7 @@ def is_long(explanation: Explanation) -> bool:
 
 
 def show_explanation(explanation: Explanation) -> None:
-    """Print an explanation for a terminal; of very many symbols only what each is called."""
+    """Print an explanation for a terminal; of many symbols only what each is called."""
     for line in explanation.summary:
         _say_wrapped(line)
     if is_long(explanation):
