@@ -99,10 +99,7 @@ class TablePanel(Panel):
         if problem is None or item is None or not topics & {"scene", "place", "status"}:
             return
         set_options(self._object, problem.object_names, item.name)
-        if topics & {
-            "scene",
-            "status",
-        }:  # what lies in the folder is not looked up while something is dragged
+        if topics & {"scene", "status"}:  # the folder is not looked through while something is dragged
             names = self.session.library.problem_names()
             others = () if problem.name in names else (problem.name,)
             set_options(self._problem, (*others, *names), problem.name)

@@ -272,5 +272,7 @@ def test_what_is_at_work_is_stopped_from_the_card(guide):
     guide.session.running.set_speed(0.2)
     guide.act()
     wait_for(lambda: guide.session.running.seen)
+    assert guide.is_busy
     guide.stop()
     wait_for(lambda: not guide.is_busy)
+    assert guide.can_act

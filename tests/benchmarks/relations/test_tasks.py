@@ -85,7 +85,7 @@ def test_summary_counts_seeds_and_means_over_them():
         "try-2-tower-of-3-at-a-place-0": tower[1:],
         "learn-random-1": symbols(0.1),
         "try-random-1-tower-of-3-0": tower[1:],
-        "singly-1-tower-of-3": [True, False],
+        "singly-1-tower-of-3-0": [True, False],
         "begun-1": [after(160, 0.9, None), after(320, 0.9, 0.85)],
         "begun-random-1": [after(160, 0.8, 1.0), after(320, 0.8, 1.0)],
     }

@@ -136,11 +136,12 @@ def _tried(work: Path, way: Way, seeds: Sequence[int], cells: Sequence[tasks.Cel
 
 def _singly(work: Path, seeds: Sequence[int], cells: Sequence[tasks.Cell]) -> dict[str, Job]:
     return {
-        f"{SINGLY}-{seed}-{tasks.slug(name)}": partial(
-            one_by_one, CURIOUS.folder(work, seed), draw, _tasks(seed, 0, count)
+        f"{SINGLY}-{seed}-{tasks.slug(name)}-{start}": partial(
+            one_by_one, CURIOUS.folder(work, seed), draw, _tasks(seed, start, BLOCK)
         )
         for seed in seeds
         for name, draw, count in cells
+        for start in range(0, count, BLOCK)
     }
 
 

@@ -124,22 +124,23 @@ def _learned(found: Mapping[str, Any], way: Way, seeds: Sequence[int]) -> dict[i
 
 def _singly(found: Mapping[str, Any], name: str, seeds: Sequence[int]) -> list[float]:
     """Return the share that symbols of single objects reached of a cell, for each seed that was tried."""
-    of_seeds = (found.get(f"{SINGLY}-{seed}-{slug(name)}") for seed in seeds)
+    of_seeds = (_blocks(found, f"{SINGLY}-{seed}-{slug(name)}-") for seed in seeds)
     return [mean(reached) for reached in of_seeds if reached]
+
+
+def _blocks(found: Mapping[str, Any], begin: str) -> list[Any]:
+    """Return what came of all tasks of a cell: they are tried some at a time, and jobs end with the first."""
+    return [
+        one
+        for job, tried in found.items()
+        if job.startswith(begin) and job.removeprefix(begin).isdigit()
+        for one in tried
+    ]
 
 
 def _cell(found: Mapping[str, Any], name: str, way: Way, seeds: Sequence[int]) -> dict[str, Any]:
     """Gather the trials of a cell, with the shares of each seed that has some."""
-    begins = [f"try-{way.label(seed)}-{slug(name)}-" for seed in seeds]
-    of_seeds = [
-        [
-            trial
-            for job, trials in found.items()
-            if job.startswith(begin) and job.removeprefix(begin).isdigit()
-            for trial in trials
-        ]
-        for begin in begins
-    ]
+    of_seeds = [_blocks(found, f"try-{way.label(seed)}-{slug(name)}-") for seed in seeds]
     known = [trials for trials in of_seeds if trials]
     every = [trial for trials in known for trial in trials]
     return {

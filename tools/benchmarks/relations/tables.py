@@ -76,9 +76,9 @@ def _learned(found: Mapping[str, Any]) -> list[str]:
         "A person draws the tasks and solves each by hand beforehand: the same tasks, by actions that a "
         "person wrote, are reached in all cases. Goals are told to the domain in the words that geometry "
         "matched with its states. Geometry says what was reached. Shares are means over seeds, with their "
-        "standard deviation. *Single objects*: a person says what to carry where to, one after another; "
-        "what carries that object to places most surely, as was learned of it alone, is aimed at the other "
-        "object. *At random*: learned with one seed from as many actions that nobody chose.",
+        "standard deviation. *Single objects*: a person says what to carry where to, one after another. "
+        "What carries that object to places most surely is aimed at the other object. "
+        "*At random*: learned with one seed from as many actions that nobody chose.",
         markdown_table(
             [
                 "task",
