@@ -10,6 +10,7 @@ from pathlib import Path
 
 import numpy as np
 
+from neurosym.errors import InvalidValue
 from neurosym.operators import TOLERANCE
 from neurosym.pddl.place_domain import carriers_for
 from neurosym.world import relative_to
@@ -40,6 +41,9 @@ def _is_reached(folder: Path, asked: Asked) -> bool:
         if not carriers:
             return False
         action = np.array(grounding.primitive_of(carriers[0]).action)
-        outcome = world.interact(scene, action, target, **relative_to(world, reference))
+        try:
+            outcome = world.interact(scene, action, target, **relative_to(world, reference))
+        except InvalidValue:  # the step before left an object where the arm cannot reach
+            return False
         scene = outcome.end
     return outcome is not None and asked.is_met(outcome)
