@@ -95,7 +95,8 @@ def _say_effects(effects: Sequence[EffectRow]) -> None:
                 f"- {row.operator} ({row.trials} trials, {row.promised} as promised{_domain(row)})", _INDENT
             )
         before = row.operator
-        _say_wrapped(f"{row.share:.0%} {row.ends}: {row.effect} ({row.spread})", 3 * _INDENT)
+        effect = f": {row.effect} ({row.spread})" if row.effect else ""
+        _say_wrapped(f"{row.share:.0%} {row.ends}{effect}", 3 * _INDENT)
 
 
 def _domain(row: EffectRow) -> str:

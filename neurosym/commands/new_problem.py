@@ -118,9 +118,9 @@ def new_problem(
     if is_reached(problem, Grounding.load(domain / GROUNDING)):
         say(f"note: it is met at the start, within {1000 * problem.tolerance:g} mm")
     for target, other, state in problem.related:
-        say(f"  {target} shall come to be {state} {other}")
+        say(f"  goal: {target} {state} {other}")
     for target, (x, y, *_) in problem.goals.items() if problem.related else ():
-        say(f"  {target} shall come to ({x:.3f}, {y:.3f})")
+        say(f"  goal: {target} at ({x:.3f}, {y:.3f})")
     if before != digest(made) and (stale := domain.made_for(name)):
         say(f"note: made for the former {name}, and stale now: {', '.join(stale)}")
     say_next(f"neurosym plan {quoted(folder)} {name}")

@@ -138,6 +138,6 @@ def _row(operator: RelationOperator, end: PairEnd, relations: RelationOperators,
         share=end.share,
         ends=relations.state_named(end.state).name if end.state else _CARRIED_ELSEWHERE,
         effect=f"({x:.2f}, {y:.2f}, {z:.2f}) touching units from the reference" if end.state else "",
-        spread="± " + ", ".join(f"{value:.2f}" for value in end.spread),
+        spread="± " + ", ".join(f"{value:.2f}" for value in end.spread) if end.state else "",
         domain=f"no: {reason}" if reason else "yes",
     )

@@ -76,7 +76,7 @@ def why_no_relation(problem: Problem, grounding: Grounding) -> str:
         found = [put for put in puts_for(problem, grounding, target, reference) if put.state == state]
         if not found:
             valid = valid_relations(problem, grounding, target)
-            return f"nothing puts {target} {state.name} {reference}; {valid}"
+            return f"no operator brings {target} to {state.name} with {reference}; {valid}"
     return why_too_many(problem, grounding)
 
 

@@ -8,11 +8,11 @@ from neurosym.errors import InvalidValue, UnknownChoice
 from neurosym.grounding import Grounding
 from neurosym.operators import TOLERANCE
 from neurosym.pair_sight import PairSight, with_pairs
-from neurosym.pddl.relational import LEAST_SHARE
+from neurosym.pddl.relational import LEAST_SHARE, left_out
 from neurosym.pddl.relational_check import puts_for
 from neurosym.problems import Problem
 from neurosym.related import known_bearers
-from neurosym.relation_operators import PairStates
+from neurosym.relation_operators import PairStates, RelationOperators
 from neurosym.stages.folder import DomainFolder
 from neurosym.stages.layout import RELATION_CHANCES, RELATION_MODEL, RELATION_STATES
 from neurosym.symbols import Categorise
@@ -88,12 +88,25 @@ def draw_any_task(
         objects=objects,
         seed=seed,
         height=height,
-        state=relations.state_meant(state).name if state else "",
+        state=_state_asked(state, relations) if state else "",
         like=like,
         likened=tuple((target, borne.by, borne.state.name) for target, borne in bearers.items()),
         tolerance=tolerance,
     )
     return with_pairs(problem, relations, sight)
+
+
+def _state_asked(asked: str, relations: RelationOperators) -> str:
+    """Return the name of a state that is asked for, if operators of the domain bring pairs there."""
+    state, left = relations.state_meant(asked), left_out(relations)
+    promised = {one.promise.state for one in relations.operators if one.promise and one.name not in left}
+    if state.symbol not in promised:
+        valid = [one.name for one in relations.states if one.symbol in promised]
+        raise InvalidValue(
+            f"No operator brings pairs to the state {state.name}, so no task asks for it; valid: "
+            f"{', '.join(valid) or 'none'}."
+        )
+    return state.name
 
 
 def sight_of_pairs(folder: DomainFolder) -> PairSight | None:

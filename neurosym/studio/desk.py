@@ -141,7 +141,7 @@ class Desk:
         if why := why_no_goal(self.paired(), self.library.grounding, goal):
             raise InvalidValue(f"{why}.")
         self._change(setting.with_relation(self._problem(), *goal), "place" if has_goal else "scene")
-        self.say(f"{name} shall come to be {state} {reference}")
+        self.say(f"goal: {name} {state} {reference}")
 
     @told
     def add_goal(self, name: str) -> None:

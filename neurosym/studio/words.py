@@ -192,7 +192,7 @@ def relation_list(goals: Iterable[RelationGoal]) -> str:
     Args:
         goals: The goals.
     """
-    lines = [f"{target} shall come to be {state} {reference}" for target, reference, state in goals]
+    lines = [f"Goal: {target} {state} {reference}" for target, reference, state in goals]
     return _list(lines)
 
 

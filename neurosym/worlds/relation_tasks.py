@@ -23,6 +23,7 @@ from neurosym.related import bearers_of
 from neurosym.relation_goals import RelationGoal
 from neurosym.relation_operators import RelationOperators
 from neurosym.symbols import Categorise
+from neurosym.wording import counted
 from neurosym.world import World
 from neurosym.worlds.stacks import scattered, stacked, standing, upright_items
 
@@ -158,11 +159,9 @@ def draw_relation_task(
     check_length("tolerance", tolerance)
     if kind == "like" and (like is None or not likened):
         raise InvalidValue("A task like another scene needs one in which an object bears another.")
-    if kind == "unstack" and objects < 2 * height - 1:
-        raise InvalidValue(
-            f"A stack of {height} is taken apart onto {height - 1} other objects; valid: {2 * height - 1} "
-            "objects or more, or a lower height."
-        )
+    least, why = _least_objects(kind, height)
+    if objects < least:
+        raise InvalidValue(f"{counted(objects, 'object')} will not do: {why}; valid: {least} or more.")
     number = RELATION_TASKS.index(kind)
     for draw in range(_DRAWS):
         rng = np.random.default_rng([_STREAM, number, objects, seed, draw])
@@ -179,10 +178,22 @@ def draw_relation_task(
         if found is not None:
             return found
     asked = f" in the state {state}" if state else ""
+    lower, high = (", a lower height", f" of height {height}") if kind in ("tower", "unstack") else ("", "")
     raise InvalidValue(
-        f"None of {_DRAWS} draws of {objects} objects has a task {kind!r}{asked} of height {height} that "
-        "what was learned can do; ask for more objects, a lower height, or another state."
+        f"None of {_DRAWS} draws of {objects} objects has a task {kind!r}{asked}{high} that "
+        f"what was learned can do; ask for more objects{lower}, or another state."
     )
+
+
+def _least_objects(kind: RelationTask, height: int) -> tuple[int, str]:
+    """Return how many objects a task needs at least, and why."""
+    least = {
+        "tower": (height, f"a tower of height {height} has as many"),
+        "boxes": (2, "each thing comes into another"),
+        "unstack": (2 * height - 1, f"a stack of {height} is taken apart onto {height - 1} others"),
+        "exchange": (4, "two change places on two others"),
+    }
+    return least.get(kind, (1, "there is nothing to do"))
 
 
 def _tower(drawn: _Drawn, _: World) -> Problem | None:

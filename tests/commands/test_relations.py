@@ -48,7 +48,7 @@ def test_scene_by_hand_is_planned_executed_and_replayed(bare, problem, capsys):
     name = made(bare, problem)
     said = capsys.readouterr().out
     target, other, state = problem.related[0]
-    assert f"{target} shall come to be {state} {other}" in said
+    assert f"goal: {target} {state} {other}" in said
     stored = Problem.load(bare / f"problems/{name}.scene.json")
     assert isinstance(stored.pairs, dict)
     for encoding in BY_RELATIONS:
@@ -92,7 +92,7 @@ def test_scenes_that_cannot_be_are_refused_in_one_sentence(bare, tmp_path, capsy
         (
             tower().objects,
             [("item-01", "item-02", LIE)],
-            "nothing puts item-01 lies-in-010 item-02; valid for",
+            "no operator brings item-01 to lies-in-010 with item-02; valid for",
         ),
         (scene(("cube", 0.5, 0.0, 0.2), ("cube", 0.7, 0.0)), [("item-01", "item-02", REST)], "does not rest"),
         (

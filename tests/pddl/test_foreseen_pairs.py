@@ -124,7 +124,7 @@ def test_what_is_hardly_foreseen_is_not_planned_with_and_has_hardly_a_chance():
     assert "(can-put-on" not in problem_text(problem, learned, RELATIONAL)
     result = plan(problem, learned)
     assert result.status is PlanStatus.UNSOLVABLE
-    assert result.reason.startswith(f"nothing puts item-01 {REST} item-03")
+    assert result.reason.startswith(f"no operator brings item-01 to {REST} with item-03")
     steps = (PlanStep(PUT_ON, "item-03", "item-02"), PlanStep(PUT_ON, "item-01", "item-03"))
     assert validate(steps, problem, learned).valid  # it may be, if somebody else wants it so
     assert chances_along([(PUT_ON, "item-03", "item-02")], problem, learned) == (GRADES["hardly"],)

@@ -43,7 +43,7 @@ def test_goals_met_at_the_start_need_no_step_and_impossible_ones_no_search():
     stuck = msgspec.structs.replace(sorting(), relations=(("item-04", "item-03", REST),))
     result = plan(stuck, grounding(), "bfs")
     assert result.status is PlanStatus.UNSOLVABLE
-    assert result.reason.startswith(f"nothing puts item-04 {REST} item-03")
+    assert result.reason.startswith(f"no operator brings item-04 to {REST} with item-03")
 
 
 def test_what_bears_something_is_put_only_on_what_stands_at_a_place():

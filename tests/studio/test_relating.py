@@ -113,7 +113,9 @@ def test_what_nothing_leads_to_is_said_with_what_would_be_valid():
         "nothing puts item-03 on or into item-02; nothing puts item-03 on or into any other object"
     )
     said = why_no_goal(paired(PLAIN), LEARNED, ("item-01", "item-02", LIE))
-    assert said == (f"nothing puts item-01 {LIE} item-02; valid for item-01: {REST} item-02, {LIE} item-03")
+    assert said == (
+        f"no operator brings item-01 to {LIE} with item-02; valid for item-01: {REST} item-02, {LIE} item-03"
+    )
 
 
 def test_goal_that_can_no_longer_be_is_said_of_its_object_alone():

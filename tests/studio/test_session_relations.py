@@ -64,7 +64,7 @@ def test_ghost_that_is_dropped_on_an_object_becomes_a_goal_by_relation(stacks):
     dropped(stacks, "item-01", 0.61, 0.1)
     assert stacks.problem.related == (("item-01", "item-02", REST),)
     assert stacks.problem.goals == {}
-    assert stacks.word.text == f"item-01 shall come to be {REST} item-02"
+    assert stacks.word.text == f"goal: item-01 {REST} item-02"
     assert stacks.ghosts()["item-01"] == pytest.approx((0.6, 0.1, 0.075))
     stacks.add_goal("item-04")
     dropped(stacks, "item-04", 0.6, 0.1)  # the ghost of item-01 is uppermost there
@@ -131,7 +131,7 @@ def test_goals_go_with_the_objects_that_they_are_about(stacks):
     stacks.relate("item-01", "item-03", LIE)
     stacks.resize("item-03", (0.05, 0.05, 0.05, 0.0))  # no tray any more
     assert "goal item-01" in stacks.complaints()
-    assert "nothing puts item-01" in stacks.complaints()["goal item-01"]
+    assert "no operator brings item-01" in stacks.complaints()["goal item-01"]
 
 
 def test_objects_are_dragged_with_what_they_bear_and_down_from_what_bears_them(stacks):
@@ -245,7 +245,7 @@ def test_task_of_relations_is_drawn_as_the_command_line_draws_it(stacks):
     assert stacks.library.load_problem("drawn-tower-4-3") == stacks.problem
     stacks.draw(2, 0, "tower")
     wait_for(lambda: stacks.word.is_bad)
-    assert "ask for more objects" in stacks.word.text
+    assert "valid: 3 or more" in stacks.word.text
 
 
 @pytest.fixture
@@ -307,7 +307,7 @@ def test_page_shows_relations_in_words_and_offers_what_can_be(page):
         f"{REST} item-04",
     )
     table._relate(f"{REST} item-02")
-    wait_for(lambda: f"item-01 shall come to be {REST} item-02" in table._related.content)
+    wait_for(lambda: f"Goal: item-01 {REST} item-02" in table._related.content)
     assert table._relation.value == f"{REST} item-02"
     assert table._toggle.label == "Take its goal away"
     wait_for(lambda: "item-01" in page.view._goals)

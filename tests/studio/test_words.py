@@ -97,7 +97,7 @@ def test_run_on_pairs_is_told_with_states_seen_from_the_other_object():
 
 def test_goals_by_relation_are_listed_in_words():
     assert words.relation_list([]) == ""
-    assert f"item-01 shall come to be {REST} item-03" in words.relation_list(toy_relations.tower().related)
+    assert f"Goal: item-01 {REST} item-03" in words.relation_list(toy_relations.tower().related)
     assert "<img" not in words.relation_list([(EVIL, EVIL, EVIL)])
 
 
