@@ -1,6 +1,6 @@
 """Goals by relation: which object shall stand to which other one in which state of pairs."""
 
-from collections.abc import Collection, Sequence
+from collections.abc import Collection, Iterable, Sequence
 
 from neurosym.errors import InvalidValue
 
@@ -16,6 +16,23 @@ def pair_key(target: str, reference: str) -> str:
         reference: Name of the reference.
     """
     return f"{target} {reference}"
+
+
+def check_pair_keys(what: str, keys: Iterable[str], names: Sequence[str]) -> None:
+    """Raise `InvalidValue` unless what is told of pairs is told of pairs of objects that there are.
+
+    Args:
+        what: What is told.
+        keys: What the pairs are called there, as `pair_key` calls them.
+        names: Names of the objects.
+    """
+    for key in keys:
+        pair = key.split(" ")
+        if len(pair) != 2 or pair[0] == pair[1] or not set(pair) <= set(names):
+            raise InvalidValue(
+                f"{what} has an entry for {key!r}; valid: the names of two objects with a blank between, of "
+                f"{', '.join(names)}."
+            )
 
 
 def check_relation_goals(

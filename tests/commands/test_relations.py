@@ -105,6 +105,15 @@ def test_scenes_that_cannot_be_are_refused_in_one_sentence(bare, tmp_path, capsy
         assert said in refusal(capsys, "new-problem", bare, "--scene", file)
 
 
+@pytest.mark.parametrize("told", [{"pairs": {"item-01 item-09": "00"}}, {"foreseen": {"item-01": {"op": 1}}}])
+def test_scenes_that_tell_of_pairs_that_there_are_not_are_refused(bare, tmp_path, capsys, told):
+    file, known = tmp_path / "bad.json", {"pairs": {"item-01 item-02": "00"}}
+    msgspec.structs.replace(tower(), **(known | told)).save(file)
+    ((what, entries),) = told.items()
+    said = refusal(capsys, "new-problem", bare, "--scene", file)
+    assert f"{what} has an entry for {next(iter(entries))!r}; valid: the names of two objects" in said
+
+
 def test_domains_of_one_kind_refuse_problems_of_the_other(tmp_path, capsys):
     (tmp_path / "world.toml").write_text('world = "toy"\n')
     toy_places.grounding().save(tmp_path / "grounding.json")
