@@ -31,7 +31,14 @@ from neurosym.stages.layout import GROUNDING, MANIFEST, WORLD
 from neurosym.stages.training import train_stage
 from tools.benchmarks.jobs import as_text, load_jobs, machine, pack, perform, unpack
 from tools.benchmarks.planning.measures import REHEARSALS
-from tools.benchmarks.planning.trying import Jobs, in_percent, shares, trying
+from tools.benchmarks.planning.trying import (
+    Jobs,
+    in_millimetres,
+    in_percent,
+    promise_rms,
+    shares,
+    trying,
+)
 
 RESULTS, WORK = Path("docs/results"), Path("evaluation/bits")
 RECORDS = "bits-records.zip"
@@ -180,6 +187,7 @@ def summarise(
             how.name: [found.get(f"learn-{how.slug}-{seed}") for seed in range(1, seeds + 1)] for how in tried
         },
         "reached": {how.name: shares(found, jobs) for how, jobs in tried.items()},
+        "promise_rms_mm": {how.name: promise_rms(found, jobs) for how, jobs in tried.items()},
     }
 
 
@@ -192,7 +200,7 @@ def page(summary: Mapping[str, Any]) -> str:
     learned, reached = summary["learned"], summary["reached"]
     names = ("categories", "primitives", "operators", "spread_median_mm", "spread_p90_mm")
     rows = [[how, *(_spread([one[name] for one in ones]) for name in names)] for how, ones in learned.items()]
-    what = list(next(iter(reached.values())))
+    what, missed, first = list(next(iter(reached.values()))), summary["promise_rms_mm"], next(iter(reached))
     sections = [
         "# How many bits the data carry",
         f"`{summary['command']}` wrote this page. {summary['seeds']} seeds; from {summary['steps']} "
@@ -210,6 +218,13 @@ def page(summary: Mapping[str, Any]) -> str:
         "## Goals reached",
         markdown_table(
             ["tasks", *reached], [[of, *(in_percent(cells[of]) for cells in reached.values())] for of in what]
+        ),
+        "## Promises",
+        "Distance between what the operator of a step promised for the object at hand and what came, with "
+        "replanning; root mean square [mm].",
+        markdown_table(
+            ["tasks", *missed],
+            [[of, *(in_millimetres(cells[of]) for cells in missed.values())] for of in missed[first]],
         ),
     ]
     return "\n\n".join(sections) + "\n"

@@ -25,7 +25,14 @@ from neurosym.stages.layout import MANIFEST, TABLE_FILES
 from neurosym.stages.practising import practice_of, practise_stage
 from tools.benchmarks.jobs import as_text, load_jobs, machine, pack, perform, unpack
 from tools.benchmarks.planning.jobs import SHIPPED
-from tools.benchmarks.planning.trying import Jobs, in_percent, shares, trying
+from tools.benchmarks.planning.trying import (
+    Jobs,
+    in_millimetres,
+    in_percent,
+    promise_rms,
+    shares,
+    trying,
+)
 
 RESULTS, WORK = Path("docs/results"), Path("evaluation/practice")
 RECORDS = "practice-records.zip"
@@ -112,15 +119,15 @@ def summarise(
         interactions: Of practice.
         tasks: With one object, and with two.
     """
+    of = {how: [jobs for (one, _), jobs in tried.items() if one == how] for how in HOW}
     return {
         "command": "python -m tools.benchmarks.planning.practice",
         "versions": machine("numpy", "pybullet", "torch", "up-fast-downward"),
         "interactions": interactions,
         "tasks": tasks,
         "practice": {f"{how} {seed}": found.get(f"learn-{how}-{seed}") for how, seed in tried},
-        "reached": {
-            how: shares(found, [jobs for (one, _), jobs in tried.items() if one == how]) for how in HOW
-        },
+        "reached": {how: shares(found, jobs) for how, jobs in of.items()},
+        "promise_rms_mm": {how: promise_rms(found, jobs) for how, jobs in of.items()},
     }
 
 
@@ -132,6 +139,11 @@ def page(summary: Mapping[str, Any]) -> str:
     """
     reached = summary["reached"]
     rows = [[what, *(in_percent(reached[how][what]) for how in HOW)] for what in reached[HOW[0]]]
+    missed = summary["promise_rms_mm"]
+    rows += [
+        [f"promises miss, {what} [mm]", *(in_millimetres(missed[how][what]) for how in HOW)]
+        for what in missed[HOW[0]]
+    ]
     told = [
         [name, *(str(entry[key]) for key in ("spent", "lessons", "replaced")), *_competence(entry)]
         for name, entry in summary["practice"].items()
@@ -141,7 +153,8 @@ def page(summary: Mapping[str, Any]) -> str:
         "# Does practice help?",
         f"`{summary['command']}` wrote this page. {summary['interactions']} interactions of practice, or of "
         f"rehearsing all operators evenly; then {summary['tasks']} tasks of each size, drawn as the paper "
-        "draws them and seen by neither. Share of goals that were reached: mean and standard deviation of "
+        "draws them and seen by neither. Share of goals that were reached, and root mean square of the "
+        "distance between what steps promised and what came, with replanning: mean and standard deviation of "
         "the seeds.",
         markdown_table(["tasks", *HOW], rows),
         "## What was practised",

@@ -70,6 +70,37 @@ def shares(found: Mapping[str, Any], jobs: Sequence[Jobs]) -> dict[str, list[flo
     }
 
 
+def promise_rms(found: Mapping[str, Any], jobs: Sequence[Jobs]) -> dict[str, list[float | None]]:
+    """Gather how far steps ended from their promises, with replanning, for several domains each [mm, RMS].
+
+    Args:
+        found: What the jobs found, by name.
+        jobs: Those of each domain.
+    """
+    return {
+        f"{mm} mm": [
+            figures.promise_errors(
+                figures.steps_of(
+                    trial
+                    for kind in SIZES
+                    for name in of_one[kind, mm]
+                    for trial in from_json(found.get(name, []))
+                )
+            )["all"]
+            for of_one in jobs
+        ]
+        for mm in TOLERANCES
+    }
+
+
+def in_millimetres(values: Sequence[float | None]) -> str:
+    """Write mean and standard deviation of lengths in millimetres; those that are not known are left out."""
+    known = [value for value in values if value is not None]
+    if not known:
+        return "-"
+    return f"{mean(known):.1f}" + (f" ± {stdev(known):.1f}" if len(known) > 1 else "")
+
+
 def in_percent(values: Sequence[float | None]) -> str:
     """Write mean and standard deviation of shares; those that are not known are left out."""
     known = [100 * share for share in values if share is not None]
