@@ -119,6 +119,9 @@ class DomainFolder:
             raise InvalidValue(
                 f"{self.path} is no domain folder, it has neither {WORLD} nor {GROUNDING}; name one that has."
             )
+        if name.endswith(".json") and Path(name).is_file():
+            command = f"neurosym new-problem {quoted(self.path)} --scene {quoted(name)}"
+            raise InvalidValue(f"{name} is no problem of {self.path} yet; make it one with: {command}")
         raise UnknownChoice("problem", name, known, str(self.path / PROBLEMS))
 
     def free_problem_name(self) -> str:

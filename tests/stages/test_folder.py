@@ -2,7 +2,7 @@
 
 import pytest
 
-from neurosym.errors import FolderNotFound, InvalidFile, StageMissing, UnknownChoice
+from neurosym.errors import FolderNotFound, InvalidFile, InvalidValue, StageMissing, UnknownChoice
 from neurosym.stages.folder import DomainFolder
 from neurosym.stages.layout import MANIFEST
 from neurosym.stages.manifest import Stage
@@ -142,6 +142,10 @@ def test_problem_is_found_by_name_or_path_and_else_the_valid_ones_are_named(fold
     assert folder.problem(str(folder / "problems" / "task-01.pddl")) == "task-01"
     with pytest.raises(UnknownChoice, match="no problem 'task-09'; valid: task-01"):
         folder.problem("task-09")
+    mine = folder / "mine.json"
+    mine.touch()
+    with pytest.raises(InvalidValue, match=r"mine\.json is no problem of .* yet; .* new-problem .* --scene"):
+        folder.problem(str(mine))
 
 
 def test_corrupt_manifest_is_refused(folder):
