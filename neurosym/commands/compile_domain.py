@@ -8,7 +8,7 @@ from neurosym.commands.options import Folder, opened
 from neurosym.console import say, say_next
 from neurosym.pddl.compiler import CELL
 from neurosym.stages.layout import DURATIVE_DOMAIN, GROUNDING, durative_file
-from neurosym.wording import counted, quoted
+from neurosym.wording import counted, listed_briefly, quoted
 
 if TYPE_CHECKING:
     pass
@@ -40,7 +40,9 @@ def compile_domain(
         say(f"  {name}: {reason}")
     if durative:
         names = domain.problem_names()
-        printed = sum((domain / durative_file(name)).exists() for name in names)
-        say(f"{folder / DURATIVE_DOMAIN} takes {printed} of {counted(len(names), 'problem')}")
+        left = [name for name in names if not (domain / durative_file(name)).exists()]
+        say(f"{folder / DURATIVE_DOMAIN} takes {len(names) - len(left)} of {counted(len(names), 'problem')}")
+        if left:
+            say(f"  left out, as goals are relations or cannot be carried to: {listed_briefly(left)}")
     say_next(f"neurosym new-problem {quoted(folder)}")
     return 0

@@ -68,8 +68,11 @@ def durative_problem_text(problem: Problem, grounding: Grounding) -> str:
         grounding: The learned domain.
 
     Raises:
-        InvalidValue: If an object with a goal cannot be carried to it, or an object's name is taken.
+        InvalidValue: If an object with a goal cannot be carried to it, a goal is a relation, or an object's
+            name is taken.
     """
+    if problem.related:
+        raise InvalidValue(f"{problem.name} has goals by relation, so it has no durative form.")
     for item in problem.objects:
         check_object(item, grounding)
     if not carriers_of(grounding):

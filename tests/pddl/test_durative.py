@@ -104,6 +104,12 @@ def test_what_cannot_be_carried_has_no_durative_form():
         durative_problem_text(toy_domain.problem({}), toy_domain.grounding())
 
 
+def test_goals_by_relation_have_no_durative_form():
+    asked = msgspec.structs.replace(swap(), goals={}, relations=(("item-01", "item-02", "00"),))
+    with pytest.raises(InvalidValue, match="swap has goals by relation, so it has no durative form"):
+        durative_problem_text(asked, grounding())
+
+
 def test_object_at_its_goal_may_stay_where_it_starts():
     stays = Problem("stays", scene(("cube", 0.5, -0.1)), {"item-01": (0.5, -0.1, 0.025)}, 0.02)
     assert "(:goal (and (stands item-01 start-item-01)))" in durative_problem_text(stays, grounding())
