@@ -81,6 +81,21 @@ def test_worst_category_is_one_with_enough_steps():
     assert told["median"] == 4.0
 
 
+def test_interval_of_promises_holds_the_rms_and_is_wide_where_one_run_decides():
+    def run(*errors: float) -> trials.Trial:
+        return msgspec.structs.replace(
+            trial(), replanned=msgspec.structs.replace(trial().replanned, steps=tuple(map(step, errors)))
+        )
+
+    even = [run(4.0, 4.0)] * 30
+    assert figures.rms_interval(even) == (4.0, 4.0)
+    low, high = figures.rms_interval([*even, run(4.0, 200.0)])
+    assert low == 4.0 < np.sqrt((61 * 16 + 200**2) / 62) < high
+    assert figures.first_rms([*even, run(4.0, 200.0)]) == 4.0
+    assert figures.rms_interval([NO_PLAN]) is None
+    assert figures.first_rms([NO_PLAN]) is None
+
+
 def test_kinds_are_kept_where_something_was_promised():
     steps = [step(), step(kinds=("held", "resting")), step(kinds=(None, "resting"))]
     assert figures.kinds_kept(steps) == 0.5

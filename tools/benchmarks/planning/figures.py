@@ -15,6 +15,7 @@ BIN = 50
 TELLING = 20
 """Least number of steps of a category that can be the worst."""
 _Z = 1.959964  # of 95 % of a normal distribution
+_RESAMPLES = 2000
 
 
 def wilson(reached: int, of: int) -> tuple[float, float]:
@@ -79,6 +80,32 @@ def promise_errors(steps: Sequence[Step]) -> dict[str, Any]:
         "worst_median": float(np.median(by_category[worst])) if worst else None,
         "worst_category": worst,
     }
+
+
+def rms_interval(trials: Sequence[Trial], way: str = "replanned") -> tuple[float, float] | None:
+    """Return the bootstrap interval of the RMS of promises over runs, at 95 % [mm]; None without a step.
+
+    A few steps that went wrong decide an RMS, so it says little without this (Efron, 1979).
+
+    Args:
+        trials: What became of the tasks.
+        way: `blind` or `replanned`.
+    """
+    runs = [[step.error for step in steps_of([trial], way) if step.error is not None] for trial in trials]
+    squares = np.array([np.sum(np.square(errors)) for errors in runs])
+    counts = np.array([len(errors) for errors in runs])
+    if not counts.sum():
+        return None
+    drawn = np.random.default_rng(0).integers(len(runs), size=(_RESAMPLES, len(runs)))
+    means = squares[drawn].sum(1) / np.maximum(counts[drawn].sum(1), 1)
+    low, high = np.quantile(np.sqrt(means), (0.025, 0.975))
+    return float(low), float(high)
+
+
+def first_rms(trials: Sequence[Trial]) -> float | None:
+    """Return the RMS of promises of the first step of each plan [mm]; None if there is no such step."""
+    firsts = [steps_of([trial])[:1] for trial in trials]
+    return _rms([step.error for steps in firsts for step in steps if step.error is not None])
 
 
 def kinds_kept(steps: Sequence[Step]) -> float | None:

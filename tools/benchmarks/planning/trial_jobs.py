@@ -176,7 +176,12 @@ def _far_details(trials: Sequence[Trial]) -> dict[str, Any]:
 
 def _promises(trials: Sequence[Trial], way: str) -> dict[str, Any]:
     steps = figures.steps_of(trials, way)
-    return {**figures.promise_errors(steps), "kinds_kept": figures.kinds_kept(steps)}
+    return {
+        **figures.promise_errors(steps),
+        "interval": figures.rms_interval(trials, way),
+        "first": figures.first_rms(trials),
+        "kinds_kept": figures.kinds_kept(steps),
+    }
 
 
 def _drawn(found: Mapping[str, Any], work: Path, size: Size, tolerance: float, kind: str) -> list[Trial]:
