@@ -205,7 +205,10 @@ class Guide:
         planned = self.session.plan_shown
         if self.session.is_planning:
             return paragraph("The planner is at work. It may take a while; Stop ends it.")
-        return "".join(paragraph(safe(line)) for line in plan_lines(planned)) if planned else ""
+        lines = list(plan_lines(planned)) if planned else []
+        if planned and planned.record.steps:
+            lines.append("Turn to the next card to run it.")
+        return "".join(paragraph(safe(line)) for line in lines)
 
     def _told_of_run(self) -> str:
         running = self.session.running

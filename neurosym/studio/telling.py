@@ -50,7 +50,7 @@ def plan_lines(planned: Planned) -> tuple[str, ...]:
         head = f"There is no plan to the goal, but one that comes near. {head}"
     sure = f" The chance that all go as promised is {record.chance:.0%}." if record.chance is not None else ""
     steps = (f"{number}. {step_words(*step)}" for number, step in enumerate(record.steps, start=1))
-    return f"{head}{sure} Turn to the next card to run it.", *steps
+    return head + sure, *steps
 
 
 def replanned(replanning: Replanning) -> str:
