@@ -9,11 +9,11 @@ import numpy as np
 from jaxtyping import Float
 
 from neurosym.checks import as_path, check_fields, check_kind
-from neurosym.errors import InvalidValue, UnknownChoice
+from neurosym.errors import InvalidFile, InvalidValue, UnknownChoice
 from neurosym.files import write_json
 from neurosym.operators import TOLERANCE, Length, Share, Vector
 from neurosym.reading import read_json
-from neurosym.relation_goals import RelationGoal, check_relation_goals
+from neurosym.relation_goals import RelationGoal, check_pair_keys, check_relation_goals, pair_key
 from neurosym.spots import spot_named
 from neurosym.symbols import Symbol
 from neurosym.table import Table
@@ -209,7 +209,14 @@ class Problem(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
         Raises:
             InvalidFile: If the file is no problem, or one that cannot be.
         """
-        return read_json(as_path(path), cls)
+        problem = read_json(as_path(path), cls)
+        touching = [pair_key(*pair) for pair in problem.touching or ()]
+        for what, told in (("pairs", problem.pairs), ("foreseen", problem.foreseen), ("touching", touching)):
+            try:
+                check_pair_keys(what, told or (), problem.object_names)
+            except InvalidValue as error:
+                raise InvalidFile(path, str(error).rstrip(".")) from error
+        return problem
 
 
 def goal_heights(problem: Problem, lift_height: float) -> tuple[float, float]:

@@ -43,6 +43,7 @@ def compile_domain(
         left = [name for name in names if not (domain / durative_file(name)).exists()]
         say(f"{folder / DURATIVE_DOMAIN} takes {len(names) - len(left)} of {counted(len(names), 'problem')}")
         if left:
-            say(f"  left out, as goals are relations or cannot be carried to: {listed_briefly(left)}")
+            say("  left out, since not all can be carried to its goal, or something is to bear something, or")
+            say(f"  does so at first: {listed_briefly(left)}")
     say_next(f"neurosym new-problem {quoted(folder)}")
     return 0

@@ -81,7 +81,7 @@ def new_problem(
             "Give --scene, or --objects, --actions, --seed, --task, --goal and --relation, not both."
         )
     if bool(goal or relation) + bool(task) + (actions != 1) > 1:
-        raise InvalidValue("Give --actions, --task or goals by hand (--goal, --relation), only one of them.")
+        raise InvalidValue("Give only one of --actions, --task, and goals by hand (--goal and --relation).")
     _check_shape(task, height, state, like)
     goals = _parse_goals(goal) if goal else None
     relations = tuple(map(_parse_relation, relation))

@@ -23,6 +23,7 @@ from neurosym.pddl.places import GOAL, blockers, is_at, with_places
 from neurosym.pddl.printing import comment
 from neurosym.pddl.problem import check_object
 from neurosym.problems import Problem, SceneObject
+from neurosym.related import is_relational
 
 REQUIREMENTS = ":strips :typing :durative-actions"
 MOST_OVER = 3
@@ -68,11 +69,14 @@ def durative_problem_text(problem: Problem, grounding: Grounding) -> str:
         grounding: The learned domain.
 
     Raises:
-        InvalidValue: If an object with a goal cannot be carried to it, a goal is a relation, or an object's
-            name is taken.
+        InvalidValue: If an object with a goal cannot be carried to it, a goal is a relation, an object begins
+            on another one, or an object's name is taken.
     """
-    if problem.related:
-        raise InvalidValue(f"{problem.name} has goals by relation, so it has no durative form.")
+    if is_relational(problem, grounding):
+        raise InvalidValue(
+            f"{problem.name} has goals by relation, or begins with one object on another, so it has no "
+            "durative form."
+        )
     for item in problem.objects:
         check_object(item, grounding)
     if not carriers_of(grounding):

@@ -14,7 +14,6 @@ from neurosym.pddl.place_check import check_places
 from neurosym.pddl.relational_check import check_relations
 from neurosym.problems import NEAR_TABLE, Problem, SceneObject, check_goals, goal_heights
 from neurosym.related import chain_below, known_bearers
-from neurosym.relation_goals import check_pair_keys
 
 OFF_REST = 0.005
 """How far from the height it rests at an object's centre may be [m]; physics settles it within 0.1 mm."""
@@ -45,8 +44,6 @@ def check_problem(problem: Problem, grounding: Grounding | None, limits: ObjectL
             check_on_table(item, grounding, off=NEAR_TABLE)
         if limits and item.name not in bearers:
             _check_height(item)
-    for what, told in (("pairs", problem.pairs), ("foreseen", problem.foreseen)):
-        check_pair_keys(what, told if isinstance(told, dict) else (), problem.object_names)
     if limits:
         for one, other in combinations(problem.objects, 2):
             chains = [chain_below(item.name, bearers) for item in (one, other)]

@@ -68,8 +68,8 @@ def why_no_relation(problem: Problem, grounding: Grounding) -> str:
         state = relations.state_named(name)
         if not state.bears:
             return (
-                f"{target} cannot be brought to {state.name} {reference}, in which nothing is borne; valid "
-                f"states: {bearing}"
+                f"{target} cannot be brought to {state.name} with {reference}, in which nothing is borne; "
+                f"valid states: {bearing}"
             )
     for target, reference, name in unmet_relations(problem, grounding):
         state = relations.state_named(name)

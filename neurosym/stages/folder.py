@@ -28,16 +28,11 @@ from neurosym.locks import holders, locked, take
 from neurosym.problems import Problem
 from neurosym.reading import read_json, refuse_other_kinds
 from neurosym.stages.layout import (
-    BY_PLACES,
-    BY_RELATIONS,
     COMMANDS,
     COMPARISONS,
-    DURATIVE,
     GROUNDING,
     INTERACTIONS,
-    LIFTED,
     MANIFEST,
-    NUMERIC,
     PICTURES,
     PLACES,
     PLANS,
@@ -46,6 +41,7 @@ from neurosym.stages.layout import (
     RUNS,
     SCENE,
     WORLD,
+    problem_of,
 )
 from neurosym.stages.manifest import Claim, Manifest, Stage, StageRecord, versions
 from neurosym.wording import quoted
@@ -102,7 +98,7 @@ class DomainFolder:
     def problem_names(self) -> tuple[str, ...]:
         """List the problems of this folder: scenes, and PDDL files whose scene is missing."""
         found = [*(self.path / PROBLEMS).glob(f"*{SCENE}"), *(self.path / PROBLEMS).glob("*.pddl")]
-        return tuple(sorted({_problem_of(path.name) for path in found}))
+        return tuple(sorted({problem_of(path.name) for path in found}))
 
     def problem(self, name: str) -> str:
         """Return a problem's name from what a user typed: the name, or the path of its file.
@@ -111,17 +107,19 @@ class DomainFolder:
             InvalidValue: If this is no domain folder.
             UnknownChoice: If there is no such problem here.
         """
-        stem = _problem_of(Path(name).name)
-        known = self.problem_names()
-        if stem in known:
+        stem, known = problem_of(Path(name).name), self.problem_names()
+        is_file = os.path.isfile(name)  # noqa: PTH113 (no error for names that are too long)
+        is_foreign = is_file and not Path(name).resolve().is_relative_to(self.path.resolve())
+        if stem in known and not (is_foreign and name.endswith(SCENE)):
             return stem
         if not any((self.path / file).exists() for file in (WORLD, GROUNDING)):
             raise InvalidValue(
                 f"{self.path} is no domain folder, it has neither {WORLD} nor {GROUNDING}; name one that has."
             )
-        if name.endswith(".json") and Path(name).is_file():
+        if name.endswith(".json") and is_foreign:
             command = f"neurosym new-problem {quoted(self.path)} --scene {quoted(name)}"
-            raise InvalidValue(f"{name} is no problem of {self.path} yet; make it one with: {command}")
+            there = f" --name {own}" if (own := stem.removesuffix(".json")) in known else ""
+            raise InvalidValue(f"{name} lies outside of {self.path}; take it over with: {command}{there}")
         raise UnknownChoice("problem", name, known, str(self.path / PROBLEMS))
 
     def free_problem_name(self) -> str:
@@ -290,10 +288,3 @@ def load_scene(path: Path) -> Problem:
         return problem if problem.name == name else msgspec.structs.replace(problem, name=name)
     except InvalidValue as error:
         raise InvalidFile(path, str(error).rstrip(".")) from error
-
-
-def _problem_of(file: str) -> str:
-    """Return the name of the problem that a file is of."""
-    for ending in (SCENE, NUMERIC, BY_PLACES, BY_RELATIONS, LIFTED, DURATIVE):
-        file = file.removesuffix(ending)
-    return file.removesuffix(".pddl")

@@ -167,3 +167,14 @@ def run_name(problem: str, plan_file: Path) -> str:
     """Name a run after its problem and its plan, whose name mostly begins with the problem's."""
     stem = plan_file.stem
     return stem if stem.startswith(f"{problem}.") else f"{problem}.{stem}"
+
+
+def problem_of(file: str) -> str:
+    """Return the name of the problem that a file is of.
+
+    Args:
+        file: Name of the file.
+    """
+    for ending in (SCENE, NUMERIC, BY_PLACES, BY_RELATIONS, LIFTED, DURATIVE):
+        file = file.removesuffix(ending)
+    return file.removesuffix(".pddl")

@@ -161,7 +161,7 @@ def draw_relation_task(
         raise InvalidValue("A task like another scene needs one in which an object bears another.")
     least, why = _least_objects(kind, height)
     if objects < least:
-        raise InvalidValue(f"{counted(objects, 'object')} will not do: {why}; valid: {least} or more.")
+        raise InvalidValue(f"{counted(objects, 'object')} will not do: {why}.")
     number = RELATION_TASKS.index(kind)
     for draw in range(_DRAWS):
         rng = np.random.default_rng([_STREAM, number, objects, seed, draw])
@@ -187,11 +187,13 @@ def draw_relation_task(
 
 def _least_objects(kind: RelationTask, height: int) -> tuple[int, str]:
     """Return how many objects a task needs at least, and why."""
+    several, lower = 2 * height - 1, "or a lower height"
+    apart = f"a stack of {height} is taken apart onto {height - 1} others"
     least = {
-        "tower": (height, f"a tower of height {height} has as many"),
-        "boxes": (2, "each thing comes into another"),
-        "unstack": (2 * height - 1, f"a stack of {height} is taken apart onto {height - 1} others"),
-        "exchange": (4, "two change places on two others"),
+        "tower": (height, f"a tower of height {height} needs {height}; valid: {height} or more, {lower}"),
+        "boxes": (2, "each thing comes into another; valid: 2 or more"),
+        "unstack": (several, f"{apart}; valid: {several} or more, {lower}"),
+        "exchange": (4, "two change places on two others; valid: 4 or more"),
     }
     return least.get(kind, (1, "there is nothing to do"))
 

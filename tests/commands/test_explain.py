@@ -1,5 +1,7 @@
 """`neurosym explain` prints or writes the meaning of symbols from whatever of a domain folder is there."""
 
+import re
+
 import pytest
 from command_line import neurosym, refusal
 from own_data import own_columns, write_data
@@ -54,6 +56,13 @@ def test_of_very_many_symbols_each_is_named_and_one_told_of_on_demand(capsys):
     assert "  1011: push-forward" in said
     assert "The hand starts" not in said
     assert "--symbol 0000" in said.splitlines()[-1]
+
+
+def test_what_ends_elsewhere_has_no_place_to_be_told_of(capsys):
+    assert neurosym("explain", ROOT / "domains" / "towers", "--symbol", "000b") == 0
+    ends = [line.strip() for line in capsys.readouterr().out.splitlines() if "elsewhere" in line]
+    assert ends
+    assert all(re.fullmatch(r"\d+% elsewhere", line) for line in ends)
 
 
 def test_operator_left_out_is_printed_with_its_reason(folder, capsys):

@@ -105,13 +105,20 @@ def test_scenes_that_cannot_be_are_refused_in_one_sentence(bare, tmp_path, capsy
         assert said in refusal(capsys, "new-problem", bare, "--scene", file)
 
 
-@pytest.mark.parametrize("told", [{"pairs": {"item-01 item-09": "00"}}, {"foreseen": {"item-01": {"op": 1}}}])
-def test_scenes_that_tell_of_pairs_that_there_are_not_are_refused(bare, tmp_path, capsys, told):
-    file, known = tmp_path / "bad.json", {"pairs": {"item-01 item-02": "00"}}
-    msgspec.structs.replace(tower(), **(known | told)).save(file)
-    ((what, entries),) = told.items()
+@pytest.mark.parametrize(
+    ("what", "told", "key"),
+    [
+        ("pairs", {"item-01 item-09": "00"}, "item-01 item-09"),
+        ("foreseen", {"item-01": {"op": 1}}, "item-01"),
+        ("touching", (("item-01", "item-09"),), "item-01 item-09"),
+        ("touching", (("item-01", "item-01"),), "item-01 item-01"),
+    ],
+)
+def test_scenes_that_tell_of_pairs_that_there_are_not_are_refused(bare, tmp_path, capsys, what, told, key):
+    file = tmp_path / "bad.json"
+    msgspec.structs.replace(tower(), **{what: told}).save(file)
     said = refusal(capsys, "new-problem", bare, "--scene", file)
-    assert f"{what} has an entry for {next(iter(entries))!r}; valid: the names of two objects" in said
+    assert f"{what} has an entry for {key!r}; valid: the names of two objects" in said
 
 
 def test_domains_of_one_kind_refuse_problems_of_the_other(tmp_path, capsys):
@@ -127,7 +134,10 @@ def test_domains_of_one_kind_refuse_problems_of_the_other(tmp_path, capsys):
     [
         (("item-01 on",), 'cannot be read; write it as "item-01 STATE item-02"'),
         (("item-01 rests-on item-02", "--scene", "x.json"), "Give --scene, or --objects"),
-        (("item-01 rests-on item-02", "--task", "swap"), "Give --actions, --task or goals by hand"),
+        (
+            ("item-01 rests-on item-02", "--task", "swap"),
+            "Give only one of --actions, --task, and goals by hand",
+        ),
     ],
 )
 def test_relations_that_cannot_be_read_are_refused(bare, words, said, capsys):

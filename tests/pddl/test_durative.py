@@ -10,6 +10,7 @@ import msgspec
 import numpy as np
 import pytest
 import toy_domain
+import toy_relations
 from places import GOLDEN, ROOT
 from toy_places import NAME, grounding, mixed, scene, swap
 
@@ -106,8 +107,12 @@ def test_what_cannot_be_carried_has_no_durative_form():
 
 def test_goals_by_relation_have_no_durative_form():
     asked = msgspec.structs.replace(swap(), goals={}, relations=(("item-01", "item-02", "00"),))
-    with pytest.raises(InvalidValue, match="swap has goals by relation, so it has no durative form"):
-        durative_problem_text(asked, grounding())
+    begun = msgspec.structs.replace(toy_relations.sorting(), relations=msgspec.UNSET)
+    for problem, learned in ((asked, grounding()), (begun, toy_relations.grounding())):
+        with pytest.raises(
+            InvalidValue, match=f"{problem.name} has goals by relation, or begins with one object"
+        ):
+            durative_problem_text(problem, learned)
 
 
 def test_object_at_its_goal_may_stay_where_it_starts():

@@ -142,10 +142,22 @@ def test_problem_is_found_by_name_or_path_and_else_the_valid_ones_are_named(fold
     assert folder.problem(str(folder / "problems" / "task-01.pddl")) == "task-01"
     with pytest.raises(UnknownChoice, match="no problem 'task-09'; valid: task-01"):
         folder.problem("task-09")
-    mine = folder / "mine.json"
-    mine.touch()
-    with pytest.raises(InvalidValue, match=r"mine\.json is no problem of .* yet; .* new-problem .* --scene"):
-        folder.problem(str(mine))
+
+
+def test_file_outside_of_the_folder_is_no_problem_of_it_before_it_is_taken_over(folder, tmp_path_factory):
+    elsewhere = tmp_path_factory.mktemp("elsewhere")
+    (folder / "problems").mkdir()
+    (folder / "problems" / "task-01.pddl").touch()
+    for name, command in (("mine.json", r"mine\.json"), ("task-01.json", r"task-01\.json --name task-01")):
+        (elsewhere / name).touch()
+        with pytest.raises(InvalidValue, match=rf"outside of .* new-problem .* --scene \S*{command}$"):
+            folder.problem(str(elsewhere / name))
+    other = elsewhere / "task-01.scene.json"
+    other.touch()
+    with pytest.raises(InvalidValue, match=r"outside of .*--name task-01$"):
+        folder.problem(str(other))
+    with pytest.raises(UnknownChoice, match="no problem"):
+        folder.problem("x" * 5000 + ".json")
 
 
 def test_corrupt_manifest_is_refused(folder):

@@ -79,7 +79,7 @@ def test_task_like_another_scene_asks_for_what_bears_what_there():
         (lambda: drawn("pile"), "no kind of task 'pile'"),
         (
             lambda: drawn("tower", objects=2),
-            "2 objects will not do: a tower of height 3 has .*; valid: 3 or more",
+            "2 objects will not do: a tower of height 3 needs 3; valid: 3 or more, or a lower height",
         ),
         (lambda: drawn("boxes", objects=1), "1 object will not do: each thing .*; valid: 2 or more"),
         (
@@ -87,6 +87,10 @@ def test_task_like_another_scene_asks_for_what_bears_what_there():
             "3 objects will not do: two change places .*; valid: 4 or more",
         ),
         (lambda: drawn("tower", state="floats"), "no state of a pair 'floats'"),
+        (
+            lambda: drawn("tower", state="beside"),
+            "to the state beside-100, so no task asks for it; valid: rests",
+        ),
         (
             lambda: drawn("unstack", objects=4),
             "4 objects will not do: .* apart onto 2 others; valid: 5 or more",

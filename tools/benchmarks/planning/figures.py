@@ -102,9 +102,9 @@ def rms_interval(trials: Sequence[Trial], way: str = "replanned") -> tuple[float
     return float(low), float(high)
 
 
-def first_rms(trials: Sequence[Trial]) -> float | None:
-    """Return the RMS of promises of the first step of each plan [mm]; None if there is no such step."""
-    firsts = [steps_of([trial])[:1] for trial in trials]
+def first_rms(trials: Sequence[Trial], way: str = "replanned") -> float | None:
+    """Return the RMS of promises of the first step of each run [mm]; None if there is no such step."""
+    firsts = [steps_of([trial], way)[:1] for trial in trials]
     return _rms([step.error for steps in firsts for step in steps if step.error is not None])
 
 

@@ -141,7 +141,7 @@ def page(summary: Mapping[str, Any]) -> str:
     rows = [[what, *(in_percent(reached[how][what]) for how in HOW)] for what in reached[HOW[0]]]
     missed = summary["promise_rms_mm"]
     rows += [
-        [f"promises miss, {what} [mm]", *(in_millimetres(missed[how][what]) for how in HOW)]
+        [f"promises of tasks within {what} miss by [mm]", *(in_millimetres(missed[how][what]) for how in HOW)]
         for what in missed[HOW[0]]
     ]
     told = [

@@ -179,7 +179,7 @@ def _promises(trials: Sequence[Trial], way: str) -> dict[str, Any]:
     return {
         **figures.promise_errors(steps),
         "interval": figures.rms_interval(trials, way),
-        "first": figures.first_rms(trials),
+        "first": figures.first_rms(trials, way),
         "kinds_kept": figures.kinds_kept(steps),
     }
 

@@ -29,7 +29,7 @@ def trial_sections(results: Mapping[str, Any]) -> list[str]:
         "## Promises, step by step",
         "Distances between what the operator of a step promised for the object at hand and what came, at "
         "50 mm. *Worst* is the worst category. A few grasps that fail make most of the squares, so intervals "
-        "(bootstrap over runs, 95 %) are wide. *First step* is that of each plan.",
+        "(bootstrap over runs, 95 %) are wide. *First step* is that of each run.",
         _promises(results["promises"]),
         "Motions a task, replanned: "
         + ", ".join(f"{kind} {_number(value)}" for kind, value in results["motions"].items())
