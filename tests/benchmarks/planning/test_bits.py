@@ -30,7 +30,10 @@ def test_widths_are_learned_from_one_exploration_and_tried_on_the_same_tasks(
     assert all(0 <= share <= 1 for cells in told["reached"].values() for (share,) in cells.values())
     (wide,), (narrow,) = told["learned"].values()
     assert wide["operators"] > narrow["operators"] > 0
-    assert "| single, 50 mm, blind |" in (results / "bits.md").read_text()
+    page = (results / "bits.md").read_text()
+    assert "| single, 50 mm, blind |" in page
+    assert "## Promises" in page
+    assert all(missed["50 mm"][0] >= 0 for missed in told["promise_rms_mm"].values())
     times = {path: path.stat().st_mtime_ns for path in (work / "jobs").glob("*.json")}
     bits.main(**options)
     assert times == {path: path.stat().st_mtime_ns for path in (work / "jobs").glob("*.json")}
