@@ -121,7 +121,7 @@ def summarise(
     """
     of = {how: [jobs for (one, _), jobs in tried.items() if one == how] for how in HOW}
     return {
-        "command": "python -m tools.benchmarks.planning.practice",
+        "command": f"python -m tools.benchmarks.planning.practice --interactions {interactions} --tasks {tasks}",
         "versions": machine("numpy", "pybullet", "torch", "up-fast-downward"),
         "interactions": interactions,
         "tasks": tasks,
