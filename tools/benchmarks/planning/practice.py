@@ -120,8 +120,9 @@ def summarise(
         tasks: With one object, and with two.
     """
     of = {how: [jobs for (one, _), jobs in tried.items() if one == how] for how in HOW}
+    command = f"python -m tools.benchmarks.planning.practice --interactions {interactions} --tasks {tasks}"
     return {
-        "command": f"python -m tools.benchmarks.planning.practice --interactions {interactions} --tasks {tasks}",
+        "command": command,
         "versions": machine("numpy", "pybullet", "torch", "up-fast-downward"),
         "interactions": interactions,
         "tasks": tasks,
