@@ -118,7 +118,7 @@ def test_pair_that_failed_again_and_again_is_given_up():
     assert not run.reached
     assert 4 <= len(run.steps) <= 5
     assert run.ended == "no plan"
-    assert "nothing puts item-03 rests-on-001 item-02" in run.reason
+    assert "no operator brings item-03 to rests-on-001 with item-02" in run.reason
 
 
 def test_object_that_leaves_the_table_is_a_result_with_the_step_named():
