@@ -28,7 +28,7 @@ def trial_sections(results: Mapping[str, Any]) -> list[str]:
         _far(results["far_goals"], results["far_details"]),
         "## Promises, step by step",
         "Distances between what the operator of a step promised for the object at hand and what came, at "
-        "50 mm. *Worst* is the worst category. A few grasps that fail make most of the squares, so intervals "
+        "50 mm. *Worst* is the worst category. A grasp that fails outweighs many other steps, so intervals "
         "(bootstrap over runs, 95 %) are wide. *First step* is that of each run.",
         _promises(results["promises"]),
         "Motions a task, replanned: "

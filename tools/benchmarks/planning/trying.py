@@ -1,6 +1,6 @@
 """Domains that are tried on the same tasks, as the benchmarks of practice and of bits do."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from functools import partial
 from pathlib import Path
 from statistics import mean, stdev
@@ -10,7 +10,7 @@ from tools.benchmarks.jobs import Job
 from tools.benchmarks.planning import figures
 from tools.benchmarks.planning.jobs import SIZES, blocks
 from tools.benchmarks.planning.measures import TIME_LIMIT, bench_of
-from tools.benchmarks.planning.trials import from_json, to_json, try_task
+from tools.benchmarks.planning.trials import Trial, from_json, to_json, try_task
 
 TOLERANCES = (50, 20)
 """How near objects must come to their goals [mm]."""
@@ -58,12 +58,7 @@ def shares(found: Mapping[str, Any], jobs: Sequence[Jobs]) -> dict[str, list[flo
         jobs: Those of each domain.
     """
     return {
-        f"{kind}, {mm} mm, {way}": [
-            figures.share(
-                [trial for name in of_one[kind, mm] for trial in from_json(found.get(name, []))], way
-            )
-            for of_one in jobs
-        ]
+        f"{kind}, {mm} mm, {way}": [figures.share(_trials(found, of_one[kind, mm]), way) for of_one in jobs]
         for mm in TOLERANCES
         for kind in SIZES
         for way in WAYS
@@ -80,12 +75,7 @@ def promise_rms(found: Mapping[str, Any], jobs: Sequence[Jobs]) -> dict[str, lis
     return {
         f"{mm} mm": [
             figures.promise_errors(
-                figures.steps_of(
-                    trial
-                    for kind in SIZES
-                    for name in of_one[kind, mm]
-                    for trial in from_json(found.get(name, []))
-                )
+                figures.steps_of(trial for kind in SIZES for trial in _trials(found, of_one[kind, mm]))
             )["all"]
             for of_one in jobs
         ]
@@ -93,17 +83,21 @@ def promise_rms(found: Mapping[str, Any], jobs: Sequence[Jobs]) -> dict[str, lis
     }
 
 
+def _trials(found: Mapping[str, Any], names: Iterable[str]) -> list[Trial]:
+    return [trial for name in names for trial in from_json(found.get(name, []))]
+
+
 def in_millimetres(values: Sequence[float | None]) -> str:
     """Write mean and standard deviation of lengths in millimetres; those that are not known are left out."""
-    known = [value for value in values if value is not None]
-    if not known:
-        return "-"
-    return f"{mean(known):.1f}" + (f" ± {stdev(known):.1f}" if len(known) > 1 else "")
+    return _with_spread([value for value in values if value is not None], "")
 
 
 def in_percent(values: Sequence[float | None]) -> str:
     """Write mean and standard deviation of shares; those that are not known are left out."""
-    known = [100 * share for share in values if share is not None]
+    return _with_spread([100 * share for share in values if share is not None], " %")
+
+
+def _with_spread(known: Sequence[float], unit: str) -> str:
     if not known:
         return "-"
-    return f"{mean(known):.1f} %" + (f" ± {stdev(known):.1f}" if len(known) > 1 else "")
+    return f"{mean(known):.1f}{unit}" + (f" ± {stdev(known):.1f}" if len(known) > 1 else "")
