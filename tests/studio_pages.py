@@ -11,9 +11,9 @@ from toy_domain import grounding, problem
 from neurosym.pddl import domain_text
 from neurosym.pddl.moves import LIFTED, PLACES, RELATIONAL, Encoding
 from neurosym.problems import Problem
-from neurosym.stages.compiling import print_problem
 from neurosym.stages.folder import DomainFolder
 from neurosym.stages.layout import DOMAIN, LIFTED_DOMAIN, OPERATORS_DOMAIN, PLACES_DOMAIN, RELATIONAL_DOMAIN
+from neurosym.stages.problem_printing import print_problem
 from neurosym.studio.library import Library
 from neurosym.studio.session import Session
 from neurosym.studio.workers import Workers

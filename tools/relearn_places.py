@@ -11,9 +11,9 @@ from neurosym.console import say
 from neurosym.files import write_atomically
 from neurosym.grounding import Grounding
 from neurosym.operators import OperatorTable
-from neurosym.stages.compiling import problem_stage
 from neurosym.stages.folder import DomainFolder
 from neurosym.stages.layout import PRIMITIVES
+from neurosym.stages.problem_making import Asked, problem_stage
 from neurosym.worlds.tasks import TaskKind
 from tools.relearn_tabletop import (
     STAGES,
@@ -51,7 +51,7 @@ def main() -> None:
     every = [(kind, objects) for kind, objects, count in TASKS for _ in range(count)]
     for number, (kind, objects) in enumerate(every, start=1):
         name = f"{kind}-{objects}-{number:02d}"
-        drawn = problem_stage(folder, name=name, objects=objects, task=kind, seed=SEED + number)
+        drawn = problem_stage(folder, name, Asked(objects, task=kind, seed=SEED + number))
         folder.perform(drawn, again=False)
         try_problem(folder, name, PLANNER)
     write_atomically(FOLDER / "README.md", "\n\n".join(sections(folder)) + "\n")

@@ -19,12 +19,12 @@ from neurosym.learning.model_config import DEFAULT_BITS, PAPER_BITS
 from neurosym.learning.report import TrainingReport
 from neurosym.operators import Category, Operator, OperatorTable, Vector
 from neurosym.reading import read_json
-from neurosym.stages.compiling import problem_stage
 from neurosym.stages.executing import execute_stage, load_run
 from neurosym.stages.folder import DomainFolder
 from neurosym.stages.layout import PRIMITIVES, TRAINING, plan_files
 from neurosym.stages.plan_records import PlanRecord
 from neurosym.stages.planning import load_problem, plan_stage
+from neurosym.stages.problem_making import Asked, problem_stage
 from neurosym.wording import counted
 
 TABLETOP = Path("domains/tabletop")
@@ -46,7 +46,7 @@ def main(
     folder = DomainFolder(path)
     for number, (objects, actions) in enumerate(SIZES, start=1):
         name = f"task-{number:02d}"
-        drawn = problem_stage(folder, name=name, objects=objects, actions=actions, seed=SEED + number)
+        drawn = problem_stage(folder, name, Asked(objects, actions, SEED + number))
         folder.perform(drawn, again=False)
         for planner in PLANNERS:
             try_problem(folder, name, planner)

@@ -15,10 +15,10 @@ from neurosym.grounding import Grounding
 from neurosym.markdown import markdown_table
 from neurosym.pddl.relational import left_out_puts
 from neurosym.relation_operators import RelationOperator, RelationOperators
-from neurosym.stages.compiling import problem_stage
 from neurosym.stages.folder import DomainFolder
 from neurosym.stages.layout import GROUNDING, MANIFEST
 from neurosym.stages.manifest import Manifest
+from neurosym.stages.problem_making import Asked, problem_stage
 from neurosym.stages.task_drawing import AnyTask
 from tools.relearn_places import FOLDER as LEARNED
 from tools.relearn_places import PLACES, PLANNER, SEED, STEPS
@@ -57,16 +57,9 @@ def main() -> None:
     every = [(kind, objects, height) for kind, objects, height, count in TASKS for _ in range(count)]
     for number, (kind, objects, height) in enumerate(every, start=1):
         name = f"{kind}-{objects}-{number:02d}"
-        drawn = problem_stage(
-            folder,
-            name=name,
-            objects=objects,
-            task=kind,
-            height=height,
-            state=resting if kind in RESTING else "",
-            seed=SEED + number,
-        )
-        folder.perform(drawn, again=False)
+        state = resting if kind in RESTING else ""
+        asked = Asked(objects, seed=SEED + number, task=kind, height=height, state=state)
+        folder.perform(problem_stage(folder, name, asked), again=False)
         try_problem(folder, name, PLANNER)
     write_atomically(FOLDER / "README.md", "\n\n".join(sections(folder)) + "\n")
     say(f"wrote {FOLDER / 'README.md'}")

@@ -68,23 +68,31 @@ def new_problem(
     to change places, and `like` for what bears what in the scene of another problem. With `--scene` it is
     all yours: the file is checked, copied and printed as PDDL.
     """
-    from neurosym.grounding import Grounding
-    from neurosym.problems import Problem, check_names
+    from neurosym.problems import check_names
     from neurosym.reading import digest
-    from neurosym.related import is_reached
-    from neurosym.stages.compiling import problem_stage
+    from neurosym.stages.problem_making import Asked, problem_stage
     from neurosym.stages.scenes import scene_stage
 
-    domain = opened(folder)
-    if scene and (goal or relation or task or (objects, actions, seed) != (1, 1, 0)):
+    domain, by_hand = opened(folder), bool(goal or relation)
+    if scene and (by_hand or task or (objects, actions, seed) != (1, 1, 0)):
         raise InvalidValue(
             "Give --scene, or --objects, --actions, --seed, --task, --goal and --relation, not both."
         )
-    if bool(goal or relation) + bool(task) + (actions != 1) > 1:
+    if by_hand + bool(task) + (actions != 1) > 1:
         raise InvalidValue("Give only one of --actions, --task, and goals by hand (--goal and --relation).")
     _check_shape(task, height, state, like)
-    goals = _parse_goals(goal) if goal else None
-    relations = tuple(map(_parse_relation, relation))
+    asked = Asked(
+        objects=objects,
+        actions=actions,
+        seed=seed,
+        goals=_parse_goals(goal) if goal else None,
+        tolerance=tolerance,
+        task=task,
+        relations=tuple(map(_parse_relation, relation)),
+        height=height,
+        state=state or "",
+        like=like,
+    )
     if name is not None:
         check_names((name,))
     with domain.naming_problems():
@@ -96,22 +104,21 @@ def new_problem(
         if scene:
             stage = scene_stage(domain, scene, name=name, tolerance=tolerance)
         else:
-            stage = problem_stage(
-                domain,
-                name=name,
-                objects=objects,
-                actions=actions,
-                seed=seed,
-                goals=goals,
-                task=task,
-                relations=relations,
-                height=height,
-                state=state or "",
-                like=like,
-                tolerance=tolerance,
-            )
+            stage = problem_stage(domain, name, asked)
         domain.perform(stage, again=True)
-    problem = Problem.load(made)
+    _say_made(domain, folder, name, verb)
+    if before != digest(made) and (stale := domain.made_for(name)):
+        say(f"note: made for the former {name}, and stale now: {', '.join(stale)}")
+    say_next(f"neurosym plan {quoted(folder)} {name}")
+    return 0
+
+
+def _say_made(domain: DomainFolder, folder: Path, name: str, verb: str) -> None:
+    from neurosym.grounding import Grounding
+    from neurosym.problems import Problem
+    from neurosym.related import is_reached
+
+    problem = Problem.load(domain / scene_file(name))
     files = (*problem_files(name)[:1], *relation_files(name))
     printed = next((file for file in files if (folder / file).exists()), files[0])
     say(f"{verb} {folder / printed} and its scene")
@@ -121,10 +128,6 @@ def new_problem(
         say(f"  goal: {target} {state} {other}")
     for target, (x, y, *_) in problem.goals.items() if problem.related else ():
         say(f"  goal: {target} at ({x:.3f}, {y:.3f})")
-    if before != digest(made) and (stale := domain.made_for(name)):
-        say(f"note: made for the former {name}, and stale now: {', '.join(stale)}")
-    say_next(f"neurosym plan {quoted(folder)} {name}")
-    return 0
 
 
 def _name_of(scene: Path, domain: DomainFolder) -> str:

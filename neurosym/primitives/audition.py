@@ -22,7 +22,7 @@ from neurosym.primitives.own import choose_own
 from neurosym.primitives.rehearsal import perform_on_each
 from neurosym.primitives.repertoire import Repertoire, shared_by_all
 from neurosym.primitives.variety import PredictOutcomes, best_set, observe, worth_in_place
-from neurosym.progress import Progress
+from neurosym.progress import OpenBar, Progress, part, silent
 from neurosym.symbols import Categorise, symbols_of
 from neurosym.world import Scene, WorldFactory
 
@@ -47,7 +47,7 @@ def choose(
     world_factory: WorldFactory | None,
     seed: int,
     workers: int = 1,
-    progress: Progress | None = None,
+    open_bar: OpenBar = silent,
 ) -> Repertoire:
     """Choose one of the candidates for each symbol, and others for single categories if `choice` is "own".
 
@@ -60,7 +60,7 @@ def choose(
         world_factory: Builds the world of the auditions; None if there is none.
         seed: Where all draws start.
         workers: How many processes; their number does not change the result.
-        progress: Called after each performance.
+        open_bar: Shows how far the auditions have come.
 
     Raises:
         UnknownChoice: If there is no such choice.
@@ -83,11 +83,15 @@ def choose(
     few = shortlist(candidates, predict, features[:OBJECTS_TO_PREDICT], categorise, count)
     if world_factory is None:
         return shared_by_all(few)
-    options: Any = {"seed": seed, "workers": workers, "progress": progress}
-    shared = audition(world_factory, few, categorise, **options)
+    options: Any = {"seed": seed, "workers": workers}
+    with open_bar("auditioning") as advance:
+        shared = audition(world_factory, few, categorise, **options, progress=advance)
     if choice == "predictable":
         return shared_by_all(shared)
-    return choose_own(world_factory, candidates, shared, predict, features, categorise, **options)
+    with open_bar("auditioning for each category") as advance:
+        return choose_own(
+            world_factory, candidates, shared, predict, features, categorise, **options, progress=advance
+        )
 
 
 def lowest_error(candidates: Sequence[Primitive]) -> tuple[Primitive, ...]:
@@ -148,15 +152,12 @@ def audition(
     again = sum(min(AUDITIONED[1], len(group)) for group in groups)
     total, scenes, done = objects * (len(few) + again), list[Scene](), 0
     happened = [list[list[float]]() for _ in few]
-
-    def report(count: int, _: int) -> None:
-        if progress is not None:
-            progress(done + count, total)
-
     for kept in (AUDITIONED[1], 1):
         numbers = range(len(scenes), len(scenes) + objects)
         scenes += [world.sample_scene(np.random.default_rng([seed, _STREAM, n]), 1) for n in numbers]
-        performed = perform_on_each(world_factory, few, scenes[-objects:], workers, report)
+        performed = perform_on_each(
+            world_factory, few, scenes[-objects:], workers, part(progress, done, total)
+        )
         done += objects * len(few)
         for rows, outcomes in zip(happened, performed, strict=True):
             rows += [[*outcome.effect, outcome.peak_height] for outcome in outcomes]

@@ -23,10 +23,10 @@ from neurosym.primitives.distillation import distill
 from neurosym.primitives.judging import foresee_carrying
 from neurosym.primitives.own import CARRYING_ROUNDS, choose_own
 from neurosym.primitives.rehearsal import rehearse, tabulate
-from neurosym.primitives.table import NothingDistilled, silent
+from neurosym.primitives.table import NothingDistilled
 from neurosym.primitives.unsure import rehearse_unsure
 from neurosym.primitives.variety import PredictOutcomes
-from neurosym.progress import OpenBar
+from neurosym.progress import OpenBar, silent
 from neurosym.symbols import Categorise
 from neurosym.world import WorldFactory
 from neurosym.worlds.aimed import AimedFactory

@@ -6,7 +6,7 @@ many candidates on a few of them first, then fewer on others. Each performance h
 millimetre, so that what lies on an edge, and does something else a hair beside it, looks as bad as it is.
 """
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
 from functools import cache
 from itertools import accumulate
@@ -35,7 +35,7 @@ from neurosym.primitives.variety import (
     best_set,
     worth_in_place,
 )
-from neurosym.progress import Progress
+from neurosym.progress import Progress, part
 from neurosym.symbols import Categorise, symbols_of
 from neurosym.world import Scene, WorldFactory
 from neurosym.worlds.workers import Task
@@ -134,9 +134,13 @@ def choose_own(
         groups = [[one, *best] for one, best in zip(shared, few, strict=True)]
         contests[category] = _Contest(scenes, groups)
     kept = [one.candidates for one in rounds[1:]] + [1]
+    total, done = _performances(contests.values(), rounds), 0
     for count, end, one in zip(kept, ends, rounds, strict=True):
-        part = slice(end - one.objects, end)
-        _audition([*contests.values()], part, world_factory, world.action_box, seed, workers, progress)
+        tasks, owners = _tasks(contests.values(), slice(end - one.objects, end), world.action_box, seed)
+        outcomes = perform(world_factory, tasks, workers, part(progress, done, total))
+        for seen, outcome in zip(owners, outcomes, strict=True):
+            seen.append(performance(outcome))
+        done += len(tasks)
         for contest in contests.values():
             contest.groups[:] = _keep_best(contest, count)
     return with_own(shared, {category: _chosen(contest) for category, contest in contests.items()})
@@ -196,26 +200,31 @@ def _moves(count: int, size: int, seed: int) -> Float[np.ndarray, "N A"]:
     return np.array([np.random.default_rng([seed, _MOVES, n]).normal(size=size) for n in range(count)])
 
 
-def _audition(
-    contests: Sequence[_Contest],
-    part: slice,
-    world_factory: WorldFactory,
-    box: ActionBox,
-    seed: int,
-    workers: int,
-    progress: Progress | None,
-) -> None:
-    """Have all that are left perform on a part of the objects of their category."""
+def _performances(contests: Iterable[_Contest], rounds: Sequence[Round]) -> int:
+    """Count the performances of all rounds."""
+    groups = [len(group) for contest in contests for group in contest.groups]
+    first, *others = rounds
+    return first.objects * sum(groups) + sum(
+        one.objects * min(group, 1 + one.candidates) for one in others for group in groups
+    )
+
+
+def _tasks(
+    contests: Iterable[_Contest], which: slice, box: ActionBox, seed: int
+) -> tuple[list[Task], list[list[Performance]]]:
+    """Have all that are left perform on a part of the objects of their category.
+
+    Returns:
+        What is to be performed, and for each task the list that its performance is to be added to.
+    """
     tasks, owners = list[Task](), list[list[Performance]]()
     for contest in contests:
         for primitive in (one for group in contest.groups for one in group):
             actions = moved(primitive, len(contest.scenes), box, seed)
-            for scene, action in zip(contest.scenes[part], actions[part], strict=True):
+            for scene, action in zip(contest.scenes[which], actions[which], strict=True):
                 tasks.append(Task(scene, action))
                 owners.append(contest.seen.setdefault(primitive, []))
-    outcomes = perform(world_factory, tasks, workers, progress)
-    for seen, outcome in zip(owners, outcomes, strict=True):
-        seen.append(performance(outcome))
+    return tasks, owners
 
 
 def _keep_best(contest: _Contest, count: int) -> list[list[Primitive]]:

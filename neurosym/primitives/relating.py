@@ -16,8 +16,8 @@ from neurosym.primitives.distillation import distill
 from neurosym.primitives.pair_choice import choose_for_pairs
 from neurosym.primitives.pair_rehearsal import rehearse_among, tabulate_pairs
 from neurosym.primitives.rehearsal import rehearse
-from neurosym.primitives.table import NothingDistilled, silent
-from neurosym.progress import OpenBar
+from neurosym.primitives.table import NothingDistilled
+from neurosym.progress import OpenBar, silent
 from neurosym.relation_operators import PairStates, RelationOperators
 from neurosym.world import WorldFactory
 from neurosym.worlds.related import RelatedFactory

@@ -1,6 +1,5 @@
 """From networks and data to the table of operators: distil, choose, and rehearse or average."""
 
-from contextlib import AbstractContextManager, nullcontext
 from typing import Any
 
 from neurosym.actions import ActionBox
@@ -15,7 +14,7 @@ from neurosym.primitives.averaging import average
 from neurosym.primitives.distillation import distill
 from neurosym.primitives.rehearsal import rehearse, tabulate
 from neurosym.primitives.unsure import rehearse_unsure
-from neurosym.progress import OpenBar, Progress
+from neurosym.progress import OpenBar, silent
 from neurosym.world import WorldFactory
 
 
@@ -62,18 +61,17 @@ def find_operators(
         candidates = distill(model, interactions, box, seed=seed, progress=advance)
     if not candidates:
         raise NothingDistilled
-    with open_bar("auditioning") as advance:
-        chosen = choose(
-            candidates,
-            choice,
-            predict=direct.predict_outcomes,
-            features=interactions.features,
-            categorise=model.object_symbols,
-            world_factory=world_factory,
-            seed=seed,
-            workers=workers,
-            progress=advance,
-        )
+    chosen = choose(
+        candidates,
+        choice,
+        predict=direct.predict_outcomes,
+        features=interactions.features,
+        categorise=model.object_symbols,
+        world_factory=world_factory,
+        seed=seed,
+        workers=workers,
+        open_bar=open_bar,
+    )
     categorise = model.object_symbols
     if world_factory is None:
         return average(interactions, chosen.primitives, categorise, model.action_symbols)
@@ -84,8 +82,3 @@ def find_operators(
         table = tabulate(found, made(world_factory).feature_names, progress=advance)
     with open_bar("rehearsing what is unsure") as advance:
         return rehearse_unsure(world_factory, table, categorise, **options, progress=advance)
-
-
-def silent(_: str) -> AbstractContextManager[Progress]:
-    """Report nothing."""
-    return nullcontext(lambda done, total: None)  # noqa: ARG005 (a `Progress`)

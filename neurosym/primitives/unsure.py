@@ -17,7 +17,7 @@ from neurosym.primitives.categories import rounded
 from neurosym.primitives.performing import perform
 from neurosym.primitives.rehearsal import rehearsal_of
 from neurosym.primitives.sampling import sample_by_category
-from neurosym.progress import Progress
+from neurosym.progress import Progress, part
 from neurosym.promises import chances_of, rehearsed_objects
 from neurosym.symbols import Categorise
 from neurosym.world import Scene, WorldFactory
@@ -99,7 +99,7 @@ def rehearse_unsure(
             for place, numbers in chosen.items()
             for number in numbers
         ]
-        outcomes = perform(world_factory, tasks, workers, _after(progress, done))
+        outcomes = perform(world_factory, tasks, workers, part(progress, done))
         done += len(tasks)
         for place, numbers in chosen.items():
             rows = tuple(rehearsal_of(next(outcomes)) for _ in numbers)
@@ -143,10 +143,3 @@ def _unsure(operator: Operator, pool: _Pool, free: np.ndarray, count: int) -> li
         variance *= 1 - 0.5 * np.exp(-apart.sum(1) / (2 * _APART**2))
         variance[best] = 0.0
     return chosen
-
-
-def _after(progress: Progress | None, done: int) -> Progress | None:
-    """Count from what was done before."""
-    if progress is None:
-        return None
-    return lambda now, total: progress(done + now, done + total)

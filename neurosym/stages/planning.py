@@ -17,11 +17,11 @@ from neurosym.planners.planner import PredictEffects
 from neurosym.planners.registry import check_options
 from neurosym.planners.second_look import plan_with_second_look
 from neurosym.problems import Problem
-from neurosym.stages.compiling import print_problem
 from neurosym.stages.folder import DomainFolder, load_scene
 from neurosym.stages.layout import GROUNDING, MODEL, WORLD, plan_files, scene_file
 from neurosym.stages.manifest import Stage
 from neurosym.stages.plan_records import write_plans
+from neurosym.stages.problem_printing import print_problem
 from neurosym.stages.remarks import remarks_on_places
 from neurosym.wording import quoted
 from neurosym.world import World

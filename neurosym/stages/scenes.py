@@ -11,11 +11,11 @@ from neurosym.pair_sight import with_pairs
 from neurosym.pddl.grid import check_on_table
 from neurosym.problems import Problem
 from neurosym.reading import digest
-from neurosym.stages.compiling import print_problem
 from neurosym.stages.folder import DomainFolder
 from neurosym.stages.layout import GROUNDING, PROBLEMS, WORLD, problem_files, relation_files, scene_file
 from neurosym.stages.manifest import Stage
 from neurosym.stages.planning import check_scene
+from neurosym.stages.problem_printing import print_problem
 from neurosym.stages.remarks import remarks_on_categories, remarks_on_places
 from neurosym.stages.task_drawing import networks_of_pairs, sight_of_pairs
 

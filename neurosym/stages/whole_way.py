@@ -8,7 +8,7 @@ from neurosym.errors import InvalidValue
 from neurosym.pddl.compiler import CELL
 from neurosym.reading import read_json
 from neurosym.stages.aiming import distill_places_stage, explore_places_stage, train_places_stage
-from neurosym.stages.compiling import compile_stage, problem_stage
+from neurosym.stages.compiling import compile_stage
 from neurosym.stages.distilling import distill_stage
 from neurosym.stages.executing import execute_stage, load_run
 from neurosym.stages.exploring import explore_stage
@@ -17,6 +17,7 @@ from neurosym.stages.layout import PLACE_INTERACTIONS, WORLD, plan_files
 from neurosym.stages.manifest import Claim, Stage
 from neurosym.stages.plan_records import PlanRecord
 from neurosym.stages.planning import plan_stage
+from neurosym.stages.problem_making import Asked, problem_stage
 from neurosym.stages.relating import (
     distill_relations_stage,
     explore_relations_stage,
@@ -175,7 +176,7 @@ class _Row:
 def _try_problem(folder: DomainFolder, number: int, seed: int) -> _Row:
     """Draw a problem, plan it, and execute the plan if there is one."""
     name, objects = f"task-{number:02d}", 2 - number % 2
-    _perform(folder, problem_stage(folder, name=name, objects=objects, seed=seed + number))
+    _perform(folder, problem_stage(folder, name, Asked(objects, seed=seed + number)))
     _perform(folder, plan_stage(folder, name, planner=PLANNER))
     plan_file, record_file = plan_files(name, PLANNER)
     record = read_json(folder / record_file, PlanRecord)

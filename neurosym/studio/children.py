@@ -134,15 +134,13 @@ def _replay(job: Replay, connection: Connection) -> Any:
 
 
 def _draw(job: DrawTask, _: Connection) -> Any:
-    from neurosym.stages.compiling import problem_stage
     from neurosym.stages.folder import DomainFolder, load_scene
     from neurosym.stages.layout import scene_file
+    from neurosym.stages.problem_making import Asked, problem_stage
 
     folder = DomainFolder(job.folder)
-    stage = problem_stage(
-        folder, name=job.name, objects=job.objects, seed=job.seed, task=job.task, tolerance=job.tolerance
-    )
-    folder.perform(stage, again=True)
+    asked = Asked(job.objects, seed=job.seed, task=job.task, tolerance=job.tolerance)
+    folder.perform(problem_stage(folder, job.name, asked), again=True)
     return Drawn(load_scene(folder / scene_file(job.name)))
 
 

@@ -1,5 +1,6 @@
 """Categories have actions of their own where those do better, and keep the shared one where it adds."""
 
+from contextlib import contextmanager
 from dataclasses import replace
 
 import numpy as np
@@ -144,7 +145,13 @@ def test_own_actions_are_the_same_for_any_number_of_workers():
 
 
 def test_own_is_what_choose_gives_and_what_is_told_counts_performances():
-    told = []
+    told = {}
+
+    @contextmanager
+    def told_of(label):
+        told[label] = []
+        yield lambda *numbers: told[label].append(numbers)
+
     found = choose(
         [LIFTING, PUSHING],
         "own",
@@ -153,10 +160,12 @@ def test_own_is_what_choose_gives_and_what_is_told_counts_performances():
         categorise=by_affordance,
         world_factory=make_world,
         seed=0,
-        progress=lambda *numbers: told.append(numbers),
+        open_bar=told_of,
     )
     assert {LEFT, LIFT} == {one.action for one in found.primitives}
-    assert all(1 <= done <= total for done, total in told)
+    assert list(told) == ["auditioning", "auditioning for each category"]
+    for numbers in told.values():
+        assert numbers == [(done, len(numbers)) for done in range(1, len(numbers) + 1)]
 
 
 def test_operators_of_a_table_are_named_for_their_actions_the_surest_of_a_pair_first():

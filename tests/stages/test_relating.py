@@ -18,7 +18,6 @@ from neurosym.learning.model_config import ModelConfig
 from neurosym.operators import Mode, Operator, Primitive
 from neurosym.place_operators import PlaceOperators
 from neurosym.relation_operators import PairStates, RelationOperators
-from neurosym.stages.compiling import problem_stage
 from neurosym.stages.folder import DomainFolder, load_scene
 from neurosym.stages.layout import (
     MODEL,
@@ -30,6 +29,7 @@ from neurosym.stages.layout import (
     RELATION_STATES,
     RELATIONAL_DOMAIN,
 )
+from neurosym.stages.problem_making import Asked, problem_stage
 from neurosym.stages.relating import (
     distill_relations_stage,
     explore_relations_stage,
@@ -127,7 +127,7 @@ def test_whole_way_ends_with_a_domain_of_relations_and_problems_say_what_is_fore
     run(path, world="toy-relations", steps=512, places=128, relations=200, **options)
     folder = DomainFolder(path)
     assert (folder / RELATIONAL_DOMAIN).exists()
-    folder.perform(problem_stage(folder, name="drawn", objects=3, seed=1, task="boxes"), again=False)
+    folder.perform(problem_stage(folder, "drawn", Asked(3, seed=1, task="boxes")), again=False)
     problem = load_scene(folder / "problems/drawn.scene.json")
     assert isinstance(problem.foreseen, dict)
     assert problem.foreseen.keys() <= problem.pairs.keys()
