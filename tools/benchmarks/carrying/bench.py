@@ -22,6 +22,7 @@ from neurosym.planners import PlanStatus, plan
 from neurosym.problems import Problem, SceneObject
 from neurosym.table import Table
 from tools.benchmarks.carrying.tasks import far
+from tools.benchmarks.options import Output
 from tools.benchmarks.planning.measures import bench_of
 from tools.benchmarks.spent import cpu_seconds
 from tools.benchmarks.world.evaluate import machine
@@ -39,7 +40,7 @@ SMALL = 0.07
 
 def main(
     tasks: Annotated[int, tyro.conf.arg(help="How many tasks of each kind.")] = 10,
-    output: Annotated[Path | None, tyro.conf.arg(help="Write the JSON here instead of printing it.")] = None,
+    output: Output = None,
 ) -> None:
     """Measure, and print what was found as JSON."""
     seeds = range(FIRST, FIRST + tasks)

@@ -21,6 +21,7 @@ from tools.benchmarks.carrying.keeping import keep, restore, take_shipped
 from tools.benchmarks.carrying.learned import learn, learn_at_random
 from tools.benchmarks.carrying.tables import page
 from tools.benchmarks.jobs import Job, as_text, load_jobs, machine, pack, perform, unpack
+from tools.benchmarks.options import CORES, Results, Seeds, Steps, Work, Workers
 from tools.benchmarks.planning import figures
 from tools.benchmarks.planning.measures import bench_of
 from tools.benchmarks.planning.trials import Trial, from_json, to_json, try_task
@@ -37,13 +38,13 @@ RIGHT = 0.9
 
 
 def main(
-    seeds: Annotated[int, tyro.conf.arg(help="Seeds of everything.")] = 5,
-    steps: Annotated[int, tyro.conf.arg(help="Interactions of each exploration.")] = STEPS,
+    seeds: Seeds = 5,
+    steps: Steps = STEPS,
     places: Annotated[int, tyro.conf.arg(help="Interactions besides that are aimed at places.")] = PLACES,
     scale: Annotated[float, tyro.conf.arg(help="How many tasks, as a share of the full number.")] = 1.0,
-    work: Annotated[Path, tyro.conf.arg(help="Folder for what was measured.")] = WORK,
-    results: Annotated[Path, tyro.conf.arg(help="Folder for the tables.")] = RESULTS,
-    workers: Annotated[int, tyro.conf.arg(help="Jobs at once.")] = os.cpu_count() or 1,
+    work: Work = WORK,
+    results: Results = RESULTS,
+    workers: Workers = CORES,
 ) -> None:
     """Learn, try, and write what came of it; a seed is reported as soon as it is done."""
     (work / "jobs").mkdir(parents=True, exist_ok=True)

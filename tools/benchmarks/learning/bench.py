@@ -10,7 +10,6 @@ import time
 from collections.abc import Callable
 from dataclasses import replace
 from importlib.metadata import version
-from pathlib import Path
 from typing import Annotated, Any
 
 import numpy as np
@@ -28,6 +27,7 @@ from neurosym.learning.training_config import REGIMES, Regime
 from neurosym.primitives.distillation import distill
 from neurosym.sim.tabletop import Tabletop
 from neurosym.strategies import DEFAULT_STRATEGY, STRATEGIES
+from tools.benchmarks.options import Output
 from tools.benchmarks.places import SHIPPED
 from tools.benchmarks.world.evaluate import machine
 from tools.benchmarks.world.measures import random_tasks
@@ -55,7 +55,7 @@ Results = dict[str, Any]
 
 def main(
     scale: Annotated[float, tyro.conf.arg(help="How much is measured, as a share of the full.")] = 1.0,
-    output: Annotated[Path | None, tyro.conf.arg(help="Write the JSON here instead of printing it.")] = None,
+    output: Output = None,
 ) -> None:
     """Measure, and print what was found as JSON."""
     text = json.dumps(bench(scale), indent=2) + "\n"

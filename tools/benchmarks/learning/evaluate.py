@@ -37,6 +37,7 @@ from tools.benchmarks.learning import measures
 from tools.benchmarks.learning.curves import draw
 from tools.benchmarks.learning.measures import Data
 from tools.benchmarks.learning.tables import page
+from tools.benchmarks.options import CORES, OnlyReport, Results, Steps, Workers
 
 RESULTS, WORK = Path("docs/results"), Path("evaluation")
 FILTERED, FILTER = f"entropy{measures.FILTER_SUFFIX}", 0.1
@@ -89,11 +90,11 @@ VARIANTS: Mapping[str, tuple[TrainingConfig, ModelConfig]] = {
 
 def main(
     seeds: Annotated[int, tyro.conf.arg(help="Seeds of Tables I and II.")] = 5,
-    steps: Annotated[int, tyro.conf.arg(help="Interactions of each exploration.")] = 5120,
+    steps: Steps = 5120,
     work: Annotated[Path, tyro.conf.arg(help="Folder for what was explored and measured.")] = WORK,
-    results: Annotated[Path, tyro.conf.arg(help="Folder for the tables.")] = RESULTS,
-    workers: Annotated[int, tyro.conf.arg(help="Jobs at once.")] = os.cpu_count() or 1,
-    only_report: Annotated[bool, tyro.conf.arg(help="Write the tables from what is there.")] = False,
+    results: Results = RESULTS,
+    workers: Workers = CORES,
+    only_report: OnlyReport = False,
 ) -> None:
     """Explore, do every job that was not done, and write the results."""
     for name, value in (("seeds", seeds), ("steps", steps), ("workers", workers)):

@@ -27,6 +27,7 @@ from neurosym.planners.bfs import plan_bfs
 from neurosym.planners.branching import branching_of
 from neurosym.problems import Problem, SceneObject
 from neurosym.table import Table
+from tools.benchmarks.options import Output
 from tools.benchmarks.places import SHIPPED
 from tools.benchmarks.world.evaluate import machine
 
@@ -43,7 +44,7 @@ Results = dict[str, Any]
 
 def main(
     times: Annotated[int, tyro.conf.arg(help="How often each is timed; the least counts.")] = 20,
-    output: Annotated[Path | None, tyro.conf.arg(help="Write the JSON here instead of printing it.")] = None,
+    output: Output = None,
 ) -> None:
     """Measure, and print what was found as JSON."""
     text = json.dumps(bench(times), indent=2) + "\n"

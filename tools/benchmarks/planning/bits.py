@@ -29,7 +29,9 @@ from neurosym.stages.exploring import explore_stage
 from neurosym.stages.folder import DomainFolder
 from neurosym.stages.layout import GROUNDING, MANIFEST, WORLD
 from neurosym.stages.training import train_stage
+from neurosym.wording import counted
 from tools.benchmarks.jobs import as_text, load_jobs, machine, pack, perform, unpack
+from tools.benchmarks.options import CORES, OnlyReport, Results, Seeds, Steps, Work, Workers
 from tools.benchmarks.planning.measures import REHEARSALS
 from tools.benchmarks.planning.trying import (
     Jobs,
@@ -75,36 +77,45 @@ EVERY = (Learned(2, 3, "lowest-error"), *(Learned(2, bits) for bits in (3, 4, 5,
 
 
 def main(
-    seeds: Annotated[int, tyro.conf.arg(help="Seeds of everything.")] = 3,
-    steps: Annotated[int, tyro.conf.arg(help="Interactions of each exploration.")] = 10_000,
+    seeds: Seeds = 3,
+    steps: Steps = 10_000,
     tasks: Annotated[int, tyro.conf.arg(help="Tasks with one object, and with two.")] = 30,
-    work: Annotated[Path, tyro.conf.arg(help="Folder for what was measured.")] = WORK,
-    results: Annotated[Path, tyro.conf.arg(help="Folder for the tables.")] = RESULTS,
-    workers: Annotated[int, tyro.conf.arg(help="Jobs at once.")] = os.cpu_count() or 1,
+    work: Work = WORK,
+    results: Results = RESULTS,
+    workers: Workers = CORES,
+    only_report: OnlyReport = False,
 ) -> None:
     """Explore, learn, try, and write what came of it; a width is reported as soon as it is done."""
     (work / "jobs").mkdir(parents=True, exist_ok=True)
     unpack(results / RECORDS, work / "jobs")
-    exploring = {f"explore-{seed}": partial(explore, work, seed, steps) for seed in range(1, seeds + 1)}
-    perform(work / "jobs", exploring, workers, lambda: None, label="exploring")
+    every_seed = range(1, seeds + 1)
+    if not only_report:
+        exploring = {f"explore-{seed}": partial(explore, work, seed, steps) for seed in every_seed}
+        perform(work / "jobs", exploring, workers, lambda: None, label="exploring")
     tried: dict[Learned, list[Jobs]] = {}
     for how in EVERY:
-        folders = {seed: work / f"{how.slug}-{seed}" for seed in range(1, seeds + 1)}
-        learning = {
-            f"learn-{how.slug}-{seed}": partial(learn, work, folder, how, seed)
-            for seed, folder in folders.items()
-        }
-        perform(work / "jobs", learning, workers, lambda: None, label=how.name)
         tried[how] = [
-            trying(folder, f"{how.slug}-{seed}", tasks, FIRST_TASK) for seed, folder in folders.items()
+            trying(work / f"{how.slug}-{seed}", f"{how.slug}-{seed}", tasks, FIRST_TASK)
+            for seed in every_seed
         ]
-        every = {name: job for of_one in tried[how] for jobs in of_one.values() for name, job in jobs.items()}
-        perform(work / "jobs", every, workers, lambda: None, label=f"{how.name}, tasks")
+        if not only_report:
+            _learn_and_try(work, how, tried[how], workers)
         pack(work / "jobs", results / RECORDS)
         summary = summarise(load_jobs(work / "jobs"), tried, seeds=seeds, steps=steps, tasks=tasks)
         write_atomically(results / "bits.json", as_text(summary))
         write_atomically(results / "bits.md", page(summary))
     say(f"wrote {results / 'bits.md'}")
+
+
+def _learn_and_try(work: Path, how: Learned, tried: Sequence[Jobs], workers: int) -> None:
+    """Learn in one way with each seed, and try what was learned."""
+    learning = {
+        f"learn-{how.slug}-{seed}": partial(learn, work, work / f"{how.slug}-{seed}", how, seed)
+        for seed in range(1, len(tried) + 1)
+    }
+    perform(work / "jobs", learning, workers, lambda: None, label=how.name)
+    trials = {name: job for of_one in tried for jobs in of_one.values() for name, job in jobs.items()}
+    perform(work / "jobs", trials, workers, lambda: None, label=f"{how.name}, tasks")
 
 
 def explored(work: Path, seed: int) -> Path:
@@ -199,7 +210,17 @@ def page(summary: Mapping[str, Any]) -> str:
     """
     learned, reached = summary["learned"], summary["reached"]
     names = ("categories", "primitives", "operators", "spread_median_mm", "spread_p90_mm")
-    rows = [[how, *(_spread([one[name] for one in ones]) for name in names)] for how, ones in learned.items()]
+    known = {how: [one for one in ones if one] for how, ones in learned.items()}
+    titles = {
+        how: how if len(ones) == summary["seeds"] else f"{how} ({counted(len(ones), 'seed')})"
+        for how, ones in known.items()
+        if ones
+    }
+    rows = [
+        [titles[how], *(_spread([one[name] for one in ones]) for name in names)]
+        for how, ones in known.items()
+        if ones
+    ]
     what, missed, first = list(next(iter(reached.values()))), summary["promise_rms_mm"], next(iter(reached))
     sections = [
         "# How many bits the data carry",
@@ -217,14 +238,15 @@ def page(summary: Mapping[str, Any]) -> str:
         "what it promises for the object at hand is nearer.",
         "## Goals reached",
         markdown_table(
-            ["tasks", *reached], [[of, *(in_percent(cells[of]) for cells in reached.values())] for of in what]
+            ["tasks", *titles.values()],
+            [[of, *(in_percent(reached[how][of]) for how in titles)] for of in what],
         ),
         "## Promises",
         "Distance between what the operator of a step promised for the object at hand and what came, with "
         "replanning; root mean square [mm].",
         markdown_table(
-            ["tasks", *missed],
-            [[of, *(in_millimetres(cells[of]) for cells in missed.values())] for of in missed[first]],
+            ["tasks", *titles.values()],
+            [[of, *(in_millimetres(missed[how][of]) for how in titles)] for of in missed[first]],
         ),
     ]
     return "\n\n".join(sections) + "\n"

@@ -20,6 +20,7 @@ from neurosym.console import say
 from neurosym.evaluation.comparison import TaskRecord
 from neurosym.files import write_atomically
 from tools.benchmarks.jobs import as_text, load_jobs, machine, pack, perform, unpack
+from tools.benchmarks.options import CORES, OnlyReport, Results, Steps, Workers
 from tools.benchmarks.planning import jobs, measures, tally, trial_jobs
 from tools.benchmarks.planning.jobs import COMPARED, SIZES, Size
 from tools.benchmarks.planning.pictures import draw_scaling, draw_table3
@@ -40,7 +41,7 @@ PAPER["double"] = {"curiosity": 0.59, "active": 0.38, "random": 0.09}
 
 def main(
     seeds: Annotated[int, tyro.conf.arg(help="Seeds of Table III; 1 is the short form.")] = 5,
-    steps: Annotated[int, tyro.conf.arg(help="Interactions of each exploration.")] = 2560,
+    steps: Steps = 2560,
     tasks: Annotated[
         int | None, tyro.conf.arg(help="Drawn tasks of each size; 100, or 30 in the short form.")
     ] = None,
@@ -56,9 +57,9 @@ def main(
     ] = jobs.USUAL,
     learn: Annotated[bool, tyro.conf.arg(help="Learn domains; else take those that are there.")] = True,
     work: Annotated[Path, tyro.conf.arg(help="Folder for what was learned and measured.")] = WORK,
-    results: Annotated[Path, tyro.conf.arg(help="Folder for the tables.")] = RESULTS,
-    workers: Annotated[int, tyro.conf.arg(help="Jobs at once.")] = os.cpu_count() or 1,
-    only_report: Annotated[bool, tyro.conf.arg(help="Write the tables from what is there.")] = False,
+    results: Results = RESULTS,
+    workers: Workers = CORES,
+    only_report: OnlyReport = False,
 ) -> None:
     """Learn, do every job that was not done, and write the results."""
     size = jobs.size_of(seeds, steps, tasks, precise=precise, far=far, strategies=strategies)

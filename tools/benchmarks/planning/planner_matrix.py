@@ -37,6 +37,7 @@ from neurosym.stages.folder import DomainFolder
 from neurosym.stages.layout import GROUNDING
 from neurosym.stages.planning import load_problem
 from tools.benchmarks.jobs import as_text, load_jobs, machine, perform
+from tools.benchmarks.options import Results, Work
 from tools.benchmarks.places import ROOT
 
 RESULTS, WORK, SHIPPED = Path("docs/results"), Path("evaluation/planners"), Path("domains/tabletop")
@@ -67,8 +68,8 @@ PACKAGES = (
 
 def main(
     time_limit: Annotated[float, tyro.conf.arg(help="How long each planner may take [s].")] = TIME_LIMIT,
-    work: Annotated[Path, tyro.conf.arg(help="Folder for what was measured.")] = WORK,
-    results: Annotated[Path, tyro.conf.arg(help="Folder for the tables.")] = RESULTS,
+    work: Work = WORK,
+    results: Results = RESULTS,
     workers: Annotated[int, tyro.conf.arg(help="Cells at once.")] = 1,
 ) -> None:
     """Fill what is not filled of the matrix, and write the tables."""

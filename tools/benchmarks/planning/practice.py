@@ -24,6 +24,7 @@ from neurosym.stages.folder import DomainFolder
 from neurosym.stages.layout import MANIFEST, TABLE_FILES
 from neurosym.stages.practising import practice_of, practise_stage
 from tools.benchmarks.jobs import as_text, load_jobs, machine, pack, perform, unpack
+from tools.benchmarks.options import CORES, Results, Work, Workers
 from tools.benchmarks.planning.jobs import SHIPPED
 from tools.benchmarks.planning.trying import (
     Jobs,
@@ -48,9 +49,9 @@ def main(
     interactions: Annotated[int, tyro.conf.arg(help="Interactions of practice.")] = 2000,
     seeds: Annotated[int, tyro.conf.arg(help="Seeds of practice.")] = 3,
     tasks: Annotated[int, tyro.conf.arg(help="Tasks with one object, and with two.")] = 100,
-    work: Annotated[Path, tyro.conf.arg(help="Folder for what was measured.")] = WORK,
-    results: Annotated[Path, tyro.conf.arg(help="Folder for the tables.")] = RESULTS,
-    workers: Annotated[int, tyro.conf.arg(help="Jobs at once.")] = os.cpu_count() or 1,
+    work: Work = WORK,
+    results: Results = RESULTS,
+    workers: Workers = CORES,
 ) -> None:
     """Practise, try, and write what came of it."""
     (work / "jobs").mkdir(parents=True, exist_ok=True)

@@ -7,7 +7,6 @@ disturb little; the seconds of the clock stand beside them.
 
 from collections.abc import Callable, Sequence
 from itertools import pairwise
-from pathlib import Path
 from typing import Annotated, Any
 
 import msgspec
@@ -24,6 +23,7 @@ from neurosym.relation_goals import RelationGoal
 from neurosym.stages.folder import DomainFolder
 from neurosym.stages.task_drawing import draw_any_task, sight_of_pairs, ways_of
 from tools.benchmarks.carrying.bench import lattice_points, tell, timed
+from tools.benchmarks.options import Output
 from tools.benchmarks.planning.measures import bench_of
 from tools.relearn_towers import FOLDER as SHIPPED
 from tools.relearn_towers import state_called
@@ -41,7 +41,7 @@ SMALL = 0.09
 
 def main(
     tasks: Annotated[int, tyro.conf.arg(help="How many tasks of each kind.")] = 5,
-    output: Annotated[Path | None, tyro.conf.arg(help="Write the JSON here instead of printing it.")] = None,
+    output: Output = None,
 ) -> None:
     """Measure, and print what was found as JSON."""
     folder, seeds = DomainFolder(SHIPPED), range(FIRST, FIRST + tasks)

@@ -19,6 +19,7 @@ from neurosym.files import make_folder, write_atomically
 from neurosym.stages.layout import RELATIONS
 from tools.benchmarks.carrying import keeping
 from tools.benchmarks.jobs import Job, as_text, load_jobs, machine, pack, perform, unpack
+from tools.benchmarks.options import CORES, Seeds, Workers
 from tools.benchmarks.relations import by_hand, learned, protocols, tasks
 from tools.benchmarks.relations.beginnings import found_after
 from tools.benchmarks.relations.singly import one_by_one
@@ -41,7 +42,7 @@ WORKERS = 2
 
 
 def main(
-    seeds: Annotated[int, tyro.conf.arg(help="Seeds of everything.")] = 5,
+    seeds: Seeds = 5,
     steps: Annotated[int, tyro.conf.arg(help="Interactions that are aimed at other objects.")] = STEPS,
     count: Annotated[int, tyro.conf.arg(help="Tasks of each kind and seed, a multiple of 5.")] = 10,
     scale: Annotated[
@@ -49,7 +50,7 @@ def main(
     ] = 1.0,
     work: Annotated[Path, tyro.conf.arg(help="Folder for what was learned.")] = WORK,
     results: Annotated[Path, tyro.conf.arg(help="Folder for relations.json and relations.md.")] = RESULTS,
-    workers: Annotated[int, tyro.conf.arg(help="Jobs at once.")] = os.cpu_count() or 1,
+    workers: Workers = CORES,
 ) -> None:
     """Measure, learn and try, and write the results; what was done is not done again."""
     cells = (*tasks.cells(count), *protocols.cells(count))
