@@ -92,13 +92,14 @@ def problem_stage(folder: DomainFolder, name: str, asked: Asked) -> Stage:
 
     def work() -> None:
         grounding = Grounding.load(folder.require(GROUNDING))
-        problem = placed(_made(folder, name, asked, grounding), grounding)
-        printed = texts_of(problem, grounding)
+        problem = _made(folder, name, asked, grounding)
+        with_places = placed(problem, grounding)
+        printed = texts_of(with_places, grounding)
         make_folder(folder / PROBLEMS)
         for file, text in printed.items():
             write_atomically(folder / file, text)
         remove_stale(folder, name, printed)
-        write_new_problem(folder, problem, grounding)
+        write_new_problem(folder, with_places, grounding)
         problem.save(folder / scene)
 
     by_places = [places_file(name)] if (folder / PLACES_DOMAIN).exists() else []
