@@ -47,7 +47,7 @@ def find_carriers(
     objects: int = 100,
     seed: int,
     workers: int = 1,
-    open_bar: OpenBar | None = None,
+    open_bar: OpenBar = silent,
 ) -> PlaceOperators:
     """Distil actions that are aimed at places, choose those that carry, and measure what they do.
 
@@ -67,7 +67,6 @@ def find_carriers(
     Raises:
         NothingDistilled: If no action encodes to its symbol.
     """
-    open_bar = open_bar or silent
     aimed = AimedFactory(world_factory, MARGIN)
     options: dict[str, Any] = {"seed": seed, "workers": workers}
     with open_bar("distilling what is aimed") as advance:

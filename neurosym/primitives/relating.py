@@ -34,7 +34,7 @@ def find_relators(
     pairs: int = 100,
     seed: int,
     workers: int = 1,
-    open_bar: OpenBar | None = None,
+    open_bar: OpenBar = silent,
 ) -> RelationOperators:
     """Distil actions that are aimed at other objects, choose among them, and measure what they do.
 
@@ -53,7 +53,6 @@ def find_relators(
     Raises:
         NothingDistilled: If no action encodes to its symbol.
     """
-    open_bar = open_bar or silent
     related = RelatedFactory(world_factory)
     options: dict[str, Any] = {"seed": seed, "workers": workers}
     with open_bar("distilling what is aimed at objects") as advance:

@@ -36,7 +36,7 @@ def find_operators(
     choice: str = "own",
     seed: int,
     workers: int = 1,
-    open_bar: OpenBar | None = None,
+    open_bar: OpenBar = silent,
 ) -> OperatorTable:
     """Distil each action symbol, choose among the candidates, and measure what each operator does.
 
@@ -56,7 +56,6 @@ def find_operators(
         NothingDistilled: If no action encodes to its symbol.
         UnknownChoice: If there is no such choice.
     """
-    open_bar = open_bar or silent
     with open_bar("distilling") as advance:
         candidates = distill(model, interactions, box, seed=seed, progress=advance)
     if not candidates:

@@ -25,11 +25,7 @@ from neurosym.stages.layout import (
     WORLD,
 )
 from neurosym.stages.manifest import Claim, Stage
-from neurosym.stages.other_tools import (
-    write_durative_domain,
-    write_durative_problem,
-    write_pictures,
-)
+from neurosym.stages.other_tools import write_durative_domain, write_durative_problem, write_pictures
 from neurosym.stages.practising import operator_table
 from neurosym.stages.problem_printing import placed, texts_of
 from neurosym.wording import quoted

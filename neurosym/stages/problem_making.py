@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from neurosym.files import make_folder, write_atomically
+from neurosym.files import make_folder
 from neurosym.grounding import Grounding
 from neurosym.pair_sight import with_pairs
 from neurosym.pddl.relational_check import check_relations, relations_meant
@@ -26,10 +26,7 @@ from neurosym.stages.layout import (
     scene_file,
 )
 from neurosym.stages.manifest import Stage
-from neurosym.stages.other_tools import (
-    write_new_problem,
-)
-from neurosym.stages.problem_printing import placed, remove_stale, texts_of
+from neurosym.stages.problem_printing import print_problem
 from neurosym.stages.task_drawing import AnyTask, draw_any_task, networks_of_pairs, sight_of_pairs
 from neurosym.worlds.relation_tasks import HEIGHT, RELATION_TASKS
 from neurosym.worlds.world_file import read_world
@@ -93,13 +90,8 @@ def problem_stage(folder: DomainFolder, name: str, asked: Asked) -> Stage:
     def work() -> None:
         grounding = Grounding.load(folder.require(GROUNDING))
         problem = _made(folder, name, asked, grounding)
-        with_places = placed(problem, grounding)
-        printed = texts_of(with_places, grounding)
         make_folder(folder / PROBLEMS)
-        for file, text in printed.items():
-            write_atomically(folder / file, text)
-        remove_stale(folder, name, printed)
-        write_new_problem(folder, with_places, grounding)
+        print_problem(folder, problem, grounding)
         problem.save(folder / scene)
 
     by_places = [places_file(name)] if (folder / PLACES_DOMAIN).exists() else []

@@ -37,7 +37,7 @@ def print_problem(
     for file in sorted(wanted):
         write_atomically(folder / file, printed[file])
     if not only_missing:
-        remove_stale(folder, problem.name, printed)
+        _remove_stale(folder, problem.name, printed)
     if wanted:
         write_new_problem(folder, problem, grounding)
 
@@ -77,14 +77,8 @@ def texts_of(problem: Problem, grounding: Grounding) -> dict[str, str]:
     }
 
 
-def remove_stale(folder: DomainFolder, name: str, printed: Mapping[str, str]) -> None:
-    """Remove what a former problem of that name was printed as, and this one is not.
-
-    Args:
-        folder: The domain folder.
-        name: The name.
-        printed: What this one is printed as, by file.
-    """
+def _remove_stale(folder: DomainFolder, name: str, printed: Mapping[str, str]) -> None:
+    """Remove what a former problem of that name was printed as, and this one is not."""
     for file in (*problem_files(name), places_file(name), *relation_files(name)):
         if file not in printed and (folder / file).exists():
             remove(folder / file)
