@@ -1,6 +1,7 @@
 """The whole way in one call, doing nothing twice."""
 
 from dataclasses import dataclass
+from typing import Any
 
 from neurosym.console import say, say_next, show_table
 from neurosym.data.interactions import Interactions
@@ -82,28 +83,32 @@ def go_the_whole_way(
         raise InvalidValue(f"problems = {problems} must be at least 0.")
     if places is None:
         places = _usual_places(folder, steps)
-    learning = (
-        explore_stage(
-            folder,
-            strategy=strategy,
-            steps=steps,
-            seed=seed,
-            regime=regime,
-            workers=workers,
-            min_predicted_effect=min_predicted_effect,
-            object_bits=object_bits,
-            action_bits=action_bits,
-        ),
-        train_stage(folder, seed=seed, regime=regime, object_bits=object_bits, action_bits=action_bits),
-        distill_stage(folder, objects=rehearsals, seed=seed, workers=workers, choice=choice),
-        *_places_stages(folder, strategy, places, seed, regime, rehearsals, workers),
-        *_relations_stages(folder, strategy, relations, seed, regime, rehearsals, workers),
-        compile_stage(
-            folder, cell=CELL, with_places=places > 0 or None, with_relations=relations > 0 or None
-        ),
+    fitting: dict[str, Any] = {"seed": seed, "regime": regime}
+    exploring: dict[str, Any] = {"strategy": strategy, "workers": workers, **fitting}
+    rehearsing: dict[str, Any] = {"seed": seed, "workers": workers}
+    bits: dict[str, Any] = {"object_bits": object_bits, "action_bits": action_bits}
+    stages = [
+        explore_stage(folder, steps=steps, min_predicted_effect=min_predicted_effect, **exploring, **bits),
+        train_stage(folder, **fitting, **bits),
+        distill_stage(folder, objects=rehearsals, choice=choice, **rehearsing),
+    ]
+    if places:
+        stages += [
+            explore_places_stage(folder, steps=places, **exploring),
+            train_places_stage(folder, **fitting),
+            distill_places_stage(folder, objects=rehearsals, **rehearsing),
+        ]
+    if relations:
+        stages += [
+            explore_relations_stage(folder, steps=relations, **exploring),
+            train_relations_stage(folder, **fitting),
+            distill_relations_stage(folder, pairs=rehearsals, **rehearsing),
+        ]
+    stages.append(
+        compile_stage(folder, cell=CELL, with_places=places > 0 or None, with_relations=relations > 0 or None)
     )
     with folder.claimed(Claim.ALONE):
-        for stage in learning:
+        for stage in stages:
             _perform(folder, stage)
         rows = [_try_problem(folder, number, seed) for number in range(1, problems + 1)]
         while problems and len(rows) < MOST_PROBLEMS and not any(row.executed for row in rows):
@@ -123,48 +128,6 @@ def _usual_places(folder: DomainFolder, steps: int) -> int:
         return 0
     path, share = folder / PLACE_INTERACTIONS, steps // PLACES_FOR if steps >= LEAST_STEPS else 0
     return max(share, len(Interactions.load(path)) if path.is_file() else 0)
-
-
-def _places_stages(
-    folder: DomainFolder,
-    strategy: StrategyName,
-    steps: int,
-    seed: int,
-    regime: str,
-    rehearsals: int,
-    workers: int,
-) -> tuple[Stage, ...]:
-    """List the stages that learn to carry objects to places, if any interaction is to be aimed at some."""
-    if not steps:
-        return ()
-    return (
-        explore_places_stage(
-            folder, strategy=strategy, steps=steps, seed=seed, regime=regime, workers=workers
-        ),
-        train_places_stage(folder, seed=seed, regime=regime),
-        distill_places_stage(folder, objects=rehearsals, seed=seed, workers=workers),
-    )
-
-
-def _relations_stages(
-    folder: DomainFolder,
-    strategy: StrategyName,
-    steps: int,
-    seed: int,
-    regime: str,
-    rehearsals: int,
-    workers: int,
-) -> tuple[Stage, ...]:
-    """List the stages that learn what can be done with pairs, if any interaction is to be of them."""
-    if not steps:
-        return ()
-    return (
-        explore_relations_stage(
-            folder, strategy=strategy, steps=steps, seed=seed, regime=regime, workers=workers
-        ),
-        train_relations_stage(folder, seed=seed, regime=regime),
-        distill_relations_stage(folder, pairs=rehearsals, seed=seed, workers=workers),
-    )
 
 
 @dataclass(frozen=True, slots=True)
