@@ -2,6 +2,7 @@
 
 import os
 import re
+import shutil
 import sys
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager, suppress
@@ -24,8 +25,10 @@ from rich.table import Table
 from rich.text import Text
 
 from neurosym.errors import CannotWrite, shortened
-from neurosym.wording import harmless
+from neurosym.wording import harmless, quoted
 
+NAME = "neurosym"  # of the program
+_PROGRAM = re.compile(rf"(?:^|(?<=, then )|(?<= && )){NAME}(?= )")
 _LONG = re.compile(r"\S{1000,}")
 _PIPE_WIDTH = 160  # columns, where there is no terminal to ask
 _LEAST_PAUSE = 5.0  # between lines that say how far some work has come [s]
@@ -229,8 +232,16 @@ def be_quiet(quiet: bool) -> None:
 
 
 def say_next(command: str) -> None:
-    """Print what to type next."""
-    say(f"next: {command}")
+    """Print what to type next, where `neurosym` is not found by its name as it was called this time."""
+    say(f"next: {_PROGRAM.sub(lambda _: _program(), command)}")
+
+
+def _program() -> str:
+    """Return how the user can call this program: by its name, or else by the path that was typed now."""
+    typed, found = sys.argv[0], shutil.which(NAME)
+    if Path(typed).name != NAME or (found and Path(found).resolve() == Path(typed).resolve()):
+        return NAME
+    return quoted(typed)
 
 
 def show_table(title: str, columns: Sequence[str], rows: Sequence[Sequence[str]]) -> None:

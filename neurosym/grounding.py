@@ -22,7 +22,6 @@ from neurosym.operators import (
     MIN_CHANCE,
     Category,
     LegalName,
-    Length,
     Mode,
     Operator,
     OperatorTable,
@@ -45,6 +44,7 @@ KEEP_DUPLICATES = FORMATS[:1]
 """Formats whose domains have every operator, also where another does the same more reliably."""
 MIN_TRIALS = 5
 """An operator with fewer rehearsals, or rows of the data, than this is not believed."""
+_Size = Annotated[float, msgspec.Meta(ge=1e-6, le=1e3)]  # [m]
 _REMEMBERED = 8  # groundings of which what follows from them is kept: each object of a problem asks for it
 
 
@@ -65,9 +65,9 @@ class Grounding(msgspec.Struct, frozen=True, forbid_unknown_fields=True, omit_de
 
     format: str
     name: LegalName
-    cell: Annotated[float, msgspec.Meta(ge=1e-6, le=1e3)]
+    cell: _Size
     table: Table
-    lift_height: Length
+    lift_height: _Size
     operators: OperatorTable
     unit_costs: bool = False
     places: PlaceOperators | None = None

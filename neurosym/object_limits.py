@@ -19,11 +19,13 @@ class ObjectLimits:
         feature_names: What the features are called: sizes along x, y and z, and type.
         sizes: Least and greatest size along each axis [m].
         types: The types there are.
+        most: How many one scene can be simulated with; None if there is no limit.
     """
 
     feature_names: tuple[str, ...]
     sizes: tuple[Range, Range, Range]
     types: tuple[float, ...]
+    most: int | None = None
 
     def check(self, item: str, features: tuple[float, ...]) -> None:
         """Raise `InvalidValue` unless the world makes such objects.

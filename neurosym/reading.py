@@ -35,6 +35,9 @@ DEEPEST = 50
 LARGEST_WHOLE = 2**63 - 1
 """Greatest whole number in a file or on the command line."""
 _MOST_DOTS = 200  # in a key of TOML, which is read in time that grows with their square
+_NOT_FINITE = re.compile(rb"\b(NaN|Infinity)\b")
+_PATTERN = re.compile(r"Expected `str` matching regex '\\\\A\[(01|a-z)\]\S*'")
+_MATCHING = {"01": "bits, like '10'", "a-z": "a name: a lower-case letter, then a-z, 0-9 and hyphens"}
 _STRING = re.compile(rb'"[^"\\]*(?:\\.[^"\\]*)*"', re.DOTALL)
 _NO_BRACKETS = bytes(set(range(256)) - set(b"[]{}"))
 _KINDS = {
@@ -133,7 +136,8 @@ def decode_json(path: Path, content: bytes, kind: type[Document], remedy: str = 
     Raises:
         InvalidFile: If it does not fit; the message names the field.
     """
-    brackets = np.frombuffer(_STRING.sub(b"", content).translate(None, _NO_BRACKETS), dtype=np.uint8)
+    outside = _STRING.sub(b"", content)
+    brackets = np.frombuffer(outside.translate(None, _NO_BRACKETS), dtype=np.uint8)
     opens = np.isin(brackets, tuple(b"[{"))
     if np.cumsum(np.where(opens, 1, -1)).max(initial=0) > DEEPEST:
         raise InvalidFile(path, _too_deep() + remedy)
@@ -141,8 +145,16 @@ def decode_json(path: Path, content: bytes, kind: type[Document], remedy: str = 
         return msgspec.json.decode(content, type=kind)
     except (msgspec.MsgspecError, UnicodeDecodeError, OverflowError, RecursionError, InvalidValue) as error:
         is_other = isinstance(error, msgspec.ValidationError | InvalidValue)
-        said = ("" if is_other else "it is not JSON: ") + shortened(str(error).rstrip("."), 300)
+        said = ("" if is_other else "it is not JSON: ") + shortened(_in_words(error), 300)
+        if not is_other and (found := _NOT_FINITE.search(outside)):
+            said += f"; {found[0].decode()} is no number there"
         raise InvalidFile(path, said + remedy) from error
+
+
+def _in_words(error: Exception) -> str:
+    """Return what an error says, with words for patterns of ours."""
+    said = str(error).rstrip(".")
+    return _PATTERN.sub(lambda found: f"Expected {_MATCHING[found[1]]}", said)
 
 
 def read_toml(path: Path, remedy: str = "") -> dict[str, Any]:

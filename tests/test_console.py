@@ -1,6 +1,7 @@
 """Where there is no terminal, long work says in a line now and then how far it has come."""
 
 import io
+import sys
 
 import pytest
 
@@ -57,3 +58,21 @@ def test_another_label_begins_anew(said):
             now[0] += 30.0
             advance(2, 2, label)
     assert [line.split(":")[0] for line in stream.getvalue().splitlines()] == ["first", "second"]
+
+
+def test_program_is_called_next_as_it_was_now_if_not_found_by_name(monkeypatch, tmp_path, capsys):
+    def said_next() -> str:
+        console.say_next("neurosym plan 'my neurosym domain' NAME, then neurosym execute NAME")
+        return capsys.readouterr().out.strip()
+
+    program = tmp_path / "bin/neurosym"
+    program.parent.mkdir()
+    program.touch(mode=0o755)
+    monkeypatch.setattr(sys, "argv", [str(program)])
+    monkeypatch.setenv("PATH", "")
+    assert said_next() == f"next: {program} plan 'my neurosym domain' NAME, then {program} execute NAME"
+    monkeypatch.setenv("PATH", str(program.parent))
+    assert said_next() == "next: neurosym plan 'my neurosym domain' NAME, then neurosym execute NAME"
+    monkeypatch.setattr(sys, "argv", ["pytest"])
+    monkeypatch.setenv("PATH", "")
+    assert said_next() == "next: neurosym plan 'my neurosym domain' NAME, then neurosym execute NAME"

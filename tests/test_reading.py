@@ -252,3 +252,14 @@ def test_a_million_rows_are_read(tmp_path: Path):
     np.savez(tmp_path / "a.npz", features=np.zeros((1_000_000, 4), dtype=np.float32))
     arrays, given, problems = read_arrays(tmp_path / "a.npz", ["features"])
     assert (arrays["features"].shape, given, problems) == ((1_000_000, 4), ("features",), [])
+
+
+def test_numbers_that_are_none_are_named(tmp_path: Path):
+    file = tmp_path / "a.json"
+    for written, said in (('"NaN"', None), ("NaN", "NaN"), ("[1.0, -Infinity]", "Infinity")):
+        file.write_text(f'{{"NaN": {written}}}')
+        if said is None:
+            assert read_json(file, dict) == {"NaN": "NaN"}
+            continue
+        with pytest.raises(InvalidFile, match=rf"it is not JSON: .*; {said} is no number there"):
+            read_json(file, dict)

@@ -29,6 +29,12 @@ MOST = {
     "time-limit": 10_000_000,  # seconds, nearly four months
 }
 """What is the most that makes sense of some options; of any other number, the greatest whole one."""
+_IN_WORDS = (
+    (r"^- <class '\w+'>: ", ""),
+    (r"invalid literal for int\(\) with base 10: (.*)$", r"\1 is no whole number"),
+    (r"could not convert string to float: (.*)$", r"\1 is no number"),
+)
+"""What Python says of what cannot be read, and what we say."""
 
 
 class _Unreadable(Exception):
@@ -129,10 +135,10 @@ def _refuse(commands: Mapping[str, Command], event: Any) -> None:
         said = f"unrecognized options: {_quoted(event.tokens)}"
     elif isinstance(event, events.InstantiationFailure):
         option = _called(event.argument) if event.argument else "what was typed"
-        reason = re.sub(
-            r"^- <class '\w+'>: ", "", event.message.splitlines()[-1]
-        )  # of several, the last kind
-        said = f"error parsing {option}: {shortened(reason.rstrip('.'), 300)}"
+        reason = event.message.splitlines()[-1].rstrip(".")  # of several, the last kind
+        for pattern, ours in _IN_WORDS:
+            reason = re.sub(pattern, ours, reason)
+        said = f"error parsing {option}: {shortened(reason, 300)}"
     if said:
         raise _Unreadable(said)
 

@@ -118,7 +118,12 @@ def _say_plan(record: "PlanRecord") -> None:
         motions = record.primitives + MORE_MOTIONS
         likely = _likely(record.chance_replanned)
         say(f"planned anew on the way, {likely} to reach the goal within {motions} motions")
-    if record.solved and record.chance is not None and record.chance < UNLIKELY:
+    if record.misses:
+        say(
+            f"note: by what was rehearsed, {record.misses}; "
+            "`neurosym execute` plans anew on the way (unless --replans 0)"
+        )
+    elif record.solved and record.chance is not None and record.chance < UNLIKELY:
         say(
             f"note: a plan of {counted(record.primitives, 'primitive')} seldom goes through as it stands; "
             "let `neurosym execute` plan anew on the way (unless --replans 0), or bring the goals nearer"

@@ -23,7 +23,8 @@ def practise(
 ) -> int:
     """Practise where plans fail: draw tasks, execute plans, improve the operators that broke them.
 
-    Then the domain is compiled anew. Interrupt it when you like: the same command goes on.
+    Then the domain is compiled anew. Interrupt it when you like: the same command goes on from the last round
+    that was finished.
     """
     from neurosym.pddl.compiler import CELL
     from neurosym.stages.compiling import compile_stage

@@ -55,7 +55,8 @@ def run(
 ) -> int:
     """Go the whole way: explore, train, distil, compile, draw problems, plan and execute.
 
-    Interrupt it when you like: the same command goes on where it stopped, and does nothing twice.
+    Interrupt it when you like: the same command goes on. Stages that were finished are not done again, and of
+    exploring it loses at most a block of 512 interactions.
     """
     from neurosym.stages.exploring import check_choices, check_steps
     from neurosym.stages.whole_way import go_the_whole_way

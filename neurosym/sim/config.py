@@ -89,7 +89,8 @@ class TabletopConfig:
     def object_limits(self) -> ObjectLimits:
         """Which objects the world makes."""
         types = {TYPES[name] for name, share in self.shapes.items() if share > 0}
-        return ObjectLimits(FEATURE_NAMES, (self.size, self.size, self.height), tuple(sorted(types)))
+        sizes = self.size, self.size, self.height
+        return ObjectLimits(FEATURE_NAMES, sizes, tuple(sorted(types)), MOST_OBJECTS)
 
     @property
     def table(self) -> Table:

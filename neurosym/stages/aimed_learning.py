@@ -9,16 +9,31 @@ from typing import TYPE_CHECKING, Any
 from neurosym.console import progress_bar
 from neurosym.data.check import training_problems
 from neurosym.data.interactions import Interactions
-from neurosym.errors import InvalidFile
+from neurosym.errors import InvalidFile, InvalidValue
 from neurosym.files import make_folder
 from neurosym.learning.training_config import Regime
 from neurosym.naming import counted_axes
 from neurosym.stages.layout import INTERACTIONS
 from neurosym.strategies import StrategyName, own_name
-from neurosym.world import WorldFactory
+from neurosym.world import World, WorldFactory, references_of
 
 if TYPE_CHECKING:  # importing torch takes seconds
     from neurosym.learning.training import Trained
+
+
+def check_takes(world: World, reference: str) -> None:
+    """Raise `InvalidValue` unless actions in a world can be aimed at such references.
+
+    Args:
+        world: The world.
+        reference: "place" or "object".
+    """
+    if reference not in references_of(world):
+        what = {"place": "places", "object": "relations"}[reference]
+        raise InvalidValue(
+            f"The world {world.name} takes no {reference} as a reference, so nothing can be learned of "
+            f"{what}; leave out --{what}."
+        )
 
 
 def explore_aimed(

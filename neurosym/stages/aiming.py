@@ -9,11 +9,11 @@ from typing import Any
 from neurosym.checks import check_count
 from neurosym.console import progress_bar
 from neurosym.data.interactions import Interactions
-from neurosym.errors import InvalidFile, InvalidValue
+from neurosym.errors import InvalidFile
 from neurosym.files import write_json
 from neurosym.learning.model_config import PLACE_BITS
 from neurosym.learning.training_config import regime_named
-from neurosym.stages.aimed_learning import aimed_interactions, explore_aimed, train_aimed
+from neurosym.stages.aimed_learning import aimed_interactions, check_takes, explore_aimed, train_aimed
 from neurosym.stages.exploring import check_choices
 from neurosym.stages.folder import DomainFolder
 from neurosym.stages.layout import (
@@ -28,7 +28,6 @@ from neurosym.stages.layout import (
 )
 from neurosym.stages.manifest import Claim, Stage
 from neurosym.strategies import StrategyName, own_name
-from neurosym.world import references_of
 from neurosym.worlds.aimed import PLACE_AXES, AimedFactory
 from neurosym.worlds.workers import check_workers
 from neurosym.worlds.world_file import read_world
@@ -52,11 +51,7 @@ def explore_places_stage(
 
         check_count("places", steps)
         factory = read_world(folder.require(WORLD))
-        if "place" not in references_of(world := factory()):
-            raise InvalidValue(
-                f"The world {world.name} takes no place as a reference, so nothing can be learned of places; "
-                "leave out --places."
-            )
+        check_takes(factory(), "place")
         explore_aimed(
             AimedFactory(factory),
             folder / PLACES,

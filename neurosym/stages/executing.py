@@ -26,6 +26,7 @@ from neurosym.stages.folder import DomainFolder
 from neurosym.stages.layout import GROUNDING, RUNS, WORLD, run_file, run_name, scene_file
 from neurosym.stages.manifest import Stage
 from neurosym.stages.planning import load_problem
+from neurosym.stages.remarks import remarks_on_own_scene
 from neurosym.world import FrameSink, World
 from neurosym.worlds.world_file import read_world
 
@@ -101,6 +102,8 @@ def execute_stage(
         world = read_world(folder.require(WORLD))()
         own = load_problem(folder, name, world)
         problem = own.within(tolerance)
+        for remark in remarks_on_own_scene(folder, own, grounding):
+            folder.notify(remark)
         steps = read_plan(plan_file, grounding, problem)
         if impossible := hand_problem(steps, grounding):
             raise InvalidFile(plan_file, impossible)

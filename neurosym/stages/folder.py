@@ -23,7 +23,6 @@ from neurosym.errors import (
     UnknownChoice,
 )
 from neurosym.files import check_writable, digests, write_json, write_new
-from neurosym.grounding import Grounding
 from neurosym.locks import holders, locked, take
 from neurosym.problems import Problem
 from neurosym.reading import read_json, refuse_other_kinds
@@ -44,6 +43,7 @@ from neurosym.stages.layout import (
     problem_of,
 )
 from neurosym.stages.manifest import Claim, Manifest, Stage, StageRecord, versions
+from neurosym.stages.outdated import refuse_damaged, remarks_on_outdated
 from neurosym.wording import quoted
 
 Notify = Callable[[str], None]
@@ -194,7 +194,7 @@ class DomainFolder:
             return False
         self.prepare(*stage.outputs, MANIFEST)
         if remarks := self.outdated(stage.inputs):
-            self._refuse_damaged(stage.inputs)
+            refuse_damaged(self.path, stage.inputs)
         for remark in remarks:
             self.notify(remark)
         inputs = self._digests(stage.inputs)
@@ -239,18 +239,16 @@ class DomainFolder:
         Args:
             names: Files, relative to the folder.
         """
-        remarks = []
-        for stage, record in self.manifest().stages.items():
-            made = {name: made for name, made in record.outputs.items() if name in names}
-            if not made or made != self._digests(tuple(made)):
-                continue
-            now = self._digests(tuple(record.inputs))
-            if changed := [name for name, digested in now.items() if digested != record.inputs[name]]:
-                files, others = " and ".join(made), " and ".join(changed)
-                command, *of = stage.split()
-                command += f" --name {of[0]}" if command == "new-problem" else ""
-                remarks.append(f"{files} came from another {others}; `neurosym {command}` makes it anew")
-        return remarks
+        return remarks_on_outdated(self.path, self.manifest(), names)
+
+    def is_as_made(self, name: str) -> bool:
+        """Say whether a file is as a command wrote it, and was not put there or changed since.
+
+        Args:
+            name: The file, relative to the folder.
+        """
+        made = [record.outputs[name] for record in self.manifest().stages.values() if name in record.outputs]
+        return self._digests((name,)).get(name) in made
 
     def is_current(self, stage: Stage) -> bool:
         """Say whether a stage was done with the files and options that are there now."""
@@ -261,14 +259,6 @@ class DomainFolder:
             and record.inputs == self._digests(stage.inputs)
             and record.outputs == self._digests(stage.outputs)
         )
-
-    def _refuse_damaged(self, names: tuple[str, ...]) -> None:
-        """Raise `InvalidFile` if what decides most can no longer be read."""
-        from neurosym.worlds.world_file import read_world
-
-        for name, read in ((WORLD, read_world), (GROUNDING, Grounding.load)):
-            if name in names and (self.path / name).is_file():
-                read(self.path / name)
 
     def _digests(self, names: tuple[str, ...]) -> dict[str, str]:
         return digests({name: self.path / name for name in names})

@@ -19,6 +19,7 @@ from neurosym.pddl.plan_text import (
     print_ground_plan,
     print_plan,
 )
+from neurosym.pddl.validation import validate
 from neurosym.planners import PlanStatus
 from neurosym.planners.second_look import Planned
 from neurosym.problems import Problem
@@ -59,7 +60,8 @@ class PlanRecord(msgspec.Struct, frozen=True, forbid_unknown_fields=True, omit_d
         alternatives: The next-best plans, if they were asked for.
         tolerance: How near objects had to come [m]; None if it was the problem's own tolerance.
         chance_replanned: The chance that the goal is reached with at most `MORE_MOTIONS` motions more than
-            primitives, planned anew on the way; None without a plan.
+            primitives, planned anew on the way; None without a plan, and if the plan is known to miss.
+        misses: Where the plan goes wrong by what was rehearsed; empty if it leads to the goal.
     """
 
     problem: str
@@ -72,6 +74,7 @@ class PlanRecord(msgspec.Struct, frozen=True, forbid_unknown_fields=True, omit_d
     alternatives: tuple[PlannedSteps, ...] = ()
     tolerance: float | None = None
     chance_replanned: float | None = None
+    misses: str = ""
 
     @property
     def solved(self) -> bool:
@@ -111,6 +114,8 @@ def write_plans(
     make_folder(folder / PLANS)
     stem = plan_file.removesuffix(".plan")
     written = _write_alternatives(folder, stem, planned.alternatives, problem, grounding, encoding)
+    misses = validate(result.steps, problem, grounding).reason if result.status is PlanStatus.SOLVED else ""
+    leads_there = result.has_plan and not misses
     record = PlanRecord(
         problem=name,
         planner=planner,
@@ -121,7 +126,8 @@ def write_plans(
         chance=_chance(result.steps, problem, grounding) if result.has_plan else None,
         alternatives=written,
         tolerance=tolerance,
-        chance_replanned=_chance_replanned(result.steps, problem, grounding) if result.has_plan else None,
+        chance_replanned=_chance_replanned(result.steps, problem, grounding) if leads_there else None,
+        misses=misses,
     )
     if record.solved:
         write_atomically(folder / plan_file, _plan_text(result.steps, problem, grounding, encoding))

@@ -27,6 +27,7 @@ from neurosym.stages.layout import (
 )
 from neurosym.stages.manifest import Stage
 from neurosym.stages.problem_printing import print_problem
+from neurosym.stages.remarks import remarks_on_number
 from neurosym.stages.task_drawing import AnyTask, draw_any_task, networks_of_pairs, sight_of_pairs
 from neurosym.worlds.relation_tasks import HEIGHT, RELATION_TASKS
 from neurosym.worlds.world_file import read_world
@@ -90,6 +91,8 @@ def problem_stage(folder: DomainFolder, name: str, asked: Asked) -> Stage:
     def work() -> None:
         grounding = Grounding.load(folder.require(GROUNDING))
         problem = _made(folder, name, asked, grounding)
+        for remark in remarks_on_number(folder, problem):
+            folder.notify(remark)
         make_folder(folder / PROBLEMS)
         print_problem(folder, problem, grounding)
         problem.save(folder / scene)

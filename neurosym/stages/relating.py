@@ -11,11 +11,11 @@ import numpy as np
 from neurosym.checks import check_count
 from neurosym.console import progress_bar
 from neurosym.data.interactions import Interactions
-from neurosym.errors import InvalidFile, InvalidValue
+from neurosym.errors import InvalidFile
 from neurosym.files import write_json
 from neurosym.learning.model_config import PAIR_BITS, STATE_BITS
 from neurosym.learning.training_config import regime_named
-from neurosym.stages.aimed_learning import aimed_interactions, explore_aimed, train_aimed
+from neurosym.stages.aimed_learning import aimed_interactions, check_takes, explore_aimed, train_aimed
 from neurosym.stages.exploring import check_choices
 from neurosym.stages.folder import DomainFolder
 from neurosym.stages.layout import (
@@ -32,7 +32,6 @@ from neurosym.stages.layout import (
 )
 from neurosym.stages.manifest import Claim, Stage
 from neurosym.strategies import StrategyName, own_name
-from neurosym.world import references_of
 from neurosym.worlds.related import PAIR_AXES, RelatedFactory
 from neurosym.worlds.workers import check_workers
 from neurosym.worlds.world_file import read_world
@@ -67,11 +66,7 @@ def explore_relations_stage(
 
         check_count("relations", steps)
         factory = read_world(folder.require(WORLD))
-        if "object" not in references_of(world := factory()):
-            raise InvalidValue(
-                f"The world {world.name} takes no object as a reference, so nothing can be learned of "
-                "relations; leave out --relations."
-            )
+        check_takes(world := factory(), "object")
         categorise = EffectModel.load(folder.require(MODEL)).object_symbols
         places = PlaceOperators.load(folder.require(PLACE_OPERATORS))
         motions = KnownMotions(places, categorise, world.action_box)

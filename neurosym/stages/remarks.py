@@ -9,8 +9,9 @@ from neurosym.grounding import Grounding
 from neurosym.pddl.place_problem import carried_objects
 from neurosym.problems import Problem
 from neurosym.stages.folder import DomainFolder
-from neurosym.stages.layout import MODEL
+from neurosym.stages.layout import MODEL, WORLD, scene_file
 from neurosym.symbols import symbols_of
+from neurosym.worlds.world_file import read_limits
 
 
 def remarks_on_places(problem: Problem, grounding: Grounding) -> Iterator[str]:
@@ -32,6 +33,33 @@ def remarks_on_places(problem: Problem, grounding: Grounding) -> Iterator[str]:
         )
 
 
+def remarks_on_number(folder: DomainFolder, problem: Problem) -> Iterator[str]:
+    """Say if there are more objects than the world of a folder simulates; plans can be found all the same.
+
+    Args:
+        folder: The domain folder.
+        problem: The problem.
+    """
+    limits = read_limits(folder / WORLD) if (folder / WORLD).is_file() else None
+    if limits and limits.most and len(problem.objects) > limits.most:
+        yield (
+            f"there are {len(problem.objects)} objects; the simulator takes at most {limits.most}, "
+            "so plans for this problem cannot be executed"
+        )
+
+
+def remarks_on_own_scene(folder: DomainFolder, problem: Problem, grounding: Grounding) -> Iterator[str]:
+    """Say of a problem that somebody put into a folder what is said of one that is taken over.
+
+    Args:
+        folder: The domain folder.
+        problem: The problem, called as its file is.
+        grounding: The learned domain.
+    """
+    if not folder.is_as_made(scene_file(problem.name)):
+        yield from remarks_on_categories(folder, problem, grounding)
+
+
 def remarks_on_categories(folder: DomainFolder, problem: Problem, grounding: Grounding) -> Iterator[str]:
     """Name the objects that are said to be of another category than the network sees in their features.
 
@@ -40,10 +68,10 @@ def remarks_on_categories(folder: DomainFolder, problem: Problem, grounding: Gro
         problem: The problem.
         grounding: The learned domain.
     """
-    from neurosym.learning.effect_model import EffectModel
-
     if not ((folder / MODEL).is_file() and grounding.operators.operators):
         return
+    from neurosym.learning.effect_model import EffectModel  # importing torch takes seconds
+
     model = EffectModel.load(folder / MODEL)
     seen = symbols_of(model.object_symbols, np.array([item.features for item in problem.objects]))
     for item, symbol in zip(problem.objects, seen, strict=True):

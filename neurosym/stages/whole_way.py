@@ -8,13 +8,14 @@ from neurosym.data.interactions import Interactions
 from neurosym.errors import InvalidValue
 from neurosym.pddl.compiler import CELL
 from neurosym.reading import read_json
+from neurosym.stages.aimed_learning import check_takes
 from neurosym.stages.aiming import distill_places_stage, explore_places_stage, train_places_stage
 from neurosym.stages.compiling import compile_stage
 from neurosym.stages.distilling import distill_stage
 from neurosym.stages.executing import execute_stage, load_run
 from neurosym.stages.exploring import explore_stage
 from neurosym.stages.folder import DomainFolder
-from neurosym.stages.layout import PLACE_INTERACTIONS, WORLD, plan_files
+from neurosym.stages.layout import PLACE_INTERACTIONS, PLACE_OPERATORS, WORLD, plan_files
 from neurosym.stages.manifest import Claim, Stage
 from neurosym.stages.plan_records import PlanRecord
 from neurosym.stages.planning import plan_stage
@@ -27,7 +28,7 @@ from neurosym.stages.relating import (
 from neurosym.stages.training import train_stage
 from neurosym.strategies import StrategyName
 from neurosym.wording import counted, quoted
-from neurosym.world import references_of
+from neurosym.world import World, references_of
 from neurosym.worlds.world_file import read_world
 
 PLANNER = "fast-downward"
@@ -81,8 +82,16 @@ def go_the_whole_way(
     """
     if problems < 0:
         raise InvalidValue(f"problems = {problems} must be at least 0.")
+    world = read_world(folder.require(WORLD))()
     if places is None:
-        places = _usual_places(folder, steps)
+        places = _usual_places(folder, world, steps)
+    for reference, number in (("place", places), ("object", relations)):
+        if number:
+            check_takes(world, reference)
+    if relations and not places and not (folder / PLACE_OPERATORS).is_file():
+        raise InvalidValue(
+            "Relations are learned with what carries objects to places; give --places a number, like 2000."
+        )
     fitting: dict[str, Any] = {"seed": seed, "regime": regime}
     exploring: dict[str, Any] = {"strategy": strategy, "workers": workers, **fitting}
     rehearsing: dict[str, Any] = {"seed": seed, "workers": workers}
@@ -122,9 +131,9 @@ def go_the_whole_way(
     say_next(f"neurosym plan {quoted(folder.path)} task-01 --planner bfs")
 
 
-def _usual_places(folder: DomainFolder, steps: int) -> int:
+def _usual_places(folder: DomainFolder, world: World, steps: int) -> int:
     """Say how many interactions are aimed at places if the user does not: no fewer than there are."""
-    if "place" not in references_of(read_world(folder.require(WORLD))()):
+    if "place" not in references_of(world):
         return 0
     path, share = folder / PLACE_INTERACTIONS, steps // PLACES_FOR if steps >= LEAST_STEPS else 0
     return max(share, len(Interactions.load(path)) if path.is_file() else 0)

@@ -139,7 +139,7 @@ def plan_summary(record: PlanRecord) -> str:
     if record.chance_replanned is not None:
         odds += f", and {record.chance_replanned:.0%} if planned anew on the way"
     said = f"{record.primitives} primitives in {seconds}. {odds}."
-    reason = safe(record.reason)
+    reason = safe(record.reason or record.misses)
     return paragraph(
         f"<b>{safe(record.planner)}</b>:", coloured(record.status.value, GOOD), safe(said), reason
     )

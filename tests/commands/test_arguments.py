@@ -78,14 +78,14 @@ def test_impossible_request_is_refused_in_one_sentence(folder, arguments, messag
 @pytest.mark.parametrize(
     ("typed", "said"),
     [
-        (["plan", "d", "p", "--time-limit", "abc"], "plan: error parsing --time-limit: could not convert"),
+        (["plan", "d", "p", "--time-limit", "abc"], "plan: error parsing --time-limit: 'abc' is no number"),
         (
             ["plan", "d", "p", "--time-limit"],
             "plan: missing value for argument '--time-limit'; `neurosym plan",
         ),
         (
             ["execute", "d", "p", "f", "--disturb", "x"],
-            "error parsing --disturb: invalid literal for int",
+            "error parsing --disturb: 'x' is no whole number",
         ),
         (["plan", "d"], "neurosym plan: missing: PROBLEM; `neurosym plan --help` says what there is"),
         (["plan", "d", "p", "--bogus", "3"], "neurosym plan: unrecognized options: --bogus, 3;"),

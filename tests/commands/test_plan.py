@@ -1,6 +1,7 @@
 """`neurosym plan`: what its options write and say, on a domain that nobody had to learn."""
 
 import json
+import re
 import shlex
 import subprocess
 import sys
@@ -12,6 +13,7 @@ import pytest
 import toy_domain
 from command_line import neurosym, refusal
 
+from neurosym.pddl.plan_text import PlanStep
 from neurosym.pddl.problem import problem_text
 from neurosym.planners import PlanResult, PlanStatus, second_look
 from neurosym.problems import Problem
@@ -120,6 +122,18 @@ def test_nearest_plan_that_meets_the_goal_is_a_plan(bare, capsys):
     said = capsys.readouterr().out
     assert "meets the goal by the rehearsed effects; bfs, over what the network predicts, found none" in said
     assert "cannot reach" not in said
+
+
+def test_plan_that_is_known_to_miss_is_told_so(bare, capsys, monkeypatch):
+    hoped = PlanResult(PlanStatus.SOLVED, (PlanStep("push-left-001-cube", "item-01"),), 0.5)
+    monkeypatch.setattr(second_look, "plan", lambda *_args, **_kwargs: hoped)
+    assert neurosym("plan", bare, "easy") == 0
+    said = capsys.readouterr().out
+    assert re.search(
+        r"note: by what was rehearsed, item-0\d ends \d+ mm from its goal, .* plans anew on the way", said
+    )
+    assert "planned anew on the way" not in said
+    assert "chance_replanned" not in json.loads((bare / "plans/easy.fast-downward.json").read_text())
 
 
 def test_planner_whose_plans_do_not_come_true_is_told_of_one_that_does(bare, capsys, monkeypatch):

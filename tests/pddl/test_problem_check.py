@@ -42,7 +42,7 @@ WRONG = [
     ({"orientation": [0, 0, 0, 0]}, "item-01 has an orientation of length 0; valid: a quaternion"),
     ({"orientation": [0, 0, 1e308, 1e308]}, "item-01 has an orientation of length"),
     ({"category": "1111"}, "There is no category '1111'"),
-    ({"category": "99"}, "Expected `str` matching regex"),
+    ({"category": "99"}, "Expected bits, like '10' - at `$.objects[0].category`"),
 ]
 WRONG_GOALS = [
     ({}, "has no goal; give at least one object a goal"),
@@ -146,7 +146,7 @@ def test_limits_are_read_without_making_the_world(tmp_path):
     file = tmp_path / "world.toml"
     file.write_text('world = "tabletop"\n[options]\nsize = [0.05, 0.1]\nshapes = { ring = 1.0, box = 0.0 }\n')
     assert read_limits(file) == ObjectLimits(
-        ("s_x", "s_y", "d", "t"), ((0.05, 0.1), (0.05, 0.1), (0.02, 0.1)), (2.0,)
+        ("s_x", "s_y", "d", "t"), ((0.05, 0.1), (0.05, 0.1), (0.02, 0.1)), (2.0,), 8
     )
     file.write_text('world = "nowhere:make"\n')
     assert read_limits(file) is None

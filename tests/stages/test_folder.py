@@ -101,7 +101,7 @@ def test_what_came_from_other_files_is_named_with_its_command(folder):
     folder.perform(stage, again=False)
     assert folder.outdated(("interactions.npz",)) == []
     (folder / "world.toml").write_text("another")
-    remark = "interactions.npz came from another world.toml; `neurosym explore` makes it anew"
+    remark = f"interactions.npz came from another world.toml; `neurosym explore {folder.path}` makes it anew"
     assert folder.outdated(("interactions.npz",)) == [remark]
     folder.perform(Stage("train", ("interactions.npz",), (), lambda: None), again=True)
     assert remarks == [remark]
@@ -117,8 +117,13 @@ def test_outdated_problem_is_named_with_the_command_that_names_it(folder):
 
     folder.perform(Stage("new-problem one", ("world.toml",), ("one.pddl",), draw), again=False)
     (folder / "world.toml").write_text("another")
-    remark = "one.pddl came from another world.toml; `neurosym new-problem --name one` makes it anew"
+    command = f"neurosym new-problem {folder.path} --name one"
+    remark = f"one.pddl came from another world.toml; `{command}` makes it anew"
     assert folder.outdated(("one.pddl",)) == [remark]
+    scene = folder / "problems/one.scene.json"
+    scene.parent.mkdir()
+    scene.touch()  # the task stays the same
+    assert folder.outdated(("one.pddl",)) == [remark.replace(command, f"{command} --scene {scene}")]
 
 
 def test_missing_stage_is_named_with_its_command(folder):

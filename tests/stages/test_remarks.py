@@ -1,12 +1,17 @@
 """What is said of problems that can be planned for, but hardly are what was meant."""
 
+from pathlib import Path
+
 import msgspec
 import toy_places
 from command_line import neurosym
 from toy_places import grounding
 
 from neurosym.problems import Problem
-from neurosym.stages.remarks import remarks_on_places
+from neurosym.stages.folder import DomainFolder
+from neurosym.stages.remarks import remarks_on_number, remarks_on_places
+
+SHIPPED = Path(__file__).parents[2] / "domains/tabletop"
 
 
 def test_goals_without_a_place_are_named_where_a_scene_names_places_of_its_own():
@@ -27,6 +32,18 @@ def test_other_categories_than_the_network_sees_are_said_and_taken(folder, capsy
     wrong = next(code for code in ("00", "01", "10", "11") if code != right)
     item = msgspec.structs.replace(problem.objects[0], category=wrong)
     msgspec.structs.replace(problem, objects=(item, *problem.objects[1:])).save(file)
-    assert neurosym("new-problem", folder, "--scene", file) == 0
-    said = capsys.readouterr().out
-    assert f"note: item-01 is said to be of category {wrong}; by its features it is of {right}" in said
+    note = f"note: item-01 is said to be of category {wrong}; by its features it is of {right}"
+    neurosym("plan", folder, "task-01")  # nothing was said yet of a file that was changed here
+    assert note in capsys.readouterr().out
+    assert neurosym("new-problem", folder, "--name", "task-01", "--scene", file) == 0
+    assert note in capsys.readouterr().out
+    neurosym("plan", folder, "task-01")
+    assert note not in capsys.readouterr().out
+
+
+def test_more_objects_than_are_simulated_are_said_and_taken():
+    folder, problem = DomainFolder(SHIPPED), Problem.load(SHIPPED / "problems/task-07.scene.json")
+    nine = tuple(msgspec.structs.replace(problem.objects[0], name=f"item-{n}") for n in range(9))
+    (remark,) = remarks_on_number(folder, msgspec.structs.replace(problem, objects=nine, goals={}))
+    assert remark.startswith("there are 9 objects; the simulator takes at most 8")
+    assert [*remarks_on_number(folder, msgspec.structs.replace(problem, objects=nine[:8], goals={}))] == []
