@@ -8,6 +8,7 @@ import numpy as np
 from neurosym.grounding import Grounding
 from neurosym.pddl.place_problem import carried_objects
 from neurosym.problems import Problem
+from neurosym.promises import is_rehearsed
 from neurosym.stages.folder import DomainFolder
 from neurosym.stages.layout import MODEL, WORLD, scene_file
 from neurosym.symbols import symbols_of
@@ -57,18 +58,23 @@ def remarks_on_own_scene(folder: DomainFolder, problem: Problem, grounding: Grou
         grounding: The learned domain.
     """
     if not folder.is_as_made(scene_file(problem.name)):
-        yield from remarks_on_categories(folder, problem, grounding)
+        yield from remarks_on_objects(folder, problem, grounding)
 
 
-def remarks_on_categories(folder: DomainFolder, problem: Problem, grounding: Grounding) -> Iterator[str]:
-    """Name the objects that are said to be of another category than the network sees in their features.
+def remarks_on_objects(folder: DomainFolder, problem: Problem, grounding: Grounding) -> Iterator[str]:
+    """Name the objects that are unlike all of their category, or seem to be of another one.
 
     Args:
-        folder: The domain folder; if it has no network, nothing is said.
+        folder: The domain folder; if it has no network, nothing is said of other categories.
         problem: The problem.
         grounding: The learned domain.
     """
-    if not ((folder / MODEL).is_file() and grounding.operators.operators):
+    if not grounding.operators.operators:
+        return
+    for item in problem.objects:
+        if not is_rehearsed(grounding.category(item.category), item.features):
+            yield f"{item.name} is unlike all that were rehearsed: it is promised what its category is"
+    if not (folder / MODEL).is_file():
         return
     from neurosym.learning.effect_model import EffectModel  # importing torch takes seconds
 

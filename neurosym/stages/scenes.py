@@ -16,7 +16,7 @@ from neurosym.stages.layout import GROUNDING, PROBLEMS, WORLD, problem_files, re
 from neurosym.stages.manifest import Stage
 from neurosym.stages.planning import check_scene
 from neurosym.stages.problem_printing import print_problem
-from neurosym.stages.remarks import remarks_on_categories, remarks_on_number, remarks_on_places
+from neurosym.stages.remarks import remarks_on_number, remarks_on_objects, remarks_on_places
 from neurosym.stages.task_drawing import networks_of_pairs, sight_of_pairs
 
 
@@ -42,7 +42,7 @@ def scene_stage(folder: DomainFolder, file: Path, *, name: str, tolerance: float
         except InvalidValue as error:
             raise InvalidFile(file, str(error).rstrip(".")) from error
         for remark in (
-            *remarks_on_categories(folder, problem, grounding),
+            *remarks_on_objects(folder, problem, grounding),
             *remarks_on_places(problem, grounding),
             *remarks_on_number(folder, problem),
         ):

@@ -7,11 +7,13 @@ import toy_places
 from command_line import neurosym
 from toy_places import grounding
 
+from neurosym.grounding import Grounding
 from neurosym.problems import Problem
 from neurosym.stages.folder import DomainFolder
-from neurosym.stages.remarks import remarks_on_number, remarks_on_places
+from neurosym.stages.remarks import remarks_on_number, remarks_on_objects, remarks_on_places
 
 SHIPPED = Path(__file__).parents[2] / "domains/tabletop"
+GROUNDING = SHIPPED / "grounding.json"
 
 
 def test_goals_without_a_place_are_named_where_a_scene_names_places_of_its_own():
@@ -39,6 +41,15 @@ def test_other_categories_than_the_network_sees_are_said_and_taken(folder, capsy
     assert note in capsys.readouterr().out
     neurosym("plan", folder, "task-01")
     assert note not in capsys.readouterr().out
+
+
+def test_objects_unlike_all_of_their_category_are_named(tmp_path):
+    problem, learned = Problem.load(SHIPPED / "problems/task-01.scene.json"), Grounding.load(GROUNDING)
+    wide = msgspec.structs.replace(problem.objects[0], category="11", features=(0.18, 0.18, 0.02, 0.0))
+    strange = msgspec.structs.replace(problem, objects=(wide,))
+    (remark,) = remarks_on_objects(DomainFolder(tmp_path), strange, learned)
+    assert remark == "item-01 is unlike all that were rehearsed: it is promised what its category is"
+    assert [*remarks_on_objects(DomainFolder(tmp_path), problem, learned)] == []
 
 
 def test_more_objects_than_are_simulated_are_said_and_taken():
