@@ -82,8 +82,14 @@ class Problem(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
         check_fields(self)
         names = self.object_names
         check_names((self.name, *names))
-        if len({len(item.features) for item in self.objects}) != 1:
-            raise InvalidValue("A scene needs one object or more, all with the same number of features.")
+        if not self.objects:
+            raise InvalidValue("A scene needs one object or more.")
+        first, *others = self.objects
+        for item in others:
+            if (found := len(item.features)) != (wanted := len(first.features)):
+                raise InvalidValue(
+                    f"{item.name} has {found} features, {first.name} has {wanted}; give all as many."
+                )
         for name in names:
             if names.count(name) > 1:
                 raise InvalidValue(f"Two objects are called {name}; give each a name of its own.")

@@ -52,6 +52,12 @@ def test_goal_for_an_unknown_object_is_refused_with_the_known_ones():
         Problem("p", (item("item-01", 0.5, 0.0),), {"item-9": (0.5, 0.0, 0.0)})
 
 
+def test_objects_with_other_features_than_the_first_are_named():
+    odd = msgspec.structs.replace(item("item-02", 0.6, 0.0), features=(0.05, 0.05))
+    with pytest.raises(InvalidValue, match="item-02 has 2 features, item-01 has 4; give all as many"):
+        Problem("p", (item("item-01", 0.5, 0.0), odd), {})
+
+
 def test_scene_without_objects_is_refused_whatever_its_goals():
     with pytest.raises(InvalidValue, match="A scene needs one object or more"):
         Problem("p", (), {"item-01": (0.5, 0.0, 0.0)})

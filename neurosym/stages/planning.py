@@ -22,7 +22,7 @@ from neurosym.stages.layout import GROUNDING, MODEL, WORLD, plan_files, scene_fi
 from neurosym.stages.manifest import Stage
 from neurosym.stages.plan_records import write_plans
 from neurosym.stages.problem_printing import print_problem
-from neurosym.stages.remarks import remarks_on_own_scene, remarks_on_places
+from neurosym.stages.remarks import remarks_on_number, remarks_on_own_scene, remarks_on_places
 from neurosym.wording import quoted
 from neurosym.world import World
 from neurosym.worlds.world_file import read_limits
@@ -125,6 +125,7 @@ def plan_stage(
         for remark in (
             *remarks_on_own_scene(folder, own, grounding),
             *remarks_on_places(problem, grounding),
+            *remarks_on_number(folder, problem),
         ):
             folder.notify(remark)
         planned = plan_with_second_look(

@@ -14,8 +14,17 @@ from neurosym.operators import OperatorTable
 from neurosym.pddl import compile_domain
 from neurosym.practice.rounds import Practised
 from neurosym.reading import digest, read_json
-from neurosym.stages.folder import DomainFolder
-from neurosym.stages.layout import DIRECT_MODEL, INTERACTIONS, MODEL, PRACTICE, PRIMITIVES, WORLD
+from neurosym.stages.folder import DomainFolder, load_scene
+from neurosym.stages.layout import (
+    DIRECT_MODEL,
+    INTERACTIONS,
+    MODEL,
+    PRACTICE,
+    PRIMITIVES,
+    PROBLEMS,
+    SCENE,
+    WORLD,
+)
 from neurosym.stages.manifest import Claim, Stage
 from neurosym.wording import quoted
 from neurosym.worlds.workers import check_workers
@@ -99,6 +108,8 @@ def practise_stage(
     def work() -> None:
         from neurosym.practice.loop import practise
 
+        for scene in (folder / PROBLEMS).glob(f"*{SCENE}"):
+            load_scene(scene)  # it is printed anew afterwards: what cannot be used is refused now
         begun = _begun(folder, seed, evenly=evenly)
         shop = _workshop(folder, seed, workers)
         of = digest(folder / PRIMITIVES)

@@ -103,6 +103,12 @@ def test_a_table_without_rehearsals_is_refused(folder, capsys):
     assert "its rehearsals are not kept" in refusal(capsys, "practise", folder)
 
 
+def test_a_problem_that_cannot_be_used_is_refused_before_practice(folder, capsys):
+    (folder / "problems/odd.scene.json").write_text("{}")
+    assert "odd.scene.json cannot be used" in refusal(capsys, "practise", folder)
+    assert not (folder / "practice.json").exists()
+
+
 def test_a_journal_of_another_version_is_refused(folder, capsys):
     assert practised(folder, interactions=1) == 0
     capsys.readouterr()

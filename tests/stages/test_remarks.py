@@ -3,14 +3,18 @@
 from pathlib import Path
 
 import msgspec
+import pytest
 import toy_places
 from command_line import neurosym
 from toy_places import grounding
 
+from neurosym.errors import InvalidValue
+from neurosym.execution.executor import execute
 from neurosym.grounding import Grounding
 from neurosym.problems import Problem
 from neurosym.stages.folder import DomainFolder
 from neurosym.stages.remarks import remarks_on_number, remarks_on_objects, remarks_on_places
+from neurosym.worlds.world_file import read_world
 
 SHIPPED = Path(__file__).parents[2] / "domains/tabletop"
 GROUNDING = SHIPPED / "grounding.json"
@@ -57,4 +61,8 @@ def test_more_objects_than_are_simulated_are_said_and_taken():
     nine = tuple(msgspec.structs.replace(problem.objects[0], name=f"item-{n}") for n in range(9))
     (remark,) = remarks_on_number(folder, msgspec.structs.replace(problem, objects=nine, goals={}))
     assert remark.startswith("there are 9 objects; the simulator takes at most 8")
+    many = msgspec.structs.replace(problem, objects=nine, goals={})
+    world = read_world(SHIPPED / "world.toml")()
+    with pytest.raises(InvalidValue, match="The scene has 9 objects; the simulator takes at most 8"):
+        execute(world, many, Grounding.load(GROUNDING), ())
     assert [*remarks_on_number(folder, msgspec.structs.replace(problem, objects=nine[:8], goals={}))] == []
