@@ -27,6 +27,16 @@ class ObjectLimits:
     types: tuple[float, ...]
     most: int | None = None
 
+    def too_many(self, objects: int) -> str:
+        """Say if there are more objects than can be simulated, or nothing.
+
+        Args:
+            objects: How many there are.
+        """
+        if self.most is None or objects <= self.most:
+            return ""
+        return f"there are {objects} objects; the simulator takes at most {self.most}"
+
     def check(self, item: str, features: tuple[float, ...]) -> None:
         """Raise `InvalidValue` unless the world makes such objects.
 

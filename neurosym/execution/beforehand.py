@@ -51,10 +51,8 @@ def check_run(
     if replanner is not None:
         check_callable("replanner", replanner, "a function from a problem and a grounding to a plan result")
     if limits := limits_of(world):
-        if limits.most and len(problem.objects) > limits.most:
-            raise InvalidValue(
-                f"The scene has {len(problem.objects)} objects; the simulator takes at most {limits.most}."
-            )
+        if reason := limits.too_many(len(problem.objects)):
+            raise InvalidValue(f"The problem {problem.name} cannot be executed: {reason}.")
         for item in problem.objects:
             limits.check(item.name, item.features)
 

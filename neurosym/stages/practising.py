@@ -108,7 +108,7 @@ def practise_stage(
     def work() -> None:
         from neurosym.practice.loop import practise
 
-        for scene in (folder / PROBLEMS).glob(f"*{SCENE}"):
+        for scene in sorted((folder / PROBLEMS).glob(f"*{SCENE}")):
             load_scene(scene)  # it is printed anew afterwards: what cannot be used is refused now
         begun = _begun(folder, seed, evenly=evenly)
         shop = _workshop(folder, seed, workers)

@@ -42,11 +42,8 @@ def remarks_on_number(folder: DomainFolder, problem: Problem) -> Iterator[str]:
         problem: The problem.
     """
     limits = read_limits(folder / WORLD) if (folder / WORLD).is_file() else None
-    if limits and limits.most and len(problem.objects) > limits.most:
-        yield (
-            f"there are {len(problem.objects)} objects; the simulator takes at most {limits.most}, "
-            "so plans for this problem cannot be executed"
-        )
+    if limits and (reason := limits.too_many(len(problem.objects))):
+        yield f"{reason}, so plans for this problem cannot be executed"
 
 
 def remarks_on_own_scene(folder: DomainFolder, problem: Problem, grounding: Grounding) -> Iterator[str]:

@@ -85,13 +85,7 @@ def go_the_whole_way(
     world = read_world(folder.require(WORLD))()
     if places is None:
         places = _usual_places(folder, world, steps)
-    for reference, number in (("place", places), ("object", relations)):
-        if number:
-            check_takes(world, reference)
-    if relations and not places and not (folder / PLACE_OPERATORS).is_file():
-        raise InvalidValue(
-            "Relations are learned with what carries objects to places; give --places a number, like 2000."
-        )
+    _check_aims(folder, world, places, relations)
     fitting: dict[str, Any] = {"seed": seed, "regime": regime}
     exploring: dict[str, Any] = {"strategy": strategy, "workers": workers, **fitting}
     rehearsing: dict[str, Any] = {"seed": seed, "workers": workers}
@@ -137,6 +131,19 @@ def _usual_places(folder: DomainFolder, world: World, steps: int) -> int:
         return 0
     path, share = folder / PLACE_INTERACTIONS, steps // PLACES_FOR if steps >= LEAST_STEPS else 0
     return max(share, len(Interactions.load(path)) if path.is_file() else 0)
+
+
+def _check_aims(folder: DomainFolder, world: World, places: int, relations: int) -> None:
+    """Refuse interactions that nothing can be learned from, before hours are spent on others."""
+    if places:
+        check_takes(world, "place")
+    if relations:
+        check_takes(world, "object")
+        if not places and not (folder / PLACE_OPERATORS).is_file():
+            raise InvalidValue(
+                "Relations are learned with what carries objects to places; give --places a number, "
+                "like 2000."
+            )
 
 
 @dataclass(frozen=True, slots=True)

@@ -63,6 +63,6 @@ def test_more_objects_than_are_simulated_are_said_and_taken():
     assert remark.startswith("there are 9 objects; the simulator takes at most 8")
     many = msgspec.structs.replace(problem, objects=nine, goals={})
     world = read_world(SHIPPED / "world.toml")()
-    with pytest.raises(InvalidValue, match="The scene has 9 objects; the simulator takes at most 8"):
+    with pytest.raises(InvalidValue, match="cannot be executed: there are 9 objects; the simulator takes"):
         execute(world, many, Grounding.load(GROUNDING), ())
     assert [*remarks_on_number(folder, msgspec.structs.replace(problem, objects=nine[:8], goals={}))] == []
