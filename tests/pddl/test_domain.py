@@ -17,7 +17,8 @@ from validators import unified_planning_accepts
 from neurosym.errors import InvalidValue, UnknownChoice
 from neurosym.pddl import compile_domain, domain_text, problem_text
 from neurosym.pddl.moves import ENCODINGS, Encoding
-from neurosym.pddl.plan_text import parse_plan, print_ground_plan
+from neurosym.pddl.plan_reading import parse_plan
+from neurosym.pddl.plan_text import print_ground_plan
 from neurosym.planners import PlanStatus
 from neurosym.planners.fast_downward import plan_fast_downward
 

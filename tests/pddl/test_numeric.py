@@ -15,7 +15,8 @@ from validators import unified_planning_accepts
 from neurosym.operators import Vector
 from neurosym.pddl import domain_text, problem_text
 from neurosym.pddl.numeric import STEPS, UNIT
-from neurosym.pddl.plan_text import PlanStep, parse_plan, print_ground_plan
+from neurosym.pddl.plan_reading import parse_plan
+from neurosym.pddl.plan_text import PlanStep, print_ground_plan
 from neurosym.pddl.validation import validate
 from neurosym.problems import Problem
 
