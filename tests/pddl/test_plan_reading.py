@@ -44,11 +44,11 @@ def test_dialects_of_planners_are_read(line: str):
 @pytest.mark.parametrize(
     ("line", "complaint"),
     [
-        ("(pull-010-tray item-02", "not of a form that is read; the nearest is"),
-        ("()", "not of a form"),
+        ("(pull-010-tray item-02", "not of the form of a step; the nearest is"),
+        ("()", "not of the form"),
         ("(pull-010-tray)", "names no object"),
         ("(fly item-01)", "no operator 'fly'; valid: lift-010-block"),
-        ("FLY to item-01", "'FLY to item-01' is not of a form that is read; the nearest is words without"),
+        ("FLY to item-01", "'FLY to item-01' is not of the form of a step; the nearest is words without"),
         ("(finish-fly-y item-01)", "no operator 'finish-fly-y'"),
         ("(pull-010-tray item-03)", "no object 'item-03'; valid: item-01, item-02"),
         ("(pull-010-tray item-01)", "for objects of category tray, and item-01 is of category block"),
@@ -66,7 +66,7 @@ def test_times_order_a_plan_and_equal_ones_leave_it_as_it_is_written():
     assert read(late.replace("5.0", "0.00")) == (PUSH, PULL)
     assert read(late.replace("[1]", "[9]")) == (PULL, PUSH)  # durations that overlap change nothing
     assert "no time" in refusal("0: (pull-010-tray item-02)\n(push-away-001-block item-01)")
-    assert "not of a form" in refusal("1e999: (pull-010-tray item-02)")
+    assert "not of the form" in refusal("1e999: (pull-010-tray item-02)")
 
 
 @pytest.mark.parametrize(
