@@ -29,9 +29,9 @@ def execute(
         int | None,
         arg(
             metavar="N",
-            help="How many new plans may be asked for; 0: the plan is followed blindly to its end. "
-            "Without it: 10, and 2 more for each primitive of the plan. Ten in a row that come no nearer "
-            "end the run.",
+            help="How many new plans may be asked for; 0: the plan is followed as it is, to its end. "
+            "Without it: 0 for a plan that neurosym did not write, else 10, and 2 more for each primitive "
+            "of the plan. Ten in a row that come no nearer end the run.",
         ),
     ] = None,
     time_limit: TimeLimit = None,
@@ -47,8 +47,9 @@ def execute(
 ) -> int:
     """Run a plan in the simulator, each step beside its promise; exit code 3 if it misses.
 
-    After every step what is left of the plan is replayed from what is seen. If it would miss the goal, a new
-    plan is made, which takes into account what each object did so far.
+    A plan that neurosym did not write, or that was changed since, is followed as it is, unless --replans
+    says otherwise. Else what is left of the plan is replayed after every step from what is seen. If it would
+    miss the goal, a new plan is made, which takes into account what each object did so far.
     """
     from neurosym.commands.tables import show_run
     from neurosym.stages.executing import execute_stage, load_run
@@ -84,6 +85,7 @@ def execute(
         tolerance=tolerance,
         showing=showing_of(gif, strip, gui),
     )
+    _say_how(plan_file, replanner, stage.options["replans"])
     domain.perform(stage, again=True)
     run = load_run(domain, name, plan_file)
     if not run.plan:
@@ -94,3 +96,15 @@ def execute(
     say_next(f"neurosym replay {quoted(folder)} {quoted(record)}")
     answer(run, file=str(record), reached=run.reached)
     return 0 if run.reached else NO_RESULT
+
+
+def _say_how(plan_file: Path, replanner: str, replans: int | None) -> None:
+    """Say whether the plan is followed as it is, or planned anew on the way."""
+    from neurosym.stages.plan_records import record_beside
+
+    if replans == 0:
+        whose = "" if record_beside(plan_file) else "; neurosym did not write it"
+        more = f"{whose}: --replans 10 allows new plans" if whose else ""
+        say(f"follows {plan_file} as it is, to its end{more}")
+    else:
+        say(f"follows {plan_file}, and asks {replanner} for a new plan where it would miss the goal")

@@ -6,7 +6,7 @@ the `stepwise` encoding several for one step; reading folds them into steps.
 
 import dataclasses
 import re
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -15,32 +15,16 @@ from neurosym.errors import InvalidPlan, InvalidValue, UnknownChoice, shortened
 from neurosym.grounding import Grounding, is_lift
 from neurosym.operators import Operator
 from neurosym.pair_sight import with_pairs
-from neurosym.pddl.grid import AXES, Grid, grid_of
-from neurosym.pddl.moves import (
-    BY_RELATIONS,
-    FINISH,
-    MOVE,
-    PLACES,
-    PUT_DOWN,
-    REACH_GOAL,
-    Encoding,
-    Move,
-    carrier,
-    move_constant,
-    moves_for,
-    moves_of,
-    parts_of,
-)
-from neurosym.pddl.own_steps import step_name
+from neurosym.pddl.grid import AXES
+from neurosym.pddl.moves import CARRIERS, FINISH, MOVE, PUT_DOWN, REACH_GOAL
 from neurosym.pddl.place_domain import NOTES
-from neurosym.pddl.place_problem import START, PlaceNotes
+from neurosym.pddl.place_problem import START
 from neurosym.pddl.places import with_places
 from neurosym.pddl.relational_domain import FROM_OBJECT, FROM_PLACE, LADEN, LEAVE
-from neurosym.pddl.relational_replay import print_relational_plan
 from neurosym.pddl.relational_task import flattened
-from neurosym.problems import Problem, SceneObject
+from neurosym.problems import Problem
 from neurosym.reading import MEGABYTE, read_text
-from neurosym.related import bearers_of, is_relational, relating
+from neurosym.related import bearers_of, relating
 from neurosym.relation_goals import pair_key
 from neurosym.relation_operators import RelationOperator
 from neurosym.table import Table
@@ -50,7 +34,6 @@ MOST_PLAN = 16 * MEGABYTE
 """Greater files are no plans [bytes]."""
 LONGEST_LINE = 10_000
 """Longer lines are no steps."""
-_CARRIERS = frozenset(carrier(axis) for axis in range(3))
 _TIME = re.compile(r"^\d+(\.\d+)?\s*:\s*")
 _DURATION = re.compile(r"\s*\[\s*\d+(\.\d+)?\s*\]$")
 
@@ -111,75 +94,6 @@ def print_plan(steps: Sequence[PlanStep], comment: str = "") -> str:
     return "\n".join([*lines, f"; {' '.join(said.split())}"]) + "\n"
 
 
-def print_ground_plan(
-    steps: Iterable[PlanStep], problem: Problem, grounding: Grounding, encoding: Encoding = "stepwise"
-) -> str:
-    """Print a plan as ground actions of the domain, cells and all, such that plan validators take it.
-
-    Args:
-        steps: The plan; every operator in it must be in the domain.
-        problem: The problem it solves.
-        grounding: The learned domain.
-        encoding: The encoding of the domain.
-
-    Raises:
-        InvalidValue: If an operator is not in the domain, or not for its object.
-    """
-    steps = tuple(steps)
-    is_asked = encoding in BY_RELATIONS or is_relational(problem, grounding)
-    if is_asked or any(relating(step.base, grounding) for step in steps):
-        rows = [(step.operator, step.object, step.place) for step in steps]
-        return print_relational_plan(rows, problem, grounding, encoding)
-    if any(step.place for step in steps):
-        problem, encoding = with_places(problem, grounding), PLACES
-    notes = PlaceNotes(problem, grounding) if encoding == PLACES else None
-    grid, has_own = grid_of(grounding), grounding.is_refined
-    moves = {item.name: _moves_of(item, problem, grounding, encoding) for item in problem.objects}
-    cells = {item.name: list(grid.anchor(item.position)) for item in problem.objects}
-    lines: list[str] = []
-    for number, step in enumerate(steps):
-        if step.place and notes:
-            lines += notes.carry(step.operator, step.object, step.place)
-            continue
-        if step.operator not in moves[step.object]:
-            of_whom = f" for {step.object}" if has_own else ""
-            raise InvalidValue(
-                f"{step.operator} is not in the domain{of_whom}, so the plan cannot be printed with cells."
-            )
-        move, here = moves[step.object][step.operator], cells[step.object]
-        for name, axes in parts_of(move, encoding, has_own=has_own):
-            is_carried = name in _CARRIERS
-            words = [name, *([move_constant(move)] if is_carried else []), step.object]
-            for axis in axes:
-                words += [step_name(axis, move.cells[axis])] if is_carried else []
-                words += [
-                    grid.cell_name(axis, here[axis]),
-                    grid.cell_name(axis, here[axis] + move.cells[axis]),
-                ]
-                here[axis] += move.cells[axis]
-            lines.append(f"({' '.join(words)})")
-        if notes and not any(later.object == step.object for later in steps[number + 1 :]):
-            lines += [_reached(step.object, cells, grid), notes.leave(step.object)]
-    for name in sorted(problem.goals) if encoding != "numeric" else ():
-        line = notes.reach(name) if notes and name in notes.carried else _reached(name, cells, grid)
-        lines += [line] if line not in lines else []
-    return "\n".join(lines) + "\n"
-
-
-def _reached(name: str, cells: Mapping[str, Sequence[int]], grid: Grid) -> str:
-    spot = " ".join(grid.cell_name(axis, index) for axis, index in enumerate(cells[name]))
-    return f"({REACH_GOAL} {name} {spot})"
-
-
-def _moves_of(
-    item: SceneObject, problem: Problem, grounding: Grounding, encoding: Encoding
-) -> dict[str, Move]:
-    """Return the moves of an object by name, as the domain of an encoding has them."""
-    is_mean = encoding == "operators" or not grounding.is_refined
-    moves = moves_of(grounding) if is_mean else moves_for(item, grounding, problem.tolerance)
-    return {move.name: move for move in moves}
-
-
 def read_plan(path: Path, grounding: Grounding, problem: Problem) -> tuple[PlanStep, ...]:
     """Read a plan file that any planner wrote.
 
@@ -228,7 +142,7 @@ def _read_line(line: str, grounding: Grounding, problem: Problem) -> PlanStep | 
     if not re.fullmatch(r"\([^()]*\)", bare) or len(words) < 2:
         raise InvalidValue(f"{shortened(line)!r} is not of the form (operator object ...)")
     name, thing = words[:2]
-    is_carried = name in _CARRIERS and len(words) > 2
+    is_carried = name in CARRIERS and len(words) > 2
     if is_carried:
         name, thing = words[1].removeprefix(MOVE), words[2]
     if thing not in problem.object_names:
