@@ -8,10 +8,9 @@ from tyro.conf import Positional, arg
 from neurosym.commands.answers import Json, answer_in
 from neurosym.commands.exit_codes import NO_RESULT
 from neurosym.commands.options import Folder, ProblemName, TimeLimit, Tolerance, check_time_limit, opened
-from neurosym.commands.plan_streams import STANDARD, saved_plan
+from neurosym.commands.plan_streams import STANDARD, check_plan, saved_plan
 from neurosym.commands.showing import Gif, Gui, Strip, say_written, showing_of
 from neurosym.console import say, say_next
-from neurosym.errors import InvalidFile, InvalidValue
 from neurosym.wording import quoted
 
 
@@ -61,12 +60,7 @@ def execute(
     name = domain.problem(problem)
     if plan_file == STANDARD:
         plan_file = saved_plan(domain, name)
-    if plan_file.exists() and not plan_file.is_file():
-        raise InvalidFile(plan_file, "it is no file; name one that holds a plan")
-    if not plan_file.is_file():
-        raise InvalidValue(
-            f"There is no plan file {plan_file}; `neurosym plan {quoted(folder)} {name}` writes one."
-        )
+    check_plan(plan_file, folder, name)
     made_for = plan_file.stem.split(".")[0]
     if made_for != name and made_for in domain.problem_names():
         say(f"note: {plan_file} seems to be made for {made_for}, not for {name}")
@@ -94,7 +88,7 @@ def execute(
     record = folder / run_file(name, plan_file)
     say_written(record, gif, strip)
     say_next(f"neurosym replay {quoted(folder)} {quoted(record)}")
-    answer(run, file=str(record), reached=run.reached)
+    answer(run, file=str(record), outcome=run.outcome, credit=run.credit)
     return 0 if run.reached else NO_RESULT
 
 

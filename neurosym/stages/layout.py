@@ -60,6 +60,15 @@ LIFTED_DOMAIN = "domain-relational-lifted.pddl"
 """`compile-domain`: the same with `not` and `exists`, for planners that take these."""
 DURATIVE_DOMAIN = "domain-durative.pddl"
 """`compile-domain --durative`: what can be carried, by actions that take time; no command reads it."""
+DOMAIN_FILES = {
+    "stepwise": DOMAIN,
+    "places": PLACES_DOMAIN,
+    "relational": RELATIONAL_DOMAIN,
+    "relational-lifted": LIFTED_DOMAIN,
+    "operators": OPERATORS_DOMAIN,
+    "numeric": NUMERIC_DOMAIN,
+}
+"""The file of a domain by its encoding, those first that plans are mostly printed for."""
 GROUNDING = "grounding.json"
 """`compile-domain`: what planning and execution need to know; no network is needed from here on."""
 PLANVIZ_SCRIPT = "planviz.js"
