@@ -10,7 +10,8 @@ from neurosym.errors import InvalidValue, UnknownChoice
 from neurosym.execution.executor import execute
 from neurosym.execution.rerun import rerun
 from neurosym.pddl.place_check import check_places
-from neurosym.pddl.plan_text import PlanStep, print_plan, read_plan
+from neurosym.pddl.plan_reading import read_plan
+from neurosym.pddl.plan_text import PlanStep, print_plan
 from neurosym.pddl.validation import validate
 from neurosym.planners import PlanStatus
 from neurosym.planners.custom import solve_checked

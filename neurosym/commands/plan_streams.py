@@ -28,7 +28,7 @@ def saved_plan(folder: DomainFolder, name: str, *, must_fit: bool = True) -> Pat
         InvalidFile: If it holds no plan for the problem.
     """
     from neurosym.grounding import Grounding
-    from neurosym.pddl.plan_text import parse_plan
+    from neurosym.pddl.plan_reading import parse_plan
     from neurosym.reading import MOST_TEXT
     from neurosym.stages.planning import load_problem
     from neurosym.worlds.world_file import read_world

@@ -1,41 +1,15 @@
-"""Plans as text: the IPC form that planners write, read into steps, and steps printed again.
+"""Plans as steps, and steps as text.
 
-A step is one primitive on one object. Planners write ground actions with cells as further arguments, and in
-the `stepwise` encoding several for one step; reading folds them into steps.
+A step is one primitive on one object. `ground_plan` prints steps with cells and places, as the printed domain
+has them; `plan_reading` reads what planners print.
 """
 
-import dataclasses
-import re
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
-from pathlib import Path
 
 from neurosym.checks import check_kind
-from neurosym.errors import InvalidPlan, InvalidValue, UnknownChoice, shortened
-from neurosym.grounding import Grounding, is_lift
-from neurosym.operators import Operator
-from neurosym.pair_sight import with_pairs
-from neurosym.pddl.grid import AXES
-from neurosym.pddl.moves import CARRIERS, FINISH, MOVE, PUT_DOWN, REACH_GOAL
-from neurosym.pddl.place_domain import NOTES
-from neurosym.pddl.place_problem import START
-from neurosym.pddl.places import with_places
-from neurosym.pddl.relational_domain import FROM_OBJECT, FROM_PLACE, LADEN, LEAVE
-from neurosym.pddl.relational_task import flattened
-from neurosym.problems import Problem
-from neurosym.reading import MEGABYTE, read_text
-from neurosym.related import bearers_of, relating
-from neurosym.relation_goals import pair_key
-from neurosym.relation_operators import RelationOperator
-from neurosym.table import Table
+from neurosym.pddl.moves import PUT_DOWN
 from neurosym.wording import counted
-
-MOST_PLAN = 16 * MEGABYTE
-"""Greater files are no plans [bytes]."""
-LONGEST_LINE = 10_000
-"""Longer lines are no steps."""
-_TIME = re.compile(r"^\d+(\.\d+)?\s*:\s*")
-_DURATION = re.compile(r"\s*\[\s*\d+(\.\d+)?\s*\]$")
 
 
 @dataclass(frozen=True, slots=True)
@@ -92,122 +66,3 @@ def print_plan(steps: Sequence[PlanStep], comment: str = "") -> str:
     lines = [f"({' '.join(words)})" for words in named_steps(steps)]
     said = comment or counted(primitives(steps), "primitive")
     return "\n".join([*lines, f"; {' '.join(said.split())}"]) + "\n"
-
-
-def read_plan(path: Path, grounding: Grounding, problem: Problem) -> tuple[PlanStep, ...]:
-    """Read a plan file that any planner wrote.
-
-    Args:
-        path: The plan file, in IPC form; time stamps, durations, comments and capitals are taken in stride.
-        grounding: The learned domain; every operator of its table may occur, in the domain or not.
-        problem: The problem that the plan is for.
-
-    Raises:
-        InvalidPlan: If a line cannot be read, or names an operator, object or pair that does not exist.
-        InvalidFile: If the file is far too large, or no text.
-    """
-    text = read_text(path, MOST_PLAN)
-    return parse_plan(text, path, grounding, problem)
-
-
-def parse_plan(text: str, path: Path, grounding: Grounding, problem: Problem) -> tuple[PlanStep, ...]:
-    """Read the text of a plan; see `read_plan`.
-
-    Args:
-        text: The text.
-        path: What errors name as its origin.
-        grounding: The learned domain.
-        problem: The problem that the plan is for.
-
-    Raises:
-        InvalidPlan: If a line cannot be read, or names an operator, object or pair that does not exist.
-    """
-    steps = []
-    for number, raw in enumerate(text.splitlines(), start=1):
-        line = raw.split(";")[0].strip().lower()
-        if not line:
-            continue
-        try:
-            step = _read_line(line, grounding, problem)
-        except (InvalidValue, UnknownChoice) as error:
-            raise InvalidPlan(path, number, str(error).rstrip(".")) from error
-        steps += [step] if step else []
-    return tuple(steps)
-
-
-def _read_line(line: str, grounding: Grounding, problem: Problem) -> PlanStep | None:
-    """Read one line; None if it is only a later part of a step."""
-    bare = _DURATION.sub("", _TIME.sub("", line)) if len(line) <= LONGEST_LINE else ""
-    words = bare[1:-1].split()
-    if not re.fullmatch(r"\([^()]*\)", bare) or len(words) < 2:
-        raise InvalidValue(f"{shortened(line)!r} is not of the form (operator object ...)")
-    name, thing = words[:2]
-    is_carried = name in CARRIERS and len(words) > 2
-    if is_carried:
-        name, thing = words[1].removeprefix(MOVE), words[2]
-    if thing not in problem.object_names:
-        raise UnknownChoice("object", thing, problem.object_names)
-    if name in (REACH_GOAL, *NOTES) or (grounding.relations and name.startswith(LEAVE)):
-        return None
-    if put := relating(name, grounding) or relating(name.removesuffix(LADEN), grounding):
-        return _putting(put, words[1:], grounding, problem)
-    step = PlanStep(_without_part(name), thing)
-    operator = grounding.operator_named(step.base)
-    _check_fit(step, operator, grounding, problem)
-    if grounding.carries(operator):
-        places = [word for word in words[2:] if word not in (FROM_PLACE, FROM_OBJECT)]
-        return _carrying(step, places, with_places(_flat(problem, grounding), grounding), grounding.table)
-    return None if is_carried or name.startswith(FINISH) else step
-
-
-def _carrying(step: PlanStep, places: list[str], problem: Problem, table: Table) -> PlanStep:
-    """Return a step with the place that it carries its object to: the only one named, or the second."""
-    place = places[min(1, len(places) - 1)] if places else ""
-    if place.startswith(START):
-        raise InvalidValue(
-            f"Nothing is carried to {place}: no object goes back to where one stood at the start"
-        )
-    table.check(place, *problem.place_named(place))
-    return dataclasses.replace(step, place=place)
-
-
-def _flat(problem: Problem, grounding: Grounding) -> Problem:
-    """Return a problem with the heights that objects have on the table, as places are drawn for them."""
-    bearers = bearers_of(problem, grounding.relations) if grounding.relations else {}
-    return flattened(problem, bearers) if bearers else problem
-
-
-def _putting(
-    operator: RelationOperator, words: list[str], grounding: Grounding, problem: Problem
-) -> PlanStep:
-    """Return a step with the object that it puts its target on or into."""
-    target, reference = words[0], words[1] if len(words) > 1 else ""
-    if reference not in problem.object_names or reference == target:
-        valid = [name for name in problem.object_names if name != target]
-        raise UnknownChoice("other object", reference, valid)
-    kinds = with_pairs(problem, grounding.relations).pairs
-    kind = kinds.get(pair_key(target, reference)) if isinstance(kinds, dict) else None
-    if not operator.is_for(kind):
-        raise InvalidValue(
-            f"{operator.name} is for pairs of the kind {operator.pair}, and {target} with {reference} is of "
-            f"the kind {kind}"
-        )
-    return PlanStep(operator.name, target, reference)
-
-
-def _without_part(name: str) -> str:
-    """Turn `finish-NAME-y` into `NAME`, and leave other names as they are."""
-    if name.startswith(FINISH) and name[-2:] in {f"-{axis}" for axis in AXES}:
-        return name.removeprefix(FINISH)[:-2]
-    return name
-
-
-def _check_fit(step: PlanStep, operator: Operator, grounding: Grounding, problem: Problem) -> None:
-    category = problem.object_named(step.object).category
-    if operator.category != category:
-        raise InvalidValue(
-            f"{operator.name} is for objects of category {grounding.category(operator.category).name}, and "
-            f"{step.object} is of category {grounding.category(category).name}"
-        )
-    if step.puts_down and not is_lift(operator):
-        raise InvalidValue(f"{operator.name} does not end with the object held, so nothing can be put down")

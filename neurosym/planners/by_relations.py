@@ -12,7 +12,7 @@ from neurosym.drafts import naming
 from neurosym.errors import InvalidPlan, InvalidValue
 from neurosym.pair_sight import with_pairs
 from neurosym.pddl.moves import BY_RELATIONS, RELATIONAL
-from neurosym.pddl.plan_text import parse_plan
+from neurosym.pddl.plan_reading import parse_plan
 from neurosym.pddl.problem import check_object
 from neurosym.pddl.relational_check import why_no_relation
 from neurosym.pddl.relational_problem import needed_texts

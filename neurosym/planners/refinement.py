@@ -24,7 +24,7 @@ from neurosym.factories import one_line
 from neurosym.grounding import Grounding
 from neurosym.pddl.domain import domain_text
 from neurosym.pddl.moves import PLACES, SAS, Encoding
-from neurosym.pddl.plan_text import parse_plan
+from neurosym.pddl.plan_reading import parse_plan
 from neurosym.pddl.problem import STEPS, problem_text
 from neurosym.pddl.sas import sas_text
 from neurosym.planners.aiming import aim
@@ -233,7 +233,7 @@ class _Asked:
                 _write(task, text)
             answer = self.program.call(domain, task, time_limit=deadline - time.perf_counter())
         try:
-            steps = parse_plan(answer.text, Path("its plan"), grounding, problem)
+            steps = parse_plan(answer.text, Path("its plan"), narrowed, problem)
         except InvalidPlan as error:
             reason = f"what the planner wrote cannot be read: {textwrap.shorten(str(error), 200)}"
             return PlanResult(PlanStatus.FAILED, (), answer.seconds, reason)

@@ -16,7 +16,8 @@ from neurosym.grounding import Grounding
 from neurosym.pddl.domain import domain_text
 from neurosym.pddl.moves import PLACES, RELATIONAL, Encoding
 from neurosym.pddl.place_domain import carriers_of
-from neurosym.pddl.plan_text import PlanStep, parse_plan
+from neurosym.pddl.plan_reading import parse_plan
+from neurosym.pddl.plan_text import PlanStep
 from neurosym.pddl.problem import problem_text
 from neurosym.planners.process import Finished, read_text, run_limited
 from neurosym.planners.result import PlannerAnswer, PlanStatus

@@ -15,7 +15,7 @@ from neurosym.execution.rerun import Agreement, compare_runs, rerun
 from neurosym.execution.watching import Watcher
 from neurosym.files import make_folder, write_json
 from neurosym.grounding import Grounding
-from neurosym.pddl.plan_text import read_plan
+from neurosym.pddl.plan_reading import read_plan
 from neurosym.pddl.validation import hand_problem
 from neurosym.planners import Planner, PlanResult, PlanStatus, plan, planner_named
 from neurosym.planners.registry import Replanner
@@ -25,7 +25,7 @@ from neurosym.related import relating
 from neurosym.stages.folder import DomainFolder
 from neurosym.stages.layout import GROUNDING, RUNS, WORLD, run_file, run_name, scene_file
 from neurosym.stages.manifest import Stage
-from neurosym.stages.plan_records import record_beside
+from neurosym.stages.plan_records import planned_tolerance, record_beside
 from neurosym.stages.planning import load_problem
 from neurosym.stages.remarks import remarks_on_own_scene
 from neurosym.world import FrameSink, World
@@ -108,7 +108,7 @@ def execute_stage(
         problem = own.within(tolerance)
         for remark in remarks_on_own_scene(folder, own, grounding):
             folder.notify(remark)
-        steps = read_plan(plan_file, grounding, problem)
+        steps = read_plan(plan_file, grounding, own.within(planned_tolerance(plan_file)))
         if impossible := hand_problem(steps, grounding):
             raise InvalidFile(plan_file, impossible)
         shown = _Shown(showing, world, problem)

@@ -68,7 +68,7 @@ DOMAIN_FILES = {
     "operators": OPERATORS_DOMAIN,
     "numeric": NUMERIC_DOMAIN,
 }
-"""The file of a domain by its encoding, those first that plans are mostly printed for."""
+"""The file of a domain by its encoding."""
 GROUNDING = "grounding.json"
 """`compile-domain`: what planning and execution need to know; no network is needed from here on."""
 PLANVIZ_SCRIPT = "planviz.js"

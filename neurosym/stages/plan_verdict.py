@@ -11,16 +11,19 @@ from neurosym.pddl import problem_text
 from neurosym.pddl.chances import expected_success
 from neurosym.pddl.excerpt import Action, parameters_of, tree_of
 from neurosym.pddl.ground_plan import ground_plan
-from neurosym.pddl.moves import Encoding
+from neurosym.pddl.moves import BY_RELATIONS, NUMERIC, PLACES, Encoding
 from neurosym.pddl.plan_reading import read_actions, read_plan
 from neurosym.pddl.plan_text import PlanStep, Steps, named_steps
-from neurosym.pddl.validation import Validation, validate
+from neurosym.pddl.validation import validate
 from neurosym.planners.plan_validator import PddlVerdict, validate_pddl
 from neurosym.problems import Problem
 from neurosym.reading import read_text
 from neurosym.stages.folder import DomainFolder
 from neurosym.stages.layout import DOMAIN_FILES, GROUNDING, printed_file
 from neurosym.stages.planning import load_problem
+
+_PRINTED: tuple[Encoding, ...] = ("stepwise", PLACES, *BY_RELATIONS, "operators", NUMERIC)
+"""The encodings, those first that plans are mostly printed for."""
 
 
 class PlanVerdict(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
@@ -31,7 +34,7 @@ class PlanVerdict(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
         plan: The plan's file.
         valid_by_pddl: Whether it is a plan of the printed domain and problem.
         valid_by_replay: Whether it leads to the goal when it is replayed with what was rehearsed.
-        domain: The printed domain that it is judged by, relative to the folder; empty if none has its actions.
+        domain: The printed domain that it is judged by; empty if none has its actions.
         written_out: Whether it names steps alone, and was judged with the cells and places that these imply.
         pddl_reason: Why it is no plan by PDDL, or empty.
         pddl_failed: Number of the ground action that cannot be performed, counted from 1, if one cannot.
@@ -60,7 +63,9 @@ class PlanVerdict(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
         return self.valid_by_pddl and self.valid_by_replay
 
 
-def judge_plan(folder: DomainFolder, name: str, plan_file: Path, tolerance: float | None = None) -> PlanVerdict:
+def judge_plan(
+    folder: DomainFolder, name: str, plan_file: Path, tolerance: float | None = None
+) -> PlanVerdict:
     """Say whether a plan is valid, without executing it.
 
     Args:
@@ -125,7 +130,9 @@ def _verdicts(
     """Judge a plan by each printed domain that has its actions, until one takes it."""
     for encoding, domain in _domains(folder):
         if _has(domain, actions):
-            found = _Judged(DOMAIN_FILES[encoding], _judged(domain, folder, problem, grounding, encoding, actions))
+            found = _Judged(
+                DOMAIN_FILES[encoding], _judged(domain, folder, problem, grounding, encoding, actions)
+            )
             yield found
             if found.verdict.valid:
                 return
@@ -146,9 +153,10 @@ def _verdicts(
 
 def _domains(folder: DomainFolder) -> Iterator[tuple[Encoding, str]]:
     """Yield the printed domains that are there, with their encodings."""
-    for encoding, file in DOMAIN_FILES.items():
-        if (folder / file).is_file():
-            yield encoding, read_text(folder / file)
+    for encoding in _PRINTED:
+        file = folder / DOMAIN_FILES[encoding]
+        if file.is_file():
+            yield encoding, read_text(file)
 
 
 def _has(domain: str, actions: Sequence[Action]) -> bool:

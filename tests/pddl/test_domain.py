@@ -18,7 +18,7 @@ from neurosym.errors import InvalidValue, UnknownChoice
 from neurosym.pddl import compile_domain, domain_text, problem_text
 from neurosym.pddl.ground_plan import print_ground_plan
 from neurosym.pddl.moves import ENCODINGS, Encoding
-from neurosym.pddl.plan_text import parse_plan
+from neurosym.pddl.plan_reading import parse_plan
 from neurosym.planners import PlanStatus
 from neurosym.planners.fast_downward import plan_fast_downward
 

@@ -22,7 +22,8 @@ from neurosym.operators import Primitive
 from neurosym.pddl.durations import carry_seconds
 from neurosym.pddl.durative import MOST_OVER, durative_domain_text, durative_problem_text
 from neurosym.pddl.place_domain import carriers_of
-from neurosym.pddl.plan_text import PlanStep, parse_plan
+from neurosym.pddl.plan_reading import parse_plan
+from neurosym.pddl.plan_text import PlanStep
 from neurosym.pddl.problem import problem_text
 from neurosym.problems import Problem
 from neurosym.sim.simulation import Simulation

@@ -16,7 +16,8 @@ from neurosym.pddl import domain_text, problem_text
 from neurosym.pddl.ground_plan import print_ground_plan
 from neurosym.pddl.moves import ENCODINGS, Encoding, moves_for
 from neurosym.pddl.numeric import UNIT
-from neurosym.pddl.plan_text import PlanStep, parse_plan
+from neurosym.pddl.plan_reading import parse_plan
+from neurosym.pddl.plan_text import PlanStep
 from neurosym.pddl.validation import operator_for, validate
 from neurosym.planners import PlanStatus, plan
 from neurosym.planners.fast_downward import plan_fast_downward

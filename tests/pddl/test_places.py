@@ -21,7 +21,8 @@ from neurosym.pddl.moves import PLACES
 from neurosym.pddl.place_check import check_places
 from neurosym.pddl.place_problem import carried_objects, led_objects
 from neurosym.pddl.places import GOAL, PARK, with_places
-from neurosym.pddl.plan_text import PlanStep, parse_plan, print_plan
+from neurosym.pddl.plan_reading import parse_plan
+from neurosym.pddl.plan_text import PlanStep, print_plan
 from neurosym.pddl.problem_check import check_problem
 from neurosym.pddl.validation import validate
 from neurosym.planners import PlanStatus, plan

@@ -11,7 +11,8 @@ from toy_relations import LIE, PUT_IN, PUT_ON, REST, grounding, sorting, tower
 from neurosym.errors import InvalidPlan, InvalidValue, NeurosymError
 from neurosym.pddl import domain_text
 from neurosym.pddl.moves import RELATIONAL
-from neurosym.pddl.plan_text import PlanStep, parse_plan
+from neurosym.pddl.plan_reading import parse_plan
+from neurosym.pddl.plan_text import PlanStep
 from neurosym.pddl.relational_check import check_relations, relations_meant
 from neurosym.pddl.validation import validate
 from neurosym.planners import PlanStatus, plan

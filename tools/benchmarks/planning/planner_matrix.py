@@ -25,7 +25,7 @@ from neurosym.files import write_atomically
 from neurosym.grounding import Grounding
 from neurosym.pddl import domain_text, problem_text
 from neurosym.pddl.moves import BY_RELATIONS, ENCODINGS, PLACES, RELATIONAL, Encoding
-from neurosym.pddl.plan_text import parse_plan
+from neurosym.pddl.plan_reading import parse_plan
 from neurosym.pddl.validation import validate
 from neurosym.planners import PLANNERS, PlanStatus, plan
 from neurosym.planners.catalogue import COARSE, PROGRAMS
@@ -117,7 +117,7 @@ def measure(
     }
     if answer.status is PlanStatus.SOLVED:
         try:
-            steps = parse_plan(answer.text, Path("its plan"), grounding, problem)
+            steps = parse_plan(answer.text, Path("its plan"), fitted, problem)
         except InvalidPlan as error:
             return {**found, "status": "failed", "words": str(error)}
         checked = validate(steps, problem, grounding)
