@@ -96,6 +96,10 @@ class Drafts:
             draft.unlock()
         self._drafts[path] = draft
 
+    def holds(self, path: Path) -> bool:
+        """Say whether something is to be written at a place, or removed there."""
+        return path in self._drafts
+
     def now_at(self, path: Path) -> Path | None:
         """Return where the content lies that a place has, or will have; None if nothing will stand there."""
         if path not in self._drafts:

@@ -23,6 +23,7 @@ from neurosym.commands.run import run
 from neurosym.commands.show import show
 from neurosym.commands.studio import studio
 from neurosym.commands.train import train
+from neurosym.commands.validate import validate
 
 COMMANDS: dict[str, Callable[..., int]] = {
     "demo": demo,
@@ -37,6 +38,7 @@ COMMANDS: dict[str, Callable[..., int]] = {
     "new-problem": new_problem,
     "plan": plan,
     "planners": planners,
+    "validate": validate,
     "execute": execute,
     "replay": replay,
     "studio": studio,

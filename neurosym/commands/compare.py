@@ -100,6 +100,7 @@ def _show(comparison: "Comparison", title: str) -> None:
     rows.append(
         ["planning, median [s]", *("-" if t.seconds is None else f"{t.seconds:.3f}" for t in tallies)]
     )
+    rows.append(["own steps of those performed then", *(f"{t.own} of {t.performed}" for t in tallies)])
     show_table("the same tasks to each planner", columns, rows)
     if comparison.met_at_start:
         more = comparison.met_at_start

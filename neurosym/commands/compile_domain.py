@@ -1,6 +1,6 @@
 """The command `neurosym compile-domain`: what was learned, as PDDL."""
 
-from typing import TYPE_CHECKING, Annotated
+from typing import Annotated
 
 from tyro.conf import arg
 
@@ -10,13 +10,13 @@ from neurosym.pddl.compiler import CELL
 from neurosym.stages.layout import DURATIVE_DOMAIN, GROUNDING, durative_file
 from neurosym.wording import counted, listed_briefly, quoted
 
-if TYPE_CHECKING:
-    pass
-
 
 def compile_domain(
     folder: Folder,
     cell: Annotated[float, arg(help="Edge of a grid cell [m].")] = CELL,
+    name: Annotated[
+        str | None, arg(help="Name of the PDDL domain; by default the one it has, or that of its world.")
+    ] = None,
     durative: Annotated[
         bool, arg(help="Also what carries objects to places with durations, for PlanSys2.")
     ] = False,
@@ -33,7 +33,7 @@ def compile_domain(
     from neurosym.stages.compiling import compile_stage
 
     domain = opened(folder)
-    domain.perform(compile_stage(domain, cell=cell, durative=durative), again=True)
+    domain.perform(compile_stage(domain, cell=cell, name=name, durative=durative), again=True)
     grounding = Grounding.load(domain / GROUNDING)
     say(f"{len(grounding.live)} operators in {folder / 'domain.pddl'}; left out: {len(grounding.left_out)}")
     for name, reason in grounding.left_out.items():

@@ -8,10 +8,9 @@ from tyro.conf import Positional, arg
 from neurosym.commands.answers import Json, answer_in
 from neurosym.commands.exit_codes import NO_RESULT
 from neurosym.commands.options import Folder, ProblemName, TimeLimit, Tolerance, check_time_limit, opened
-from neurosym.commands.plan_streams import STANDARD, saved_plan
+from neurosym.commands.plan_streams import STANDARD, check_plan, saved_plan
 from neurosym.commands.showing import Gif, Gui, Strip, say_written, showing_of
 from neurosym.console import say, say_next
-from neurosym.errors import InvalidFile, InvalidValue
 from neurosym.wording import quoted
 
 
@@ -29,9 +28,9 @@ def execute(
         int | None,
         arg(
             metavar="N",
-            help="How many new plans may be asked for; 0: the plan is followed blindly to its end. "
-            "Without it: 10, and 2 more for each primitive of the plan. Ten in a row that come no nearer "
-            "end the run.",
+            help="How many new plans may be asked for; 0: the plan is followed as it is, to its end. "
+            "Without it: 0 for a plan that neurosym did not write, else 10, and 2 more for each primitive "
+            "of the plan. Ten in a row that come no nearer end the run.",
         ),
     ] = None,
     time_limit: TimeLimit = None,
@@ -47,8 +46,9 @@ def execute(
 ) -> int:
     """Run a plan in the simulator, each step beside its promise; exit code 3 if it misses.
 
-    After every step what is left of the plan is replayed from what is seen. If it would miss the goal, a new
-    plan is made, which takes into account what each object did so far.
+    A plan that neurosym did not write, or that was changed since, is followed as it is, unless --replans
+    says otherwise. Else what is left of the plan is replayed after every step from what is seen. If it would
+    miss the goal, a new plan is made, which takes into account what each object did so far.
     """
     from neurosym.commands.tables import show_run
     from neurosym.stages.executing import execute_stage, load_run
@@ -60,12 +60,7 @@ def execute(
     name = domain.problem(problem)
     if plan_file == STANDARD:
         plan_file = saved_plan(domain, name)
-    if plan_file.exists() and not plan_file.is_file():
-        raise InvalidFile(plan_file, "it is no file; name one that holds a plan")
-    if not plan_file.is_file():
-        raise InvalidValue(
-            f"There is no plan file {plan_file}; `neurosym plan {quoted(folder)} {name}` writes one."
-        )
+    check_plan(plan_file, folder, name)
     made_for = plan_file.stem.split(".")[0]
     if made_for != name and made_for in domain.problem_names():
         say(f"note: {plan_file} seems to be made for {made_for}, not for {name}")
@@ -84,6 +79,7 @@ def execute(
         tolerance=tolerance,
         showing=showing_of(gif, strip, gui),
     )
+    _say_how(plan_file, replanner, stage.options["replans"])
     domain.perform(stage, again=True)
     run = load_run(domain, name, plan_file)
     if not run.plan:
@@ -92,5 +88,17 @@ def execute(
     record = folder / run_file(name, plan_file)
     say_written(record, gif, strip)
     say_next(f"neurosym replay {quoted(folder)} {quoted(record)}")
-    answer(run, file=str(record), reached=run.reached)
+    answer(run, file=str(record), outcome=run.outcome, credit=run.credit)
     return 0 if run.reached else NO_RESULT
+
+
+def _say_how(plan_file: Path, replanner: str, replans: int | None) -> None:
+    """Say whether the plan is followed as it is, or planned anew on the way."""
+    from neurosym.stages.plan_records import record_beside
+
+    if replans == 0:
+        whose = "" if record_beside(plan_file) else "; neurosym did not write it"
+        more = f"{whose}: --replans 10 allows new plans" if whose else ""
+        say(f"follows {plan_file} as it is, to its end{more}")
+    else:
+        say(f"follows {plan_file}, and asks {replanner} for a new plan where it would miss the goal")

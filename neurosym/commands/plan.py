@@ -83,21 +83,23 @@ def plan(
         more=alternatives,
         tolerance=tolerance,
     )
-    plan_file, record_file = stage.outputs
+    plan_file, record_file, steps_file = stage.outputs
     had_plan = (domain / plan_file).exists()
     domain.perform(stage, again=True)
     record = read_json(domain / record_file, PlanRecord)
     _say_plan(record)
     if had_plan and not (domain / plan_file).exists():
         say(f"removed {folder / plan_file}, the plan of an earlier call")
-    if record.steps or record.solved:
-        say(f"wrote {folder / plan_file}")
+    written = next((file for file in (plan_file, steps_file) if (domain / file).exists()), None)
+    if written:
+        no_plan = f", for it is no plan of the printed problem: {record.unprinted}" * bool(record.unprinted)
+        say(f"wrote {folder / written}{no_plan}")
         _say_alternatives(record, folder, alternatives)
         within = "" if record.tolerance is None else f" --tolerance {record.tolerance:g}"
-        say_next(f"neurosym execute {quoted(folder)} {name} {quoted(folder / plan_file)}{within}")
-    if output and (domain / plan_file).exists():
-        hand_over(domain / plan_file, output)
-    answer(record, file=str(domain / plan_file) if record.steps or record.solved else None)
+        say_next(f"neurosym execute {quoted(folder)} {name} {quoted(folder / written)}{within}")
+    if output and written:
+        hand_over(domain / written, output)
+    answer(record, file=str(domain / written) if written else None)
     return 0 if record.solved else NO_RESULT
 
 
@@ -120,7 +122,7 @@ def _say_plan(record: "PlanRecord") -> None:
         say(f"planned anew on the way, {likely} to reach the goal within {motions} motions")
     if record.misses:
         say(
-            f"note: by what was rehearsed, {record.misses}; "
+            "note: what the network predicts leads there; what was rehearsed does not; "
             "`neurosym execute` plans anew on the way (unless --replans 0)"
         )
     elif record.solved and record.chance is not None and record.chance < UNLIKELY:

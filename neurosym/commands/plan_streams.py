@@ -9,18 +9,20 @@ from neurosym.files import check_writable, make_folder, write_atomically
 from neurosym.reading import read_text
 from neurosym.stages.folder import DomainFolder
 from neurosym.stages.layout import GROUNDING, PLANS, WORLD
+from neurosym.wording import quoted
 
 STANDARD = Path("-")
 """What names standard input or output in place of a plan file."""
 _INPUT = Path("standard input")
 
 
-def saved_plan(folder: DomainFolder, name: str) -> Path:
+def saved_plan(folder: DomainFolder, name: str, *, must_fit: bool = True) -> Path:
     """Write the plan that standard input holds into the folder, and return its file.
 
     Args:
         folder: The domain folder.
         name: Name of the problem.
+        must_fit: Whether it must be one for the problem.
 
     Raises:
         InvalidFile: If it holds no plan for the problem.
@@ -38,14 +40,34 @@ def saved_plan(folder: DomainFolder, name: str) -> Path:
         text = data.decode()
     except UnicodeDecodeError as error:
         raise InvalidFile(_INPUT, "it is no text") from error
-    world = read_world(folder.require(WORLD))()
-    problem = load_problem(folder, name, world)
-    parse_plan(text, _INPUT, Grounding.load(folder.require(GROUNDING)), problem)
+    if must_fit:
+        problem = load_problem(folder, name, read_world(folder.require(WORLD))())
+        parse_plan(text, _INPUT, Grounding.load(folder.require(GROUNDING)), problem)
     make_folder(folder / PLANS)
     file = folder / PLANS / f"{name}.stdin.plan"
     write_atomically(file, text)
     say(f"wrote {file}")
     return file
+
+
+def check_plan(plan_file: Path, folder: Path, name: str) -> None:
+    """Raise unless there is a plan file.
+
+    Args:
+        plan_file: Where it should be.
+        folder: The domain folder as it was typed.
+        name: Name of the problem.
+
+    Raises:
+        InvalidFile: If it is no file.
+        InvalidValue: If there is nothing.
+    """
+    if plan_file.exists() and not plan_file.is_file():
+        raise InvalidFile(plan_file, "it is no file; name one that holds a plan")
+    if not plan_file.is_file():
+        raise InvalidValue(
+            f"There is no plan file {plan_file}; `neurosym plan {quoted(folder)} {name}` writes one."
+        )
 
 
 def check_output(output: Path | None, json: bool) -> None:

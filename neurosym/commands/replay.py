@@ -61,7 +61,7 @@ def replay(
         say(_machines(run))
         return NO_RESULT
     steps = counted(len(run.steps), "step")
-    goal = f"goal {'reached' if run.reached else 'missed'}"
+    goal = f"{run.outcome}; {run.credit}"
     if agreement.course == "same bytes":
         say(f"the same happened again in {steps}, byte for byte; {goal}")
         return 0

@@ -139,15 +139,11 @@ def show_run(run: Run) -> None:
         for number, step in enumerate(run.steps, 1)
     ]
     columns = ["", "step", "promised [mm]", "happened [mm]", "apart [mm]", "as promised"]
-    show_table(f"run of {run.problem}", columns, rows)
+    show_table(f"run of {run.problem}: {run.credit}", columns, rows)
     if any(step.promised_state for step in run.steps):
         say("what is put on or into another object is seen from that")
     if any(step.place and not step.promised_state for step in run.steps):
         say("what is carried is seen from the point that the hand aimed at; all else from where it stood")
-    far = ", ".join(f"{name} {1000 * distance:.0f} mm" for name, distance in run.distances.items())
-    allowed = "" if run.tolerance is None else f", {1000 * run.tolerance:g} mm are allowed in this run"
-    said = f": {far} from it{allowed}" if far else ""
-    say(f"goal {'reached' if run.reached else 'missed'}{said}")
     for nudge in run.nudges:
         by = 1000 * math.hypot(*nudge.by)
         say(f"before step {nudge.before_step} {nudge.object} was nudged by {by:.0f} mm")
@@ -162,6 +158,10 @@ def show_run(run: Run) -> None:
             say(f"in step {number} {name} was {how}, though it was not acted upon")
     if run.reason:
         say(run.reason)
+    far = ", ".join(f"{name} {1000 * distance:.0f} mm" for name, distance in run.distances.items())
+    allowed = "" if run.tolerance is None else f", {1000 * run.tolerance:g} mm are allowed in this run"
+    said = f": {far} from it{allowed}" if far else ""
+    say(f"{run.outcome}{said}; {run.credit}")
 
 
 def _plain(effect: Effect) -> str:

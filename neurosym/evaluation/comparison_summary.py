@@ -24,6 +24,8 @@ class Tally(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
         seconds: Median time of planning [s]; None without any.
         predicted: In how many the network, too, predicts the plan to reach the goal.
         replans: How often it was planned again, in all.
+        performed: How many primitives were performed with replanning, in all; 0 in earlier versions.
+        own: How many of them were those of its plans, and of no new one.
         unfound: Why there was no plan where another planner found one, with counts.
         invalid: Why plans were not valid, with counts.
         missed: Why plans followed blindly missed the goal, with counts.
@@ -42,6 +44,8 @@ class Tally(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     invalid: dict[str, int]
     missed: dict[str, int]
     missed_with_replanning: dict[str, int]
+    performed: int = 0
+    own: int = 0
 
 
 class Comparison(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
@@ -100,6 +104,8 @@ def _tally(records: Sequence[TaskRecord], name: str, planners: Sequence[str]) ->
         invalid=_counts(why_invalid(attempt) for attempt in found),
         missed=_counts(run.kind for run in blind),
         missed_with_replanning=_counts(run.kind for run in replanned),
+        performed=sum(run.interactions for run in replanned if run.own is not None),
+        own=sum(run.own or 0 for run in replanned),
     )
 
 

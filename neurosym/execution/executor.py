@@ -17,7 +17,7 @@ from neurosym.execution.experience import Experience, believed_name
 from neurosym.execution.nudges import Nudger, nudged
 from neurosym.execution.performing import lifts, perform, recorded
 from neurosym.execution.reasons import why_missed
-from neurosym.execution.record import Ended, Nudge, Replanning, Run, StepRecord, record_refusal
+from neurosym.execution.record import Ended, Nudge, Replanning, Run, StepRecord, own_steps, record_refusal
 from neurosym.execution.relating import levelled, missed_relations, prepared, seen_now
 from neurosym.execution.replanning import PATIENCE, Progress, new_plan, usual_replans, why_not_go_on
 from neurosym.execution.watching import STOP, Moment, Watcher
@@ -233,6 +233,7 @@ class _Running:
             replannings=tuple(self.replannings),
             ended=ended,
             unmet=tuple(unmet) if self.problem.related else msgspec.UNSET,
+            own=own_steps(self.records, self.replannings),
         )
 
     def _put_down(self) -> None:

@@ -1,6 +1,7 @@
 """The record of a run: what each step promised and did, what was planned anew, and where everything ended."""
 
 import math
+from collections.abc import Sequence
 from typing import Literal
 
 import msgspec
@@ -9,11 +10,12 @@ from neurosym.execution.appearance import as_it_shows
 from neurosym.execution.machine import Machine
 from neurosym.grounding import Grounding
 from neurosym.operators import TOLERANCE, Length, Operator, Vector, vector
-from neurosym.pddl.plan_text import PlanStep, Steps
+from neurosym.pddl.plan_text import PlanStep, Steps, primitives
 from neurosym.problems import Problem
 from neurosym.promises import promised
 from neurosym.relation_goals import RelationGoal
 from neurosym.table import OtherObject, Place, Reference
+from neurosym.wording import counted
 from neurosym.world import Disturbance, Outcome, OutcomeKind, Scene
 
 StepOutcome = OutcomeKind | Literal["not performed"]
@@ -136,6 +138,8 @@ class Run(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
         ended: What ended it.
         more_nudges: What was nudged besides, in that order, if somebody did so more than once.
         unmet: The goals by relation that were not met at the end, where there were such goals.
+        own: How many of the steps are the plan's own: those before the first new plan.
+        replanner: Who made the new plans, where there are some and it is known.
     """
 
     problem: str
@@ -151,6 +155,40 @@ class Run(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     ended: Ended = "unknown"
     more_nudges: tuple[Nudge, ...] | msgspec.UnsetType = msgspec.UNSET
     unmet: tuple[RelationGoal, ...] | msgspec.UnsetType = msgspec.UNSET
+    own: int | msgspec.UnsetType = msgspec.UNSET
+    replanner: str | msgspec.UnsetType = msgspec.UNSET
+
+    @property
+    def own_steps(self) -> int:
+        """How many of the steps are the plan's own, also in records of earlier versions."""
+        return own_steps(self.steps, self.replannings) if self.own is msgspec.UNSET else self.own
+
+    @property
+    def is_followed(self) -> bool:
+        """Whether the plan was followed to its end, and nothing else."""
+        asked = primitives(PlanStep(*step) for step in self.plan)
+        return self.own_steps == len(self.steps) == asked
+
+    @property
+    def outcome(self) -> str:
+        """Whether the goal was reached, and if so whether by the plan alone, in a few words."""
+        if not self.reached:
+            return "goal missed"
+        if self.own_steps < len(self.steps):
+            return "goal reached with new plans"
+        return "goal reached" if self.is_followed else "goal reached before the plan's end"
+
+    @property
+    def credit(self) -> str:
+        """How many of the steps performed are the plan's own, in words."""
+        if not self.steps:
+            return "no step was performed" if self.plan else "the plan has no step"
+        performed = counted(len(self.steps), "step")
+        if self.own_steps == len(self.steps):
+            whole = "" if self.is_followed else ", which has more"
+            return f"{performed} performed, all of the plan{whole}"
+        by = f" of {self.replanner}" if isinstance(self.replanner, str) else ""
+        return f"{performed} performed, {self.own_steps} of the plan and the rest of new plans{by}"
 
     @property
     def nudges(self) -> tuple[Nudge, ...]:
@@ -162,6 +200,17 @@ class Run(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     def replans(self) -> int:
         """How often a new plan was asked for."""
         return len(self.replannings)
+
+
+def own_steps(steps: Sequence[StepRecord], replannings: Sequence[Replanning]) -> int:
+    """Count the steps that are those of the plan that was asked for, and of no new one.
+
+    Args:
+        steps: The steps that were performed.
+        replannings: The new plans that were asked for.
+    """
+    new = (one.before_step - 1 for one in replannings if one.plan)
+    return min(len(steps), next(new, len(steps)))
 
 
 def record_step(

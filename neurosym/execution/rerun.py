@@ -14,7 +14,7 @@ import msgspec
 from neurosym.execution.nudges import nudged
 from neurosym.execution.performing import perform
 from neurosym.execution.performing import recorded as record_of
-from neurosym.execution.record import Run, StepRecord, record_refusal
+from neurosym.execution.record import Run, StepRecord, own_steps, record_refusal
 from neurosym.execution.relating import levelled, seen_now
 from neurosym.execution.watching import STOP, Moment, Watcher
 from neurosym.grounding import Grounding
@@ -99,6 +99,7 @@ def rerun(
     return msgspec.structs.replace(
         run,
         steps=tuple(records),
+        own=run.own if len(records) == len(run.steps) else own_steps(records, run.replannings),
         reached=problem.is_met(scene.positions) and not unmet,
         distances=problem.distances(scene.positions),
         unmet=unmet if problem.related else msgspec.UNSET,

@@ -21,6 +21,7 @@ class Execution(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
         touched: In how many the robot touched another object.
         disturbed: How many other objects were moved, toppled or lost in them.
         off_table: Names of the objects that were off the table after any of them.
+        own: How many of the primitives performed are the plan's own; None in records of earlier versions.
     """
 
     reached: bool
@@ -33,6 +34,7 @@ class Execution(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     touched: int
     disturbed: int
     off_table: tuple[str, ...]
+    own: int | None = None
 
 
 def summarise_run(run: Run, grounding: Grounding) -> Execution:
@@ -55,6 +57,7 @@ def summarise_run(run: Run, grounding: Grounding) -> Execution:
         touched=sum(bool(record.touched) for record in run.steps),
         disturbed=sum(len(record.disturbed) for record in run.steps),
         off_table=tuple(sorted(off)),
+        own=run.own_steps,
     )
 
 

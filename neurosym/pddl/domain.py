@@ -37,6 +37,7 @@ from neurosym.pddl.printing import (
     held_predicates,
     left_out,
     millimetres,
+    opening,
 )
 from neurosym.pddl.relational_domain import relational_domain_text
 
@@ -81,7 +82,7 @@ def domain_text(grounding: Grounding, encoding: Encoding = "stepwise") -> str:
     moves = moves_of(grounding)
     blocks = [
         _header(grounding, encoding),
-        f"(define (domain {grounding.name})\n  (:requirements :strips :typing :action-costs)",
+        opening(grounding, encoding, ":strips :typing :action-costs"),
         *_types(grounding, encoding),
         _predicates(grounding, moves, encoding),
         _functions(grounding, moves, encoding),

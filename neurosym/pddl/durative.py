@@ -16,11 +16,12 @@ from neurosym.grounding import Grounding
 from neurosym.operators import Operator
 from neurosym.pddl.durations import carry_seconds
 from neurosym.pddl.footprints import footprints_apart
+from neurosym.pddl.moves import DURATIVE, domain_name
 from neurosym.pddl.occupants import occupants
 from neurosym.pddl.place_domain import NOWHERE, about_carrier, carriers_for, carriers_of
 from neurosym.pddl.place_problem import START, carried_objects, led_objects
 from neurosym.pddl.places import GOAL, blockers, is_at, with_places
-from neurosym.pddl.printing import comment
+from neurosym.pddl.printing import comment, guarantees, opening
 from neurosym.pddl.problem import check_object
 from neurosym.problems import Problem, SceneObject
 from neurosym.related import is_relational
@@ -53,7 +54,7 @@ def durative_domain_text(grounding: Grounding, seconds: Mapping[str, float] | No
     types = " ".join(sorted(category.name for category in grounding.operators.categories))
     blocks = [
         _header(grounding),
-        f"(define (domain {grounding.name})\n  (:requirements {REQUIREMENTS})",
+        opening(grounding, DURATIVE, REQUIREMENTS),
         f"  (:types\n    movable place - object\n    {types} - movable)",
         "\n".join(["  (:predicates", *(f"    {line}" for line in _predicates(grounding))]) + ")",
         *(_action(one, grounding, given.get(one.name)) for one in carriers),
@@ -93,7 +94,7 @@ def durative_problem_text(problem: Problem, grounding: Grounding) -> str:
     lines = [
         f"; Problem {problem.name} of the learned domain {grounding.name}, with durative actions.",
         f"; How it came about: {' '.join(problem.provenance.split())}.",
-        f"(define (problem {problem.name})\n  (:domain {grounding.name})\n  (:objects",
+        f"(define (problem {problem.name})\n  (:domain {domain_name(grounding, DURATIVE)})\n  (:objects",
         *(f"    {name} - {kind}" for name, kind in types),
         f"    {' '.join([*starts, *_places(problem), NOWHERE])} - place)",
         f"  (:init\n    (hand-empty) (free {NOWHERE})",
@@ -110,6 +111,7 @@ def _header(grounding: Grounding) -> str:
             "An action carries an object from a place to another, which must be free. So must be the places "
             f"where other objects stood over it at first, up to {MOST_OVER}; {NOWHERE} is always free.",
             "What can only be pushed is not in it.",
+            *guarantees(DURATIVE),
             "Durations follow from the waypoints, and from how fast the hand moves in the simulator. They "
             "count the way over the table as its diagonal, and leave out the way to the object.",
         ],

@@ -15,6 +15,8 @@ from neurosym.promises import usable
 Encoding = Literal["sas", "stepwise", "operators", "numeric", "places", "relational", "relational-lifted"]
 ENCODINGS: tuple[Encoding, ...] = ("stepwise", "operators", "numeric")
 
+NUMERIC: Encoding = "numeric"
+"""Positions are numbers, and no cells."""
 PLACES: Encoding = "places"
 """Objects that can be carried stand at places; the others are led over cells as in `stepwise`."""
 RELATIONAL: Encoding = "relational"
@@ -22,10 +24,14 @@ RELATIONAL: Encoding = "relational"
 LIFTED: Encoding = "relational-lifted"
 """The same with `not` and `exists` in the place of counting, for planners that take these."""
 BY_RELATIONS = (RELATIONAL, LIFTED)
+DURATIVE = "durative"
+"""Objects are carried by actions that take time; no command plans in it."""
 LED: tuple[Encoding, ...] = ("stepwise", PLACES)
 """Encodings that lead objects over cells, one axis at a time."""
 SAS: Encoding = "sas"
 """No PDDL, but what Fast Downward makes of `stepwise` before it searches."""
+ON_GRID: tuple[Encoding, ...] = (SAS, "stepwise", "operators")
+"""Encodings that share the text of a problem, and so the name of the domain."""
 
 PUT_DOWN = "put-down-"
 """What the name of an operator is preceded by where the object it lifted is put down again."""
@@ -35,6 +41,8 @@ MOVE = "a-"
 """What the name of a move is preceded by where it is a constant of PDDL."""
 CARRIED = (2, 0, 1)
 """The axes in the order in which objects with steps of their own are led along them."""
+CARRIERS = frozenset(f"move-{axis}" for axis in AXES)
+"""The actions that lead objects with steps of their own along an axis."""
 REACH_GOAL = "reach-goal"
 """The action, free of cost, that notes that an object is where its goal is."""
 
@@ -69,6 +77,16 @@ class Move:
     def all_axes(self) -> tuple[int, ...]:
         """The axes that some object may move along: what is not lifted stays at its height."""
         return (0, 1) if self.kind == "rest" else (0, 1, 2)
+
+
+def domain_name(grounding: Grounding, encoding: str) -> str:
+    """Name the domain in an encoding, like `tabletop-numeric`; encodings that share problems share a name.
+
+    Args:
+        grounding: The learned domain.
+        encoding: The encoding, or `durative`.
+    """
+    return grounding.name if encoding in ON_GRID else f"{grounding.name}-{encoding}"
 
 
 def moves_of(grounding: Grounding) -> tuple[Move, ...]:

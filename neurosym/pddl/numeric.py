@@ -20,7 +20,7 @@ import msgspec
 from neurosym.grounding import Grounding
 from neurosym.pddl import own_numbers
 from neurosym.pddl.grid import AXES, best_levels, levels
-from neurosym.pddl.moves import Move, moves_of
+from neurosym.pddl.moves import NUMERIC, Move, domain_name, moves_of
 from neurosym.pddl.printing import (
     about_move,
     action_text,
@@ -29,6 +29,7 @@ from neurosym.pddl.printing import (
     header,
     held_predicates,
     left_out,
+    opening,
 )
 from neurosym.problems import Problem, SceneObject
 
@@ -57,8 +58,7 @@ def numeric_domain_text(grounding: Grounding) -> str:
         functions += own_numbers.functions(moves)
     blocks = [
         _domain_header(grounding),
-        f"(define (domain {grounding.name})\n"
-        "  (:requirements :strips :typing :numeric-fluents :action-costs)",
+        opening(grounding, NUMERIC, ":strips :typing :numeric-fluents :action-costs"),
         f"  (:types\n    movable - object\n    {' '.join(names)} - movable)",
         "  (:predicates\n" + "\n".join(f"    {line}" for line in predicates) + ")",
         "  (:functions\n" + "\n".join(f"    {line}" for line in functions) + ")",
@@ -82,7 +82,7 @@ def numeric_problem_text(problem: Problem, grounding: Grounding, *, steps: int =
         f"; How it came about: {' '.join(problem.provenance.split())}.",
         f"; A goal is met within {problem.tolerance * 1000:g} mm; what is asked for here lies inside that",
         f"; by as much as {steps} step(s) with an object can err by rounding to 0.1 mm.",
-        f"(define (problem {problem.name})\n  (:domain {grounding.name})",
+        f"(define (problem {problem.name})\n  (:domain {domain_name(grounding, NUMERIC)})",
         "  (:objects\n" + "\n".join(f"    {line}" for line in things) + ")",
         "  (:init\n    (hand-empty) (= (total-cost) 0)",
         "\n".join(_start(item, grounding, problem.tolerance) for item in problem.objects) + ")",

@@ -2,6 +2,9 @@
 
 from itertools import pairwise
 
+import numpy as np
+from jaxtyping import Float
+
 from neurosym.grounding import Grounding
 from neurosym.pddl.footprints import footprints_apart
 from neurosym.pddl.moves import MOVE, step_cost
@@ -55,6 +58,7 @@ class PlaceNotes:
         self._problem, self._apart = problem, footprints_apart(problem)
         self._stands = {name: f"{START}{name}" for name in problem.object_names}
         self.carried = carried_objects(problem, grounding)
+        self.led = led_objects(problem, grounding)
 
     def carry(self, operator: str, name: str, place: str) -> list[str]:
         """Return the ground actions that carry an object to a place, those that look before it first."""
@@ -94,13 +98,22 @@ def facts(problem: Problem, grounding: Grounding) -> list[str]:
         lines.append(comment([f"{name} lies at ({x:.4f}, {y:.4f}) m"], "    ").lstrip())
         lines.append(f"(free {name})")
         for thing in may_stand[name]:
-            at_goal = thing in problem.goals and is_at(thing, (x, y), problem)
-            goal = f"(goal-place {thing} {name}) " if at_goal else ""
-            lines.append(goal + _room(thing, name, blockers(thing, (x, y), problem, apart)))
+            lines.append(" ".join(_room(thing, name, problem, apart)))
     for item in problem.objects:
         if item.name in carried:
             lines += _carriers(item, problem, grounding)
     return lines
+
+
+def place_facts(name: str, place: str, problem: Problem) -> list[str]:
+    """List what must hold at the start for an object to be carried to a place in the course of a plan.
+
+    Args:
+        name: The object.
+        place: The place, which may be a spot that the problem does not declare.
+        problem: The problem, with its places.
+    """
+    return [f"(free {place})", *_room(name, place, problem, footprints_apart(problem))]
 
 
 def _places(problem: Problem) -> dict[str, tuple[float, float]]:
@@ -123,11 +136,16 @@ def _start(item: SceneObject, problem: Problem, *, is_led: bool) -> str:
     return " ".join(said)
 
 
-def _room(thing: str, place: str, others: tuple[str, ...]) -> str:
+def _room(thing: str, place: str, problem: Problem, apart: Float[np.ndarray, "M M 2"]) -> list[str]:
     """Say which places must be free, one after another, for an object to have room at a place."""
-    chain = _chain(others)
-    links = [f"(look-next {thing} {place} {here} {then})" for here, then in pairwise(chain)]
-    return " ".join([f"(room {thing} {place} {chain[0]})", *links])
+    spot = problem.place_named(place)
+    at_goal = thing in problem.goals and is_at(thing, spot, problem)
+    chain = _chain(blockers(thing, spot, problem, apart))
+    return [
+        *([f"(goal-place {thing} {place})"] if at_goal else []),
+        f"(room {thing} {place} {chain[0]})",
+        *(f"(look-next {thing} {place} {here} {then})" for here, then in pairwise(chain)),
+    ]
 
 
 def _chain(others: tuple[str, ...]) -> list[str]:

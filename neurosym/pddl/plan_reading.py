@@ -48,6 +48,20 @@ def read_plan(path: Path, grounding: Grounding, problem: Problem) -> tuple[PlanS
     return parse_plan(text, path, grounding, problem)
 
 
+def read_actions(path: Path) -> tuple[tuple[str, ...], ...]:
+    """Read the ground actions of a plan file, each with its arguments, whatever they mean.
+
+    Args:
+        path: The plan file, in any of the forms of `plan_forms`.
+
+    Raises:
+        InvalidPlan: If a line cannot be read.
+        InvalidFile: If the file is far too large, or no text.
+    """
+    actions = map(_hyphenated, written_plan(read_text(path, MOST_PLAN), path).actions)
+    return tuple((one.name, *one.arguments) for one in actions)
+
+
 def parse_plan(text: str, path: Path, grounding: Grounding, problem: Problem) -> tuple[PlanStep, ...]:
     """Read the text of a plan.
 

@@ -5,10 +5,51 @@ import textwrap
 
 from neurosym.grounding import Grounding
 from neurosym.operators import Effect, Operator
-from neurosym.pddl.moves import Encoding, Move
+from neurosym.pddl.moves import BY_RELATIONS, DURATIVE, PLACES, Encoding, Move, domain_name
 
 TURNED = math.radians(15)
 """An object that is turned by more than this moves otherwise when the same is done again [rad]."""
+
+
+_STEPS = "the hand can begin each step"
+_UNSEEN = "`neurosym validate` replays a plan and finds objects that end in each other."
+_LED = (
+    "What is led over cells meets no condition for others: a valid plan may push it through an object, or "
+    f"leave it in one. {_UNSEEN}"
+)
+_GUARANTEES: dict[str, tuple[str, ...]] = {
+    PLACES: (
+        f"What a valid plan guarantees: {_STEPS}; what is carried comes to free places, where it overlaps "
+        "nothing that stands at a place; goals are met, by what is led up to the rounding of cells.",
+        _LED,
+    ),
+    DURATIVE: (
+        "What a valid plan guarantees: the hand carries one object at a time, to a free place, where no "
+        "object stands in another.",
+    ),
+    **dict.fromkeys(
+        BY_RELATIONS,
+        (
+            f"What a valid plan guarantees: {_STEPS}; each object comes to a free place or is borne by the "
+            "one named, as its goal says. It does not say where in metres what is borne ends up; "
+            "`neurosym validate` replays that.",
+        ),
+    ),
+}
+_GUARANTEES_ON_GRID = (
+    f"What a valid plan guarantees: {_STEPS}; each object stays on the table and meets its goal, up to the "
+    "rounding of positions.",
+    _LED,
+)
+
+
+def guarantees(encoding: str) -> tuple[str, ...]:
+    """Say what a valid plan of a printed domain guarantees, and what only its replay sees, in sentences.
+
+    Args:
+        encoding: Name of the encoding.
+    """
+    return _GUARANTEES.get(encoding, _GUARANTEES_ON_GRID)
 
 
 def header(grounding: Grounding, encoding: Encoding, about: list[str]) -> str:
@@ -27,10 +68,16 @@ def header(grounding: Grounding, encoding: Encoding, about: list[str]) -> str:
         "Cost of a step: 1."
         if grounding.unit_costs
         else f"Cost of a step: 1 + round(-100 ln((k + 1) / (n + 2))), k successes in n {trials}.",
+        *guarantees(encoding),
     ]
     if grounding.operators.measured == "data":
         lines.append("Nothing was rehearsed: effects are averages over rows of the data.")
     return comment(lines, "")
+
+
+def opening(grounding: Grounding, encoding: str, requirements: str) -> str:
+    """Print how a domain opens: its name in an encoding, and what it asks of planners."""
+    return f"(define (domain {domain_name(grounding, encoding)})\n  (:requirements {requirements})"
 
 
 def hand_before(move: Move) -> tuple[list[str], list[str]]:

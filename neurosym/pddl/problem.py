@@ -2,6 +2,7 @@
 
 import math
 import re
+from collections.abc import Sequence
 from functools import lru_cache
 
 import msgspec
@@ -11,6 +12,7 @@ from neurosym.grounding import Grounding
 from neurosym.pddl import own_steps
 from neurosym.pddl.compiler import names_of_relations
 from neurosym.pddl.grid import AXES, Grid, check_on_table, goal_region, grid_of
+from neurosym.pddl.ground_plan import GroundPlan
 from neurosym.pddl.moves import (
     BY_RELATIONS,
     MOVE,
@@ -19,6 +21,7 @@ from neurosym.pddl.moves import (
     REACH_GOAL,
     Encoding,
     carrier,
+    domain_name,
     shift_predicate,
     shifts_of,
 )
@@ -27,6 +30,7 @@ from neurosym.pddl.numeric import numeric_problem_text
 from neurosym.pddl.place_domain import NOTES, carriers_of
 from neurosym.pddl.place_problem import declared, facts, led_objects
 from neurosym.pddl.places import with_places
+from neurosym.pddl.printing import comment
 from neurosym.pddl.relational_problem import relational_problem_text
 from neurosym.problems import Problem, SceneObject
 from neurosym.spots import SPOT
@@ -45,6 +49,7 @@ def problem_text(
     *,
     steps: int = STEPS,
     margin: int = 0,
+    plans: Sequence[GroundPlan] = (),
 ) -> str:
     """Print a problem.
 
@@ -55,6 +60,8 @@ def problem_text(
         steps: How many steps the rounding of is taken off the goal regions. For `numeric` it is that of ten
             times as many, which is still less.
         margin: How many cells at either edge of the table no step may end in.
+        plans: Plans that the replay takes, and that stand beside the problem: it is printed such that they
+            are its plans.
 
     Raises:
         InvalidValue: If an object stands off the table, or its name means something else in the domain.
@@ -68,20 +75,27 @@ def problem_text(
     if encoding == "numeric":
         return numeric_problem_text(problem, grounding, steps=steps * NUMERIC_STEPS)
     if encoding == PLACES:
-        return _place_problem(with_places(problem, grounding), grounding, grid, steps, margin)
+        return _place_problem(with_places(problem, grounding), grounding, grid, steps, margin, plans)
     sections = [
         _header(problem, grounding, steps),
-        f"(define (problem {problem.name})\n  (:domain {grounding.name})",
+        f"(define (problem {problem.name})\n  (:domain {domain_name(grounding, encoding)})",
         _objects(problem, grounding, grid),
         "  (:init\n    (hand-empty) (ready) (= (total-cost) 0)",
         *(_start(item, grid) for item in problem.objects),
         *(_goal_facts(problem, name, grounding, grid, steps) for name in sorted(problem.goals)),
         *_step_facts(problem, grounding, grid, margin),
     ]
-    return _ended(sections, problem)
+    return _ended(sections, problem, plans)
 
 
-def _place_problem(problem: Problem, grounding: Grounding, grid: Grid, steps: int, margin: int) -> str:
+def _place_problem(
+    problem: Problem,
+    grounding: Grounding,
+    grid: Grid,
+    steps: int,
+    margin: int,
+    plans: Sequence[GroundPlan],
+) -> str:
     """Print a problem whose objects are carried as far as they can be; only the others need cells."""
     names = led_objects(problem, grounding)
     headers = [
@@ -90,8 +104,8 @@ def _place_problem(problem: Problem, grounding: Grounding, grid: Grid, steps: in
     ]
     sections = [
         "\n".join(headers),
-        f"(define (problem {problem.name})\n  (:domain {grounding.name})",
-        "\n".join(["  (:objects", *_item_objects(problem, grounding), declared(problem)]),
+        f"(define (problem {problem.name})\n  (:domain {domain_name(grounding, PLACES)})",
+        "\n".join(["  (:objects", *_item_objects(problem, grounding), declared(problem), *_spots(plans)]),
         "  (:init\n    (hand-empty) (ready) (= (total-cost) 0)",
         *(f"    {line}" for line in facts(problem, grounding)),
     ]
@@ -106,12 +120,28 @@ def _place_problem(problem: Problem, grounding: Grounding, grid: Grid, steps: in
         sections += [_goal_facts(led, name, grounding, grid, steps) for name in names]
         sections += _step_facts(led, grounding, grid, margin)
     sections[2] += ")"
-    return _ended(sections, problem)
+    return _ended(sections, problem, plans)
 
 
-def _ended(sections: list[str], problem: Problem) -> str:
+def _spots(plans: Sequence[GroundPlan]) -> list[str]:
+    """Declare the spots that plans use."""
+    names = sorted({name for plan in plans for name in plan.spots})
+    return [f"    {' '.join(names)} - place"] if names else []
+
+
+def _for_plans(plans: Sequence[GroundPlan], text: str) -> list[str]:
+    """Print what plans beside the problem need, and what the text of the problem does not say so far."""
+    facts = sorted({fact for plan in plans for fact in plan.missing(text)})
+    about = (
+        "For plans beside this problem, which the exact replay takes; others that use this, it must judge:"
+    )
+    return [comment([about], "    "), f"    {' '.join(facts)}"] if facts else []
+
+
+def _ended(sections: list[str], problem: Problem, plans: Sequence[GroundPlan]) -> str:
     goals = " ".join(f"(done {name})" for name in sorted(problem.goals))
     text = "\n".join(sections)
+    text = "\n".join([text, *_for_plans(plans, text)])
     text += "\n  " if text.splitlines()[-1].lstrip().startswith(";") else ""  # not into a comment
     return f"{text})\n  (:goal (and {goals}))\n  (:metric minimize (total-cost)))\n"
 

@@ -15,7 +15,7 @@ from neurosym.operators import Operator
 from neurosym.pddl.grades import GRADES, USUAL
 from neurosym.pddl.moves import LIFTED, RELATIONAL, Encoding
 from neurosym.pddl.place_domain import LOOK, NOWHERE, REACH, about_carrier
-from neurosym.pddl.printing import action_text, comment
+from neurosym.pddl.printing import action_text, comment, guarantees, opening
 from neurosym.pddl.relational import Put, bearing_states, left_out_puts
 from neurosym.pddl.relational_actions import Actions, Carrier, actions_of
 from neurosym.pddl.relational_words import about_put, about_state, about_third
@@ -54,7 +54,7 @@ def relational_domain_text(
     logic = " :negative-preconditions :existential-preconditions" if is_lifted else ""
     blocks = [
         _header(grounding, encoding),
-        f"(define (domain {grounding.name})\n  (:requirements :strips :typing{logic} :action-costs)",
+        opening(grounding, encoding, f":strips :typing{logic} :action-costs"),
         _types(grounding, is_lifted),
         _predicates(actions, grounding, is_lifted),
         _functions(actions, grounding, is_lifted),
@@ -97,6 +97,7 @@ def _header(grounding: Grounding, encoding: Encoding) -> str:
         f"What spoiled more than half of what goes well otherwise is forbidden. {cost}",
         "(can-... ?t ?r ?g): an operator is likely to work with a pair; ?g says how surely. A problem tells "
         f"that of its pairs, as a network foresees it: {_GRADES}; or {USUAL}, as rehearsals showed.",
+        *guarantees(encoding),
     ]
     return comment(lines, "")
 

@@ -6,7 +6,7 @@ from itertools import pairwise, product
 
 from neurosym.grounding import Grounding
 from neurosym.operators import Operator
-from neurosym.pddl.moves import LIFTED, RELATIONAL, Encoding
+from neurosym.pddl.moves import LIFTED, RELATIONAL, Encoding, domain_name
 from neurosym.pddl.occupants import occupants
 from neurosym.pddl.place_domain import NOWHERE
 from neurosym.pddl.place_problem import START
@@ -69,7 +69,7 @@ def _text(task: Task, actions: Actions, encoding: Encoding) -> str:
     problem, printed = task.problem, _Printed(task, actions, is_lifted=encoding == LIFTED)
     sections = [
         _header(task, encoding),
-        f"(define (problem {problem.name})\n  (:domain {task.grounding.name})",
+        f"(define (problem {problem.name})\n  (:domain {domain_name(task.grounding, encoding)})",
         "\n".join(["  (:objects", *(f"    {line}" for line in printed.objects())]) + ")",
         "  (:init\n    (hand-empty) (= (total-cost) 0)",
         *(f"    {line}" for line in printed.facts()),

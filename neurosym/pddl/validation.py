@@ -32,6 +32,7 @@ class Validation:
         reason: Why not; empty if valid.
         failed: The step that is impossible, and why, if one is.
         concerned: Names of the objects that the reason is about, the one that was moved first.
+        number: Number of the step that is impossible, counted from 1; putting down belongs to its lift.
     """
 
     positions: Float[np.ndarray, "steps M 3"]
@@ -40,6 +41,7 @@ class Validation:
     reason: str
     failed: tuple[PlanStep, str] | None = None
     concerned: tuple[str, ...] = ()
+    number: int | None = None
 
 
 def validate(steps: Sequence[PlanStep], problem: Problem, grounding: Grounding) -> Validation:
@@ -206,4 +208,4 @@ def _failed(
 ) -> Validation:
     said = f"step {number}, {step.operator} {step.object}: {reason}"
     concerned = tuple(dict.fromkeys((step.object, *others)))
-    return Validation(np.array(positions), False, False, said, (step, reason), concerned)
+    return Validation(np.array(positions), False, False, said, (step, reason), concerned, number)

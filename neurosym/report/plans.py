@@ -24,6 +24,7 @@ class PlanRow:
         steps: How many steps the plan has; None without one.
         seconds: How long planning took [s]; None if only the run is known.
         reached: Whether its run reached the goal; None without a run.
+        own: How many of the steps performed are the plan's own, and how many there are; None without a run.
         reason: What is to be said about it.
     """
 
@@ -34,6 +35,7 @@ class PlanRow:
     steps: int | None
     seconds: float | None
     reached: bool | None
+    own: tuple[int, int] | None
     reason: str
 
 
@@ -64,6 +66,7 @@ def plan_rows(
                 steps=record.primitives if record.solved else None,
                 seconds=record.seconds,
                 reached=example.run.reached if example else None,
+                own=_own(example.run) if example else None,
                 reason=_remark(example.run if example else record, record.reason),
             )
         )
@@ -77,10 +80,15 @@ def plan_rows(
                 steps=len(example.run.plan),
                 seconds=None,
                 reached=example.run.reached,
+                own=_own(example.run),
                 reason=_remark(example.run),
             )
         )
     return tuple(sorted(rows, key=lambda row: (row.problem, row.planner)))
+
+
+def _own(run: Run) -> tuple[int, int]:
+    return run.own_steps, len(run.steps)
 
 
 def _remark(record: PlanRecord | Run, otherwise: str = "") -> str:
@@ -91,13 +99,14 @@ def _remark(record: PlanRecord | Run, otherwise: str = "") -> str:
 
 @dataclass(frozen=True, slots=True)
 class PlannerSummary:
-    """What a planner made of all problems: found and reached are shares of `problems` and `runs`."""
+    """What a planner made of all problems; `alone` counts those reached by its plans without a new one."""
 
     planner: str
     problems: int
     found: int
     runs: int
     reached: int
+    alone: int
 
 
 def summaries(rows: tuple[PlanRow, ...]) -> tuple[PlannerSummary, ...]:
@@ -113,4 +122,5 @@ def _summary(planner: str, rows: list[PlanRow]) -> PlannerSummary:
         found=sum(row.steps is not None for row in rows),
         runs=sum(row.reached is not None for row in rows),
         reached=sum(row.reached is True for row in rows),
+        alone=sum(row.reached is True and len({*(row.own or ())}) == 1 for row in rows),
     )

@@ -1,7 +1,8 @@
 """The stage that compiles a domain: it prints the domain as PDDL, and its problems anew."""
 
-from neurosym.errors import InvalidValue
+from neurosym.errors import InvalidFile, InvalidValue
 from neurosym.files import write_atomically
+from neurosym.grounding import Grounding
 from neurosym.pddl import compile_domain, domain_text
 from neurosym.pddl.compiler import check_axes
 from neurosym.pddl.moves import LIFTED, PLACES, RELATIONAL
@@ -26,6 +27,7 @@ from neurosym.stages.layout import (
 )
 from neurosym.stages.manifest import Claim, Stage
 from neurosym.stages.other_tools import write_durative_domain, write_durative_problem, write_pictures
+from neurosym.stages.plan_records import recorded_plans
 from neurosym.stages.practising import operator_table
 from neurosym.stages.problem_printing import placed, texts_of
 from neurosym.wording import quoted
@@ -36,6 +38,7 @@ def compile_stage(
     folder: DomainFolder,
     *,
     cell: float,
+    name: str | None = None,
     with_places: bool | None = None,
     with_relations: bool | None = None,
     durative: bool = False,
@@ -47,6 +50,14 @@ def compile_stage(
     `relations/operators.json`.
     Problems that are there already are printed again, so that they fit the new domain.
     If asked, what carries objects to places is printed with durations, too.
+
+    Args:
+        folder: The domain folder.
+        cell: Edge of a grid cell [m].
+        name: Name of the domain; the one it has, or else that of its world, if not given.
+        with_places: Whether places are learned by then; by what is there if not given.
+        with_relations: The same for relations.
+        durative: Whether to print it with durations.
     """
 
     def work() -> None:
@@ -60,7 +71,7 @@ def compile_stage(
         world = read_world(folder / WORLD)()
         grounding = compile_domain(
             table,
-            name=world.name,
+            name=name or _former_name(folder) or world.name,
             cell=cell,
             table_bounds=world.table,
             lift_height=world.lift_height,
@@ -80,7 +91,8 @@ def compile_stage(
         problems = []
         for scene in sorted((folder / PROBLEMS).glob(f"*{SCENE}")):
             problem = placed(load_scene(scene), grounding)
-            for file, text in texts_of(problem, grounding).items():
+            plans = recorded_plans(folder, problem, grounding)
+            for file, text in texts_of(problem, grounding, plans).items():
                 write_atomically(folder / file, text)
             write_durative_problem(folder, problem, grounding, is_wanted=durative)
             problems.append(problem)
@@ -92,4 +104,13 @@ def compile_stage(
     inputs += (RELATION_OPERATORS,) if has_relations else ()
     outputs = (DOMAIN, OPERATORS_DOMAIN, NUMERIC_DOMAIN, GROUNDING, *([PLACES_DOMAIN] if has_places else []))
     outputs += (RELATIONAL_DOMAIN, LIFTED_DOMAIN) if has_relations else ()
-    return Stage("compile-domain", inputs, outputs, work, {"cell": cell}, Claim.ALONE)
+    options = {"cell": cell} | ({"name": name} if name else {})
+    return Stage("compile-domain", inputs, outputs, work, options, Claim.ALONE)
+
+
+def _former_name(folder: DomainFolder) -> str:
+    """Return the name that the domain has by now, or nothing if there is none that can be read."""
+    try:
+        return Grounding.load(folder / GROUNDING).name if (folder / GROUNDING).is_file() else ""
+    except InvalidFile:
+        return ""

@@ -25,7 +25,7 @@ from neurosym.related import relating
 from neurosym.stages.folder import DomainFolder
 from neurosym.stages.layout import GROUNDING, RUNS, WORLD, run_file, run_name, scene_file
 from neurosym.stages.manifest import Stage
-from neurosym.stages.plan_records import planned_tolerance
+from neurosym.stages.plan_records import planned_tolerance, record_beside
 from neurosym.stages.planning import load_problem
 from neurosym.stages.remarks import remarks_on_own_scene
 from neurosym.world import FrameSink, World
@@ -82,7 +82,8 @@ def execute_stage(
         name: Name of the problem.
         plan_file: The plan.
         replanner: Whom to ask for new plans.
-        replans: How many new plans may be asked for; the longer the plan, the more, if not given.
+        replans: How many new plans may be asked for. If not given, none for a plan that neurosym did not
+            write, which is followed as it is; else the more, the longer the plan is.
         time_limit: The user's ceiling for each new plan [s]; the planner's own if not given.
         nudge_seed: Nudge an object once during the run, drawn from this seed, if given.
         tolerance: How near objects must come to their goals [m], if not as the problem says.
@@ -97,6 +98,8 @@ def execute_stage(
         if value < 0:
             raise InvalidValue(f"{option} = {value} must be at least 0.")
     record_file = run_file(name, plan_file)
+    if replans is None and not record_beside(plan_file):
+        replans = 0
 
     def work() -> None:
         grounding = Grounding.load(folder.require(GROUNDING))
@@ -122,7 +125,8 @@ def execute_stage(
             watcher=showing.audience,
         )
         other = None if problem.tolerance == own.tolerance else problem.tolerance
-        run = msgspec.structs.replace(run, tolerance=other, machine=this_machine())
+        by = asked_again.name if run.own_steps < len(run.steps) else msgspec.UNSET
+        run = msgspec.structs.replace(run, tolerance=other, machine=this_machine(), replanner=by)
         make_folder(folder / RUNS)
         write_json(folder / record_file, run)
         shown.end(run)

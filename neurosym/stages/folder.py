@@ -204,10 +204,20 @@ class DomainFolder:
             seconds = round(perf_counter() - start, 1)
             with self._recording():
                 outputs = self._digests(stage.outputs)
+                renewed = self._digests(tuple(f for f in stage.renews if drafts.holds(self.path / f)))
                 record = StageRecord(stage.options, inputs, outputs, seconds, versions())
-                write_json(self.path / MANIFEST, Manifest({**self.manifest().stages, stage.name: record}))
+                write_json(self.path / MANIFEST, Manifest({**self._others(renewed), stage.name: record}))
                 drafts.put_in_place()
         return True
+
+    def _others(self, renewed: dict[str, str]) -> dict[str, StageRecord]:
+        """Return the records of all stages, with the digests of files that were written anew for them."""
+        return {
+            name: msgspec.structs.replace(
+                record, outputs={file: renewed.get(file, made) for file, made in record.outputs.items()}
+            )
+            for name, record in self.manifest().stages.items()
+        }
 
     def prepare(self, *names: str) -> None:
         """Raise unless files can be written, and remove what killed processes left of theirs.

@@ -60,6 +60,15 @@ LIFTED_DOMAIN = "domain-relational-lifted.pddl"
 """`compile-domain`: the same with `not` and `exists`, for planners that take these."""
 DURATIVE_DOMAIN = "domain-durative.pddl"
 """`compile-domain --durative`: what can be carried, by actions that take time; no command reads it."""
+DOMAIN_FILES = {
+    "stepwise": DOMAIN,
+    "places": PLACES_DOMAIN,
+    "relational": RELATIONAL_DOMAIN,
+    "relational-lifted": LIFTED_DOMAIN,
+    "operators": OPERATORS_DOMAIN,
+    "numeric": NUMERIC_DOMAIN,
+}
+"""The file of a domain by its encoding."""
 GROUNDING = "grounding.json"
 """`compile-domain`: what planning and execution need to know; no network is needed from here on."""
 PLANVIZ_SCRIPT = "planviz.js"
@@ -119,6 +128,11 @@ DURATIVE = ".durative.pddl"
 """What the file of a problem with durative actions ends with."""
 PLANVIZ = ".planviz.json"
 """What the file ends with that names the script to an editor; it is called as the domain beside it is."""
+PLAN, STEPS = ".plan", ".steps"
+"""What the file of a plan of the printed domain and problem ends with, and that of steps that are none.
+
+Such steps only come near the goal, miss it when they are replayed, or need what the domain does not have.
+"""
 RECORD = ".run.json"
 """What the file of a record of a run ends with."""
 
@@ -155,7 +169,12 @@ def planviz_file(domain: str) -> str:
 
 def plan_files(problem: str, planner: str) -> tuple[str, str]:
     """Name the files of a plan and of the record of how planning went."""
-    return f"{PLANS}/{problem}.{planner}.plan", f"{PLANS}/{problem}.{planner}.json"
+    return f"{PLANS}/{problem}.{planner}{PLAN}", f"{PLANS}/{problem}.{planner}.json"
+
+
+def steps_file(plan_file: str) -> str:
+    """Name the file that stands in the place of a plan's where its steps are none of the printed domain."""
+    return plan_file.removesuffix(PLAN) + STEPS
 
 
 def run_file(problem: str, plan_file: Path) -> str:
@@ -167,6 +186,17 @@ def run_name(problem: str, plan_file: Path) -> str:
     """Name a run after its problem and its plan, whose name mostly begins with the problem's."""
     stem = plan_file.stem
     return stem if stem.startswith(f"{problem}.") else f"{problem}.{stem}"
+
+
+def printed_file(problem: str, encoding: str) -> str:
+    """Name the file that holds a problem in an encoding of the domain."""
+    endings = {
+        "numeric": NUMERIC,
+        "places": BY_PLACES,
+        "relational": BY_RELATIONS,
+        "relational-lifted": LIFTED,
+    }
+    return f"{PROBLEMS}/{problem}{endings.get(encoding, '.pddl')}"
 
 
 def problem_of(file: str) -> str:

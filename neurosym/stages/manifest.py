@@ -58,6 +58,7 @@ class Stage:
         work: Does the work.
         options: What decides the outcome beside the inputs.
         claim: How it has the folder meanwhile.
+        renews: Files of other stages that it may write anew; they still count as made by those.
     """
 
     name: str
@@ -66,6 +67,7 @@ class Stage:
     work: Callable[[], None]
     options: dict[str, Any] = field(default_factory=dict)
     claim: Claim = Claim.SHARED
+    renews: tuple[str, ...] = ()
 
     def __post_init__(self) -> None:
         if self.options.get("seed", 0) < 0:

@@ -1,31 +1,27 @@
 """How planning went, as it is written into a domain folder."""
 
 import re
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from hashlib import sha256
 from pathlib import Path
 
 import msgspec
 
-from neurosym.errors import InvalidFile, InvalidValue
+from neurosym.errors import InvalidFile, InvalidValue, UnknownChoice
 from neurosym.files import make_folder, remove, write_atomically, write_json
 from neurosym.grounding import Grounding
 from neurosym.pddl.chances import expected_success, expected_within
+from neurosym.pddl.ground_plan import GroundPlan, ground_plan
 from neurosym.pddl.moves import Encoding
-from neurosym.pddl.plan_text import (
-    PlanStep,
-    Steps,
-    named_steps,
-    primitives,
-    print_ground_plan,
-    print_plan,
-)
+from neurosym.pddl.plan_text import PlanStep, Steps, named_steps, primitives, print_plan
 from neurosym.pddl.validation import validate
 from neurosym.planners import PlanStatus
 from neurosym.planners.second_look import Planned
 from neurosym.problems import Problem
-from neurosym.reading import read_json
+from neurosym.reading import digest, read_json
 from neurosym.stages.folder import DomainFolder
-from neurosym.stages.layout import PLANS, plan_files
+from neurosym.stages.layout import PLAN, PLANS, plan_files, steps_file
 
 MORE_MOTIONS = 2
 """How many motions more than a plan has primitives are told the chance of."""
@@ -39,11 +35,13 @@ class PlannedSteps(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
         file: Its file, relative to the folder.
         steps: Operator and object of each step.
         chance: The chance that all steps go as promised.
+        digest: SHA-256 of the file; empty in records of earlier versions.
     """
 
     file: str
     steps: Steps
     chance: float
+    digest: str = ""
 
 
 class PlanRecord(msgspec.Struct, frozen=True, forbid_unknown_fields=True, omit_defaults=True):
@@ -62,6 +60,9 @@ class PlanRecord(msgspec.Struct, frozen=True, forbid_unknown_fields=True, omit_d
         chance_replanned: The chance that the goal is reached with at most `MORE_MOTIONS` motions more than
             primitives, planned anew on the way; None without a plan, and if the plan is known to miss.
         misses: Where the plan goes wrong by what was rehearsed; empty if it leads to the goal.
+        encoding: The encoding that the plan is printed for.
+        unprinted: Why the steps are no plan of the printed domain and problem; empty if they are one.
+        digest: SHA-256 of the file with the steps; empty if there is none, and in earlier versions.
     """
 
     problem: str
@@ -75,6 +76,9 @@ class PlanRecord(msgspec.Struct, frozen=True, forbid_unknown_fields=True, omit_d
     tolerance: float | None = None
     chance_replanned: float | None = None
     misses: str = ""
+    encoding: Encoding = "stepwise"
+    unprinted: str = ""
+    digest: str = ""
 
     @property
     def solved(self) -> bool:
@@ -86,56 +90,157 @@ class PlanRecord(msgspec.Struct, frozen=True, forbid_unknown_fields=True, omit_d
         """How many primitives the plan has."""
         return primitives(PlanStep(*step) for step in self.steps)
 
+    @property
+    def every_plan(self) -> Iterator[tuple[str, Steps]]:
+        """File and steps of the plan and of the next-best ones."""
+        yield plan_files(self.problem, self.planner)[0], self.steps
+        yield from ((one.file, one.steps) for one in self.alternatives)
+
 
 def write_plans(
     folder: DomainFolder,
-    name: str,
     planner: str,
+    own: Problem,
     problem: Problem,
     grounding: Grounding,
     planned: Planned,
     encoding: Encoding,
-    tolerance: float | None = None,
-) -> None:
+) -> tuple[GroundPlan, ...]:
     """Write what was found for a problem: plan, next-best plans and record.
+
+    What is no plan of the printed domain and problem is written in short, and its file is called otherwise.
 
     Args:
         folder: The domain folder.
-        name: What the problem is called in the folder.
         planner: Name of the planner.
-        problem: The problem.
+        own: The problem as it stands in the folder, which is what is printed.
+        problem: The same with the tolerance that was asked for.
         grounding: The learned domain.
         planned: What was found.
         encoding: The encoding that plans are printed for.
-        tolerance: How near objects had to come [m], if not as the problem says.
+
+    Returns:
+        The plans that were written, which the printed problem has to fit.
     """
     result = planned.result
-    plan_file, record_file = plan_files(name, planner)
+    plan_file, record_file = plan_files(own.name, planner)
     make_folder(folder / PLANS)
-    stem = plan_file.removesuffix(".plan")
-    written = _write_alternatives(folder, stem, planned.alternatives, problem, grounding, encoding)
+    stem = plan_file.removesuffix(PLAN)
+    for former in (*folder.path.glob(f"{stem}-alt-*"), folder / plan_file, folder / steps_file(plan_file)):
+        remove(former)
+    write = _Writer(folder, own, grounding, encoding)
     misses = validate(result.steps, problem, grounding).reason if result.status is PlanStatus.SOLVED else ""
+    main = write(plan_file, result.steps) if result.has_plan else _NOTHING
+    others = [
+        (steps, write(f"{stem}-alt-{number}{PLAN}", steps))
+        for number, steps in enumerate(planned.alternatives, start=1)
+    ]
     leads_there = result.has_plan and not misses
     record = PlanRecord(
-        problem=name,
+        problem=own.name,
         planner=planner,
         status=result.status,
         steps=named_steps(result.steps),
         seconds=round(result.seconds, 3),
         reason=result.reason,
         chance=_chance(result.steps, problem, grounding) if result.has_plan else None,
-        alternatives=written,
-        tolerance=tolerance,
+        alternatives=tuple(
+            PlannedSteps(file.name, named_steps(steps), _chance(steps, problem, grounding), file.digest)
+            for steps, file in others
+        ),
+        tolerance=None if problem.tolerance == own.tolerance else problem.tolerance,
         chance_replanned=_chance_replanned(result.steps, problem, grounding) if leads_there else None,
         misses=misses,
+        encoding=encoding,
+        unprinted=main.why_no_plan,
+        digest=main.digest,
     )
-    if record.solved:
-        write_atomically(folder / plan_file, _plan_text(result.steps, problem, grounding, encoding))
-    elif result.has_plan:
-        write_atomically(folder / plan_file, print_plan(result.steps, result.reason))
-    else:
-        remove(folder / plan_file)
     write_json(folder / record_file, record)
+    return tuple(file.plan for file in (main, *(file for _, file in others)) if file.plan)
+
+
+@dataclass(frozen=True, slots=True)
+class _File:
+    """A file with steps: its name and digest, and the plan that they are, or why they are none."""
+
+    name: str = ""
+    digest: str = ""
+    plan: GroundPlan | None = None
+    why_no_plan: str = ""
+
+
+_NOTHING = _File()
+
+
+@dataclass(frozen=True, slots=True)
+class _Writer:
+    """Writes steps for a problem, as a plan of the printed domain if they are one."""
+
+    folder: DomainFolder
+    problem: Problem
+    grounding: Grounding
+    encoding: Encoding
+
+    def __call__(self, plan_file: str, steps: Sequence[PlanStep]) -> _File:
+        """Write steps, and say what was written."""
+        found = _printed(steps, self.problem, self.grounding, self.encoding)
+        if isinstance(found, GroundPlan):
+            name, text, plan, why = plan_file, found.text, found, ""
+        else:
+            name, text, plan, why = steps_file(plan_file), print_plan(steps, found), None, found
+        write_atomically(self.folder / name, text)
+        return _File(name, sha256(text.encode()).hexdigest(), plan, why)
+
+
+def _printed(
+    steps: Sequence[PlanStep], problem: Problem, grounding: Grounding, encoding: Encoding
+) -> GroundPlan | str:
+    """Return steps as a plan of the printed domain, or why they are none."""
+    checked = validate(steps, problem, grounding)
+    if not checked.valid:
+        return checked.reason
+    try:
+        return ground_plan(steps, problem, grounding, encoding)
+    except InvalidValue as error:
+        return str(error)
+
+
+def recorded_plans(
+    folder: DomainFolder, problem: Problem, grounding: Grounding, *, besides: str = ""
+) -> tuple[GroundPlan, ...]:
+    """Return the plans that stand beside a problem and are still true, as far as their records can be read.
+
+    Args:
+        folder: The domain folder.
+        problem: The problem.
+        grounding: The learned domain.
+        besides: Name of a planner whose plans are left out.
+    """
+    found = list[GroundPlan | str]()
+    for path in sorted((folder / PLANS).glob(f"{problem.name}.*.json")):
+        if path.name == f"{problem.name}.{besides}.json":
+            continue
+        try:
+            record = read_json(path, PlanRecord)
+            there = [steps for file, steps in record.every_plan if (folder / file).is_file()]
+            plans = (tuple(PlanStep(*step) for step in steps) for steps in there)
+            found += [_printed(steps, problem, grounding, record.encoding) for steps in plans]
+        except (InvalidFile, InvalidValue, UnknownChoice):
+            continue  # of another time, or of somebody else: it does not matter what is printed for it
+    return tuple(plan for plan in found if isinstance(plan, GroundPlan))
+
+
+def record_beside(plan_file: Path) -> PlanRecord | None:
+    """Return the record of how a plan was found, if the file is as it was written then.
+
+    Args:
+        plan_file: The plan, or steps that are none; its record, if it has one, stands beside it.
+    """
+    record = _record_beside(plan_file)
+    if record is None:
+        return None
+    digests = {record.digest, *(other.digest for other in record.alternatives)} - {""}
+    return record if not digests or digest(plan_file) in digests else None
 
 
 def planned_tolerance(plan_file: Path) -> float | None:
@@ -144,30 +249,15 @@ def planned_tolerance(plan_file: Path) -> float | None:
     Args:
         plan_file: The plan; its record, if it has one, stands beside it.
     """
-    record = plan_file.with_name(f"{re.sub(_ALTERNATIVE, '', plan_file.stem)}.json")
+    record = _record_beside(plan_file)
+    return record.tolerance if record else None
+
+
+def _record_beside(plan_file: Path) -> PlanRecord | None:
     try:
-        return read_json(record, PlanRecord).tolerance
+        return read_json(plan_file.with_name(f"{re.sub(_ALTERNATIVE, '', plan_file.stem)}.json"), PlanRecord)
     except InvalidFile:
         return None
-
-
-def _write_alternatives(
-    folder: DomainFolder,
-    stem: str,
-    plans: Sequence[tuple[PlanStep, ...]],
-    problem: Problem,
-    grounding: Grounding,
-    encoding: Encoding,
-) -> tuple[PlannedSteps, ...]:
-    """Write the next-best plans, in place of those of an earlier time."""
-    for stale in folder.path.glob(f"{stem}-alt-*.plan"):
-        remove(stale)
-    written = []
-    for number, steps in enumerate(plans, start=1):
-        file = f"{stem}-alt-{number}.plan"
-        write_atomically(folder / file, _plan_text(steps, problem, grounding, encoding))
-        written.append(PlannedSteps(file, named_steps(steps), _chance(steps, problem, grounding)))
-    return tuple(written)
 
 
 def _chance(steps: Sequence[PlanStep], problem: Problem, grounding: Grounding) -> float:
@@ -176,11 +266,3 @@ def _chance(steps: Sequence[PlanStep], problem: Problem, grounding: Grounding) -
 
 def _chance_replanned(steps: Sequence[PlanStep], problem: Problem, grounding: Grounding) -> float:
     return round(expected_within(steps, problem, grounding, primitives(steps) + MORE_MOTIONS), 4)
-
-
-def _plan_text(steps: Sequence[PlanStep], problem: Problem, grounding: Grounding, encoding: Encoding) -> str:
-    """Print a plan such that validators take it, or in short if a step is not in the PDDL domain."""
-    try:
-        return print_ground_plan(steps, problem, grounding, encoding)
-    except InvalidValue:
-        return print_plan(steps)

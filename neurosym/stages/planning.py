@@ -10,7 +10,7 @@ from neurosym.grounding import Grounding
 from neurosym.object_limits import limits_of
 from neurosym.pair_sight import with_pairs
 from neurosym.pddl.grid import check_on_table
-from neurosym.pddl.moves import Encoding
+from neurosym.pddl.moves import BY_RELATIONS, NUMERIC, PLACES, SAS, Encoding
 from neurosym.pddl.problem_check import check_problem
 from neurosym.planners import planner_named
 from neurosym.planners.planner import PredictEffects
@@ -18,10 +18,18 @@ from neurosym.planners.registry import check_options
 from neurosym.planners.second_look import plan_with_second_look
 from neurosym.problems import Problem
 from neurosym.stages.folder import DomainFolder, load_scene
-from neurosym.stages.layout import GROUNDING, MODEL, WORLD, plan_files, scene_file
+from neurosym.stages.layout import (
+    GROUNDING,
+    MODEL,
+    WORLD,
+    plan_files,
+    printed_file,
+    scene_file,
+    steps_file,
+)
 from neurosym.stages.manifest import Stage
 from neurosym.stages.plan_records import write_plans
-from neurosym.stages.problem_printing import print_problem
+from neurosym.stages.problem_printing import print_beside
 from neurosym.stages.remarks import remarks_on_number, remarks_on_own_scene, remarks_on_places
 from neurosym.wording import quoted
 from neurosym.world import World
@@ -87,6 +95,9 @@ def plan_stage(
 ) -> Stage:
     """Plan: problem and grounding (and model, for BFS) -> `plans/NAME.PLANNER.plan` and `.json`.
 
+    Steps that are no plan of the printed domain stand in `plans/NAME.PLANNER.steps` instead. If a plan needs
+    more of the printed problem than that says, it is printed anew.
+
     Args:
         folder: The domain folder.
         name: Name of the problem.
@@ -118,7 +129,6 @@ def plan_stage(
     def work() -> None:
         grounding = Grounding.load(folder.require(GROUNDING))
         own = load_problem(folder, name)
-        print_problem(folder, own, grounding, only_missing=True)
         problem = with_pairs(own.within(tolerance), grounding.relations)
         for item in problem.objects:
             check_on_table(item, grounding)
@@ -141,13 +151,16 @@ def plan_stage(
             more=more,
         )
         printed = chosen.program.encoding_for(chosen.name, encoding) if chosen.program else "stepwise"
-        other = None if problem.tolerance == own.tolerance else problem.tolerance
-        write_plans(folder, name, chosen.name, problem, grounding, planned, printed, other)
+        printed = "stepwise" if printed == SAS else printed
+        plans = write_plans(folder, chosen.name, own, problem, grounding, planned, printed)
+        print_beside(folder, own, grounding, printed, plans, chosen.name)
 
     asked: dict[str, Any] = {"whole": whole, "unit_costs": unit_costs, "nearest": nearest}
     asked |= {"alternatives": more, "tolerance": tolerance, "factory": made_by}
     options = {"time_limit": time_limit, "encoding": encoding, **_asked_for(asked)}
-    return Stage(stage, inputs, (plan_file, record_file), work, options)
+    outputs = (plan_file, record_file, steps_file(plan_file))
+    printed_again = tuple(printed_file(name, each) for each in ("stepwise", NUMERIC, PLACES, *BY_RELATIONS))
+    return Stage(stage, inputs, outputs, work, options, renews=printed_again)
 
 
 def _refuse_namesake(folder: DomainFolder, stage: str, made_by: str, plan_file: str) -> None:

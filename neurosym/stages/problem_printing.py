@@ -1,6 +1,6 @@
 """Printing the problems of a domain folder as PDDL, in every way that the domain is printed."""
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping, Sequence
 
 import msgspec
 
@@ -8,38 +8,77 @@ from neurosym.files import remove, write_atomically
 from neurosym.grounding import Grounding
 from neurosym.pair_sight import with_pairs
 from neurosym.pddl import problem_text
-from neurosym.pddl.moves import BY_RELATIONS, PLACES, Encoding
+from neurosym.pddl.ground_plan import GroundPlan
+from neurosym.pddl.moves import BY_RELATIONS, NUMERIC, PLACES, Encoding
 from neurosym.pddl.place_domain import carriers_of
 from neurosym.pddl.places import with_places
 from neurosym.pddl.problem import check_object
 from neurosym.pddl.relational_task import Task
 from neurosym.problems import Problem
+from neurosym.reading import read_text
 from neurosym.related import is_relational
 from neurosym.stages.folder import DomainFolder
-from neurosym.stages.layout import places_file, problem_files, relation_files
+from neurosym.stages.layout import places_file, printed_file, problem_files, relation_files
 from neurosym.stages.other_tools import write_new_problem
+from neurosym.stages.plan_records import recorded_plans
 
 
-def print_problem(
-    folder: DomainFolder, problem: Problem, grounding: Grounding, *, only_missing: bool = False
-) -> None:
-    """Print a problem for other planners, in both ways.
+def print_problem(folder: DomainFolder, problem: Problem, grounding: Grounding) -> None:
+    """Print a problem for other planners, in every way, such that plans beside it stay plans.
 
     Args:
         folder: The domain folder.
         problem: The problem.
         grounding: The learned domain.
-        only_missing: Leave what is there as it is.
     """
     problem = placed(with_pairs(problem, grounding.relations), grounding)
-    printed = texts_of(problem, grounding)
-    wanted = {file for file in printed if not (only_missing and (folder / file).exists())}
-    for file in sorted(wanted):
+    printed = texts_of(problem, grounding, recorded_plans(folder, problem, grounding))
+    for file in sorted(printed):
         write_atomically(folder / file, printed[file])
-    if not only_missing:
-        _remove_stale(folder, problem.name, printed)
-    if wanted:
-        write_new_problem(folder, problem, grounding)
+    _remove_stale(folder, problem.name, printed)
+    write_new_problem(folder, problem, grounding)
+
+
+def print_beside(
+    folder: DomainFolder,
+    problem: Problem,
+    grounding: Grounding,
+    encoding: Encoding,
+    plans: Sequence[GroundPlan],
+    planner: str,
+) -> None:
+    """Print a problem anew where it is missing, or lacks what plans beside it need.
+
+    Args:
+        folder: The domain folder.
+        problem: The problem.
+        grounding: The learned domain.
+        encoding: The encoding that was planned in; plans may be in another.
+        plans: What a planner found just now.
+        planner: Name of the planner.
+    """
+    wanted: dict[str, Encoding] = {printed_file(problem.name, plan.encoding): plan.encoding for plan in plans}
+    if not plans and not is_relational(problem, grounding):
+        wanted = {printed_file(problem.name, encoding): encoding}
+    lacking = [file for file in wanted if _lacks(folder, file, _beside(file, problem, plans))]
+    if not lacking:
+        return
+    problem = placed(with_pairs(problem, grounding.relations), grounding)
+    every = (*plans, *recorded_plans(folder, problem, grounding, besides=planner))
+    for file in sorted(lacking):
+        beside = _beside(file, problem, every)
+        write_atomically(folder / file, problem_text(problem, grounding, wanted[file], plans=beside))
+
+
+def _lacks(folder: DomainFolder, file: str, plans: Iterable[GroundPlan]) -> bool:
+    """Say whether a printed problem is missing, or lacks what some plans need."""
+    path = folder / file
+    return not path.is_file() or any(plan.missing(read_text(path)) for plan in plans)
+
+
+def _beside(file: str, problem: Problem, plans: Iterable[GroundPlan]) -> list[GroundPlan]:
+    """Keep the plans whose problem is printed into a file."""
+    return [plan for plan in plans if printed_file(problem.name, plan.encoding) == file]
 
 
 def placed(problem: Problem, grounding: Grounding) -> Problem:
@@ -56,24 +95,21 @@ def placed(problem: Problem, grounding: Grounding) -> Problem:
     return with_places(problem, grounding)
 
 
-def texts_of(problem: Problem, grounding: Grounding) -> dict[str, str]:
+def texts_of(problem: Problem, grounding: Grounding, plans: Sequence[GroundPlan] = ()) -> dict[str, str]:
     """Print a problem in each way, by file; one of relations in no other.
 
     Args:
         problem: The problem, with its places.
         grounding: The learned domain.
+        plans: The plans that stand beside it.
     """
+    encodings: list[Encoding] = ["stepwise", NUMERIC, *([PLACES] if carriers_of(grounding) else [])]
     if is_relational(problem, grounding):
-        pairs = zip(relation_files(problem.name), BY_RELATIONS, strict=True)
-        return {file: problem_text(problem, grounding, encoding) for file, encoding in pairs}
-    encodings: list[Encoding] = ["stepwise", "numeric"]
-    files = [*problem_files(problem.name)]
-    if carriers_of(grounding):
-        encodings.append(PLACES)
-        files.append(places_file(problem.name))
+        encodings = [*BY_RELATIONS]
+    files = {printed_file(problem.name, each): each for each in encodings}
     return {
-        file: problem_text(problem, grounding, encoding)
-        for file, encoding in zip(files, encodings, strict=True)
+        file: problem_text(problem, grounding, each, plans=_beside(file, problem, plans))
+        for file, each in files.items()
     }
 
 

@@ -164,7 +164,7 @@ def _try_problem(folder: DomainFolder, number: int, seed: int) -> _Row:
         return _Row((*cells, "-", record.reason), executed=False)
     _perform(folder, execute_stage(folder, name, folder / plan_file))
     run = load_run(folder, name, folder / plan_file)
-    return _Row((*cells, "reached" if run.reached else "missed", run.reason), executed=True)
+    return _Row((*cells, run.outcome.removeprefix("goal "), run.reason), executed=True)
 
 
 def _perform(folder: DomainFolder, stage: Stage) -> None:

@@ -73,7 +73,7 @@ def end_word(said: Any) -> Word | None:
     """
     if isinstance(said, Ran):
         steps = counted(len(said.run.steps), "step")
-        text = f"goal reached in {steps}" if said.run.reached else f"goal missed: {said.run.reason}"
+        text = f"{said.run.outcome} in {steps}" if said.run.reached else f"goal missed: {said.run.reason}"
         again = f"; the record says {'the same' if said.course != 'another' else 'otherwise'}"
         return Word(text + (again if said.course else ""), not said.run.reached)
     if isinstance(said, Performed):

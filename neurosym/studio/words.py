@@ -181,7 +181,8 @@ def run_summary(run: Run) -> str:
     misses = ", ".join(f"{name} {1000 * miss:.0f} mm" for name, miss in run.distances.items())
     if run.reached:
         return paragraph(
-            coloured("goal reached", GOOD), safe(f"; from the goals: {misses}" if misses else "")
+            coloured(run.outcome, GOOD),
+            safe(f"; from the goals: {misses}" if misses else "") + safe(f"; {run.credit}"),
         )
     return paragraph(coloured("goal missed", BAD), safe(f": {run.reason}"))
 

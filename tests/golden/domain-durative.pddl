@@ -2,10 +2,12 @@
 ; An action carries an object from a place to another, which must be free. So must be the places where other
 ; objects stood over it at first, up to 3; nowhere is always free.
 ; What can only be pushed is not in it.
+; What a valid plan guarantees: the hand carries one object at a time, to a free place, where no object
+; stands in another.
 ; Durations follow from the waypoints, and from how fast the hand moves in the simulator. They count the way
 ; over the table as its diagonal, and leave out the way to the object.
 
-(define (domain toy)
+(define (domain toy-durative)
   (:requirements :strips :typing :durative-actions)
 
   (:types

@@ -7,7 +7,7 @@
 ; which it is met whatever the grid rounds on the way, in plans of at most
 ; 1 step(s) and cells of 20 mm.
 (define (problem mixed)
-  (:domain toy)
+  (:domain toy-places)
   (:objects
     item-01 - cube
     item-02 - slab

@@ -3,7 +3,7 @@
 ; States in which one object bears another: rests-on-001, lies-in-010.
 ; Objects stand at start-... at first, and none goes back there; park-... are places to wait at.
 (define (problem sorting)
-  (:domain toy-relations)
+  (:domain toy-relations-relational)
   (:objects
     item-01 - cube
     item-02 - cube

@@ -1,7 +1,7 @@
 ; Problem swap of the learned domain toy, with durative actions.
 ; How it came about: by hand.
 (define (problem swap)
-  (:domain toy)
+  (:domain toy-durative)
   (:objects
     item-01 - cube
     item-02 - cube

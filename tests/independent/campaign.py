@@ -26,8 +26,9 @@ from independent.replay import (
 )
 
 from neurosym.pddl.domain import domain_text
+from neurosym.pddl.ground_plan import print_ground_plan
 from neurosym.pddl.moves import ENCODINGS, SAS
-from neurosym.pddl.plan_text import PlanStep, print_ground_plan
+from neurosym.pddl.plan_text import PlanStep
 from neurosym.pddl.problem import problem_text
 from neurosym.planners import PLANNERS, PlannerAnswer, PlanStatus, pddl_planner
 from neurosym.planners.planner import PddlCall, Planner, Query

@@ -16,8 +16,9 @@ from independent.replay import Json, Step, domain_operators, read_text, replay
 from neurosym.grounding import Grounding
 from neurosym.operators import Vector
 from neurosym.pddl.domain import domain_text
+from neurosym.pddl.ground_plan import print_ground_plan
 from neurosym.pddl.moves import ENCODINGS
-from neurosym.pddl.plan_text import PlanStep, print_ground_plan
+from neurosym.pddl.plan_text import PlanStep
 from neurosym.pddl.problem import problem_text
 from neurosym.pddl.sas import sas_text
 from neurosym.pddl.validation import validate

@@ -16,9 +16,9 @@ from validators import unified_planning_accepts
 
 from neurosym.errors import InvalidValue, UnknownChoice
 from neurosym.pddl import compile_domain, domain_text, problem_text
+from neurosym.pddl.ground_plan import print_ground_plan
 from neurosym.pddl.moves import ENCODINGS, Encoding
 from neurosym.pddl.plan_reading import parse_plan
-from neurosym.pddl.plan_text import print_ground_plan
 from neurosym.planners import PlanStatus
 from neurosym.planners.fast_downward import plan_fast_downward
 
@@ -68,7 +68,7 @@ def test_pddl_package_reads_the_text(tmp_path: Path, encoding: Encoding):
     domain, task = pddl_package.parse_domain(domain_file), pddl_package.parse_problem(problem_file)
     named = {str(action.name) for action in domain.actions}
     assert {operator.name for operator in grounding(CELL).live} <= named
-    assert task.domain_name == domain.name == "tabletop"
+    assert task.domain_name == domain.name == ("tabletop-numeric" if encoding == "numeric" else "tabletop")
     assert len(task.objects) == (2 if encoding == "numeric" else 2 + 31 + 31 + 11)
 
 

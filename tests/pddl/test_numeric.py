@@ -14,9 +14,10 @@ from validators import unified_planning_accepts
 
 from neurosym.operators import Vector
 from neurosym.pddl import domain_text, problem_text
+from neurosym.pddl.ground_plan import print_ground_plan
 from neurosym.pddl.numeric import STEPS, UNIT
 from neurosym.pddl.plan_reading import parse_plan
-from neurosym.pddl.plan_text import PlanStep, print_ground_plan
+from neurosym.pddl.plan_text import PlanStep
 from neurosym.pddl.validation import validate
 from neurosym.problems import Problem
 

@@ -13,10 +13,11 @@ from validators import unified_planning_accepts
 from neurosym.errors import InvalidValue
 from neurosym.grounding import Grounding
 from neurosym.pddl import domain_text, problem_text
+from neurosym.pddl.ground_plan import print_ground_plan
 from neurosym.pddl.moves import ENCODINGS, Encoding, moves_for
 from neurosym.pddl.numeric import UNIT
 from neurosym.pddl.plan_reading import parse_plan
-from neurosym.pddl.plan_text import PlanStep, print_ground_plan
+from neurosym.pddl.plan_text import PlanStep
 from neurosym.pddl.validation import operator_for, validate
 from neurosym.planners import PlanStatus, plan
 from neurosym.planners.fast_downward import plan_fast_downward
@@ -56,7 +57,7 @@ def test_pddl_package_reads_the_text_if_told_that_costs_are_functions(tmp_path: 
     domain_file.write_text(text)
     domain, task = pddl_package.parse_domain(domain_file), pddl_package.parse_problem(problem_file)
     assert {operator.name for operator in coarse()[0].live} <= {str(action.name) for action in domain.actions}
-    assert task.domain_name == domain.name == "tabletop"
+    assert task.domain_name == domain.name == ("tabletop-numeric" if encoding == "numeric" else "tabletop")
 
 
 @pytest.mark.parametrize("encoding", ["stepwise", "operators"])

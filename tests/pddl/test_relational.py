@@ -24,9 +24,10 @@ from neurosym.errors import InvalidValue
 from neurosym.grounding import Grounding
 from neurosym.pair_sight import with_pairs
 from neurosym.pddl import domain_text, problem_text
+from neurosym.pddl.ground_plan import print_ground_plan
 from neurosym.pddl.moves import BY_RELATIONS, LIFTED, RELATIONAL
 from neurosym.pddl.plan_reading import parse_plan
-from neurosym.pddl.plan_text import PlanStep, print_ground_plan, print_plan
+from neurosym.pddl.plan_text import PlanStep, print_plan
 from neurosym.pddl.relational import left_out_puts, puts_of
 from neurosym.pddl.relational_check import puts_for
 from neurosym.pddl.relational_problem import needed_texts

@@ -5,8 +5,8 @@ import pytest
 from toy_relations import PUT_IN, PUT_ON, REST, grounding, relations, scene, sorting, tower, tower_at_place
 
 from neurosym.pair_sight import with_pairs
+from neurosym.pddl.ground_plan import print_ground_plan
 from neurosym.pddl.moves import RELATIONAL
-from neurosym.pddl.plan_text import print_ground_plan
 from neurosym.pddl.validation import validate
 from neurosym.planners import PlanStatus, plan
 from neurosym.planners.relational_bfs import plan_relational_bfs

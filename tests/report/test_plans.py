@@ -4,7 +4,17 @@ from neurosym.report.plans import PlannerSummary, PlanRow, summaries
 
 
 def row(planner: str, *, steps: int | None, reached: bool | None) -> PlanRow:
-    return PlanRow("p", 1, planner, "solved" if steps else "unsolvable", steps, 0.1, reached, "")
+    return PlanRow(
+        "p",
+        1,
+        planner,
+        "solved" if steps else "unsolvable",
+        steps,
+        0.1,
+        reached,
+        None if reached is None else (1, 1),
+        "",
+    )
 
 
 def test_found_plans_runs_and_reached_goals_are_counted_apart():

@@ -1,0 +1,127 @@
+"""Reading the text of a printed domain and problem, and what of the two a plan touches.
+
+Other people's validators read PDDL slowly: a grid with its thousands of facts takes them many seconds.
+But whether a plan is valid depends on its own actions alone, and on facts whose words occur in these, in its
+steps or in the goal. So a validator may be given only those, and what it says is true of the whole. Where
+conditions speak of all objects (`exists`), every fact is kept.
+"""
+
+import re
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
+
+from neurosym.errors import InvalidValue
+
+Tree = list["Tree | str"]
+"""A text in parentheses: words and trees."""
+Action = tuple[str, ...]
+"""A ground action: its name, and its arguments."""
+_TOKEN = re.compile(r"[()]|[^\s()]+")
+_COMMENT = re.compile(r";[^\n]*")
+_QUANTIFIED = ("exists", "forall")
+
+
+@dataclass(frozen=True, slots=True)
+class Excerpt:
+    """What of a domain and a problem a plan touches, as PDDL."""
+
+    domain: str
+    problem: str
+
+
+def excerpt_for(domain: str, problem: str, actions: Sequence[Action]) -> Excerpt:
+    """Leave out of a domain and a problem what cannot matter to a plan.
+
+    Args:
+        domain: The text of the domain.
+        problem: The text of the problem.
+        actions: The plan.
+
+    Raises:
+        InvalidValue: If a text is no PDDL.
+    """
+    parts = tree_of(domain)
+    first = next((str(part[1]) for part in parts if _is_action(part)), "")
+    names = {action[0] for action in actions} or {first}  # readers trip over no action
+    kept = [part for part in parts if not _is_action(part) or part[1] in names]
+    words = {word for action in actions for word in action}
+    words |= {word for part in kept if _is_action(part) for word in _words(part)}
+    task = tree_of(problem)
+    words |= {word for part in task if _head(part) == ":goal" for word in _words(part)}
+    if words.isdisjoint(_QUANTIFIED):
+        task = [_narrowed(part, words) if _head(part) == ":init" else part for part in task]
+    return Excerpt(_text(kept), _text(task))
+
+
+def parameters_of(domain: str) -> Mapping[str, int]:
+    """Return how many parameters each action of a domain has, by name.
+
+    Args:
+        domain: The text of the domain.
+
+    Raises:
+        InvalidValue: If it is no PDDL.
+    """
+    return {
+        str(part[1]): sum(str(word).startswith("?") for word in _parameters(part))
+        for part in tree_of(domain)
+        if _is_action(part)
+    }
+
+
+def tree_of(text: str) -> Tree:
+    """Read a text in parentheses.
+
+    Args:
+        text: The text, whose comments are left out.
+
+    Raises:
+        InvalidValue: If parentheses do not fit.
+    """
+    open_trees: list[Tree] = [[]]
+    for token in _TOKEN.findall(_COMMENT.sub("", text).lower()):
+        if token == "(":
+            open_trees.append([])
+        elif token == ")" and len(open_trees) > 1:
+            closed = open_trees.pop()
+            open_trees[-1].append(closed)
+        else:
+            open_trees[-1].append(token)
+    if len(open_trees) != 1 or len(open_trees[0]) != 1 or isinstance(open_trees[0][0], str):
+        raise InvalidValue("The text is no PDDL: its parentheses do not fit together.")
+    return open_trees[0][0]
+
+
+def _is_action(part: "Tree | str") -> bool:
+    return _head(part) in (":action", ":durative-action")
+
+
+def _head(part: "Tree | str") -> "Tree | str":
+    return part[0] if part and not isinstance(part, str) else ""
+
+
+def _parameters(action: "Tree | str") -> "Iterable[Tree | str]":
+    parts = list(action)
+    return parts[parts.index(":parameters") + 1] if ":parameters" in parts else ()
+
+
+def _words(part: "Tree | str") -> Iterable[str]:
+    if isinstance(part, str):
+        yield part
+    else:
+        for each in part:
+            yield from _words(each)
+
+
+def _narrowed(init: "Tree | str", words: set[str]) -> Tree:
+    """Keep the facts and values of which every word occurs."""
+    return [fact for fact in init if isinstance(fact, str) or _subject(fact) <= words | {"total-cost"}]
+
+
+def _subject(fact: Tree) -> set[str]:
+    """Return the words of a fact, or of what a value is given to."""
+    return set(_words(fact[1] if fact and fact[0] == "=" else fact))
+
+
+def _text(part: "Tree | str") -> str:
+    return part if isinstance(part, str) else f"({' '.join(map(_text, part))})"

@@ -1,0 +1,113 @@
+"""What is called a plan is one of the printed domain and problem, as a validator says that is not ours."""
+
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+import toy_places
+from independent.random_sizes import draw_sizes
+from independent.random_tables import draw
+from places import ROOT
+
+from neurosym.grounding import Grounding
+from neurosym.pddl.domain import domain_text
+from neurosym.pddl.ground_plan import ground_plan
+from neurosym.pddl.problem import problem_text
+from neurosym.pddl.validation import validate
+from neurosym.planners import PlanStatus, plan
+from neurosym.planners.catalogue import PLANNERS
+from neurosym.planners.plan_validator import validate_pddl
+from neurosym.problems import Problem
+from neurosym.shipped import DOMAINS
+from neurosym.stages.folder import DomainFolder
+from neurosym.stages.plan_verdict import judge_plan
+
+QUICK = ("fast-downward", "lama-first", "bfs-operators", "counting")
+"""Planners that are given random tables here; the others follow in `make evaluate`."""
+
+
+def shipped(domain: str, ending: str = ".plan") -> list[Path]:
+    return sorted((ROOT / "domains" / domain / "plans").glob(f"*{ending}"))
+
+
+@pytest.mark.parametrize("domain", DOMAINS)
+def test_every_shipped_plan_is_one_of_the_printed_files_beside_it(domain: str):
+    folder, plans = DomainFolder(ROOT / "domains" / domain), shipped(domain)
+    assert len(plans) > 15
+    for file in plans:
+        verdict = judge_plan(folder, file.name.split(".")[0], file)
+        assert verdict.valid, (file.name, verdict.pddl_reason, verdict.replay_reason)
+        assert not verdict.written_out
+
+
+@pytest.mark.parametrize("domain", DOMAINS)
+def test_shipped_steps_that_are_called_no_plan_are_none(domain: str):
+    folder = DomainFolder(ROOT / "domains" / domain)
+    for file in shipped(domain, ".steps"):
+        assert not judge_plan(folder, file.name.split(".")[0], file).valid
+
+
+def test_steps_are_told_from_plans_somewhere():
+    assert shipped("tabletop", ".steps")
+
+
+@pytest.mark.evaluation
+@pytest.mark.parametrize("domain", DOMAINS)
+def test_every_shipped_plan_is_valid_by_the_files_as_they_are(domain: str):
+    """Nothing is left out for the validator here: it takes some seconds a plan."""
+    from validators import unified_planning_accepts
+
+    folder = DomainFolder(ROOT / "domains" / domain)
+    for file in shipped(domain):
+        verdict = judge_plan(folder, name := file.name.split(".")[0], file)
+        ending = verdict.domain.removeprefix("domain").removesuffix(".pddl").replace("-", ".", 1)
+        task = folder / f"problems/{name}{ending}.pddl"
+        assert unified_planning_accepts(folder / verdict.domain, task, file.read_text()), file.name
+
+
+def tables() -> Iterator[tuple[Problem, Grounding]]:
+    """Random domains and problems: on a grid, with steps of their own, and with places."""
+    for drawn in filter(None, (*map(draw, range(8)), *map(draw_sizes, range(8)))):
+        if len(drawn.problem.objects) <= 4:
+            yield drawn.problem, drawn.grounding
+    for task in (toy_places.swap(), toy_places.mixed()):
+        yield task, toy_places.grounding()
+
+
+def check_planner(name: str, *, least: int) -> None:
+    found = 0
+    for problem, grounding in tables():
+        result = plan(problem, grounding, name, time_limit=20.0)
+        if result.status is not PlanStatus.SOLVED or not validate(result.steps, problem, grounding).valid:
+            continue
+        whole = ground_plan(result.steps, problem, grounding)
+        task = problem_text(problem, grounding, whole.encoding, plans=(whole,))
+        actions = [tuple(line.strip("()").split()) for line in whole.lines]
+        verdict = validate_pddl(domain_text(grounding, whole.encoding), task, actions)
+        assert verdict.valid, (name, problem.name, verdict)
+        found += 1
+    assert found >= least
+
+
+@pytest.mark.parametrize("name", QUICK)
+def test_plans_for_random_problems_are_plans_of_what_is_printed(name: str):
+    check_planner(name, least=4)
+
+
+@pytest.mark.evaluation
+@pytest.mark.parametrize("name", [name for name in PLANNERS if name not in QUICK])
+def test_plans_of_every_other_planner_are_plans_of_what_is_printed(name: str):
+    if why := PLANNERS[name].missing():
+        pytest.skip(f"{name} is missing: {why}")
+    check_planner(name, least=1)
+
+
+def test_problem_says_what_a_plan_beside_it_needs_and_nothing_else():
+    problem, grounding = toy_places.mixed(), toy_places.grounding()
+    result = plan(problem, grounding, "fast-downward")
+    whole = ground_plan(result.steps, problem, grounding)
+    bare = problem_text(problem, grounding, whole.encoding)
+    fitted = problem_text(problem, grounding, whole.encoding, plans=(whole,))
+    assert whole.missing(bare)
+    assert not whole.missing(fitted)
+    assert problem_text(problem, grounding, whole.encoding, plans=(whole, whole)) == fitted
