@@ -6,8 +6,9 @@ import pytest
 from tables import grounding, problem
 
 from neurosym.errors import InvalidFile, InvalidPlan
+from neurosym.pddl.ground_plan import print_ground_plan
 from neurosym.pddl.plan_reading import parse_plan, read_plan
-from neurosym.pddl.plan_text import PlanStep, print_ground_plan
+from neurosym.pddl.plan_text import PlanStep
 
 PULL, PUSH = PlanStep("pull-010-tray", "item-02"), PlanStep("push-away-001-block", "item-01")
 LIFT, DOWN = PlanStep("lift-010-block", "item-01"), PlanStep("put-down-lift-010-block", "item-01")
@@ -86,7 +87,10 @@ def test_times_order_a_plan_and_equal_ones_leave_it_as_it_is_written():
         (AWAY + "(reach-goal item-01 x044 y061 z000)", r"line 3: .*\(reach-goal item-02 ...\) .*is missing"),
         (AWAY + "(reach-goal item-01 x044 y061 z001)", "argument 4 is z001, where z000 would be right"),
         (AWAY + "(push-away-001-block item-01)", "it has 1 argument, where .* x044 x058.* would be right"),
-        ("(PULL-010-TRAY item_02 X060)", r"it has 2 arguments, .* \(step 1, `\(PULL-010-TRAY item_02 X060\)`\)"),
+        (
+            "(PULL-010-TRAY item_02 X060)",
+            r"it has 2 arguments, .*step 1, `\(PULL-010-TRAY item_02 X060\)`",
+        ),
         ("(reach-goal)\n(pull-010-tray item-02)", "names no object"),
         ("(stay-111-block item-01 x030 x030)", "it is not in the domain for item-01, so it leads to no cell"),
     ],
@@ -141,6 +145,17 @@ def test_no_line_is_passed_over_that_names_an_operator():
     log = "Solution found!\n{}\npull-010-tray item-02 (1)\nPlan length: 1 step(s).\n"
     assert read(log.format("Looking at pulls")) == (PULL,)
     assert "names push-away-001-block and is no step" in refusal(log.format("then push_away_001_block it"))
+
+
+def test_of_plans_that_get_better_the_last_is_read_and_others_are_not_joined():
+    one, other = "(push-away-001-block item-01)\n", "(pull-010-tray item-02)\n"
+    assert read(f"; cost = 9\n{one}; better plan 2\n; cost = 3\n{other}") == (PULL,)
+    assert read(f"Solution found!\n{one}Plan length: 1\nSolution found!\n{other}Plan length: 1\n") == (PULL,)
+    assert "line 4: '; cost = 3' is said of a second plan" in refusal(f"{one}; cost = 9\n{other}; cost = 3\n")
+    assert "is said, and 1 step can be read" in refusal(f"Solution found!\n{one}Plan length: 2 step(s).\n")
+    assert "2 blocks between lines of ```" in refusal(f"```\n{one}```\n```\n{other}```\n")
+    assert "stands before the line that a plan begins after" in refusal(f"{one}Solution found!\n{other}")
+    assert "stands outside the block" in refusal(f"{one}```\n{other}```\n")
 
 
 def test_plan_with_a_byte_order_mark_is_read(tmp_path: Path):
