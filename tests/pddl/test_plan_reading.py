@@ -6,8 +6,9 @@ import pytest
 from tables import grounding, problem
 
 from neurosym.errors import InvalidFile, InvalidPlan
+from neurosym.pddl.ground_plan import print_ground_plan
 from neurosym.pddl.plan_reading import parse_plan, read_plan
-from neurosym.pddl.plan_text import PlanStep, print_ground_plan
+from neurosym.pddl.plan_text import PlanStep
 
 PULL, PUSH = PlanStep("pull-010-tray", "item-02"), PlanStep("push-away-001-block", "item-01")
 LIFT, DOWN = PlanStep("lift-010-block", "item-01"), PlanStep("put-down-lift-010-block", "item-01")
