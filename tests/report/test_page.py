@@ -165,7 +165,7 @@ def test_hostile_texts_are_shown_and_not_obeyed(reported, tmp_path):
     write_json(path, PlanRecord(record.problem, EVIL, "failed", (), 0.0, EVIL))
     place = folder / "comparison/1-objects-50-mm"
     place.mkdir(parents=True)
-    tally = Tally(7, 6, 5, 4, 1.5, 0.25, 3, 2, {}, {}, {}, {})
+    tally = Tally(7, 6, 5, 4, 1.5, 0.25, 3, 2, {}, {}, {}, {}, 9, 8)
     write_json(place / "comparison.json", Comparison(10, 1, 2, {EVIL: tally}))
     text = render(gather(DomainFolder(folder), lambda *_: None))
     page = checked(text)
@@ -173,7 +173,7 @@ def test_hostile_texts_are_shown_and_not_obeyed(reported, tmp_path):
     assert "i" not in page.tags
     assert all(image["src"].startswith("data:image/webp;base64,") for image in page.images)
     assert text.count(escape(EVIL)) >= 5
-    figures = (7, 6, 5, 4, "1.50", "0.250")
+    figures = (7, 6, 5, 4, "8 of 9", "1.50", "0.250")
     assert "".join(f'<td class="number">{figure}</td>' for figure in figures) in text
 
 
