@@ -81,7 +81,7 @@ def parse_plan(text: str, path: Path, grounding: Grounding, problem: Problem) ->
             said = f"{shortened(line.text.strip())!r} names {name} and is no step in a form that is read"
             raise InvalidPlan(path, line.number, f"{said}; valid: {_listed()}")
     if not (plan.actions or plan.is_empty):
-        raise InvalidPlan(path, 1, f"it says something, and has no steps; valid: {_listed()}")
+        raise InvalidPlan(path, 1, f"what is written there has no steps; valid: {_listed()}")
     actions = tuple(_hyphenated(one) for one in plan.actions)
     for action in actions:
         if action.is_plain and not known.is_action(action.name):
