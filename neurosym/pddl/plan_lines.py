@@ -71,7 +71,7 @@ def unread(line: Line, path: Path) -> InvalidPlan:
     return InvalidPlan(
         path,
         line.number,
-        f"{shortened(raw)!r} is not of a form that is read; the nearest is {form.name}, like "
+        f"{shortened(raw)!r} is not of the form of a step; the nearest is {form.name}, like "
         f"`{' '.join(form.example.split())}`",
     )
 

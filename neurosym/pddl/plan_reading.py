@@ -101,8 +101,8 @@ def _followed(
             failures.append(error)
     farthest = max(failures, key=lambda one: one.reached)  # the first of equals
     action = actions[farthest.reached[0]]
-    said = f"step {farthest.step}, `{shortened(action.text, LONGEST_ACTION)}`: {farthest}"
-    raise InvalidPlan(path, action.line, said) from farthest
+    written = shortened(action.text, LONGEST_ACTION)
+    raise InvalidPlan(path, action.line, f"{farthest} (step {farthest.step}, `{written}`)") from farthest
 
 
 def _listed() -> str:

@@ -34,11 +34,15 @@ _HEADING = re.compile(
 )
 """What says that a plan follows, and nothing else."""
 _BEGINS = re.compile(
-    r"\s*(?:;*\s*solution found!?|(?:.*: )?found (?:legal |new )?plan(?: as follows)?:?|plan computed:"
+    r"\s*(?:;*\s*solution found[!:]?|(?:.*: )?found (?:legal |new )?plan(?: as follows)?:?|(?:best plan|plan computed):"
     r"|plan found: [0-9]+ steps?)\s*",
     re.I,
 )
 """What logs say before a plan."""
+_AGAIN = re.compile(r"\s*;+\s*(?:better |next |new )?(?:plan|solution) (?:no\. ?)?[0-9]+\b.*", re.I)
+"""What stands between plans that get better."""
+_COST = re.compile(r"\s*;\s*cost\s*=\s*[0-9].*", re.I)
+"""What ends a plan file, or begins it; there is one for each plan."""
 _ENDED = re.compile(r"\s*solution found\.\s*", re.I)
 _NOTE = re.compile(
     rf"""\s*(?:
@@ -105,10 +109,14 @@ class _Section:
     Attributes:
         actions: Its actions.
         length: How many it is said to have, and where.
+        costs: Lines that say what it costs, as files of plans do once.
+        is_first: Whether no plan can stand before it.
     """
 
     actions: list[WrittenAction] = field(default_factory=list)
     length: tuple[int, Line] | None = None
+    costs: list[Line] = field(default_factory=list)
+    is_first: bool = True
 
 
 def _of_lines(lines: Sequence[Line], path: Path) -> WrittenPlan:
@@ -118,8 +126,12 @@ def _of_lines(lines: Sequence[Line], path: Path) -> WrittenPlan:
     for line in _whole(lines, path):
         if _begins(line.text):
             is_headed = is_headed or bool(_HEADING.fullmatch(line.text))
-            sections.append(_Section())
+            sections.append(_Section(is_first=len(sections) == 1))
             continue
+        if _AGAIN.fullmatch(line.text):
+            sections.append(_Section(is_first=False))
+        if _COST.fullmatch(line.text):
+            sections[-1].costs.append(line)
         bare = _bare(line)
         if length := _LENGTH.search(bare.text):
             sections[-1].length = int(length[1]), line
@@ -153,9 +165,9 @@ def _is_note(line: Line) -> bool:
 
 
 def _last(sections: Sequence[_Section], path: Path) -> _Section:
-    """Return the last plan, if it is as long as it is said to be, and nothing stands before the first."""
+    """Return the last plan, if it is one and as long as it is said to be, and no step stands before all."""
     first, *others = sections
-    if others and first.actions:
+    if others and others[0].is_first and first.actions:
         action = first.actions[0]
         raise InvalidPlan(
             path, action.line, f"{shortened(action.text)!r} stands before the line that a plan begins after"
@@ -167,6 +179,14 @@ def _last(sections: Sequence[_Section], path: Path) -> _Section:
             path,
             line.number,
             f"{shortened(line.text.strip())!r} is said, and {counted(read, 'step')} can be read",
+        )
+    if len(chosen.costs) > 1:
+        line = chosen.costs[1]
+        raise InvalidPlan(
+            path,
+            line.number,
+            f"{shortened(line.text.strip())!r} is said of a second plan; valid: one plan, or what a planner "
+            "printed that finds better ones",
         )
     return chosen
 

@@ -45,11 +45,11 @@ def test_dialects_of_planners_are_read(line: str):
 @pytest.mark.parametrize(
     ("line", "complaint"),
     [
-        ("(pull-010-tray item-02", "not of a form that is read; the nearest is"),
-        ("()", "not of a form"),
+        ("(pull-010-tray item-02", "not of the form of a step; the nearest is"),
+        ("()", "not of the form"),
         ("(pull-010-tray)", "names no object"),
         ("(fly item-01)", "no operator 'fly'; valid: lift-010-block"),
-        ("FLY to item-01", "'FLY to item-01' is not of a form that is read; the nearest is words without"),
+        ("FLY to item-01", "'FLY to item-01' is not of the form of a step; the nearest is words without"),
         ("(finish-fly-y item-01)", "no operator 'finish-fly-y'"),
         ("(pull-010-tray item-03)", "no object 'item-03'; valid: item-01, item-02"),
         ("(pull-010-tray item-01)", "for objects of category tray, and item-01 is of category block"),
@@ -67,27 +67,30 @@ def test_times_order_a_plan_and_equal_ones_leave_it_as_it_is_written():
     assert read(late.replace("5.0", "0.00")) == (PUSH, PULL)
     assert read(late.replace("[1]", "[9]")) == (PULL, PUSH)  # durations that overlap change nothing
     assert "no time" in refusal("0: (pull-010-tray item-02)\n(push-away-001-block item-01)")
-    assert "not of a form" in refusal("1e999: (pull-010-tray item-02)")
+    assert "not of the form" in refusal("1e999: (pull-010-tray item-02)")
 
 
 @pytest.mark.parametrize(
     ("text", "complaint"),
     [
-        (AWAY.replace("x030", "x001"), "line 1: step 1, .*argument 2 is x001, where x030 would be right"),
-        (AWAY.replace("x044", "x999"), "line 1: step 1, .*argument 3 is x999, where x044 would be right"),
-        (AWAY.replace("y063", "y062"), "line 2: step 1, .*argument 2 is y062, where y063 would be right"),
+        (AWAY.replace("x030", "x001"), "line 1: argument 2 is x001, where x030 would be right .step 1"),
+        (AWAY.replace("x044", "x999"), "line 1: argument 3 is x999, where x044 would be right .step 1"),
+        (AWAY.replace("y063", "y062"), "line 2: argument 2 is y062, where y063 would be right .step 1"),
         (
             AWAY.splitlines()[0],
             r"not complete; \(finish-push-away-001-block-y item-01 y063 y061\) comes after",
         ),
         (AWAY.splitlines()[1], r"nothing begins; \(push-away-001-block ...\) comes before it"),
         ("\n".join(AWAY.splitlines()[::-1]), "nothing begins"),
-        (AWAY + AWAY, "line 3: step 2, .*argument 2 is x030, where x044 would be right"),
+        (AWAY + AWAY, "line 3: argument 2 is x030, where x044 would be right .step 2"),
         ("(reach-goal item-01 x044 y061 z000)\n" + AWAY, "line 1: .*argument 2 is x044, where x030 would"),
         (AWAY + "(reach-goal item-01 x044 y061 z000)", r"line 3: .*\(reach-goal item-02 ...\) .*is missing"),
         (AWAY + "(reach-goal item-01 x044 y061 z001)", "argument 4 is z001, where z000 would be right"),
         (AWAY + "(push-away-001-block item-01)", "it has 1 argument, where .* x044 x058.* would be right"),
-        ("(PULL-010-TRAY item_02 X060)", r"step 1, `\(PULL-010-TRAY item_02 X060\)`: it has 2 arguments"),
+        (
+            "(PULL-010-TRAY item_02 X060)",
+            r"it has 2 arguments, .*step 1, `\(PULL-010-TRAY item_02 X060\)`",
+        ),
         ("(reach-goal)\n(pull-010-tray item-02)", "names no object"),
         ("(stay-111-block item-01 x030 x030)", "it is not in the domain for item-01, so it leads to no cell"),
     ],
@@ -142,6 +145,17 @@ def test_no_line_is_passed_over_that_names_an_operator():
     log = "Solution found!\n{}\npull-010-tray item-02 (1)\nPlan length: 1 step(s).\n"
     assert read(log.format("Looking at pulls")) == (PULL,)
     assert "names push-away-001-block and is no step" in refusal(log.format("then push_away_001_block it"))
+
+
+def test_of_plans_that_get_better_the_last_is_read_and_others_are_not_joined():
+    one, other = "(push-away-001-block item-01)\n", "(pull-010-tray item-02)\n"
+    assert read(f"; cost = 9\n{one}; better plan 2\n; cost = 3\n{other}") == (PULL,)
+    assert read(f"Solution found!\n{one}Plan length: 1\nSolution found!\n{other}Plan length: 1\n") == (PULL,)
+    assert "line 4: '; cost = 3' is said of a second plan" in refusal(f"{one}; cost = 9\n{other}; cost = 3\n")
+    assert "is said, and 1 step can be read" in refusal(f"Solution found!\n{one}Plan length: 2 step(s).\n")
+    assert "2 blocks between lines of ```" in refusal(f"```\n{one}```\n```\n{other}```\n")
+    assert "stands before the line that a plan begins after" in refusal(f"{one}Solution found!\n{other}")
+    assert "stands outside the block" in refusal(f"{one}```\n{other}```\n")
 
 
 def test_plan_with_a_byte_order_mark_is_read(tmp_path: Path):

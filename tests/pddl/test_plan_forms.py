@@ -1,0 +1,166 @@
+"""Plan forms: every form of a plan gives the same steps, and an edited plan no others than it says."""
+
+from functools import cache
+from pathlib import Path
+
+import numpy as np
+import pytest
+from places import DOCS, ROOT
+
+from neurosym.errors import InvalidPlan
+from neurosym.grounding import Grounding
+from neurosym.pddl.ground_plan import print_ground_plan
+from neurosym.pddl.moves import FINISH, Encoding
+from neurosym.pddl.place_domain import carriers_of
+from neurosym.pddl.plan_forms import FORMS, PlanForm, nearest_form
+from neurosym.pddl.plan_reading import parse_plan
+from neurosym.pddl.plan_text import PlanStep
+from neurosym.pddl.written_plans import written_plan
+from neurosym.problems import Problem
+from neurosym.related import relating
+from tools.benchmarks.strangers import PLANS, actions_of
+
+SHIPPED = sorted(PLANS.items())
+Words = list[list[str]]
+
+
+@cache
+def shipped(domain: str, plan: str) -> tuple[str, Grounding, Problem]:
+    folder = ROOT / "domains" / domain
+    scene = folder / "problems" / f"{plan.partition('.')[0]}.scene.json"
+    text = (folder / "plans" / f"{plan}.plan").read_text()
+    return text, Grounding.load(folder / "grounding.json"), Problem.load(scene)
+
+
+def read(text: str, domain: str, plan: str) -> tuple[PlanStep, ...]:
+    return parse_plan(text, Path("some.plan"), *shipped(domain, plan)[1:])
+
+
+def by_hand(actions: Words, grounding: Grounding) -> tuple[PlanStep, ...]:
+    """Fold ground actions into steps by their names alone, a few lines instead of what is tested."""
+    led = {one.name for one in grounding.operators.operators}
+    carrying = {one.name for one in carriers_of(grounding)}
+    steps = []
+    for name, *words in actions:
+        if name in carrying:
+            steps.append(
+                PlanStep(name, words[0], words[2] if words[2:] and "-" in words[2][4:] else words[1])
+            )
+            if not grounding.relations:
+                steps[-1] = PlanStep(name, words[0], words[-1])
+        elif put := relating(name, grounding) or relating(name.removesuffix("-laden"), grounding):
+            steps.append(PlanStep(put.name, words[0], words[1]))
+        elif name.removeprefix("put-down-") in led and not name.startswith(FINISH):
+            steps.append(PlanStep(name, words[0]))
+    return tuple(steps)
+
+
+@pytest.mark.parametrize("form", FORMS, ids=lambda form: form.name)
+@pytest.mark.parametrize(("domain", "plan"), SHIPPED)
+def test_a_plan_gives_the_same_steps_in_every_form(form: PlanForm, domain: str, plan: str):
+    text = shipped(domain, plan)[0]
+    assert read(form.write(actions_of(text)), domain, plan) == read(text, domain, plan) != ()
+
+
+@pytest.mark.parametrize("form", FORMS, ids=lambda form: form.name)
+def test_a_form_in_windows_lines_or_cut_off_is_read_alike_or_refused(form: PlanForm):
+    actions = [["push-left", "item-01", "x1", "x2"], ["reach-goal", "item-01", "x2"]]
+    text = form.write(actions)
+    whole = written_plan(text, Path("p")).actions
+    names = [(one.name, one.arguments) for one in whole]
+    crlf = text.replace("\n", "\r\n")
+    assert [(one.name, one.arguments) for one in written_plan(crlf, Path("p")).actions] == names
+    for end in range(len(text)):
+        try:
+            cut = written_plan(text[:end], Path("p")).actions
+        except InvalidPlan:
+            continue
+        marked = [one for one in cut if not one.is_plain]
+        assert all(whole.startswith(one.name) for one, (whole, _) in zip(marked, names, strict=False))
+
+
+@pytest.mark.parametrize(
+    ("line", "name"),
+    [
+        ("STEP 3: lift(item-02, z000", "Madagascar's output"),
+        ("0.0000: (LIFT ITEM-02 Z000 [D:1.0; C:1.0]", "LPG's output"),
+        ("(lift item-02 z000 z041", "the IPC form, as plan files have it"),
+        ("lift item-02 z000 z041 (3", "Fast Downward's log"),
+    ],
+)
+def test_the_nearest_form_is_the_one_that_a_line_was_meant_in(line: str, name: str):
+    assert nearest_form(line).name == name
+
+
+def test_every_form_is_listed_in_the_documents():
+    page = (DOCS / "other-plans.md").read_text()
+    assert [form.name for form in FORMS if f"| {form.name} |" not in page] == []
+
+
+@pytest.mark.parametrize("encoding", ["stepwise", "operators", "numeric", "sas"])
+def test_every_encoding_of_a_plan_gives_the_same_steps(encoding: Encoding):
+    text, grounding, problem = shipped("tabletop", "task-01.fast-downward")
+    steps = read(text, "tabletop", "task-01.fast-downward")
+    again = print_ground_plan(steps, problem, grounding, encoding)
+    assert read(again, "tabletop", "task-01.fast-downward") == steps
+
+
+@pytest.mark.parametrize("encoding", ["relational", "relational-lifted"])
+def test_every_encoding_of_relations_gives_the_same_steps(encoding: Encoding):
+    text, grounding, problem = shipped("towers", PLANS["towers"])
+    steps = read(text, "towers", PLANS["towers"])
+    assert read(print_ground_plan(steps, problem, grounding, encoding), "towers", PLANS["towers"]) == steps
+
+
+def edited(actions: Words, rng: np.random.Generator, words: list[str]) -> Words:
+    """Drop, double or swap actions, or change a word of one."""
+    actions = [[*action] for action in actions]
+    at, other = (int(number) for number in rng.integers(len(actions), size=2))
+    match rng.integers(4):
+        case 0:
+            del actions[at]
+        case 1:
+            actions.insert(other, actions[at])
+        case 2:
+            actions[at], actions[other] = actions[other], actions[at]
+        case 3:
+            actions[at] = [*actions[at]]
+            actions[at][int(rng.integers(len(actions[at])))] = str(rng.choice(words))
+    return actions
+
+
+@pytest.mark.parametrize(("domain", "plan"), SHIPPED)
+def test_an_edited_plan_is_refused_or_gives_the_steps_that_it_says(domain: str, plan: str):
+    text, grounding, _ = shipped(domain, plan)
+    actions, rng = actions_of(text), np.random.default_rng(41)
+    words = [
+        *sorted({word for action in actions for word in action}),
+        "x999",
+        "item-77",
+        "goal-item-01",
+        "one",
+    ]
+    refused = 0
+    for _ in range(150):
+        some = edited(actions, rng, words)
+        try:
+            steps = read(FORMS[0].write(some), domain, plan)
+        except InvalidPlan:
+            refused += 1
+        else:
+            assert steps == by_hand(some, grounding)
+    assert refused > 75
+
+
+@pytest.mark.parametrize(("domain", "plan"), SHIPPED)
+def test_any_other_argument_is_refused_but_other_places_to_carry_to(domain: str, plan: str):
+    text, grounding, _ = shipped(domain, plan)
+    actions = actions_of(text)
+    carrying = {one.name for one in carriers_of(grounding)}
+    for at, action in enumerate(actions):
+        for number in range(1, len(action)):
+            if action[0] in carrying and action[number].startswith(("goal-", "spot-")):
+                continue
+            other = [*action[:number], "x000" if action[number] != "x000" else "x001", *action[number + 1 :]]
+            with pytest.raises(InvalidPlan):
+                read(FORMS[0].write([*actions[:at], other, *actions[at + 1 :]]), domain, plan)
