@@ -63,7 +63,7 @@ def plan(
     DIR/problems/PROBLEM.pddl, and its plan file executed.
     """
     from neurosym.reading import read_json
-    from neurosym.stages.plan_records import PlanRecord
+    from neurosym.stages.plan_records import PlanRecord, written_steps
     from neurosym.stages.planning import plan_stage
 
     check_time_limit(time_limit)
@@ -83,14 +83,14 @@ def plan(
         more=alternatives,
         tolerance=tolerance,
     )
-    plan_file, record_file, steps_file = stage.outputs
+    plan_file, record_file, _ = stage.outputs
     had_plan = (domain / plan_file).exists()
     domain.perform(stage, again=True)
     record = read_json(domain / record_file, PlanRecord)
     _say_plan(record)
     if had_plan and not (domain / plan_file).exists():
         say(f"removed {folder / plan_file}, the plan of an earlier call")
-    written = next((file for file in (plan_file, steps_file) if (domain / file).exists()), None)
+    written = written_steps(domain, name, record.planner)
     if written:
         why = "" if record.unprinted in ("", record.misses) else f": {record.unprinted}"
         said = f"; these steps are no plan of the printed problem{why}" if record.unprinted else ""
