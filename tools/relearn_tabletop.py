@@ -107,8 +107,8 @@ def sections(folder: DomainFolder, bits: tuple[int, int]) -> list[str]:
         "## Problems",
         f"Problem number i is drawn with seed {SEED} + i, from 1 object and 1 random action up to 8 objects "
         "and 6 actions; each has its PDDL, its PDDL in numbers, and its scene. *Reached*: whether every "
-        "object ended within 50 mm of its goal in the simulator; *with new plans*, where a step did something "
-        "else and it was planned anew.",
+        "object ended within 50 mm of its goal in the simulator; *with new plans*, where it was planned anew "
+        "since a step did something else.",
         *problems_table(folder),
     ]
 

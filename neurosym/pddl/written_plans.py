@@ -34,8 +34,8 @@ _HEADING = re.compile(
 )
 """What says that a plan follows, and nothing else."""
 _BEGINS = re.compile(
-    r"\s*(?:;*\s*solution found[!:]?|(?:.*: )?found (?:legal |new )?plan(?: as follows)?:?|(?:best plan|plan computed):"
-    r"|plan found: [0-9]+ steps?)\s*",
+    r"\s*(?:;*\s*solution found[!:]?|(?:.*: )?found (?:legal |new )?plan(?: as follows)?:?"
+    r"|(?:best plan|plan computed):|plan found: [0-9]+ steps?)\s*",
     re.I,
 )
 """What logs say before a plan."""

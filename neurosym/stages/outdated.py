@@ -4,7 +4,7 @@ from pathlib import Path
 
 from neurosym.files import digests
 from neurosym.grounding import Grounding
-from neurosym.stages.layout import COMMANDS, GROUNDING, MODEL, PLANS, WORLD, scene_file
+from neurosym.stages.layout import COMMANDS, GROUNDING, MODEL, PLAN, PLANS, STEPS, WORLD, scene_file
 from neurosym.stages.manifest import Manifest
 from neurosym.wording import quoted
 
