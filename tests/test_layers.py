@@ -47,7 +47,7 @@ FENCES = {
     "pybullet_data": ("sim/bullet.py",),
     "pybullet_utils": ("sim/bullet.py",),
     "torch": ("learning/", "exploration/", "primitives/distillation.py"),
-    "unified_planning": ("planners/unified_planning.py",),
+    "unified_planning": ("planners/unified_planning.py", "planners/plan_validator.py"),
     "gymnasium": ("worlds/gymnasium_env.py",),
     "ray": ("worlds/ray_workers.py",),
     "viser": ("studio/",),

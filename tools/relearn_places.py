@@ -18,6 +18,7 @@ from neurosym.worlds.tasks import TaskKind
 from tools.relearn_tabletop import (
     STAGES,
     categories_table,
+    give_name,
     operators_table,
     problems_table,
     stages_table,
@@ -48,6 +49,7 @@ def main() -> None:
     """Learn, try, describe."""
     run(FOLDER, steps=STEPS, places=PLACES, seed=SEED, problems=0)
     folder = DomainFolder(FOLDER)
+    give_name(folder)
     every = [(kind, objects) for kind, objects, count in TASKS for _ in range(count)]
     for number, (kind, objects) in enumerate(every, start=1):
         name = f"{kind}-{objects}-{number:02d}"

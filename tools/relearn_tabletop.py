@@ -18,11 +18,13 @@ from neurosym.grounding import Grounding
 from neurosym.learning.model_config import DEFAULT_BITS, PAPER_BITS
 from neurosym.learning.report import TrainingReport
 from neurosym.operators import Category, Operator, OperatorTable, Vector
+from neurosym.pddl.compiler import CELL
 from neurosym.reading import read_json
+from neurosym.stages.compiling import compile_stage
 from neurosym.stages.executing import execute_stage, load_run
 from neurosym.stages.folder import DomainFolder
-from neurosym.stages.layout import PRIMITIVES, TRAINING, plan_files
-from neurosym.stages.plan_records import PlanRecord
+from neurosym.stages.layout import GROUNDING, PRIMITIVES, TRAINING, plan_files
+from neurosym.stages.plan_records import PlanRecord, written_steps
 from neurosym.stages.planning import load_problem, plan_stage
 from neurosym.stages.problem_making import Asked, problem_stage
 from neurosym.wording import counted
@@ -44,6 +46,7 @@ def main(
     bits = PAPER_BITS if paper else DEFAULT_BITS
     run(path, steps=STEPS, seed=SEED, problems=0, object_bits=bits[0], action_bits=bits[1], places=0)
     folder = DomainFolder(path)
+    give_name(folder)
     for number, (objects, actions) in enumerate(SIZES, start=1):
         name = f"task-{number:02d}"
         drawn = problem_stage(folder, name, Asked(objects, actions, SEED + number))
@@ -57,9 +60,15 @@ def main(
 def try_problem(folder: DomainFolder, name: str, planner: str) -> None:
     """Plan a problem, and execute the plan if there is one."""
     folder.perform(plan_stage(folder, name, planner=planner), again=False)
-    plan_file, record_file = plan_files(name, planner)
-    if read_json(folder / record_file, PlanRecord).solved:
+    solved = read_json(folder / plan_files(name, planner)[1], PlanRecord).solved
+    if solved and (plan_file := written_steps(folder, name, planner)):
         folder.perform(execute_stage(folder, name, folder / plan_file), again=False)
+
+
+def give_name(folder: DomainFolder) -> None:
+    """Name the domain after its folder, unless it is called so."""
+    if Grounding.load(folder / GROUNDING).name != folder.path.name:
+        folder.perform(compile_stage(folder, cell=CELL, name=folder.path.name), again=True)
 
 
 def sections(folder: DomainFolder, bits: tuple[int, int]) -> list[str]:
@@ -98,8 +107,8 @@ def sections(folder: DomainFolder, bits: tuple[int, int]) -> list[str]:
         "## Problems",
         f"Problem number i is drawn with seed {SEED} + i, from 1 object and 1 random action up to 8 objects "
         "and 6 actions; each has its PDDL, its PDDL in numbers, and its scene. *Reached*: whether every "
-        "object ended within 50 mm of its goal in the simulator, planned anew where a step did something "
-        "else.",
+        "object ended within 50 mm of its goal in the simulator; *with new plans*, where it was planned anew "
+        "since a step did something else.",
         *problems_table(folder),
     ]
 
@@ -191,13 +200,14 @@ def problems_table(folder: DomainFolder, planners: Sequence[str] = PLANNERS) -> 
 
 
 def _outcome(folder: DomainFolder, name: str, planner: str) -> tuple[bool, bool, str]:
-    plan_file, record_file = plan_files(name, planner)
-    record = read_json(folder / record_file, PlanRecord)
-    if not record.solved:
+    record = read_json(folder / plan_files(name, planner)[1], PlanRecord)
+    plan_file = written_steps(folder, name, planner)
+    if not (record.solved and plan_file):
         return False, False, f"no plan: {record.reason}"
     run = load_run(folder, name, folder / plan_file)
     steps = counted(record.primitives, "primitive")
-    return True, run.reached, f"{steps}, {'reached' if run.reached else f'missed: {run.reason}'}"
+    missed = "" if run.reached else f": {run.reason}"
+    return True, run.reached, f"{steps}, {run.outcome.removeprefix('goal ')}{missed}"
 
 
 def _millimetres(vector: Vector) -> str:

@@ -22,7 +22,7 @@ from neurosym.stages.problem_making import Asked, problem_stage
 from neurosym.stages.task_drawing import AnyTask
 from tools.relearn_places import FOLDER as LEARNED
 from tools.relearn_places import PLACES, PLANNER, SEED, STEPS
-from tools.relearn_tabletop import STAGES, problems_table, stages_table, try_problem
+from tools.relearn_tabletop import STAGES, give_name, problems_table, stages_table, try_problem
 
 FOLDER = Path("domains/towers")
 RELATIONS = 10_240
@@ -53,6 +53,7 @@ def main() -> None:
     take_places(LEARNED, FOLDER)
     run(FOLDER, steps=STEPS, places=PLACES, relations=RELATIONS, seed=SEED, problems=0)
     folder = DomainFolder(FOLDER)
+    give_name(folder)
     resting = state_called("rests-on", folder)
     every = [(kind, objects, height) for kind, objects, height, count in TASKS for _ in range(count)]
     for number, (kind, objects, height) in enumerate(every, start=1):

@@ -63,7 +63,7 @@ def plan(
     DIR/problems/PROBLEM.pddl, and its plan file executed.
     """
     from neurosym.reading import read_json
-    from neurosym.stages.plan_records import PlanRecord
+    from neurosym.stages.plan_records import PlanRecord, written_steps
     from neurosym.stages.planning import plan_stage
 
     check_time_limit(time_limit)
@@ -83,17 +83,18 @@ def plan(
         more=alternatives,
         tolerance=tolerance,
     )
-    plan_file, record_file, steps_file = stage.outputs
+    plan_file, record_file, _ = stage.outputs
     had_plan = (domain / plan_file).exists()
     domain.perform(stage, again=True)
     record = read_json(domain / record_file, PlanRecord)
     _say_plan(record)
     if had_plan and not (domain / plan_file).exists():
         say(f"removed {folder / plan_file}, the plan of an earlier call")
-    written = next((file for file in (plan_file, steps_file) if (domain / file).exists()), None)
+    written = written_steps(domain, name, record.planner)
     if written:
-        no_plan = f", for it is no plan of the printed problem: {record.unprinted}" * bool(record.unprinted)
-        say(f"wrote {folder / written}{no_plan}")
+        why = "" if record.unprinted in ("", record.misses) else f": {record.unprinted}"
+        said = f"; these steps are no plan of the printed problem{why}" if record.unprinted else ""
+        say(f"wrote {folder / written}{said}")
         _say_alternatives(record, folder, alternatives)
         within = "" if record.tolerance is None else f" --tolerance {record.tolerance:g}"
         say_next(f"neurosym execute {quoted(folder)} {name} {quoted(folder / written)}{within}")
@@ -122,7 +123,7 @@ def _say_plan(record: "PlanRecord") -> None:
         say(f"planned anew on the way, {likely} to reach the goal within {motions} motions")
     if record.misses:
         say(
-            "note: what the network predicts leads there; what was rehearsed does not; "
+            f"note: by what was rehearsed, {record.misses}; "
             "`neurosym execute` plans anew on the way (unless --replans 0)"
         )
     elif record.solved and record.chance is not None and record.chance < UNLIKELY:

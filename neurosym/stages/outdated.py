@@ -4,7 +4,7 @@ from pathlib import Path
 
 from neurosym.files import digests
 from neurosym.grounding import Grounding
-from neurosym.stages.layout import COMMANDS, GROUNDING, MODEL, PLANS, WORLD, scene_file
+from neurosym.stages.layout import COMMANDS, GROUNDING, MODEL, PLAN, PLANS, STEPS, WORLD, scene_file
 from neurosym.stages.manifest import Manifest
 from neurosym.wording import quoted
 
@@ -58,8 +58,9 @@ def _command(folder: Path, stage: str, made: str) -> str:
         scene = folder / scene_file(of[0])  # taken over as it is, so that the task stays the same
         return f"{typed} --name {of[0]}" + (f" --scene {quoted(scene)}" if scene.exists() else "")
     if command == "execute":
-        plan = folder / PLANS / f"{of[0]}.plan"
-        return f"{typed} {of[0].split('.')[0]} {quoted(plan) if plan.exists() else 'PLAN'}"
+        plans = (folder / PLANS / f"{of[0]}{ending}" for ending in (PLAN, STEPS))
+        plan = next((quoted(plan) for plan in plans if plan.exists()), "PLAN")
+        return f"{typed} {of[0].split('.')[0]} {plan}"
     return typed
 
 

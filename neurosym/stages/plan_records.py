@@ -205,6 +205,18 @@ def _printed(
         return str(error)
 
 
+def written_steps(folder: DomainFolder, problem: str, planner: str) -> str | None:
+    """Name the file of a plan, or of the steps in its place; None if a planner has neither.
+
+    Args:
+        folder: The domain folder.
+        problem: Name of the problem.
+        planner: Name of the planner.
+    """
+    plan_file, _ = plan_files(problem, planner)
+    return next((file for file in (plan_file, steps_file(plan_file)) if (folder / file).is_file()), None)
+
+
 def recorded_plans(
     folder: DomainFolder, problem: Problem, grounding: Grounding, *, besides: str = ""
 ) -> tuple[GroundPlan, ...]:

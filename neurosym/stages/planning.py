@@ -29,7 +29,7 @@ from neurosym.stages.layout import (
 )
 from neurosym.stages.manifest import Stage
 from neurosym.stages.plan_records import write_plans
-from neurosym.stages.problem_printing import print_beside
+from neurosym.stages.problem_printing import print_beside, print_problem
 from neurosym.stages.remarks import remarks_on_number, remarks_on_own_scene, remarks_on_places
 from neurosym.wording import quoted
 from neurosym.world import World
@@ -124,11 +124,14 @@ def plan_stage(
     stage, made_by = f"plan {name} {chosen.name}", planner if is_factory(planner) else ""
     if made_by and (folder / plan_file).exists():
         _refuse_namesake(folder, stage, made_by, plan_file)
+    printed_again = tuple(printed_file(name, each) for each in ("stepwise", NUMERIC, PLACES, *BY_RELATIONS))
     inputs = (scene_file(name), GROUNDING, *((MODEL,) if chosen.reads == "network" else ()))
 
     def work() -> None:
         grounding = Grounding.load(folder.require(GROUNDING))
         own = load_problem(folder, name)
+        if not any((folder / file).is_file() for file in printed_again):  # somebody put the scene there
+            print_problem(folder, own, grounding)
         problem = with_pairs(own.within(tolerance), grounding.relations)
         for item in problem.objects:
             check_on_table(item, grounding)
@@ -159,7 +162,6 @@ def plan_stage(
     asked |= {"alternatives": more, "tolerance": tolerance, "factory": made_by}
     options = {"time_limit": time_limit, "encoding": encoding, **_asked_for(asked)}
     outputs = (plan_file, record_file, steps_file(plan_file))
-    printed_again = tuple(printed_file(name, each) for each in ("stepwise", NUMERIC, PLACES, *BY_RELATIONS))
     return Stage(stage, inputs, outputs, work, options, renews=printed_again)
 
 

@@ -1,6 +1,7 @@
 """Printing the problems of a domain folder as PDDL, in every way that the domain is printed."""
 
 from collections.abc import Iterable, Mapping, Sequence
+from functools import partial
 
 import msgspec
 
@@ -64,10 +65,15 @@ def print_beside(
     if not lacking:
         return
     problem = placed(with_pairs(problem, grounding.relations), grounding)
+    recorded = recorded_plans(folder, problem, grounding)
     every = (*plans, *recorded_plans(folder, problem, grounding, besides=planner))
     for file in sorted(lacking):
-        beside = _beside(file, problem, every)
-        write_atomically(folder / file, problem_text(problem, grounding, wanted[file], plans=beside))
+        path, print_with = folder / file, partial(problem_text, problem, grounding, wanted[file])
+        ours = (print_with(plans=known) for known in ((), _beside(file, problem, recorded)))
+        if path.is_file() and read_text(path) not in ours:
+            folder.notify(f"{path} is not as it was printed, so it stays; the plan may be none of it")
+        else:
+            write_atomically(path, print_with(plans=_beside(file, problem, every)))
 
 
 def _lacks(folder: DomainFolder, file: str, plans: Iterable[GroundPlan]) -> bool:

@@ -17,7 +17,7 @@ from neurosym.stages.exploring import explore_stage
 from neurosym.stages.folder import DomainFolder
 from neurosym.stages.layout import PLACE_INTERACTIONS, PLACE_OPERATORS, WORLD, plan_files
 from neurosym.stages.manifest import Claim, Stage
-from neurosym.stages.plan_records import PlanRecord
+from neurosym.stages.plan_records import PlanRecord, written_steps
 from neurosym.stages.planning import plan_stage
 from neurosym.stages.problem_making import Asked, problem_stage
 from neurosym.stages.relating import (
@@ -157,10 +157,10 @@ def _try_problem(folder: DomainFolder, number: int, seed: int) -> _Row:
     name, objects = f"task-{number:02d}", 2 - number % 2
     _perform(folder, problem_stage(folder, name, Asked(objects, seed=seed + number)))
     _perform(folder, plan_stage(folder, name, planner=PLANNER))
-    plan_file, record_file = plan_files(name, PLANNER)
-    record = read_json(folder / record_file, PlanRecord)
+    record = read_json(folder / plan_files(name, PLANNER)[1], PlanRecord)
     cells = (name, str(objects), record.status.value, str(record.primitives), f"{record.seconds:.2f}")
-    if not record.solved:
+    plan_file = written_steps(folder, name, PLANNER)
+    if not (record.solved and plan_file):
         return _Row((*cells, "-", record.reason), executed=False)
     _perform(folder, execute_stage(folder, name, folder / plan_file))
     run = load_run(folder, name, folder / plan_file)

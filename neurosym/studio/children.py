@@ -84,7 +84,7 @@ def _plan(job: PlanNew, connection: Connection) -> Any:
     from neurosym.reading import read_json
     from neurosym.stages.folder import DomainFolder
     from neurosym.stages.layout import plan_files
-    from neurosym.stages.plan_records import PlanRecord
+    from neurosym.stages.plan_records import PlanRecord, written_steps
     from neurosym.stages.planning import plan_stage
 
     _make(Make(job.folder, job.problem), connection)
@@ -99,9 +99,8 @@ def _plan(job: PlanNew, connection: Connection) -> Any:
         time_limit=job.time_limit,
     )
     folder.perform(stage, again=True)
-    plan_file, record_file = plan_files(name, chosen.name)
-    record = read_json(folder / record_file, PlanRecord)
-    return Planned(record, plan_file if (folder / plan_file).is_file() else "")
+    record = read_json(folder / plan_files(name, chosen.name)[1], PlanRecord)
+    return Planned(record, written_steps(folder, name, chosen.name) or "")
 
 
 def _run(job: RunPlan, connection: Connection) -> Any:

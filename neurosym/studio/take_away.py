@@ -25,6 +25,7 @@ from neurosym.stages.layout import (
     problem_files,
     relation_files,
     scene_file,
+    steps_file,
 )
 from neurosym.stages.scenes import scene_stage
 
@@ -56,7 +57,8 @@ def zip_of(session: "Session") -> bytes:
     names += [*problem_files(problem.name), places_file(problem.name), *relation_files(problem.name)]
     names += [scene_file(problem.name)]
     for planner in session.plans:
-        names += plan_files(problem.name, planner)
+        plan_file, record_file = plan_files(problem.name, planner)
+        names += [plan_file, steps_file(plan_file), record_file]
     names += [session.running.file] if session.running.file else []
     buffer = io.BytesIO()
     with zipfile.ZipFile(buffer, "w", zipfile.ZIP_DEFLATED) as archive:

@@ -132,9 +132,9 @@ def test_scene_put_into_the_folder_by_hand_is_planned_and_printed(bare, mine, ca
     problem = msgspec.structs.replace(toy_domain.problem(AWAY), name="mine")
     assert printed(bare, "mine") == expected(problem)
     (bare / "problems/mine.pddl").write_text("; of somebody else\n")
-    (bare / "problems/mine.numeric.pddl").unlink()
     assert neurosym("plan", bare, "mine", "--tolerance", "0.02") == 0
     assert printed(bare, "mine") == ("; of somebody else\n", expected(problem)[1])
+    assert "mine.pddl is not as it was printed, so it stays" in capsys.readouterr().out
     assert "no problem 'none'; valid: mine" in refusal(capsys, "plan", bare, "none")
 
 

@@ -84,7 +84,7 @@ def test_fewer_than_no_alternatives_are_refused(bare, capsys):
 
 @pytest.mark.parametrize("planner", ["counting", "fast-downward"])
 def test_nearest_plan_is_written_and_the_goal_still_missed(bare, capsys, planner):
-    plan = bare / f"plans/far.{planner}.plan"
+    plan = bare / f"plans/far.{planner}.steps"
     assert neurosym("plan", bare, "far", "--planner", planner) == 3
     assert "out of every primitive's reach" in capsys.readouterr().out
     assert not plan.exists()
@@ -174,7 +174,7 @@ def test_counting_takes_unit_costs(bare):
 def test_nearest_holds_one_of_two(bare, capsys):
     assert neurosym("plan", bare, "air", "--nearest") == 3
     assert "there is one hand" in capsys.readouterr().out
-    assert "lift-000-cube" in (bare / "plans/air.fast-downward.plan").read_text()
+    assert "lift-000-cube" in (bare / "plans/air.fast-downward.steps").read_text()
 
 
 def test_whole_and_unit_costs_are_noted_in_the_manifest(bare):

@@ -92,7 +92,7 @@ def test_replay_is_the_same_whatever_the_tolerance_of_the_problem_is_by_then(bar
 
 def test_new_plans_in_a_run_come_as_near_as_is_asked(bare):
     (bare / "empty.plan").write_text("")
-    run = ("execute", bare, "near", bare / "empty.plan", "--replanner", "counting")
+    run = ("execute", bare, "near", bare / "empty.plan", "--replanner", "counting", "--replans", 10)
     assert neurosym(*run, "--tolerance", "0.2") == 0
     record = bare / "runs/near.empty.run.json"
     assert json.loads(record.read_text())["replannings"] == []
