@@ -19,7 +19,7 @@ def execute(
     problem: ProblemName,
     plan_file: Annotated[
         Positional[Path],
-        arg(metavar="PLAN", help="Any planner's plan, in IPC form; - reads it from standard input."),
+        arg(metavar="PLAN", help="Any planner's plan; - reads it from standard input."),
     ],
     replanner: Annotated[
         str, arg(help="Whom to ask for a new plan: see `neurosym planners`, or module:factory.")

@@ -20,6 +20,7 @@ from neurosym.problems import Problem
 from neurosym.reading import read_text
 from neurosym.stages.folder import DomainFolder
 from neurosym.stages.layout import DOMAIN_FILES, GROUNDING, printed_file
+from neurosym.stages.plan_records import planned_tolerance
 from neurosym.stages.planning import load_problem
 
 _PRINTED: tuple[Encoding, ...] = ("stepwise", PLACES, *BY_RELATIONS, "operators", NUMERIC)
@@ -83,7 +84,7 @@ def judge_plan(
     own = load_problem(folder, name)
     actions = read_actions(plan_file)
     try:
-        steps, unread = read_plan(plan_file, grounding, own), ""
+        steps, unread = read_plan(plan_file, grounding, own.within(planned_tolerance(plan_file))), ""
     except InvalidPlan as error:
         steps, unread = (), str(error)
     replay = None if unread else validate(steps, own.within(tolerance), grounding)

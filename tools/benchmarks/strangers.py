@@ -1,7 +1,8 @@
 """What strangers bring, and how much of it is read: `python -m tools.benchmarks.strangers`.
 
 Shipped plans are written in every form of `neurosym.pddl.plan_forms`, and read again. A form counts as read
-if each plan gives the same steps as in the IPC form. Writes into docs/results/strangers.json.
+if each plan gives the same steps as in the IPC form. Every shipped plan is judged by unified-planning's
+validator, on the printed files beside it. Writes into docs/results/strangers.json.
 """
 
 import json
@@ -18,6 +19,9 @@ from neurosym.grounding import Grounding
 from neurosym.pddl.plan_forms import FORMS, PlanForm
 from neurosym.pddl.plan_reading import parse_plan
 from neurosym.problems import Problem
+from neurosym.shipped import DOMAINS
+from neurosym.stages.folder import DomainFolder
+from neurosym.stages.plan_verdict import judge_plan
 from tools.benchmarks.jobs import as_text
 from tools.benchmarks.places import ROOT
 
@@ -80,7 +84,17 @@ def actions_of(text: str) -> list[list[str]]:
     return [line.strip("()").split() for line in lines if line]
 
 
-MEASURES: tuple[Callable[[], Mapping[str, int]], ...] = (plan_forms,)
+def shipped_plans() -> Mapping[str, int]:
+    """Count the shipped plans, and those that are valid by the printed domain and problem."""
+    valid = [
+        judge_plan(DomainFolder(folder), file.name.partition(".")[0], file).valid_by_pddl
+        for folder in map(ROOT.joinpath, (f"domains/{name}" for name in DOMAINS))
+        for file in sorted((folder / "plans").glob("*.plan"))
+    ]
+    return {"shipped_plans": len(valid), "shipped_plans_valid": sum(valid)}
+
+
+MEASURES: tuple[Callable[[], Mapping[str, int]], ...] = (plan_forms, shipped_plans)
 """What is measured; each gives some entries of the file."""
 
 
