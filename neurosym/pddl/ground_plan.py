@@ -6,12 +6,12 @@ region, or that uses a spot of the table that has no name yet. Such a plan says 
 problem beside it is then printed with them (`problem_text`), and any validator takes the two together.
 """
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
 from neurosym.errors import InvalidValue
 from neurosym.grounding import Grounding
-from neurosym.pddl.grid import Grid, grid_of
+from neurosym.pddl.grid import AXES, Grid, grid_of
 from neurosym.pddl.moves import (
     BY_RELATIONS,
     CARRIERS,
@@ -110,6 +110,34 @@ def print_ground_plan(
     return ground_plan(steps, problem, grounding, encoding).text
 
 
+def led_actions(
+    move: Move, name: str, here: list[int], grid: Grid, encoding: Encoding, *, has_own: bool
+) -> Iterator[tuple[str, ...]]:
+    """Lead an object over cells by a move, and yield the ground actions of that, each as its words.
+
+    Args:
+        move: The move.
+        name: The object.
+        here: The cells that it is in, which change.
+        grid: The grid.
+        encoding: The encoding of the domain.
+        has_own: Whether objects have steps of their own, so that actions name the steps, too.
+
+    Raises:
+        InvalidValue: If it leads off the grid.
+    """
+    for action, axes in parts_of(move, encoding, has_own=has_own):
+        is_carrier = has_own and action in CARRIERS
+        words = [action, *([move_constant(move)] if is_carrier else []), name]
+        for axis in axes:
+            before, here[axis] = here[axis], here[axis] + move.cells[axis]
+            if not 0 <= here[axis] <= grid.last[axis]:
+                raise InvalidValue(f"{move.name} leads {name} off the grid along {AXES[axis]}.")
+            words += [step_name(axis, move.cells[axis])] if is_carrier else []
+            words += [grid.cell_name(axis, before), grid.cell_name(axis, here[axis])]
+        yield tuple(words)
+
+
 class _Printing:
     """The actions printed so far, and where objects are by then."""
 
@@ -149,19 +177,8 @@ class _Printing:
             raise InvalidValue(
                 f"{step.operator} is not in the domain{of_whom}, so the plan cannot be printed with cells."
             )
-        for name, axes in parts_of(move, self._encoding, has_own=self._grounding.is_refined):
-            is_carried = name in CARRIERS
-            words = [name, *([move_constant(move)] if is_carried else []), step.object]
-            for axis in axes:
-                there = here[axis] + move.cells[axis]
-                if not 0 <= there <= self._grid.last[axis]:
-                    raise InvalidValue(
-                        f"{step.operator} leads {step.object} off the grid, so the plan cannot be printed "
-                        "with cells."
-                    )
-                words += [step_name(axis, move.cells[axis])] if is_carried else []
-                words += [self._grid.cell_name(axis, here[axis]), self._grid.cell_name(axis, there)]
-                here[axis] = there
+        has_own = self._grounding.is_refined
+        for words in led_actions(move, step.object, here, self._grid, self._encoding, has_own=has_own):
             self.lines.append(f"({' '.join(words)})")
 
     def _reached(self, name: str) -> str:

@@ -6,25 +6,22 @@ from functools import cached_property
 from neurosym.errors import InvalidValue
 from neurosym.grounding import Grounding
 from neurosym.pddl.grid import AXES, Grid, grid_of
+from neurosym.pddl.ground_plan import led_actions
 from neurosym.pddl.moves import (
+    CARRIERS,
     FINISH,
     REACH_GOAL,
     Encoding,
     Move,
-    carrier,
-    move_constant,
     moves_for,
     moves_of,
-    parts_of,
 )
-from neurosym.pddl.own_steps import step_name
 from neurosym.pddl.plan_lines import WrittenAction
 from neurosym.pddl.plan_text import PlanStep
 from neurosym.problems import Problem
 
 Words = tuple[str, ...]
 """Name and arguments of a ground action."""
-_CARRIERS = frozenset(carrier(axis) for axis in range(3))
 
 
 def without_part(name: str) -> str:
@@ -60,7 +57,7 @@ class Cells:
 
     def is_carrier(self, name: str) -> bool:
         """Say whether an action leads any object along an axis, as where objects have steps of their own."""
-        return self._grounding.is_refined and name in _CARRIERS
+        return self._grounding.is_refined and name in CARRIERS
 
     @cached_property
     def _has_carriers(self) -> bool:
@@ -140,19 +137,11 @@ class Cells:
 
     def _parts(self, move: Move, name: str, here: list[int]) -> list[Words]:
         """List the ground actions of a move, and lead its object along."""
-        found = list[Words]()
-        for action, axes in parts_of(move, self._encoding, has_own=self._has_carriers):
-            is_carrier = self._has_carriers and action in _CARRIERS
-            words = [action, *([move_constant(move)] if is_carrier else []), name]
-            for axis in axes:
-                cells = here[axis], here[axis] + move.cells[axis]
-                if self.are_written and not 0 <= cells[1] <= self._grid.last[axis]:
-                    raise InvalidValue(f"it would lead {name} off the grid along {AXES[axis]}")
-                words += [step_name(axis, move.cells[axis])] if is_carrier else []
-                words += [self._grid.cell_name(axis, index) for index in cells]
-                here[axis] = cells[1]
-            found.append(tuple(words))
-        return found if self.are_written else []
+        if not self.are_written:
+            here[:] = [cell + by for cell, by in zip(here, move.cells, strict=True)]
+            return []
+        has_own = self._has_carriers
+        return list(led_actions(move, name, here, self._grid, self._encoding, has_own=has_own))
 
     def _here(self, name: str) -> list[int] | None:
         if name not in self._cells:

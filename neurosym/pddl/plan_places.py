@@ -9,6 +9,7 @@ from jaxtyping import Float
 from neurosym.errors import InvalidValue, UnknownChoice
 from neurosym.grounding import Grounding
 from neurosym.pair_sight import with_pairs
+from neurosym.pddl.durative import MOST_OVER
 from neurosym.pddl.footprints import footprints_apart
 from neurosym.pddl.place_domain import LEAVE as LEAVE_START
 from neurosym.pddl.place_domain import LOOK, NOWHERE
@@ -25,9 +26,6 @@ from neurosym.related import is_relational, loads_of, relating
 from neurosym.relation_goals import pair_key
 from neurosym.relation_operators import RelationOperator
 from neurosym.wording import counted
-
-MOST_OVER = 3
-"""How many objects that stand over a place actions with durations name; see `durative`."""
 
 
 class Unlike(InvalidValue):
