@@ -1,17 +1,14 @@
 """The command `neurosym compile-domain`: what was learned, as PDDL."""
 
-from typing import TYPE_CHECKING, Annotated
+from typing import Annotated
 
 from tyro.conf import arg
 
+from neurosym.choices import CELL
 from neurosym.commands.options import Folder, opened
 from neurosym.console import say, say_next
-from neurosym.pddl.compiler import CELL
 from neurosym.stages.layout import DURATIVE_DOMAIN, GROUNDING, durative_file
 from neurosym.wording import counted, listed_briefly, quoted
-
-if TYPE_CHECKING:
-    pass
 
 
 def compile_domain(

@@ -1,6 +1,6 @@
 """Printing the problems of a domain folder as PDDL, in every way that the domain is printed."""
 
-from collections.abc import Mapping
+from collections.abc import Collection
 
 import msgspec
 
@@ -31,15 +31,17 @@ def print_problem(
         grounding: The learned domain.
         only_missing: Leave what is there as it is.
     """
-    problem = placed(with_pairs(problem, grounding.relations), grounding)
-    printed = texts_of(problem, grounding)
-    wanted = {file for file in printed if not (only_missing and (folder / file).exists())}
+    problem = with_pairs(problem, grounding.relations)
+    encodings = _encodings_of(problem, grounding)
+    wanted = {file for file in encodings if not (only_missing and (folder / file).exists())}
+    if not wanted:
+        return
+    problem = placed(problem, grounding)
     for file in sorted(wanted):
-        write_atomically(folder / file, printed[file])
+        write_atomically(folder / file, problem_text(problem, grounding, encodings[file]))
     if not only_missing:
-        _remove_stale(folder, problem.name, printed)
-    if wanted:
-        write_new_problem(folder, problem, grounding)
+        _remove_stale(folder, problem.name, encodings)
+    write_new_problem(folder, problem, grounding)
 
 
 def placed(problem: Problem, grounding: Grounding) -> Problem:
@@ -63,21 +65,25 @@ def texts_of(problem: Problem, grounding: Grounding) -> dict[str, str]:
         problem: The problem, with its places.
         grounding: The learned domain.
     """
+    return {
+        file: problem_text(problem, grounding, encoding)
+        for file, encoding in _encodings_of(problem, grounding).items()
+    }
+
+
+def _encodings_of(problem: Problem, grounding: Grounding) -> dict[str, Encoding]:
+    """Return what a problem is printed in, by file."""
     if is_relational(problem, grounding):
-        pairs = zip(relation_files(problem.name), BY_RELATIONS, strict=True)
-        return {file: problem_text(problem, grounding, encoding) for file, encoding in pairs}
+        return dict(zip(relation_files(problem.name), BY_RELATIONS, strict=True))
     encodings: list[Encoding] = ["stepwise", "numeric"]
     files = [*problem_files(problem.name)]
     if carriers_of(grounding):
         encodings.append(PLACES)
         files.append(places_file(problem.name))
-    return {
-        file: problem_text(problem, grounding, encoding)
-        for file, encoding in zip(files, encodings, strict=True)
-    }
+    return dict(zip(files, encodings, strict=True))
 
 
-def _remove_stale(folder: DomainFolder, name: str, printed: Mapping[str, str]) -> None:
+def _remove_stale(folder: DomainFolder, name: str, printed: Collection[str]) -> None:
     """Remove what a former problem of that name was printed as, and this one is not."""
     for file in (*problem_files(name), places_file(name), *relation_files(name)):
         if file not in printed and (folder / file).exists():
