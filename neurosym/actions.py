@@ -6,8 +6,8 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-from jaxtyping import Bool, Float
 
+from neurosym.arrays import Bool, Float
 from neurosym.errors import InvalidValue
 
 EFFECT_AXES = 3

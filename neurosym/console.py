@@ -1,102 +1,34 @@
-"""What the command line shows: progress bars, tables, and where things lie."""
+"""What the command line shows: progress bars, tables, and where things lie.
+
+Lines are printed here; what rich draws is in `terminal`, which is imported when something is drawn.
+"""
 
 import os
 import re
 import shutil
 import sys
 from collections.abc import Iterator, Sequence
-from contextlib import contextmanager, suppress
+from contextlib import AbstractContextManager, contextmanager, suppress
 from pathlib import Path
-from time import monotonic
-from typing import IO, Any, Protocol, TextIO, cast
+from typing import Protocol, TextIO
 
-from rich.console import Console
-from rich.progress import (
-    BarColumn,
-    MofNCompleteColumn,
-    Progress,
-    ProgressColumn,
-    Task,
-    TextColumn,
-    TimeElapsedColumn,
-    TimeRemainingColumn,
-)
-from rich.table import Table
-from rich.text import Text
-
-from neurosym.errors import CannotWrite, shortened
+from neurosym.errors import CannotWrite
 from neurosym.wording import harmless, quoted
 
 NAME = "neurosym"  # of the program
+PIPE_WIDTH = 160
+"""Columns, where there is no terminal to ask."""
 _PROGRAM = re.compile(rf"(?:^|(?<=, then )|(?<= && )){NAME}(?= )")
-_LONG = re.compile(r"\S{1000,}")
-_PIPE_WIDTH = 160  # columns, where there is no terminal to ask
-_LEAST_PAUSE = 5.0  # between lines that say how far some work has come [s]
 
 
 class OutputClosed(BaseException):
     """Nobody reads any longer what is printed; nothing that is in the way of an end catches this."""
 
 
-class HarmlessConsole(Console):
-    """A console that shows what stands in texts, which may come from files of strangers, and does no more."""
+class _Output:
+    """Whether commands print what they have to say."""
 
-    def print(self, *objects: Any, **options: Any) -> None:
-        """Print as rich does, without what a terminal would act on."""
-        super().print(*(harmless(text) if isinstance(text, str) else text for text in objects), **options)
-
-
-class OutputConsole(HarmlessConsole):
-    """A console for what was asked for."""
-
-    def on_broken_pipe(self) -> None:
-        """Raise `OutputClosed`, and print no more."""
-        self.quiet = True
-        _turn_away(sys.stdout)
-        raise OutputClosed
-
-
-class ErrorConsole(HarmlessConsole):
-    """A console for sentences about what was given, however long that is."""
-
-    def print(self, *objects: Any, **options: Any) -> None:
-        """Print, without the end of words that nobody reads to their end."""
-        super().print(
-            *(_LONG.sub(_cut, text) if isinstance(text, str) else text for text in objects), **options
-        )
-
-    def on_broken_pipe(self) -> None:
-        """Say no more."""
-        self.quiet = True
-        _turn_away(sys.stderr)
-
-
-def _cut(word: re.Match[str]) -> str:
-    return shortened(word[0], 300)
-
-
-class _Forgiving:
-    """Standard error, which a command can do without: what cannot be written there is lost."""
-
-    def __getattr__(self, name: str) -> Any:
-        return getattr(sys.stderr, name)
-
-    def write(self, text: str) -> int:
-        with suppress(OSError):
-            sys.stderr.write(text)
-        return len(text)
-
-    def flush(self) -> None:
-        with suppress(OSError):
-            sys.stderr.flush()
-
-
-console = OutputConsole(
-    highlight=False, emoji=False, soft_wrap=True, width=None if sys.stdout.isatty() else _PIPE_WIDTH
-)
-error_console = ErrorConsole(
-    file=cast(IO[str], _Forgiving()), stderr=True, highlight=False, emoji=False, soft_wrap=True
-)
+    quiet = False
 
 
 class Advance(Protocol):
@@ -107,40 +39,7 @@ class Advance(Protocol):
         ...
 
 
-class _Rate(ProgressColumn):
-    def render(self, task: Task) -> Text:
-        return Text(f"{task.speed:.1f}/s" if task.speed else "-/s", style="progress.data.speed")
-
-
-class _Lines:
-    """Says how far some work has come in a line now and then, where there is no terminal to show a bar on."""
-
-    def __init__(self, label: str):
-        self._restart(label)
-
-    def _restart(self, label: str) -> None:
-        self._label, self._tenths = label, 0
-        self._begin = self._last = monotonic()
-
-    def advance(self, done: int, total: int, label: str | None = None) -> None:
-        """Say how much is done, if that is a tenth more, and not long after the last line."""
-        if label is not None and label != self._label:
-            self._restart(label)
-        now, tenths = monotonic(), 10 * done // total if total else 0
-        if tenths <= self._tenths or now - self._last < _LEAST_PAUSE:
-            return
-        self._tenths, self._last = tenths, now
-        taken = now - self._begin
-        left = "" if done >= total else f", about {_minutes(taken * (total - done) / done)} left"
-        error_console.print(f"{self._label}: {done} of {total} after {_minutes(taken)}{left}", markup=False)
-
-
-def _minutes(seconds: float) -> str:
-    return f"{int(seconds) // 60}:{int(seconds) % 60:02d} min"
-
-
-@contextmanager
-def progress_bar(label: str) -> Iterator[Advance]:
+def progress_bar(label: str) -> AbstractContextManager[Advance]:
     """Show a bar with rate and remaining time while some long work goes on, once it has begun.
 
     Where the output is no terminal, a line now and then says as much.
@@ -148,35 +47,9 @@ def progress_bar(label: str) -> Iterator[Advance]:
     Args:
         label: What is being done.
     """
-    columns = (
-        TextColumn("{task.description}"),
-        BarColumn(),
-        MofNCompleteColumn(),
-        _Rate(),
-        TextColumn("left"),
-        TimeRemainingColumn(),
-        TextColumn("elapsed"),
-        TimeElapsedColumn(),
-    )
-    progress, lines = Progress(*columns, console=error_console), _Lines(label)
-    task = progress.add_task(label, total=None)
+    from neurosym.terminal import progress_bar as drawn
 
-    def advance(done: int, total: int, label: str | None = None) -> None:
-        if console.quiet:
-            return
-        if not error_console.is_terminal:
-            lines.advance(done, total, label)
-            return
-        progress.start()
-        if label is not None and label != progress.tasks[0].description:
-            progress.reset(task, description=label, total=total)
-        progress.update(task, completed=done, total=total)
-
-    try:
-        yield advance
-    finally:
-        if progress.live.is_started:
-            progress.stop()
+    return drawn(label)
 
 
 @contextmanager
@@ -190,16 +63,21 @@ def naming_output() -> Iterator[None]:
     try:
         yield
     except BrokenPipeError as error:
-        _turn_away(sys.stdout)
+        _Output.quiet = True
+        turn_away(sys.stdout)
         raise OutputClosed from error
     except OSError as error:
-        console.quiet = True
-        _turn_away(sys.stdout)
+        _Output.quiet = True
+        turn_away(sys.stdout)
         raise CannotWrite(Path("standard output"), error) from error
 
 
-def _turn_away(stream: TextIO) -> None:
-    """Let what is printed from now on, and what waits to be, go nowhere."""
+def turn_away(stream: TextIO) -> None:
+    """Let what is printed from now on, and what waits to be, go nowhere.
+
+    Args:
+        stream: Standard output, or standard error.
+    """
     with suppress(OSError, ValueError):
         nowhere = os.open(os.devnull, os.O_WRONLY)
         os.dup2(nowhere, stream.fileno())
@@ -208,8 +86,11 @@ def _turn_away(stream: TextIO) -> None:
 
 def say(text: str) -> None:
     """Print a line for the user."""
+    if _Output.quiet:
+        return
     with naming_output():
-        console.print(text, markup=False)
+        sys.stdout.write(f"{harmless(text)}\n")
+        sys.stdout.flush()
 
 
 def print_raw(text: str) -> None:
@@ -218,8 +99,19 @@ def print_raw(text: str) -> None:
     Args:
         text: It needs no new line at its end.
     """
-    with naming_output():
-        console.print(text.rstrip("\n"), markup=False, soft_wrap=True)
+    say(text.rstrip("\n"))
+
+
+def complain(sentence: str, style: str = "") -> None:
+    """Print on standard error, also when commands are quiet.
+
+    Args:
+        sentence: What went wrong, for instance.
+        style: How it looks in a terminal, as rich says it.
+    """
+    from neurosym.terminal import error_console
+
+    error_console.print(sentence, markup=False, style=style or None)
 
 
 def be_quiet(quiet: bool) -> None:
@@ -228,7 +120,17 @@ def be_quiet(quiet: bool) -> None:
     Args:
         quiet: Which of both.
     """
-    console.quiet = quiet
+    _Output.quiet = quiet
+
+
+def is_quiet() -> bool:
+    """Say whether nothing is printed but what goes wrong."""
+    return _Output.quiet
+
+
+def width() -> int:
+    """Return how many columns there are to print in."""
+    return shutil.get_terminal_size().columns if sys.stdout.isatty() else PIPE_WIDTH
 
 
 def say_next(command: str) -> None:
@@ -252,10 +154,9 @@ def show_table(title: str, columns: Sequence[str], rows: Sequence[Sequence[str]]
         columns: Headings.
         rows: One text for each heading.
     """
-    table = Table(title=Text(harmless(title), style="table.title"), title_justify="left")
-    for column in columns:
-        table.add_column(Text(harmless(column)), overflow="fold")
-    for row in rows:
-        table.add_row(*(Text(harmless(cell)) for cell in row))
+    if _Output.quiet:
+        return
+    from neurosym.terminal import print_table
+
     with naming_output():
-        console.print(table)
+        print_table(title, columns, rows)

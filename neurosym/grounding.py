@@ -30,7 +30,7 @@ from neurosym.operators import (
     unknown_format,
 )
 from neurosym.place_operators import NEVER_CARRIES, PlaceOperators
-from neurosym.reading import read_json
+from neurosym.reading import MOST_JSON, decode_json, read_bytes
 from neurosym.relation_operators import RelationOperators
 from neurosym.symbols import Symbol
 from neurosym.table import Table
@@ -93,11 +93,7 @@ class Grounding(msgspec.Struct, frozen=True, forbid_unknown_fields=True, omit_de
             InvalidFile: If the file is none, or of another version.
         """
         path = as_path(path)
-        remedy = f"; `neurosym compile-domain {quoted(path.parent)}` writes it anew"
-        found = read_json(path, _Versioned, remedy).format
-        if found not in FORMATS:
-            raise InvalidFile(path, unknown_format(found, FORMATS) + remedy)
-        return read_json(path, cls, remedy)
+        return _decoded(path, read_bytes(path, MOST_JSON))
 
     @property
     def every_operator(self) -> tuple[Operator, ...]:
@@ -262,6 +258,24 @@ class Grounding(msgspec.Struct, frozen=True, forbid_unknown_fields=True, omit_de
         """
         seen = [row.effect[2] for row in operator.rehearsals if row.kind == "held" and is_lift(operator)]
         return max([self.cells(operator)[2], *(in_cells((0.0, 0.0, up), self.cell)[2] for up in seen)])
+
+
+@lru_cache(maxsize=2)
+def _decoded(path: Path, content: bytes) -> Grounding:
+    """Return the grounding that a file holds; the same one while it holds the same."""
+    remedy = f"; `neurosym compile-domain {quoted(path.parent)}` writes it anew"
+    try:
+        grounding = decode_json(path, content, Grounding, remedy)
+    except InvalidFile:
+        _check_format(path, decode_json(path, content, _Versioned, remedy).format, remedy)
+        raise
+    _check_format(path, grounding.format, remedy)
+    return grounding
+
+
+def _check_format(path: Path, found: str, remedy: str) -> None:
+    if found not in FORMATS:
+        raise InvalidFile(path, unknown_format(found, FORMATS) + remedy)
 
 
 @lru_cache(maxsize=_REMEMBERED)

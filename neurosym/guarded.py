@@ -9,9 +9,9 @@ from contextlib import contextmanager
 from typing import Any
 
 import numpy as np
-from jaxtyping import Float
 
 from neurosym.actions import ActionBox
+from neurosym.arrays import Float
 from neurosym.contract import attempt, check_attributes, check_drawn, check_outcome
 from neurosym.errors import InvalidValue, InvalidWorld, NeurosymError
 from neurosym.table import Reference, Table

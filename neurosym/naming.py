@@ -7,8 +7,8 @@ it is unique, and matches `[a-z][a-z0-9-]*`, so that it is legal in PDDL.
 from collections.abc import Sequence
 
 import numpy as np
-from jaxtyping import Float
 
+from neurosym.arrays import Float
 from neurosym.operators import PROMISING, Mode
 from neurosym.symbols import Symbol
 

@@ -10,9 +10,10 @@ from typing import Annotated, Literal
 
 import msgspec
 import numpy as np
-from jaxtyping import Float
 
+from neurosym.arrays import Float
 from neurosym.checks import check_fields
+from neurosym.choices import TOLERANCE as TOLERANCE
 from neurosym.errors import InvalidFile, InvalidValue
 from neurosym.reading import read_json
 from neurosym.symbols import Symbol, all_symbols
@@ -43,8 +44,6 @@ def vector(values: Float[np.ndarray, "3"]) -> Vector:
 
 PROMISING: tuple[OutcomeKind, ...] = ("resting", "held", "carried")
 """How targets end that operators promise something of."""
-TOLERANCE = 0.05
-"""How near an object must come to its goal, and an outcome to its promise [m] (section III-E)."""
 MIN_CHANCE = 0.1
 """An outcome that is seen more rarely than this is not worth planning with."""
 

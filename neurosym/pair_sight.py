@@ -9,9 +9,9 @@ from itertools import permutations
 
 import msgspec
 import numpy as np
-from jaxtyping import Float
 
 from neurosym.any_pair import FAINT, FAINTEST, LEAST, for_any_pair, share_with_any
+from neurosym.arrays import Float
 from neurosym.errors import InvalidValue
 from neurosym.operators import Category
 from neurosym.problems import Problem

@@ -5,8 +5,8 @@ that they touch. What a robot sees besides: whether they touch anywhere, and how
 """
 
 import numpy as np
-from jaxtyping import Float
 
+from neurosym.arrays import Float
 from neurosym.world import Scene
 
 DESCRIPTION = ("away", "above", "touching", "tilted", "reference tilted")

@@ -9,7 +9,8 @@ from dataclasses import dataclass
 from typing import Literal, Protocol, runtime_checkable
 
 import numpy as np
-from jaxtyping import Float
+
+from neurosym.arrays import Float
 
 PARTS = ("box", "cylinder", "sphere")
 """The kinds of a part: its size is its edges [m], its radius and length [m], or its radius [m]."""

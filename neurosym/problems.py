@@ -6,8 +6,8 @@ from pathlib import Path
 
 import msgspec
 import numpy as np
-from jaxtyping import Float
 
+from neurosym.arrays import Float
 from neurosym.checks import as_path, check_fields, check_kind
 from neurosym.errors import InvalidFile, InvalidValue, UnknownChoice
 from neurosym.files import write_json

@@ -14,8 +14,8 @@ from types import MappingProxyType
 
 import msgspec
 import numpy as np
-from jaxtyping import Float
 
+from neurosym.arrays import Float
 from neurosym.grounding import Grounding
 from neurosym.operators import TOLERANCE, Category, Mode, Operator
 from neurosym.problems import SceneObject

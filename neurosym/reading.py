@@ -9,6 +9,7 @@ import hashlib
 import os
 import re
 import stat
+import threading
 import tomllib
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -17,7 +18,6 @@ from pathlib import Path
 from typing import Any, TypeVar
 
 import msgspec
-import numpy as np
 
 from neurosym.errors import InvalidFile, InvalidValue, shortened
 
@@ -121,7 +121,7 @@ def read_json(path: Path, kind: type[Document], remedy: str = "") -> Document:
     Raises:
         InvalidFile: If the file cannot be read or does not fit; the message names the field.
     """
-    return decode_json(path, read_bytes(path, MOST_JSON).removeprefix(codecs.BOM_UTF8), kind, remedy)
+    return decode_json(path, read_bytes(path, MOST_JSON), kind, remedy)
 
 
 def decode_json(path: Path, content: bytes, kind: type[Document], remedy: str = "") -> Document:
@@ -136,19 +136,51 @@ def decode_json(path: Path, content: bytes, kind: type[Document], remedy: str = 
     Raises:
         InvalidFile: If it does not fit; the message names the field.
     """
+    content = content.removeprefix(codecs.BOM_UTF8)
     outside = _STRING.sub(b"", content)
-    brackets = np.frombuffer(outside.translate(None, _NO_BRACKETS), dtype=np.uint8)
-    opens = np.isin(brackets, tuple(b"[{"))
-    if np.cumsum(np.where(opens, 1, -1)).max(initial=0) > DEEPEST:
+    if _depth(outside) > DEEPEST:
         raise InvalidFile(path, _too_deep() + remedy)
     try:
-        return msgspec.json.decode(content, type=kind)
+        with _decoding():
+            return msgspec.json.decode(content, type=kind)
     except (msgspec.MsgspecError, UnicodeDecodeError, OverflowError, RecursionError, InvalidValue) as error:
         is_other = isinstance(error, msgspec.ValidationError | InvalidValue)
         said = ("" if is_other else "it is not JSON: ") + shortened(_in_words(error), 300)
         if not is_other and (found := _NOT_FINITE.search(outside)):
             said += f"; {found[0].decode()} is no number there"
         raise InvalidFile(path, said + remedy) from error
+
+
+def is_decoding() -> bool:
+    """Say whether a JSON document is being read, all of whose fields fit their types and are finite."""
+    return _reading.now
+
+
+class _Reading(threading.local):
+    """What a thread does."""
+
+    now = False
+
+
+_reading = _Reading()
+
+
+@contextmanager
+def _decoding() -> Iterator[None]:
+    _reading.now = True
+    try:
+        yield
+    finally:
+        _reading.now = False
+
+
+def _depth(outside: bytes) -> int:
+    """Return how deep lists and tables stand in one another in a document without its strings."""
+    import numpy as np
+
+    brackets = np.frombuffer(outside.translate(None, _NO_BRACKETS), dtype=np.uint8)
+    opens = np.isin(brackets, tuple(b"[{"))
+    return int(np.cumsum(np.where(opens, 1, -1)).max(initial=0))
 
 
 def _in_words(error: Exception) -> str:

@@ -9,9 +9,10 @@ from functools import cache
 from itertools import combinations
 
 import numpy as np
-from jaxtyping import Bool, Float
 
+from neurosym.arrays import Bool, Float
 from neurosym.operators import TOLERANCE
+from neurosym.threads import one_thread
 
 _LENGTHS = (0.7, 1.5, 3.0, 6.0)  # over which outcomes change, in spreads of the features
 _NOISES = (0.001, 0.01, 0.1, 0.3, 1.0, 10.0)  # variance that features do not explain, of that they do
@@ -130,6 +131,7 @@ def fit(
     )
 
 
+@one_thread()
 def _most_likely(
     objects: Float[np.ndarray, "n F"], outcomes: Float[np.ndarray, "n D"]
 ) -> tuple[float, Float[np.ndarray, "n n"], Float[np.ndarray, "n"]]:

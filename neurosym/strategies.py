@@ -12,15 +12,14 @@ from dataclasses import dataclass
 from typing import Literal
 
 import numpy as np
-from jaxtyping import Bool, Float
 
+from neurosym.arrays import Bool, Float
+from neurosym.choices import DEFAULT_STRATEGY as DEFAULT_STRATEGY
+from neurosym.choices import StrategyName as StrategyName
 from neurosym.errors import InvalidValue, UnknownChoice
 
 MIN_EFFECT = 0.08
 """Least sum of absolute displacements of a high effect [m]."""
-
-StrategyName = Literal["disagreement", "entropy", "curiosity", "random", "active"]
-DEFAULT_STRATEGY: StrategyName = "disagreement"
 
 
 @dataclass(frozen=True, slots=True)

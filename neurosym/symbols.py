@@ -7,8 +7,8 @@ from typing import Annotated
 
 import msgspec
 import numpy as np
-from jaxtyping import Float
 
+from neurosym.arrays import Float
 from neurosym.checks import check_all, check_callable
 from neurosym.errors import InvalidValue, shortened
 

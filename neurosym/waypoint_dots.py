@@ -3,8 +3,8 @@
 import math
 
 import numpy as np
-from jaxtyping import Float, UInt8
 
+from neurosym.arrays import Float, UInt8
 from neurosym.world import Frame
 
 DOT_COLOURS = ((31, 98, 224), (30, 160, 70), (222, 40, 45))

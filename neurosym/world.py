@@ -11,9 +11,9 @@ from dataclasses import dataclass
 from typing import Any, Literal, Protocol, TypeGuard, runtime_checkable
 
 import numpy as np
-from jaxtyping import Float, UInt8
 
 from neurosym.actions import ActionBox
+from neurosym.arrays import Float, UInt8
 from neurosym.checks import check_array, check_kind
 from neurosym.errors import InvalidValue
 from neurosym.table import Reference, ReferenceKind, Table, centre_of, check_reference, kind_of_reference

@@ -5,15 +5,15 @@ import sys
 
 import pytest
 
-from neurosym import console
+from neurosym import console, terminal
 
 
 @pytest.fixture
 def said(monkeypatch):
     """What is printed about progress, and a clock that the test moves."""
     stream, now = io.StringIO(), [0.0]
-    monkeypatch.setattr(console, "error_console", console.ErrorConsole(file=stream, soft_wrap=True))
-    monkeypatch.setattr(console, "monotonic", lambda: now[0])
+    monkeypatch.setattr(terminal, "error_console", terminal.ErrorConsole(file=stream, soft_wrap=True))
+    monkeypatch.setattr(terminal, "monotonic", lambda: now[0])
     return stream, now
 
 

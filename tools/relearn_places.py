@@ -6,6 +6,7 @@ is done twice. None of the problems is removed.
 
 from pathlib import Path
 
+from neurosym.choices import TaskKind
 from neurosym.commands.run import run
 from neurosym.console import say
 from neurosym.files import write_atomically
@@ -14,7 +15,6 @@ from neurosym.operators import OperatorTable
 from neurosym.stages.folder import DomainFolder
 from neurosym.stages.layout import PRIMITIVES
 from neurosym.stages.problem_making import Asked, problem_stage
-from neurosym.worlds.tasks import TaskKind
 from tools.relearn_tabletop import (
     STAGES,
     categories_table,

@@ -8,6 +8,7 @@ None of the problems is removed.
 import shutil
 from pathlib import Path
 
+from neurosym.choices import AnyTask
 from neurosym.commands.run import run
 from neurosym.console import say
 from neurosym.files import make_folder, write_atomically, write_json
@@ -19,7 +20,6 @@ from neurosym.stages.folder import DomainFolder
 from neurosym.stages.layout import GROUNDING, MANIFEST
 from neurosym.stages.manifest import Manifest
 from neurosym.stages.problem_making import Asked, problem_stage
-from neurosym.stages.task_drawing import AnyTask
 from tools.relearn_places import FOLDER as LEARNED
 from tools.relearn_places import PLACES, PLANNER, SEED, STEPS
 from tools.relearn_tabletop import STAGES, give_name, problems_table, stages_table, try_problem

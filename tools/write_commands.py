@@ -8,7 +8,7 @@ from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Annotated, Any, get_args, get_origin, get_type_hints
 
-from neurosym.commands.catalogue import COMMANDS
+from neurosym.commands.catalogue import SUMMARIES, command_named
 from neurosym.console import say
 from neurosym.files import write_atomically
 from neurosym.markdown import markdown_table
@@ -39,7 +39,7 @@ def main() -> None:
 
 def page() -> str:
     """Return the page."""
-    return "\n\n".join([HEAD, *(section(name, command) for name, command in COMMANDS.items())]) + "\n"
+    return "\n\n".join([HEAD, *(section(name, command_named(name)) for name in SUMMARIES)]) + "\n"
 
 
 def section(name: str, command: Callable[..., int]) -> str:

@@ -6,12 +6,9 @@ from typing import Annotated, Any
 import msgspec
 from tyro.conf import arg
 
-from neurosym.console import console, print_raw
+from neurosym.console import be_quiet, is_quiet, print_raw
 
 Json = Annotated[bool, arg(help="Print the answer as JSON and nothing else, for programs.")]
-QUIET = "--quiet"
-"""What any command may be given to print nothing but what goes wrong."""
-
 
 Answer = Callable[..., None]
 """Prints a struct or dictionary as JSON, if that was asked for; more fields, given by name, come first."""
@@ -23,11 +20,12 @@ def answer_in(json: bool) -> Answer:
     Args:
         json: Whether a program asked.
     """
-    was_quiet, console.quiet = console.quiet, console.quiet or json
+    was_quiet = is_quiet()
+    be_quiet(was_quiet or json)
 
     def answer(value: Any, **besides: Any) -> None:
         if json:
-            console.quiet = was_quiet
+            be_quiet(was_quiet)
             found = msgspec.to_builtins(value)
             text = msgspec.json.encode({**besides, **found} if besides else found)
             print_raw(msgspec.json.format(text, indent=2).decode())

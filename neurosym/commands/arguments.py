@@ -6,15 +6,15 @@ tyro tells what it is about to refuse as an event. Events are no stable part of 
 import inspect
 import math
 import re
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Sequence
 from functools import partial, wraps
 from itertools import pairwise
 from typing import Any
 
+from neurosym.commands.catalogue import ABOUT, SUMMARIES, Command, command_named
 from neurosym.errors import InvalidValue, UnknownChoice, shortened
 from neurosym.reading import LARGEST_WHOLE
 
-Command = Callable[..., int]
 LONGEST = 4096
 """Characters of one argument, as of a path."""
 MOST = {
@@ -41,14 +41,10 @@ class _Unreadable(Exception):
     """Something that was typed cannot be read; the first argument says what, without a full stop."""
 
 
-def read_arguments(
-    commands: Mapping[str, Command], about: str, arguments: Sequence[str]
-) -> Callable[[], int]:
+def read_arguments(arguments: Sequence[str]) -> Callable[[], int]:
     """Return the command that was typed, ready to be called.
 
     Args:
-        commands: The commands, by name.
-        about: What `--help` says first.
         arguments: What was typed after `neurosym`.
 
     Raises:
@@ -56,22 +52,24 @@ def read_arguments(
         InvalidValue: If its arguments cannot be read.
         SystemExit: If help was asked for, once it is printed.
     """
+    name = arguments[0] if arguments and not arguments[0].startswith("-") else ""
+    command = command_named(name) if name else None
+    _check_words(arguments)
     import tyro
     from tyro._errors import on_parse_error
 
-    name = arguments[0] if arguments and not arguments[0].startswith("-") else ""
-    if name and name not in commands:
-        raise UnknownChoice("command", name, commands)
-    _check_words(arguments)
+    options: dict[str, Any] = {"config": (tyro.conf.FlagCreatePairsOff,)}
     try:
-        with on_parse_error(partial(_refuse, commands)):
-            chosen: partial[int] = tyro.extras.subcommand_cli_from_dict(
-                {known: _later(command) for known, command in commands.items()},
-                prog="neurosym",
-                description=about,
-                args=arguments,
-                config=(tyro.conf.FlagCreatePairsOff,),
-            )
+        with on_parse_error(_refuse):
+            if command:  # as the others would be, which are not imported for it
+                chosen: partial[int] = tyro.cli(
+                    _later(command), prog=f"neurosym {name}", args=arguments[1:], **options
+                )
+            else:
+                commands = {known: _later(command_named(known)) for known in SUMMARIES}
+                chosen = tyro.extras.subcommand_cli_from_dict(
+                    commands, prog="neurosym", description=ABOUT, args=arguments, **options
+                )
     except _Unreadable as error:
         said = f"neurosym{' ' if name else ''}{name}: {error}"
         raise InvalidValue(said + _hint(name, arguments)) from None
@@ -115,7 +113,7 @@ def _later(command: Command) -> Callable[..., Callable[[], int]]:
     return later
 
 
-def _refuse(commands: Mapping[str, Command], event: Any) -> None:
+def _refuse(event: Any) -> None:
     """Say in a sentence what tyro is about to refuse; events that are new to us it says itself."""
     from tyro import _errors as events
 
@@ -128,7 +126,7 @@ def _refuse(commands: Mapping[str, Command], event: Any) -> None:
         if event.unrecognized_tokens:
             said += f"; unrecognized options: {_quoted(event.unrecognized_tokens)}"
     elif isinstance(event, events.MissingSubcommand):
-        said = f"expected one of {{{', '.join(commands)}}}"
+        said = f"expected one of {{{', '.join(SUMMARIES)}}}"
     elif isinstance(event, events.BadValue):
         said = f"missing value for argument '{_called(event.argument)}'"
     elif isinstance(event, events.UnrecognizedArgs):

@@ -5,11 +5,11 @@ from typing import TYPE_CHECKING, Annotated
 
 from tyro.conf import arg
 
+from neurosym.choices import TOLERANCE
 from neurosym.commands.answers import Json, answer_in
 from neurosym.commands.options import CPUS, Folder, Seed, Task, TimeLimit, Workers, check_time_limit, opened
 from neurosym.console import progress_bar, say, say_next, show_table
 from neurosym.errors import InvalidValue
-from neurosym.operators import TOLERANCE
 from neurosym.stages.manifest import Claim
 from neurosym.wording import counted, quoted
 

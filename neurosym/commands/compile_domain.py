@@ -4,9 +4,9 @@ from typing import Annotated
 
 from tyro.conf import arg
 
+from neurosym.choices import CELL
 from neurosym.commands.options import Folder, opened
 from neurosym.console import say, say_next
-from neurosym.pddl.compiler import CELL
 from neurosym.stages.layout import DURATIVE_DOMAIN, GROUNDING, durative_file
 from neurosym.wording import counted, listed_briefly, quoted
 

@@ -5,7 +5,7 @@ which it passed over.
 """
 
 from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 from tyro.conf import arg
 
@@ -15,8 +15,10 @@ from neurosym.files import make_folder
 from neurosym.shipped import copy_shipped
 from neurosym.stages.folder import DomainFolder
 from neurosym.stages.layout import plan_files
-from neurosym.stages.plan_records import PlanRecord
 from neurosym.wording import quoted
+
+if TYPE_CHECKING:
+    from neurosym.stages.plan_records import PlanRecord
 
 DOMAIN = "tabletop"
 PLANNERS = ("bfs", "fast-downward")
@@ -67,9 +69,10 @@ def _first_solvable(folder: DomainFolder, objects: int) -> str:
     return names[0]
 
 
-def _planned(folder: DomainFolder, name: str, planner: str) -> PlanRecord:
+def _planned(folder: DomainFolder, name: str, planner: str) -> "PlanRecord":
     """Plan a problem and tell how it went."""
     from neurosym.reading import read_json
+    from neurosym.stages.plan_records import PlanRecord
     from neurosym.stages.planning import plan_stage
 
     folder.perform(plan_stage(folder, name, planner=planner), again=True)

@@ -13,9 +13,6 @@ from neurosym.commands.options import (
     opened,
 )
 from neurosym.console import say, say_next
-from neurosym.operators import OperatorTable
-from neurosym.place_operators import PlaceOperators
-from neurosym.relation_operators import RelationOperators
 from neurosym.stages.layout import (
     PLACE_MODEL,
     PLACE_OPERATORS,
@@ -36,6 +33,9 @@ def distill(
     """Turn action symbols into parameters and rehearse each in the world: -> `primitives.json`."""
     from neurosym.commands.tables import show_operators, show_relations
     from neurosym.naming import counted_axes
+    from neurosym.operators import OperatorTable
+    from neurosym.place_operators import PlaceOperators
+    from neurosym.relation_operators import RelationOperators
     from neurosym.stages.aiming import distill_places_stage
     from neurosym.stages.distilling import distill_stage
     from neurosym.stages.relating import distill_relations_stage

@@ -1,21 +1,23 @@
 """How a command ends: its exit code, and the one sentence if it could not be done."""
 
 import os
-import platform
 import sys
 from collections.abc import Sequence
 from contextlib import suppress
 from pathlib import Path
 
-from neurosym.commands.answers import QUIET
-from neurosym.commands.arguments import read_arguments
-from neurosym.commands.catalogue import ABOUT, COMMANDS
-from neurosym.commands.exit_codes import BAD_INPUT, NOBODY_READS
+from neurosym.commands.catalogue import overview
+from neurosym.commands.exit_codes import BAD_INPUT, DONE, NOBODY_READS
 from neurosym.commands.signals import raised_signals, say_interrupted
-from neurosym.console import OutputClosed, be_quiet, error_console, naming_output, say
+from neurosym.commands.surroundings import leave_no_folders
+from neurosym.console import OutputClosed, be_quiet, complain, naming_output, say, width
 from neurosym.distribution import NAME, refuse_other_library, version_of
 from neurosym.errors import InvalidValue, NeurosymError
+from neurosym.threads import compute_in_one_thread
 
+QUIET = "--quiet"
+"""What any command may be given to print nothing but what goes wrong."""
+_HELP = {"-h", "--help"}
 _NO_MEMORY = "There is not enough memory; ask for less (workers, objects, rows), or end other programs."
 _WANTS_MEMORY = (  # how torch says it, and what loads libraries
     "allocate memory",
@@ -37,12 +39,7 @@ def perform(typed: Sequence[str]) -> int:
             try:
                 refuse_other_library()
                 _refuse_bytes(typed)
-                be_quiet(QUIET in typed)
-                if [*typed] == ["--version"]:
-                    code = say_version()
-                else:
-                    words = [word for word in typed if word != QUIET]
-                    code = read_arguments(COMMANDS, ABOUT, words)()
+                code = _perform(typed)
             finally:
                 with naming_output():
                     sys.stdout.flush()
@@ -63,14 +60,26 @@ def perform(typed: Sequence[str]) -> int:
     return code
 
 
-def say_version() -> int:
-    """Print which neurosym this is, and on which Python it runs."""
-    say(f"{NAME} {version_of('neurosym')} (Python {platform.python_version()})")
-    return 0
+def _perform(typed: Sequence[str]) -> int:
+    """Perform what was typed; to say only which this is, or what there is, next to nothing is imported."""
+    be_quiet(False)
+    if [*typed] == ["--version"]:
+        say(f"{NAME} {version_of('neurosym')} (Python {sys.version.split()[0]})")
+        return DONE
+    words = [word for word in typed if word != QUIET]
+    if words and words[0].startswith("-") and not _HELP.isdisjoint(words):
+        say(overview(width()))
+        return DONE
+    be_quiet(QUIET in typed)
+    leave_no_folders()
+    compute_in_one_thread()
+    from neurosym.commands.arguments import read_arguments
+
+    return read_arguments(words)()
 
 
 def _refuse(sentence: str) -> int:
-    error_console.print(sentence, markup=False, style="red")
+    complain(sentence, style="red")
     return BAD_INPUT
 
 

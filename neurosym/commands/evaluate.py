@@ -1,7 +1,7 @@
 """The command `neurosym evaluate`: the paper's tables from domain folders."""
 
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import TYPE_CHECKING, Annotated, Optional
 
 from tyro.conf import Positional, arg
 
@@ -22,14 +22,14 @@ def evaluate(
         Positional[tuple[Path, ...]], arg(metavar="DIR...", help="Domain folders, say of several seeds.")
     ],
     test: Annotated[
-        Path | None,
+        Optional[Path],
         arg(
             metavar="DATA",
             help="Interactions that errors are measured on, best random ones: an .npz file or a folder.",
         ),
     ] = None,
     output: Annotated[
-        Path | None, arg(metavar="FILE", help="Also write the tables here, as .md or .json.")
+        Optional[Path], arg(metavar="FILE", help="Also write the tables here, as .md or .json.")
     ] = None,
     workers: Workers = CPUS,
 ) -> int:

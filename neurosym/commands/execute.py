@@ -1,7 +1,7 @@
 """The command `neurosym execute`: a plan, run in the world."""
 
 from pathlib import Path
-from typing import Annotated
+from typing import Annotated, Optional
 
 from tyro.conf import Positional, arg
 
@@ -25,7 +25,7 @@ def execute(
         str, arg(help="Whom to ask for a new plan: see `neurosym planners`, or module:factory.")
     ] = "fast-downward",
     replans: Annotated[
-        int | None,
+        Optional[int],
         arg(
             metavar="N",
             help="How many new plans may be asked for; 0: the plan is followed as it is, to its end. "
@@ -35,7 +35,7 @@ def execute(
     ] = None,
     time_limit: TimeLimit = None,
     disturb: Annotated[
-        int | None,
+        Optional[int],
         arg(metavar="SEED", help="Nudge an object by 3 to 8 cm once during the run, drawn from this seed."),
     ] = None,
     tolerance: Tolerance = None,

@@ -1,7 +1,7 @@
 """The command `neurosym explain`: what the symbols mean, in words."""
 
 from pathlib import Path
-from typing import Annotated
+from typing import Annotated, Optional
 
 from tyro.conf import arg
 
@@ -9,7 +9,6 @@ from neurosym.commands.answers import Json, answer_in
 from neurosym.commands.options import Folder, opened
 from neurosym.console import say, say_next
 from neurosym.errors import InvalidValue
-from neurosym.explain.from_folder import explain_folder
 from neurosym.files import check_writable, write_atomically
 from neurosym.stages.layout import GROUNDING, WORLD
 from neurosym.wording import quoted
@@ -18,15 +17,16 @@ from neurosym.wording import quoted
 def explain(
     folder: Folder,
     output: Annotated[
-        Path | None, arg(metavar="FILE.md", help="Write it as Markdown here instead of printing it.")
+        Optional[Path], arg(metavar="FILE.md", help="Write it as Markdown here instead of printing it.")
     ] = None,
     symbol: Annotated[
-        str | None, arg(metavar="SYMBOL", help="Say it of this symbol only: bits, a name, or an operator.")
+        Optional[str], arg(metavar="SYMBOL", help="Say it of this symbol only: bits, a name, or an operator.")
     ] = None,
     json: Json = False,
 ) -> int:
     """Say in words what each symbol means: what the hand does and brings about, which objects are alike."""
     from neurosym.commands.explain_text import explanation_page, is_long, show_explanation
+    from neurosym.explain.from_folder import explain_folder
 
     answer, domain = answer_in(json), opened(folder)
     if output:

@@ -3,7 +3,7 @@
 import textwrap
 from collections.abc import Sequence
 
-from neurosym.console import console, say
+from neurosym.console import say, width
 from neurosym.explain.explained import EffectRow, Explanation, SymbolExplanation
 from neurosym.markdown import markdown_table
 from neurosym.wording import harmless
@@ -107,10 +107,9 @@ def _domain(row: EffectRow) -> str:
 
 def _say_wrapped(text: str, indent: str = "") -> None:
     """Print text between words, and never broken within a name."""
-    width = min(console.width, _WIDEST)
     for line in textwrap.wrap(
         text,
-        width,
+        min(width(), _WIDEST),
         initial_indent=indent,
         subsequent_indent=indent,
         break_long_words=False,

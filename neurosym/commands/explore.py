@@ -1,9 +1,10 @@
 """The command `neurosym explore`: the robot plays."""
 
-from typing import Annotated, Any
+from typing import Annotated, Any, Optional
 
 from tyro.conf import arg
 
+from neurosym.choices import DEFAULT_STRATEGY
 from neurosym.commands.options import (
     CPUS,
     Folder,
@@ -17,7 +18,6 @@ from neurosym.commands.options import (
 )
 from neurosym.console import say, say_next
 from neurosym.errors import InvalidValue
-from neurosym.strategies import DEFAULT_STRATEGY
 from neurosym.wording import quoted
 
 
@@ -28,10 +28,10 @@ def explore(
     seed: Seed = 0,
     regime: RegimeName = "default",
     workers: Annotated[
-        int | None, arg(help="Processes that simulate (one per CPU); does not change the result.")
+        Optional[int], arg(help="Processes that simulate (one per CPU); does not change the result.")
     ] = None,
     ray: Annotated[
-        str | None,
+        Optional[str],
         arg(
             metavar="auto|HOST:PORT",
             help="Simulate on all CPUs of a Ray cluster, this machine's or by address, instead of --workers.",

@@ -1,7 +1,7 @@
 """The command `neurosym figures`: the paper's Figures 3 and 4 from a domain folder, by the simulator."""
 
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import TYPE_CHECKING, Annotated, Optional
 
 from tyro.conf import arg
 
@@ -25,7 +25,7 @@ PLANS_SHOWN = 4
 def figures(
     folder: Folder,
     output: Annotated[
-        Path | None, arg(metavar="FOLDER", help="Write them here and not in DIR/pictures.")
+        Optional[Path], arg(metavar="FOLDER", help="Write them here and not in DIR/pictures.")
     ] = None,
 ) -> int:
     """Draw the paper's Figure 3 (each primitive) and Figure 4 (example plans) from the simulator.

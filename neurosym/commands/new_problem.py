@@ -1,7 +1,7 @@
 """The command `neurosym new-problem`: a task, drawn or set by hand."""
 
 from pathlib import Path
-from typing import Annotated
+from typing import Annotated, Optional
 
 from tyro.conf import UseAppendAction, arg
 
@@ -16,7 +16,7 @@ from neurosym.wording import quoted
 def new_problem(
     folder: Folder,
     name: Annotated[
-        str | None,
+        Optional[str],
         arg(help="Its name: a letter, then a-z, digits, hyphens. Else the first free one of task-01, ..."),
     ] = None,
     objects: Annotated[int, arg(help="Objects on the table: item-01, item-02, ...")] = 1,
@@ -39,21 +39,21 @@ def new_problem(
     ] = (),
     height: Annotated[int, arg(help="Objects of a tower or a stack, for --task tower and unstack.")] = 3,
     state: Annotated[
-        str | None,
+        Optional[str],
         arg(metavar="STATE", help="The state of pairs that a drawn task of relations asks for; else any."),
     ] = None,
     like: Annotated[
-        str | None,
+        Optional[str],
         arg(metavar="PROBLEM", help="For --task like: the problem whose scene is to be made again."),
     ] = None,
     scene: Annotated[
-        Path | None,
+        Optional[Path],
         arg(
             metavar="FILE", help="A whole problem by hand, in a file like those in DIR/problems/*.scene.json."
         ),
     ] = None,
     tolerance: Annotated[
-        float | None,
+        Optional[float],
         arg(metavar="METRES", help="How near objects must come to their goals: 0.05, or as the scene says."),
     ] = None,
 ) -> int:

@@ -4,17 +4,16 @@ import math
 import os
 from difflib import get_close_matches
 from pathlib import Path
-from typing import Annotated, Literal
+from typing import Annotated, Literal, Optional
 
 from tyro.conf import Positional, arg
 
+from neurosym.choices import AnyTask, DrawnTask, StrategyName
 from neurosym.console import say
 from neurosym.errors import InvalidValue
 from neurosym.learning.model_config import DEFAULT_BITS, PAPER_BITS
 from neurosym.shipped import DOMAINS, copy_shipped
 from neurosym.stages.folder import DomainFolder
-from neurosym.stages.task_drawing import AnyTask, DrawnTask
-from neurosym.strategies import StrategyName
 from neurosym.wording import quoted
 
 Folder = Annotated[Positional[Path], arg(metavar="DIR", help="The domain folder.")]
@@ -27,7 +26,7 @@ ProblemName = Annotated[
     arg(metavar="PROBLEM", help="A problem in DIR/problems: its name or its file."),
 ]
 Tolerance = Annotated[
-    float | None,
+    Optional[float],
     arg(
         metavar="METRES",
         help="How near objects must come to their goals, instead of the problem's own tolerance.",
@@ -43,7 +42,7 @@ StrategyOption = Annotated[
     ),
 ]
 TimeLimit = Annotated[
-    float | None,
+    Optional[float],
     arg(
         metavar="SECONDS",
         help="Your own ceiling: when planning ends without a plan. Ours and Fast Downward need none: their "
@@ -62,14 +61,14 @@ Relations = Annotated[
     ),
 ]
 Task = Annotated[
-    DrawnTask | None,
+    Optional[DrawnTask],
     arg(
         help="What tasks ask for: goals anywhere, a swap, a row, or to clear a crowd; in a domain with "
         "relations also a tower, boxes, unstack or exchange; else as in the paper."
     ),
 ]
 AnyTaskOption = Annotated[
-    AnyTask | None,
+    Optional[AnyTask],
     arg(
         help="What it asks for: goals anywhere, a swap, a row, or to clear a crowd; in a domain with "
         "relations also a tower, boxes, unstack, exchange, or to be like the scene of another problem."
@@ -97,14 +96,14 @@ RegimeName = Annotated[
 
 
 ObjectBits = Annotated[
-    int | None,
+    Optional[int],
     arg(
         help="Bits of an object symbol, 1 to 6: up to 2^bits categories of objects. By default "
         f"{DEFAULT_BITS[0]}."
     ),
 ]
 ActionBits = Annotated[
-    int | None,
+    Optional[int],
     arg(
         help="Bits of an action symbol, 1 to 8: up to 2^bits primitives. By default "
         f"{DEFAULT_BITS[1]}, and {PAPER_BITS[1]} with quick and paper."

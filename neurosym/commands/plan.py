@@ -1,7 +1,7 @@
 """The command `neurosym plan`: a problem to a plan."""
 
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Literal
+from typing import TYPE_CHECKING, Annotated, Literal, Optional
 
 from tyro.conf import arg
 
@@ -9,7 +9,7 @@ from neurosym.commands.answers import Json, answer_in
 from neurosym.commands.exit_codes import NO_RESULT
 from neurosym.commands.options import Folder, ProblemName, TimeLimit, Tolerance, check_time_limit, opened
 from neurosym.commands.plan_streams import STANDARD, check_output, hand_over
-from neurosym.console import be_quiet, console, say, say_next
+from neurosym.console import be_quiet, is_quiet, say, say_next
 from neurosym.wording import counted, quoted
 
 if TYPE_CHECKING:
@@ -51,7 +51,7 @@ def plan(
     ] = 0,
     tolerance: Tolerance = None,
     output: Annotated[
-        Path | None,
+        Optional[Path],
         arg(metavar="FILE", help="Write the plan here, too; - prints it to standard output, and only it."),
     ] = None,
     json: Json = False,
@@ -68,7 +68,7 @@ def plan(
 
     check_time_limit(time_limit)
     check_output(output, json)
-    be_quiet(console.quiet or output == STANDARD)
+    be_quiet(is_quiet() or output == STANDARD)
     answer, domain = answer_in(json), opened(folder)
     name = domain.problem(problem)
     stage = plan_stage(

@@ -3,7 +3,7 @@
 import math
 from dataclasses import replace
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import TYPE_CHECKING, Annotated, Optional
 
 from tyro.conf import Positional, arg
 
@@ -30,7 +30,7 @@ def replay(
     strip: Strip = None,
     gui: Gui = False,
     page: Annotated[
-        Path | None, arg(help="Write the run here as one HTML page whose view can be turned.")
+        Optional[Path], arg(help="Write the run here as one HTML page whose view can be turned.")
     ] = None,
 ) -> int:
     """Run a record again, nudge and all, and say whether the same happens (exit code 3: no).

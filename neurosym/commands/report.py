@@ -2,7 +2,7 @@
 
 from functools import partial
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import TYPE_CHECKING, Annotated, Optional
 
 from tyro.conf import arg
 
@@ -23,7 +23,7 @@ _MEGABYTE = 1e6
 def report(
     folder: Folder,
     output: Annotated[
-        Path | None, arg(metavar="FILE.html", help="Write the page here and not to DIR/report.html.")
+        Optional[Path], arg(metavar="FILE.html", help="Write the page here and not to DIR/report.html.")
     ] = None,
     curve: Annotated[
         bool, arg(help="Also fit to the first 512, 1024, ... interactions, for a learning curve: minutes.")

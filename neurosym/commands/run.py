@@ -1,9 +1,10 @@
 """The command `neurosym run`: the whole way."""
 
-from typing import Annotated
+from typing import Annotated, Optional
 
 from tyro.conf import arg
 
+from neurosym.choices import DEFAULT_STRATEGY
 from neurosym.commands.init import make_folder
 from neurosym.commands.options import (
     CPUS,
@@ -21,13 +22,12 @@ from neurosym.commands.options import (
 )
 from neurosym.errors import InvalidValue
 from neurosym.stages.layout import WORLD
-from neurosym.strategies import DEFAULT_STRATEGY
 
 
 def run(
     folder: Folder,
     world: Annotated[
-        str | None,
+        Optional[str],
         arg(help="Which world, for a new folder: tabletop (default), toy, or your own as module:factory."),
     ] = None,
     strategy: StrategyOption = DEFAULT_STRATEGY,
@@ -45,7 +45,7 @@ def run(
     object_bits: ObjectBits = None,
     action_bits: ActionBits = None,
     places: Annotated[
-        int | None,
+        Optional[int],
         arg(
             help="Interactions besides that are aimed at a place, to learn what carries objects there: a "
             "quarter of --steps from 1024 on, if not given."

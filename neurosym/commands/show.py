@@ -2,7 +2,7 @@
 
 from collections.abc import Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any
+from typing import TYPE_CHECKING, Annotated, Any, Optional
 
 from tyro.conf import arg
 
@@ -23,24 +23,24 @@ if TYPE_CHECKING:
 def show(
     folder: Folder,
     interaction: Annotated[
-        int | None, arg(metavar="I", help="Make row I of interactions.npz (0, 1, ...) happen again.")
+        Optional[int], arg(metavar="I", help="Make row I of interactions.npz (0, 1, ...) happen again.")
     ] = None,
     primitive: Annotated[
-        str | None,
+        Optional[str],
         arg(
             metavar="CODE",
             help="Perform a primitive, like 101 or 101b, on an object of each category it is for.",
         ),
     ] = None,
     operator: Annotated[
-        str | None,
+        Optional[str],
         arg(metavar="NAME", help="Perform an operator of the domain, like carry-to-010-hollow-narrow-01."),
     ] = None,
     problem: Annotated[
-        str | None, arg(metavar="NAME", help="Show a problem's start, with its goals transparently.")
+        Optional[str], arg(metavar="NAME", help="Show a problem's start, with its goals transparently.")
     ] = None,
     output: Annotated[
-        Path | None,
+        Optional[Path],
         arg(help="Write a PNG, or an animated GIF, here and not in DIR/pictures; its ending decides."),
     ] = None,
     gui: Annotated[bool, arg(help="Show the motion live in a window instead.")] = False,

@@ -1,7 +1,7 @@
 """Options of the commands that run something in the world, on how it is shown."""
 
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import TYPE_CHECKING, Annotated, Optional
 
 from tyro.conf import arg
 
@@ -12,10 +12,10 @@ if TYPE_CHECKING:
     from neurosym.stages.executing import Showing
 
 
-Gif = Annotated[Path | None, arg(help="Write an animated GIF of the run here.")]
+Gif = Annotated[Optional[Path], arg(help="Write an animated GIF of the run here.")]
 
 
-Strip = Annotated[Path | None, arg(help="Write a PNG with a picture for each step here.")]
+Strip = Annotated[Optional[Path], arg(help="Write a PNG with a picture for each step here.")]
 
 
 Gui = Annotated[bool, arg(help="Show the run live in a window instead.")]

@@ -13,7 +13,7 @@ from contextlib import contextmanager, suppress
 from types import FrameType
 
 from neurosym.commands.exit_codes import INTERRUPTED
-from neurosym.console import error_console
+from neurosym.console import complain
 
 SIGNALS = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)
 """What a command is ended with in order."""
@@ -45,9 +45,7 @@ def say_interrupted(error: KeyboardInterrupt) -> int:
         f"ended by {error.name}" if isinstance(error, Ended) and error.code != INTERRUPTED else "interrupted"
     )
     with suppress(OSError):
-        error_console.print(
-            f"{how}; the same command goes on from what is written, or begins again", markup=False
-        )
+        complain(f"{how}; the same command goes on from what is written, or begins again")
     return error.code if isinstance(error, Ended) else INTERRUPTED
 
 

@@ -4,9 +4,8 @@ import os
 import sys
 import threading
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import TYPE_CHECKING, Annotated, Optional
 
-import rich
 from tyro.conf import Positional, arg
 
 from neurosym.commands.options import opened
@@ -24,10 +23,10 @@ _LOOK_UP = 1.0  # how long the main thread waits at a time [s]
 
 def studio(
     folder: Annotated[
-        Positional[Path | None], arg(metavar="DIR", help="The domain folder; the shipped one without it.")
+        Positional[Optional[Path]], arg(metavar="DIR", help="The domain folder; the shipped one without it.")
     ] = None,
     problem: Annotated[
-        str | None, arg(metavar="NAME", help="The problem that pages begin with; else the first one.")
+        Optional[str], arg(metavar="NAME", help="The problem that pages begin with; else the first one.")
     ] = None,
     host: Annotated[
         str, arg(help="Who is heard. 0.0.0.0 lets other machines in: they can move the robot, too.")
@@ -45,6 +44,8 @@ def studio(
     if not 0 <= port <= LARGEST_PORT:
         raise InvalidValue(f"port = {port} must be 0 to {LARGEST_PORT}.")
     check_extra()
+    import rich
+
     rich.get_console().quiet = True  # on which the server of pages announces itself
     library = _library(folder)
     from neurosym.studio.serving import Studio

@@ -3,12 +3,11 @@
 import io
 import os
 import sys
-import tempfile
 from contextlib import suppress
 
 
 def make_usable() -> None:
-    """Make standard streams such that anything can be printed, and let nothing be left in temporary folders.
+    """Make standard streams such that anything can be printed.
 
     Where one is closed (`>&-`), what is printed goes nowhere; without this the next file that is opened would
     be taken for it.
@@ -24,5 +23,11 @@ def make_usable() -> None:
     for stream in (sys.stdout, sys.stderr):
         if isinstance(stream, io.TextIOWrapper):
             stream.reconfigure(errors="backslashreplace")  # names that the encoding does not have
-    with suppress(OSError):  # torch would make a folder there as soon as it is imported
+
+
+def leave_no_folders() -> None:
+    """Let nothing be left in temporary folders: torch would make one there as soon as it is imported."""
+    import tempfile
+
+    with suppress(OSError):
         os.environ.setdefault("TORCHINDUCTOR_CACHE_DIR", tempfile.gettempdir())

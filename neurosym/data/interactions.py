@@ -16,9 +16,9 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from jaxtyping import Bool, Float
 
 from neurosym.array_files import read_arrays
+from neurosym.arrays import Bool, Float
 from neurosym.checks import as_path, check_array, check_kind
 from neurosym.data.check import FLAGS, file_problems
 from neurosym.errors import InvalidFile

@@ -6,9 +6,9 @@ from difflib import get_close_matches
 from typing import Any
 
 import numpy as np
-from jaxtyping import Bool, Float
 
 from neurosym.actions import Mirror, column_problem
+from neurosym.arrays import Bool, Float
 from neurosym.strategies import STRATEGIES, Strategy
 
 GREATEST = 1e9

@@ -12,8 +12,8 @@ from typing import Literal
 
 import msgspec
 import numpy as np
-from jaxtyping import Float
 
+from neurosym.arrays import Float
 from neurosym.cells import at_rest
 from neurosym.errors import InvalidPlanner, InvalidValue, UnknownChoice
 from neurosym.execution.executor import execute

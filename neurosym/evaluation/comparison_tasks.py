@@ -5,9 +5,10 @@ from pathlib import Path
 from typing import Any
 
 import msgspec
-from jaxtyping import Float
 from numpy import ndarray
 
+from neurosym.arrays import Float
+from neurosym.choices import AnyTask
 from neurosym.errors import InvalidFile
 from neurosym.evaluation.comparison import Setting, TaskRecord, compare
 from neurosym.files import check_writable, make_folder, write_json
@@ -17,7 +18,7 @@ from neurosym.problems import Problem
 from neurosym.reading import digest, read_json
 from neurosym.stages.folder import DomainFolder
 from neurosym.stages.layout import COMPARISONS, GROUNDING, MODEL, WORLD
-from neurosym.stages.task_drawing import AnyTask, draw_any_task, sight_of_pairs
+from neurosym.stages.task_drawing import draw_any_task, sight_of_pairs
 from neurosym.symbols import Symbol
 from neurosym.worlds.pool import worker_pool
 from neurosym.worlds.problem_drawing import draw_problem

@@ -8,8 +8,8 @@ import math
 
 import msgspec
 import numpy as np
-from jaxtyping import Float
 
+from neurosym.arrays import Float
 from neurosym.grounding import Grounding
 from neurosym.problems import SceneObject
 

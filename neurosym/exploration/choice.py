@@ -4,9 +4,9 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 
 import numpy as np
-from jaxtyping import Float
 
 from neurosym.actions import Mirror
+from neurosym.arrays import Float
 from neurosym.data.dimensions import Dimensions
 from neurosym.errors import InvalidValue
 from neurosym.exploration.curiosity import Curiosity, LearningConfig, seed_of

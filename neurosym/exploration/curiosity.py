@@ -11,10 +11,10 @@ from typing import Any
 
 import numpy as np
 import torch
-from jaxtyping import Float
 from torch import Tensor
 
 from neurosym.actions import Mirror
+from neurosym.arrays import Float
 from neurosym.data.interactions import Interactions
 from neurosym.errors import InvalidValue
 from neurosym.learning.inputs import reflected

@@ -3,9 +3,9 @@
 from collections.abc import Sequence
 
 import numpy as np
-from jaxtyping import Float
 from torch import Tensor, nn
 
+from neurosym.arrays import Float
 from neurosym.exploration.curiosity import Curiosity
 from neurosym.learning.direct_model import DirectModel
 

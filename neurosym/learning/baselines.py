@@ -1,7 +1,8 @@
 """What predictors achieve that look at nothing: every table of errors shows them beside the model."""
 
 import numpy as np
-from jaxtyping import Float
+
+from neurosym.arrays import Float
 
 TEST_ROWS = 2400
 """Interactions of a test set that are used: the first ones with a high effect, as many as the paper's."""

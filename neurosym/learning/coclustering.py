@@ -9,7 +9,8 @@ objects' kinds held fixed, k-means over the actions, and the other way round.
 from dataclasses import dataclass
 
 import numpy as np
-from jaxtyping import Float, Int
+
+from neurosym.arrays import Float, Int
 
 _ROUNDS = 12
 _LLOYD_STEPS = 15

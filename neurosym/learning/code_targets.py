@@ -9,9 +9,9 @@ from dataclasses import dataclass
 
 import numpy as np
 import torch
-from jaxtyping import Float, Int
 from torch import Tensor
 
+from neurosym.arrays import Float, Int
 from neurosym.learning.coclustering import CoClustering, cocluster, gray_order, profiles
 from neurosym.learning.direct_model import DirectModel
 from neurosym.learning.model_config import ModelConfig

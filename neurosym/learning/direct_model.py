@@ -6,9 +6,9 @@ and, several at once, as a measure of what is not known yet: where they disagree
 
 import numpy as np
 import torch
-from jaxtyping import Float
 from torch import Tensor, nn
 
+from neurosym.arrays import Float
 from neurosym.data.dimensions import Dimensions
 from neurosym.learning.inputs import InputNorm, with_gripper_states
 from neurosym.learning.model_config import DirectConfig

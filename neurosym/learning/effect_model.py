@@ -10,9 +10,9 @@ from collections.abc import Sequence
 
 import numpy as np
 import torch
-from jaxtyping import Float
 from torch import Tensor, nn
 
+from neurosym.arrays import Float
 from neurosym.checks import check_array
 from neurosym.data.dimensions import Dimensions
 from neurosym.learning.inputs import InputNorm, with_gripper_states

@@ -3,10 +3,10 @@
 from collections.abc import Sequence
 
 import torch
-from jaxtyping import Float
 from torch import Tensor, nn
 
 from neurosym.actions import Mirror
+from neurosym.arrays import Float
 
 
 def with_gripper_states(

@@ -5,10 +5,10 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 
 import torch
-from jaxtyping import Float, Int
 from torch import Tensor, nn
 from torch.nn import functional
 
+from neurosym.arrays import Float, Int
 from neurosym.learning.effect_model import EffectModel
 from neurosym.learning.network import one_thread
 from neurosym.learning.training_config import TrainingConfig

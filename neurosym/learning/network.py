@@ -10,9 +10,9 @@ from typing import Any, ClassVar, TypeVar
 import msgspec
 import numpy as np
 import torch
-from jaxtyping import Float
 from torch import Tensor, nn
 
+from neurosym.arrays import Float
 from neurosym.data.dimensions import Dimensions
 from neurosym.errors import InvalidFile, InvalidValue
 from neurosym.learning.model_config import DirectConfig, ModelConfig

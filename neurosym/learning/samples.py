@@ -6,10 +6,10 @@ from typing import Any
 
 import numpy as np
 import torch
-from jaxtyping import Float, Int
 from torch import Tensor
 
 from neurosym.actions import Mirror
+from neurosym.arrays import Float, Int
 from neurosym.data.dimensions import Dimensions
 from neurosym.data.interactions import Interactions
 from neurosym.data.origin import mirrors_of, strategy_of

@@ -7,9 +7,9 @@ some pairs of a kind end in one way and some in another, a mean end would say no
 from dataclasses import replace
 
 import numpy as np
-from jaxtyping import Float
 
 from neurosym.actions import Mirror
+from neurosym.arrays import Float
 from neurosym.data.interactions import Interactions
 from neurosym.learning.direct_model import DirectModel
 from neurosym.learning.losses import FitProgress, reproducible

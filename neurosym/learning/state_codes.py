@@ -9,8 +9,8 @@ Names are made afterwards, from the numbers that are typical of a state.
 from collections.abc import Sequence
 
 import numpy as np
-from jaxtyping import Bool, Float
 
+from neurosym.arrays import Bool, Float
 from neurosym.data.interactions import Interactions
 from neurosym.learning.coclustering import gray_order, kmeans, nearest
 from neurosym.pair_states import DESCRIPTION, LEANING

@@ -12,9 +12,9 @@ from functools import partial
 from itertools import product
 
 import torch
-from jaxtyping import Float, Int
 from torch import Tensor, nn
 
+from neurosym.arrays import Float, Int
 from neurosym.learning.code_targets import CodeTargets
 from neurosym.learning.direct_model import DirectModel
 from neurosym.learning.effect_model import EffectModel, as_signs

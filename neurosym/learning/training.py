@@ -9,8 +9,8 @@ from dataclasses import dataclass, replace
 
 import msgspec
 import numpy as np
-from jaxtyping import Float
 
+from neurosym.arrays import Float
 from neurosym.checks import check_kind, check_seed
 from neurosym.data.check import too_few
 from neurosym.data.dimensions import Dimensions

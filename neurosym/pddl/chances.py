@@ -12,8 +12,8 @@ from functools import cache
 from statistics import NormalDist
 
 import numpy as np
-from jaxtyping import Float
 
+from neurosym.arrays import Float
 from neurosym.grounding import Grounding
 from neurosym.operators import Operator
 from neurosym.pddl.moves import chance

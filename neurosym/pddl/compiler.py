@@ -6,6 +6,7 @@ from collections.abc import Iterable
 import msgspec
 
 from neurosym.checks import check_kind, check_length
+from neurosym.choices import CELL as CELL
 from neurosym.errors import InvalidValue
 from neurosym.grounding import FORMAT, FORMAT_WITH_PLACES, FORMAT_WITH_RELATIONS, Grounding
 from neurosym.naming import counted_axes
@@ -17,8 +18,6 @@ from neurosym.problems import LEGAL_NAME
 from neurosym.relation_operators import RelationOperators
 from neurosym.table import Table
 
-CELL = 0.005
-"""Edge of a grid cell unless the user says otherwise [m]."""
 MAX_CELLS = 5000
 RESERVED = tuple(f"{axis}-{kind}" for kind in ("cell", "step") for axis in "xyz")
 WORDS_OF_RELATIONS = (

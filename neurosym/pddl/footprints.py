@@ -1,8 +1,8 @@
 """Footprints: how far apart objects must be, not to stand in one another."""
 
 import numpy as np
-from jaxtyping import Bool, Float
 
+from neurosym.arrays import Bool, Float
 from neurosym.problems import ROUNDED, Problem
 
 

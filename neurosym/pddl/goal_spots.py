@@ -7,8 +7,8 @@ carried a little beside them, so that the hand has room.
 from itertools import combinations
 
 import numpy as np
-from jaxtyping import Bool, Float
 
+from neurosym.arrays import Bool, Float
 from neurosym.problems import Problem
 from neurosym.table import Table
 

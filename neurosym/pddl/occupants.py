@@ -7,8 +7,8 @@ these, on the goal of another. For that it must have room whatever stands at the
 from collections.abc import Sequence
 
 import numpy as np
-from jaxtyping import Float
 
+from neurosym.arrays import Float
 from neurosym.pddl.places import PARK, is_at, parks_wanted
 from neurosym.problems import ROUNDED, Problem
 

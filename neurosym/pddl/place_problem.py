@@ -3,8 +3,8 @@
 from itertools import pairwise
 
 import numpy as np
-from jaxtyping import Float
 
+from neurosym.arrays import Float
 from neurosym.grounding import Grounding
 from neurosym.pddl.footprints import footprints_apart
 from neurosym.pddl.moves import MOVE, step_cost

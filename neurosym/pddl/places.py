@@ -5,8 +5,8 @@ from collections.abc import Mapping
 
 import msgspec
 import numpy as np
-from jaxtyping import Float
 
+from neurosym.arrays import Float
 from neurosym.grounding import Grounding
 from neurosym.pddl.footprints import near_some
 from neurosym.pddl.goal_spots import goal_spots

@@ -4,8 +4,8 @@ import math
 from itertools import combinations
 
 import numpy as np
-from jaxtyping import Float
 
+from neurosym.arrays import Float
 from neurosym.errors import InvalidValue
 from neurosym.grounding import Grounding
 from neurosym.object_limits import ObjectLimits

@@ -5,8 +5,8 @@ from copy import copy
 from itertools import pairwise
 
 import numpy as np
-from jaxtyping import Float
 
+from neurosym.arrays import Float
 from neurosym.grounding import Grounding
 from neurosym.pair_states import extent
 from neurosym.pddl.footprints import overlapping

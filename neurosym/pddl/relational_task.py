@@ -7,8 +7,8 @@ from itertools import permutations
 
 import msgspec
 import numpy as np
-from jaxtyping import Float
 
+from neurosym.arrays import Float
 from neurosym.grounding import Grounding
 from neurosym.operators import Vector
 from neurosym.pair_sight import with_pairs

@@ -4,8 +4,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from jaxtyping import Bool, Float
 
+from neurosym.arrays import Bool, Float
 from neurosym.grounding import Grounding, is_lift
 from neurosym.operators import Operator
 from neurosym.pddl.footprints import footprints_apart, overlapping

@@ -7,8 +7,8 @@ from pathlib import Path
 from typing import Protocol, runtime_checkable
 
 import numpy as np
-from jaxtyping import Float
 
+from neurosym.arrays import Float
 from neurosym.errors import InvalidValue
 from neurosym.execution.record import Run, StepRecord
 from neurosym.operators import TOLERANCE

@@ -6,9 +6,9 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
-from jaxtyping import UInt8
 from PIL import Image, ImageDraw, ImageFont
 
+from neurosym.arrays import UInt8
 from neurosym.errors import CannotWrite, InvalidValue
 from neurosym.files import check_writable, write_atomically
 from neurosym.world import Frame

@@ -10,8 +10,8 @@ from collections.abc import Hashable, Iterator
 from dataclasses import dataclass, field
 
 import numpy as np
-from jaxtyping import Float
 
+from neurosym.arrays import Float
 from neurosym.grounding import Grounding
 from neurosym.pddl.footprints import footprints_apart
 from neurosym.pddl.moves import PUT_DOWN

@@ -17,8 +17,8 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from jaxtyping import Bool, Float, Int
 
+from neurosym.arrays import Bool, Float, Int
 from neurosym.pddl.footprints import footprints_apart, overlapping
 from neurosym.pddl.moves import PUT_DOWN
 from neurosym.pddl.plan_text import PlanStep

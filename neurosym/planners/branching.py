@@ -8,8 +8,8 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
-from jaxtyping import Bool, Float
 
+from neurosym.arrays import Bool, Float
 from neurosym.cells import at_rest
 from neurosym.grounding import Grounding, is_lift
 from neurosym.operators import Operator, Vector

@@ -3,8 +3,8 @@
 from collections.abc import Sequence
 
 import numpy as np
-from jaxtyping import Float
 
+from neurosym.arrays import Float
 from neurosym.pddl.footprints import footprints_apart, overlapping
 from neurosym.pddl.plan_text import PlanStep
 from neurosym.problems import Problem

@@ -13,8 +13,8 @@ from dataclasses import dataclass, field, replace
 from functools import lru_cache
 
 import numpy as np
-from jaxtyping import Bool, Float, Int
 
+from neurosym.arrays import Bool, Float, Int
 from neurosym.operators import Vector
 from neurosym.planners.effort import Effort
 

@@ -7,8 +7,8 @@ lemma). It is found by non-negative least squares, and then checked by itself.
 """
 
 import numpy as np
-from jaxtyping import Float
 
+from neurosym.arrays import Float
 from neurosym.operators import Vector
 from neurosym.planners.count_vectors import Choices
 

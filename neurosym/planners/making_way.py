@@ -5,8 +5,8 @@ from dataclasses import dataclass, field
 
 import msgspec
 import numpy as np
-from jaxtyping import Bool, Float
 
+from neurosym.arrays import Bool, Float
 from neurosym.operators import Vector
 from neurosym.pddl.footprints import footprints_apart, near_some
 from neurosym.pddl.places import GAP, LEAST_GAP

@@ -16,8 +16,8 @@ from functools import partial
 
 import msgspec
 import numpy as np
-from jaxtyping import Float
 
+from neurosym.arrays import Float
 from neurosym.grounding import Grounding
 from neurosym.operators import Vector, vector
 from neurosym.pddl.footprints import footprints_apart, overlapping

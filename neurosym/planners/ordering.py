@@ -9,8 +9,8 @@ from collections import Counter
 from collections.abc import Sequence
 
 import numpy as np
-from jaxtyping import Bool, Float, Int
 
+from neurosym.arrays import Bool, Float, Int
 from neurosym.grounding import Grounding, is_lift
 from neurosym.pddl.footprints import footprints_apart
 from neurosym.pddl.plan_text import PlanStep

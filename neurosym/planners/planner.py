@@ -9,8 +9,8 @@ from pathlib import Path
 from typing import Literal, Protocol, runtime_checkable
 
 import numpy as np
-from jaxtyping import Float
 
+from neurosym.arrays import Float
 from neurosym.checks import check_kind
 from neurosym.errors import InvalidPlanner, InvalidValue, NeurosymError
 from neurosym.grounding import Grounding

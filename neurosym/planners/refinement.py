@@ -16,8 +16,8 @@ from pathlib import Path
 
 import msgspec
 import numpy as np
-from jaxtyping import Float
 
+from neurosym.arrays import Float
 from neurosym.drafts import naming
 from neurosym.errors import InvalidPlan, InvalidPlanner
 from neurosym.factories import one_line

@@ -91,9 +91,9 @@ def plan_with_second_look(
             planner.reads == "network" or result.status is not PlanStatus.UNSOLVABLE
         ):
             result = _with_rehearsed(result, problem, grounding)
-    count = more if result.status is PlanStatus.SOLVED else 0
-    others = alternatives(problem, grounding, count, besides=result.steps)
-    return Planned(result, tuple(others))
+    if not more or result.status is not PlanStatus.SOLVED:
+        return Planned(result, ())
+    return Planned(result, alternatives(problem, grounding, more, besides=result.steps))
 
 
 def _nearest(

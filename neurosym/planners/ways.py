@@ -11,8 +11,8 @@ from itertools import count
 from typing import NamedTuple
 
 import numpy as np
-from jaxtyping import Bool, Float
 
+from neurosym.arrays import Bool, Float
 from neurosym.planners.cost_to_go import CostToGo
 from neurosym.planners.count_vectors import Choices
 from neurosym.planners.effort import Effort

@@ -12,8 +12,8 @@ from itertools import groupby
 from typing import Any
 
 import numpy as np
-from jaxtyping import Float
 
+from neurosym.arrays import Float
 from neurosym.checks import check_all, check_array, check_callable, check_count, check_kind, check_seed
 from neurosym.errors import InvalidValue, UnknownChoice
 from neurosym.guarded import made

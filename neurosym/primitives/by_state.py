@@ -7,8 +7,8 @@ that about, with the target not turned over, and nothing else moved.
 from collections.abc import Sequence
 
 import numpy as np
-from jaxtyping import Float
 
+from neurosym.arrays import Float
 from neurosym.pair_states import describe_pair, touching_units
 from neurosym.primitives.judging import TURNED, Performance
 from neurosym.relation_operators import PairStates

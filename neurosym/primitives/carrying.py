@@ -10,9 +10,9 @@ from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
-from jaxtyping import Float
 
 from neurosym.actions import ActionBox
+from neurosym.arrays import Float
 from neurosym.data.interactions import Interactions
 from neurosym.guarded import made
 from neurosym.learning.effect_model import EffectModel

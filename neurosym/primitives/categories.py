@@ -3,8 +3,8 @@
 from collections.abc import Mapping, Sequence
 
 import numpy as np
-from jaxtyping import Float
 
+from neurosym.arrays import Float
 from neurosym.naming import name_categories
 from neurosym.operators import Category, Effect
 from neurosym.symbols import Symbol, all_symbols

@@ -9,10 +9,10 @@ from dataclasses import dataclass
 
 import numpy as np
 import torch
-from jaxtyping import Float
 from torch import Tensor
 
 from neurosym.actions import ActionBox
+from neurosym.arrays import Float
 from neurosym.checks import check_kind, check_seed
 from neurosym.data.interactions import Interactions
 from neurosym.errors import InvalidValue

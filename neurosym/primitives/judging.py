@@ -10,8 +10,8 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from jaxtyping import Float
 
+from neurosym.arrays import Float
 from neurosym.operators import PROMISING, Effect
 from neurosym.primitives.variety import LITTLE
 from neurosym.world import Outcome, OutcomeKind

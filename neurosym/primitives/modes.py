@@ -6,8 +6,8 @@ The mean of "on the table" and "in the air" is a place where no object ever is.
 from collections.abc import Sequence
 
 import numpy as np
-from jaxtyping import Float
 
+from neurosym.arrays import Float
 from neurosym.operators import TOLERANCE, Mode
 from neurosym.world import OutcomeKind
 

@@ -12,9 +12,9 @@ from functools import cache
 from itertools import accumulate
 
 import numpy as np
-from jaxtyping import Float
 
 from neurosym.actions import ActionBox
+from neurosym.arrays import Float
 from neurosym.guarded import made
 from neurosym.operators import Primitive
 from neurosym.primitives.judging import (

@@ -9,8 +9,8 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from jaxtyping import Float
 
+from neurosym.arrays import Float
 from neurosym.checks import check_all, check_array, check_count, check_kind, check_seed, check_whole
 from neurosym.errors import InvalidValue
 from neurosym.guarded import made

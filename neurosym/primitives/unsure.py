@@ -9,8 +9,8 @@ from dataclasses import dataclass
 
 import msgspec
 import numpy as np
-from jaxtyping import Float
 
+from neurosym.arrays import Float
 from neurosym.guarded import made
 from neurosym.operators import Category, Operator, OperatorTable, Rehearsal
 from neurosym.primitives.categories import rounded

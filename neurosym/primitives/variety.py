@@ -10,8 +10,8 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from jaxtyping import Float
 
+from neurosym.arrays import Float
 from neurosym.symbols import Symbol
 
 PredictOutcomes = Callable[[np.ndarray, np.ndarray], np.ndarray]

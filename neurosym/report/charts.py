@@ -5,7 +5,8 @@ from dataclasses import dataclass
 from itertools import cycle
 
 import numpy as np
-from jaxtyping import Float
+
+from neurosym.arrays import Float
 
 WIDTH, HEIGHT = 520, 320
 LEFT, RIGHT, TOP, BOTTOM = 52.0, 26.0, 12.0, 44.0

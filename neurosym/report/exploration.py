@@ -4,8 +4,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 
 import numpy as np
-from jaxtyping import Bool, Float
 
+from neurosym.arrays import Bool, Float
 from neurosym.data.interactions import Interactions
 from neurosym.naming import CARRIED, NO_EFFECT, name_axes
 from neurosym.report.charts import ASPECT, Axis, Chart, areas, dots

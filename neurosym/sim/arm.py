@@ -8,8 +8,8 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
-from jaxtyping import Float
 
+from neurosym.arrays import Float
 from neurosym.errors import InvalidValue
 from neurosym.sim.config import TabletopConfig
 

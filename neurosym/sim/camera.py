@@ -3,8 +3,8 @@
 from collections.abc import Container
 
 import numpy as np
-from jaxtyping import Float
 
+from neurosym.arrays import Float
 from neurosym.sim.bullet import pybullet
 from neurosym.sim.config import TabletopConfig
 from neurosym.sim.ghosts import Colour, draw_ghosts

@@ -9,8 +9,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from jaxtyping import Float
 
+from neurosym.arrays import Float
 from neurosym.sim.bullet import pybullet
 from neurosym.sim.lens import Lens
 from neurosym.sim.shapes import boxes_of

@@ -14,8 +14,8 @@ import math
 from collections.abc import Iterator, Sequence
 
 import numpy as np
-from jaxtyping import Float
 
+from neurosym.arrays import Float
 from neurosym.motion import CLEARANCE, GRASP_TEST, LOWERING_SPEED, TRANSIT_CLEARANCE
 from neurosym.poses import PoseSink
 from neurosym.sim.arm import Arm

@@ -1,8 +1,8 @@
 """Where an object comes to lie when it is set down tilted."""
 
 import numpy as np
-from jaxtyping import Float
 
+from neurosym.arrays import Float
 from neurosym.sim.shapes import OPEN_THROUGH, OPEN_TOP
 
 _ROUND_CORNERS = 24

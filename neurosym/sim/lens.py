@@ -3,8 +3,8 @@
 from dataclasses import dataclass
 
 import numpy as np
-from jaxtyping import Float
 
+from neurosym.arrays import Float
 from neurosym.sim.bullet import pybullet
 from neurosym.sim.config import TabletopConfig
 from neurosym.world import Frame

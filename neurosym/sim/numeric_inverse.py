@@ -12,8 +12,8 @@ from dataclasses import dataclass
 from functools import lru_cache
 
 import numpy as np
-from jaxtyping import Bool, Float
 
+from neurosym.arrays import Bool, Float
 from neurosym.errors import InvalidValue
 from neurosym.sim.arm import TOOL_DOWN
 from neurosym.sim.bullet import pybullet

@@ -5,8 +5,8 @@ from pathlib import Path
 from xml.etree import ElementTree
 
 import numpy as np
-from jaxtyping import Float
 
+from neurosym.arrays import Float
 from neurosym.poses import POSE_SECONDS, Part, Pose, PoseSink
 from neurosym.reading import read_text
 from neurosym.sim.arm import Arm

@@ -4,8 +4,8 @@ import math
 from collections.abc import Callable, Sequence
 
 import numpy as np
-from jaxtyping import Float
 
+from neurosym.arrays import Float
 from neurosym.motion import FINGER_SPEED, PEAK_SPEED, way_seconds
 from neurosym.sim.arm import Arm
 from neurosym.sim.bullet import pybullet

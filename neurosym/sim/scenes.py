@@ -1,8 +1,8 @@
 """Scenes drawn at random: objects of every shape and size, at rest and apart from one another."""
 
 import numpy as np
-from jaxtyping import Float
 
+from neurosym.arrays import Float
 from neurosym.errors import InvalidValue
 from neurosym.sim.config import TabletopConfig
 from neurosym.sim.shapes import FEATURE_NAMES, SHAPES

@@ -5,8 +5,8 @@ from collections.abc import Callable
 from itertools import pairwise
 
 import numpy as np
-from jaxtyping import Float
 
+from neurosym.arrays import Float
 from neurosym.object_limits import Range
 
 FEATURE_NAMES = ("s_x", "s_y", "d", "t")

@@ -5,9 +5,9 @@ from dataclasses import dataclass, field, replace
 from typing import ClassVar
 
 import numpy as np
-from jaxtyping import Float
 
 from neurosym.actions import ActionBox, three_waypoints
+from neurosym.arrays import Float
 from neurosym.errors import InvalidValue
 from neurosym.object_limits import ObjectLimits
 from neurosym.poses import Part, PoseSink

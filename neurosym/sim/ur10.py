@@ -9,8 +9,8 @@ it is continuous over the whole table, so neighbouring points of a path get neig
 from importlib.resources import files
 
 import numpy as np
-from jaxtyping import Float
 
+from neurosym.arrays import Float
 from neurosym.errors import InvalidValue
 from neurosym.sim.arm import TOOL_DOWN, Arm
 

@@ -5,8 +5,8 @@ import sys
 import time
 
 import numpy as np
-from jaxtyping import Float
 
+from neurosym.arrays import Float
 from neurosym.errors import InvalidValue
 from neurosym.sim.bullet import pybullet
 from neurosym.sim.ghosts import OPACITY, Colour, add_ghosts

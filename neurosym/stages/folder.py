@@ -10,6 +10,7 @@ from contextlib import contextmanager
 from itertools import count
 from pathlib import Path
 from time import perf_counter
+from typing import TYPE_CHECKING
 
 import msgspec
 
@@ -24,7 +25,6 @@ from neurosym.errors import (
 )
 from neurosym.files import check_writable, digests, write_json, write_new
 from neurosym.locks import holders, locked, take
-from neurosym.problems import Problem
 from neurosym.reading import read_json, refuse_other_kinds
 from neurosym.stages.layout import (
     COMMANDS,
@@ -45,6 +45,9 @@ from neurosym.stages.layout import (
 from neurosym.stages.manifest import Claim, Manifest, Stage, StageRecord, versions
 from neurosym.stages.outdated import refuse_damaged, remarks_on_outdated
 from neurosym.wording import quoted
+
+if TYPE_CHECKING:
+    from neurosym.problems import Problem
 
 Notify = Callable[[str], None]
 """Takes a remark, in a sentence without a full stop."""
@@ -274,7 +277,7 @@ class DomainFolder:
         return digests({name: self.path / name for name in names})
 
 
-def load_scene(path: Path) -> Problem:
+def load_scene(path: Path) -> "Problem":
     """Read a problem of a folder; it is called as its file is, whatever stands in it.
 
     Args:
@@ -283,6 +286,8 @@ def load_scene(path: Path) -> Problem:
     Raises:
         InvalidFile: If it is no problem, or its name is none that a problem can have.
     """
+    from neurosym.problems import Problem
+
     problem, name = Problem.load(path), path.name.removesuffix(SCENE)
     try:
         return problem if problem.name == name else msgspec.structs.replace(problem, name=name)

@@ -3,7 +3,6 @@
 from pathlib import Path
 
 from neurosym.files import digests
-from neurosym.grounding import Grounding
 from neurosym.stages.layout import COMMANDS, GROUNDING, MODEL, PLAN, PLANS, STEPS, WORLD, scene_file
 from neurosym.stages.manifest import Manifest
 from neurosym.wording import quoted
@@ -37,6 +36,7 @@ def refuse_damaged(folder: Path, names: tuple[str, ...]) -> None:
         folder: The domain folder.
         names: Files, relative to the folder.
     """
+    from neurosym.grounding import Grounding
     from neurosym.worlds.world_file import read_world
 
     for name, read in ((WORLD, read_world), (GROUNDING, Grounding.load), (MODEL, _read_model)):

@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 
+from neurosym.choices import AnyTask
 from neurosym.files import make_folder
 from neurosym.grounding import Grounding
 from neurosym.pair_sight import with_pairs
@@ -28,7 +29,7 @@ from neurosym.stages.layout import (
 from neurosym.stages.manifest import Stage
 from neurosym.stages.problem_printing import print_problem
 from neurosym.stages.remarks import remarks_on_number
-from neurosym.stages.task_drawing import AnyTask, draw_any_task, networks_of_pairs, sight_of_pairs
+from neurosym.stages.task_drawing import draw_any_task, networks_of_pairs, sight_of_pairs
 from neurosym.worlds.relation_tasks import HEIGHT, RELATION_TASKS
 from neurosym.worlds.world_file import read_world
 

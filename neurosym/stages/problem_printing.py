@@ -1,6 +1,6 @@
 """Printing the problems of a domain folder as PDDL, in every way that the domain is printed."""
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Collection, Iterable, Sequence
 from functools import partial
 
 import msgspec
@@ -119,7 +119,7 @@ def texts_of(problem: Problem, grounding: Grounding, plans: Sequence[GroundPlan]
     }
 
 
-def _remove_stale(folder: DomainFolder, name: str, printed: Mapping[str, str]) -> None:
+def _remove_stale(folder: DomainFolder, name: str, printed: Collection[str]) -> None:
     """Remove what a former problem of that name was printed as, and this one is not."""
     for file in (*problem_files(name), places_file(name), *relation_files(name)):
         if file not in printed and (folder / file).exists():

@@ -1,9 +1,10 @@
 """Drawing the tasks that a domain can be asked for: of goals on the table, or of relations."""
 
-from typing import Literal, cast, get_args
+from typing import cast, get_args
 
 import numpy as np
 
+from neurosym.choices import AnyTask, TaskKind
 from neurosym.errors import InvalidValue, UnknownChoice
 from neurosym.grounding import Grounding
 from neurosym.operators import TOLERANCE
@@ -17,14 +18,10 @@ from neurosym.stages.folder import DomainFolder
 from neurosym.stages.layout import RELATION_CHANCES, RELATION_MODEL, RELATION_STATES
 from neurosym.symbols import Categorise
 from neurosym.world import World
-from neurosym.worlds.relation_tasks import HEIGHT, RELATION_TASKS, RelationTask, Way, Ways, draw_relation_task
-from neurosym.worlds.tasks import Fits, TaskKind, draw_task
+from neurosym.worlds.relation_tasks import HEIGHT, RELATION_TASKS, Way, Ways, draw_relation_task
+from neurosym.worlds.tasks import Fits, draw_task
 
-AnyTask = TaskKind | RelationTask
-"""What a task may ask for."""
 ANY_TASK: tuple[str, ...] = (*get_args(TaskKind), *RELATION_TASKS)
-DrawnTask = Literal["anywhere", "swap", "row", "crowded", "tower", "boxes", "unstack", "exchange"]
-"""What a task may ask for that needs no other scene."""
 
 
 def draw_any_task(

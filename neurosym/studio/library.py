@@ -7,8 +7,8 @@ from functools import cached_property
 from typing import TYPE_CHECKING, Literal
 
 import numpy as np
-from jaxtyping import Float
 
+from neurosym.arrays import Float
 from neurosym.data.interactions import Interactions
 from neurosym.errors import NeurosymError
 from neurosym.grounding import Grounding

@@ -4,13 +4,13 @@ from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 import numpy as np
-from jaxtyping import Float
 
+from neurosym.arrays import Float
+from neurosym.choices import AnyTask
 from neurosym.execution.record import Run, StepRecord
 from neurosym.pddl.moves import Encoding
 from neurosym.problems import Problem
 from neurosym.stages.plan_records import PlanRecord
-from neurosym.stages.task_drawing import AnyTask
 from neurosym.table import Place
 from neurosym.world import OutcomeKind, Scene
 

@@ -6,8 +6,8 @@ from typing import Any
 
 import numpy as np
 import viser
-from jaxtyping import Float
 
+from neurosym.arrays import Float
 from neurosym.studio.placing import REACH_CELL, Reach
 
 WAYPOINTS = ((62, 117, 196), (68, 158, 88), (201, 72, 76))

@@ -5,8 +5,8 @@ from typing import Any
 
 import numpy as np
 import viser
-from jaxtyping import Float
 
+from neurosym.arrays import Float
 from neurosym.explain.action_words import displacement_in_words
 from neurosym.studio.panel import Panel, by_user, set_content, set_options, set_value
 from neurosym.studio.session import Topic

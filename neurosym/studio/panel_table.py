@@ -2,9 +2,9 @@
 
 from typing import Any
 
+from neurosym.choices import AnyTask
 from neurosym.problems import Problem, SceneObject
 from neurosym.relation_goals import RelationGoal
-from neurosym.stages.task_drawing import AnyTask
 from neurosym.studio.panel import Panel, by_user, set_content, set_options, set_value
 from neurosym.studio.session import MOST_OBJECTS, Topic
 from neurosym.studio.view import related_names

@@ -5,8 +5,8 @@ from dataclasses import dataclass
 from typing import Literal
 
 import numpy as np
-from jaxtyping import Bool, Float
 
+from neurosym.arrays import Bool, Float
 from neurosym.errors import InvalidValue
 from neurosym.grounding import Grounding, is_lift
 from neurosym.operators import TOLERANCE, Vector

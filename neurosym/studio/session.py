@@ -10,6 +10,7 @@ from typing import Any
 
 import msgspec
 
+from neurosym.choices import AnyTask
 from neurosym.errors import InvalidValue
 from neurosym.operators import vector
 from neurosym.pddl.moves import Encoding
@@ -20,7 +21,6 @@ from neurosym.reading import decode_json
 from neurosym.related import is_relational
 from neurosym.stages.planning import check_scene
 from neurosym.stages.scenes import scene_stage
-from neurosym.stages.task_drawing import AnyTask
 from neurosym.studio.desk import MOST_OBJECTS, Desk, Topic
 from neurosym.studio.library import Library
 from neurosym.studio.messages import Drawn, DrawTask, Failed, Grab, Planned, PlanNew

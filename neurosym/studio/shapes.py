@@ -4,8 +4,8 @@ import math
 from collections.abc import Sequence
 
 import numpy as np
-from jaxtyping import Float, Int
 
+from neurosym.arrays import Float, Int
 from neurosym.poses import Part
 
 Mesh = tuple[Float[np.ndarray, "V 3"], Int[np.ndarray, "T 3"]]

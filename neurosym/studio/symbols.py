@@ -4,8 +4,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from jaxtyping import Float
 
+from neurosym.arrays import Float
 from neurosym.grounding import is_lift
 from neurosym.operators import Operator, Vector
 from neurosym.pddl.moves import chance, step_cost

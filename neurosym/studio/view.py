@@ -7,8 +7,8 @@ from typing import Any
 
 import numpy as np
 import viser
-from jaxtyping import Float
 
+from neurosym.arrays import Float
 from neurosym.poses import Posed
 from neurosym.problems import Problem, SceneObject
 from neurosym.studio.labels import label_heights

@@ -7,9 +7,9 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-from jaxtyping import Float
 
 from neurosym.actions import ActionBox
+from neurosym.arrays import Float
 from neurosym.guarded import made
 from neurosym.table import Place, Table
 from neurosym.world import Outcome, Scene, World, WorldFactory, relative_to

@@ -11,8 +11,8 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from jaxtyping import Float
 
+from neurosym.arrays import Float
 from neurosym.factories import search_here
 from neurosym.table import Reference, ReferenceKind
 from neurosym.world import Frame, FrameSink, Outcome, Scene, World

@@ -8,9 +8,9 @@ from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
-from jaxtyping import Float
 
 from neurosym.actions import ActionBox
+from neurosym.arrays import Float
 from neurosym.place_operators import PlaceOperators
 from neurosym.symbols import Categorise, Symbol, symbols_of
 

@@ -7,8 +7,8 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-from jaxtyping import Float
 
+from neurosym.arrays import Float
 from neurosym.table import Table
 from neurosym.world import Outcome, Scene, World
 from neurosym.worlds.aimed import Aimed, AimedFactory, AimedScene

@@ -10,8 +10,8 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-from jaxtyping import Float
 
+from neurosym.arrays import Float
 from neurosym.guarded import made
 from neurosym.pair_states import tilt
 from neurosym.table import OtherObject

@@ -7,13 +7,14 @@ and by which action. Nothing here knows what a state looks like.
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from itertools import pairwise, permutations
-from typing import Literal, get_args
+from typing import get_args
 
 import msgspec
 import numpy as np
-from jaxtyping import Float
 
+from neurosym.arrays import Float
 from neurosym.checks import check_count, check_length, check_seed
+from neurosym.choices import RelationTask
 from neurosym.errors import InvalidValue, UnknownChoice
 from neurosym.guarded import guarded, placed
 from neurosym.operators import TOLERANCE
@@ -27,8 +28,6 @@ from neurosym.wording import counted
 from neurosym.world import World
 from neurosym.worlds.stacks import scattered, stacked, standing, upright_items
 
-RelationTask = Literal["tower", "boxes", "unstack", "exchange", "like"]
-"""What a task of relations asks for; see `draw_relation_task`."""
 RELATION_TASKS: tuple[RelationTask, ...] = get_args(RelationTask)
 HEIGHT = 3
 """How many objects a tower or a stack has, if the caller does not say."""

@@ -4,8 +4,8 @@ from collections.abc import Sequence
 
 import msgspec
 import numpy as np
-from jaxtyping import Float
 
+from neurosym.arrays import Float
 from neurosym.errors import InvalidValue
 from neurosym.operators import vector
 from neurosym.problems import Problem, SceneObject

@@ -1,12 +1,13 @@
 """Tasks that people bring: put things there, have them change places, set them in a row, clear a crowd."""
 
 from collections.abc import Callable
-from typing import Literal, get_args
+from typing import get_args
 
 import numpy as np
-from jaxtyping import Float
 
+from neurosym.arrays import Float
 from neurosym.checks import check_callable, check_count, check_length, check_seed
+from neurosym.choices import TaskKind
 from neurosym.errors import InvalidValue, UnknownChoice
 from neurosym.guarded import guarded, placed
 from neurosym.operators import TOLERANCE, vector
@@ -16,8 +17,6 @@ from neurosym.table import Table
 from neurosym.world import Scene, World
 from neurosym.worlds.problem_drawing import item_names
 
-TaskKind = Literal["anywhere", "swap", "row", "crowded"]
-"""What a task asks for; see `draw_task`."""
 TASK_KINDS: tuple[TaskKind, ...] = get_args(TaskKind)
 AWAY = 0.15
 """Least distance of a goal from where its object stands [m], but for swaps and rows."""

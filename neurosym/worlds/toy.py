@@ -23,10 +23,10 @@ two bits, and six kinds of action (lift, four pushes, nothing), which is three.
 from dataclasses import dataclass
 
 import numpy as np
-from jaxtyping import Float
 from PIL import Image, ImageDraw
 
 from neurosym.actions import three_waypoints
+from neurosym.arrays import Float
 from neurosym.errors import InvalidValue
 from neurosym.object_limits import ObjectLimits
 from neurosym.table import Reference, ReferenceKind, Table, centre_of

@@ -16,8 +16,8 @@ Nothing topples, and what is lifted without a reference is put back where it was
 import dataclasses
 
 import numpy as np
-from jaxtyping import Float
 
+from neurosym.arrays import Float
 from neurosym.related import contacts_of
 from neurosym.table import Reference, ReferenceKind
 from neurosym.world import FrameSink, Outcome, Scene

@@ -11,9 +11,9 @@ from dataclasses import dataclass
 from functools import cache, partial
 from typing import TypeVar
 
-from jaxtyping import Float
 from numpy import ndarray
 
+from neurosym.arrays import Float
 from neurosym.errors import InvalidValue
 from neurosym.guarded import made
 from neurosym.table import Reference

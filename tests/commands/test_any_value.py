@@ -10,7 +10,7 @@ import pytest
 from command_line import neurosym
 from conftest import LEARN_TOY, RUN_TOY
 
-from neurosym.commands.catalogue import COMMANDS
+from neurosym.commands.catalogue import SUMMARIES, command_named
 
 NUMBERS = ["nan", "inf", "-1", "1e308", f"{2**63 - 1}", f"{10**30}", "9" * 5000]
 WORDS = ["\x1b[31m", "x" * 4000, "/dev/full", "\udcff", "a\0b"]
@@ -38,7 +38,8 @@ COSTLY = {
 
 def options() -> Iterator[tuple[str, str, str]]:
     """Give each command, each of its options, and each value to try."""
-    for name, command in COMMANDS.items():
+    for name in SUMMARIES:
+        command = command_named(name)
         hints = get_type_hints(command)
         for option, parameter in inspect.signature(command).parameters.items():
             kinds = {hints[option], *get_args(hints[option])}

@@ -7,7 +7,6 @@ import pytest
 from command_line import neurosym
 from conftest import RUN_TOY
 
-from neurosym.commands.catalogue import COMMANDS
 from neurosym.data.interactions import Interactions
 from neurosym.errors import InvalidValue
 from neurosym.operators import OperatorTable
@@ -187,6 +186,6 @@ def test_how_a_command_ends_decides_the_exit_code(raised, code, said, monkeypatc
     def planners() -> int:
         raise raised
 
-    monkeypatch.setitem(COMMANDS, "planners", planners)
+    monkeypatch.setattr("neurosym.commands.planners.planners", planners)
     assert neurosym("planners") == code
     assert capsys.readouterr().err.strip() == said

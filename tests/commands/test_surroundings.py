@@ -11,7 +11,6 @@ import pytest
 from command_line import neurosym, refusal
 
 from neurosym.commands import ending
-from neurosym.commands.catalogue import COMMANDS
 
 START = (sys.executable, "-m", "neurosym")
 ENVIRONMENT = {**os.environ, "PYTHONPATH": os.pathsep.join(sys.path)}
@@ -99,7 +98,7 @@ def failing(monkeypatch: pytest.MonkeyPatch, error: BaseException) -> None:
     def planners() -> int:
         raise error
 
-    monkeypatch.setitem(COMMANDS, "planners", planners)
+    monkeypatch.setattr("neurosym.commands.planners.planners", planners)
 
 
 @pytest.mark.parametrize(
@@ -204,5 +203,5 @@ def test_training_leaves_nothing_in_the_temporary_folder(folder: Path, tmp_path:
 
 
 def test_exit_code_is_that_of_the_command(monkeypatch):
-    monkeypatch.setitem(COMMANDS, "planners", lambda: 3)
+    monkeypatch.setattr("neurosym.commands.planners.planners", lambda: 3)
     assert neurosym("planners") == 3

@@ -14,7 +14,6 @@ from command_line import neurosym
 from places import ROOT
 
 from neurosym.commands.arguments import read_arguments
-from neurosym.commands.catalogue import ABOUT, COMMANDS
 from tools.faults.clocks import HOOK
 from tools.faults.commands import MARK, Ending, Running, content, differences, left_by, run, stages_done
 from tools.faults.disks import cannot_mount, disks
@@ -49,7 +48,7 @@ def bench(learned: Path, tmp_path: Path) -> Bench:
     ids=lambda subject: subject.title,
 )
 def test_what_is_disturbed_can_be_typed(subject: Subject):
-    assert callable(read_arguments(COMMANDS, ABOUT, subject.arguments(Path("folder"))))
+    assert callable(read_arguments(subject.arguments(Path("folder"))))
 
 
 def test_kills_are_made_written_down_and_not_made_again(bench: Bench, tmp_path: Path):

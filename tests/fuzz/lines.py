@@ -10,9 +10,9 @@ from typing import Annotated, Any, Literal, Union, get_args, get_origin, get_typ
 
 from fuzz.values import WORDS, odd_text
 
-from neurosym.commands.catalogue import COMMANDS
+from neurosym.commands.catalogue import SUMMARIES, command_named
 
-ENDING = {name: command for name, command in COMMANDS.items() if name != "studio"}
+ENDING = {name: command_named(name) for name in SUMMARIES if name != "studio"}
 """The commands that come to an end; the studio is open until somebody closes it (tests/studio)."""
 
 FOLDER = "toy"

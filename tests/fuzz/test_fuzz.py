@@ -23,7 +23,7 @@ RELATED = ("plan", "execute", "replay", "new-problem", "show", "explain", "figur
 FINE = Ending(0, 0, 0, (), (), "", "", "", 1.0)
 TRACEBACK = """Traceback (most recent call last):
   File "/somewhere/neurosym/commands/cli.py", line 68, in main
-    code = read_arguments(COMMANDS, ABOUT, typed)()
+    code = read_arguments(words)()
   File "/somewhere/neurosym/files.py", line 52, in read_json
     return msgspec.json.decode(path.read_bytes(), type=kind)
   File "/usr/lib/python3.11/pathlib.py", line 1051, in read_bytes

@@ -7,10 +7,10 @@ from functools import partial
 import numpy as np
 from jaxtyping import Float
 
+from neurosym.choices import TaskKind
 from neurosym.evaluation.comparison_tasks import Bench
 from neurosym.operators import TOLERANCE
 from neurosym.problems import Problem
-from neurosym.worlds.tasks import TaskKind
 from tools.benchmarks.world.hand_written import carry_to
 
 Draw = Callable[[Bench, int], Problem]
