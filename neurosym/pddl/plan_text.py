@@ -134,7 +134,12 @@ def print_ground_plan(
         problem, encoding = with_places(problem, grounding), PLACES
     notes = PlaceNotes(problem, grounding) if encoding == PLACES else None
     grid, has_own = grid_of(grounding), grounding.is_refined
-    moves = {item.name: _moves_of(item, problem, grounding, encoding) for item in problem.objects}
+    led = {step.object for step in steps if not step.place}
+    moves = {
+        item.name: _moves_of(item, problem, grounding, encoding)
+        for item in problem.objects
+        if item.name in led
+    }
     cells = {item.name: list(grid.anchor(item.position)) for item in problem.objects}
     lines: list[str] = []
     for number, step in enumerate(steps):
