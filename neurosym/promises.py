@@ -8,7 +8,7 @@ promise what they promise to the category.
 """
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from functools import lru_cache
 from types import MappingProxyType
 
@@ -143,14 +143,26 @@ def _promised(
     grounding: Grounding, category: str, features: tuple[float, ...], tolerance: float
 ) -> Mapping[str, Operator]:
     learned = grounding.category(category)
-    is_known = is_rehearsed(learned, features)
-    return MappingProxyType(
-        {
-            operator.name: _refined(operator, learned, features, tolerance) if is_known else _plain(operator)
-            for operator in grounding.every_operator
-            if operator.category == category
-        }
-    )
+    operators = {one.name: one for one in grounding.every_operator if one.category == category}
+    if not is_rehearsed(learned, features):
+        return MappingProxyType({name: _plain(operator) for name, operator in operators.items()})
+    return _Promises(operators, lambda operator: _refined(operator, learned, features, tolerance))
+
+
+class _Promises(Mapping[str, Operator]):
+    """What operators promise, which is worked out for each of them when it is asked for."""
+
+    def __init__(self, operators: Mapping[str, Operator], refine: Callable[[Operator], Operator]):
+        self._operators, self._refine = operators, refine
+
+    def __getitem__(self, name: str) -> Operator:
+        return self._refine(self._operators[name])
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._operators)
+
+    def __len__(self) -> int:
+        return len(self._operators)
 
 
 @lru_cache(maxsize=256)
@@ -159,7 +171,7 @@ def _usable(
 ) -> tuple[Operator, ...]:
     live = {operator.name for operator in grounding.live}
     usual = _promised(grounding, category, features, TOLERANCE)
-    names = [name for name, op in usual.items() if name in live and why_unfit(op, grounding) is None]
+    names = [name for name in usual if name in live and why_unfit(usual[name], grounding) is None]
     found = _promised(grounding, category, features, tolerance)
     return tuple(found[name] for name in names)
 

@@ -4,6 +4,7 @@ After Rasmussen and Williams, *Gaussian Processes for Machine Learning*, 2006, a
 prediction misses objects that are left out (section 5.4.2) says how sure it is for others like them.
 """
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cache
 from itertools import combinations
@@ -73,7 +74,8 @@ class Regression:
         kept = np.zeros(len(self.objects))
         kept[self.is_kind] = self.keeps(tolerance)
         apart = _apart(self.objects * self.deciding, at[None] * self.deciding)
-        return float(_chances(apart, kept, self.neighbours)[0])
+        (last,) = _nearest(apart, (self.neighbours,))
+        return float(_chances(apart, kept, last)[0])
 
     def spreads(self, at: Float[np.ndarray, "F"]) -> Float[np.ndarray, "D"]:
         """Estimate by how much predictions for such objects miss where the promise is kept, RMS [m]."""
@@ -141,16 +143,17 @@ def _most_likely(
         The length, and eigenvectors and eigenvalues of the kernel's matrix with the noise.
     """
     best, found = -np.inf, None
+    apart = _apart(objects, objects)
     for length in _LENGTHS:
-        bare, vectors = np.linalg.eigh(_likeness(objects, objects, length))
+        bare, vectors = np.linalg.eigh(_alike(apart, length))
         squares = (vectors.T @ outcomes) ** 2
-        for noise in _NOISES:
-            values = np.maximum(bare, 0) + noise
-            variance = (squares / values[:, None]).mean(0) + 1e-9
-            columns = outcomes.shape[1]
-            likelihood = -0.5 * (len(objects) * np.log(variance).sum() + columns * np.log(values).sum())
-            if likelihood > best:
-                best, found = float(likelihood), (length, vectors, values)
+        every = np.maximum(bare, 0) + np.array(_NOISES)[:, None]  # (noises, n)
+        variance = (squares / every[..., None]).mean(1) + 1e-9
+        columns = outcomes.shape[1]
+        likelihoods = -0.5 * (len(objects) * np.log(variance).sum(1) + columns * np.log(every).sum(1))
+        likeliest = int(likelihoods.argmax())
+        if likelihoods[likeliest] > best:
+            best, found = float(likelihoods[likeliest]), (length, vectors, every[likeliest])
     assert found is not None, "outcomes are finite"
     return found
 
@@ -171,11 +174,13 @@ def _deciding(
         By what features are multiplied, and how many of the nearest objects tell.
     """
     found, best = (np.ones(objects.shape[1]), _NEIGHBOURS[0]), -np.inf
+    squares = (objects.T[:, :, None] - objects.T[:, None]) ** 2  # (F, N, N)
     for metric in _metrics(objects.shape[1]):
-        apart = _apart(objects * metric, objects * metric)
+        apart = np.sqrt(squares[metric > 0].sum(0))
         np.fill_diagonal(apart, np.inf)
-        for neighbours in _NEIGHBOURS:
-            chances = np.clip(_chances(apart, kept, neighbours), 0.01, 0.99)
+        nearest = _nearest(apart, _NEIGHBOURS)
+        for neighbours, last in zip(_NEIGHBOURS, nearest, strict=True):
+            chances = np.clip(_chances(apart, kept, last), 0.01, 0.99)
             likelihood = float(np.log(np.where(kept == 1, chances, 1 - chances)).sum())
             likelihood += _CLEARLY if metric.all() or not metric.any() else 0.0
             if likelihood > best:
@@ -194,18 +199,29 @@ def _metrics(features: int) -> tuple[Float[np.ndarray, "F"], ...]:
     return (np.ones(features), np.zeros(features), *few)
 
 
+def _nearest(apart: Float[np.ndarray, "N M"], neighbours: Sequence[int]) -> Float[np.ndarray, "K M"]:
+    """Return how far the last of so many nearest objects is, for each of several numbers of them.
+
+    Args:
+        apart: How far each object is from those that it is asked for; infinite if it does not count.
+        neighbours: How many objects; fewer where no more count.
+    """
+    counting = int(np.isfinite(apart).sum(0).min(initial=len(apart)))
+    last = [min(number, counting) - 1 for number in neighbours]
+    return np.asarray(np.partition(apart, last, axis=0)[last])
+
+
 def _chances(
-    apart: Float[np.ndarray, "N M"], kept: Float[np.ndarray, "N"], neighbours: int
+    apart: Float[np.ndarray, "N M"], kept: Float[np.ndarray, "N"], last: Float[np.ndarray, "M"]
 ) -> Float[np.ndarray, "M"]:
     """Estimate by the nearest objects how often a promise is kept.
 
     Args:
         apart: How far each object is from those that it is estimated for; infinite if it does not count.
         kept: For which objects the promise was kept.
-        neighbours: How many of them tell.
+        last: How far the last is of those that tell.
     """
-    last = min(neighbours, int(np.isfinite(apart).sum(0).min(initial=len(apart)))) - 1
-    within = _WITHIN * np.maximum(np.sort(apart, axis=0)[last], 1e-6)
+    within = _WITHIN * np.maximum(last, 1e-6)
     near = np.exp(-(apart**2) / (2 * within**2))
     return np.asarray((kept @ near + _RATE * kept.mean()) / (near.sum(0) + _RATE))
 
@@ -214,7 +230,11 @@ def _likeness(
     ones: Float[np.ndarray, "n F"], others: Float[np.ndarray, "m F"], length: float
 ) -> Float[np.ndarray, "n m"]:
     """Compute the squared-exponential kernel."""
-    return np.asarray(np.exp(-(_apart(ones, others) ** 2) / (2 * length**2)))
+    return _alike(_apart(ones, others), length)
+
+
+def _alike(apart: Float[np.ndarray, "n m"], length: float) -> Float[np.ndarray, "n m"]:
+    return np.asarray(np.exp(-(apart**2) / (2 * length**2)))
 
 
 def _apart(ones: Float[np.ndarray, "n F"], others: Float[np.ndarray, "m F"]) -> Float[np.ndarray, "n m"]:

@@ -32,7 +32,7 @@ from neurosym.pddl.place_problem import PlaceNotes, place_facts
 from neurosym.pddl.places import with_places
 from neurosym.pddl.plan_text import PlanStep
 from neurosym.pddl.relational_replay import print_relational_plan
-from neurosym.problems import Problem, SceneObject
+from neurosym.problems import Problem
 from neurosym.related import is_relational, relating
 from neurosym.spots import spot_named
 
@@ -145,7 +145,7 @@ class _Printing:
         self._problem, self._grounding, self._encoding = problem, grounding, encoding
         self._grid: Grid = grid_of(grounding)
         self._notes = PlaceNotes(problem, grounding) if encoding == PLACES else None
-        self._moves = {item.name: _moves_of(item, problem, grounding, encoding) for item in problem.objects}
+        self._moves: dict[str, Mapping[str, Move]] = {}
         self._cells = {item.name: list(self._grid.anchor(item.position)) for item in problem.objects}
         self.lines: list[str] = []
         self.facts: list[str] = []
@@ -172,7 +172,7 @@ class _Printing:
 
     def _lead(self, step: PlanStep) -> None:
         of_whom = f" for {step.object}" if self._grounding.is_refined else ""
-        move, here = self._moves[step.object].get(step.operator), self._cells[step.object]
+        move, here = self._moves_of(step.object).get(step.operator), self._cells[step.object]
         if move is None or (self._notes and step.object not in self._notes.led):
             raise InvalidValue(
                 f"{step.operator} is not in the domain{of_whom}, so the plan cannot be printed with cells."
@@ -180,6 +180,16 @@ class _Printing:
         has_own = self._grounding.is_refined
         for words in led_actions(move, step.object, here, self._grid, self._encoding, has_own=has_own):
             self.lines.append(f"({' '.join(words)})")
+
+    def _moves_of(self, name: str) -> Mapping[str, Move]:
+        """Return the moves of an object by name, as the domain of the encoding has them."""
+        if name not in self._moves:
+            problem, grounding = self._problem, self._grounding
+            is_mean = self._encoding == "operators" or not grounding.is_refined
+            item = problem.object_named(name)
+            moves = moves_of(grounding) if is_mean else moves_for(item, grounding, problem.tolerance)
+            self._moves[name] = {move.name: move for move in moves}
+        return self._moves[name]
 
     def _reached(self, name: str) -> str:
         return f"({REACH_GOAL} {name} {' '.join(self._where(name))})"
@@ -191,12 +201,3 @@ class _Printing:
 
     def _where(self, name: str) -> Sequence[str]:
         return [self._grid.cell_name(axis, index) for axis, index in enumerate(self._cells[name])]
-
-
-def _moves_of(
-    item: SceneObject, problem: Problem, grounding: Grounding, encoding: Encoding
-) -> Mapping[str, Move]:
-    """Return the moves of an object by name, as the domain of an encoding has them."""
-    is_mean = encoding == "operators" or not grounding.is_refined
-    moves = moves_of(grounding) if is_mean else moves_for(item, grounding, problem.tolerance)
-    return {move.name: move for move in moves}
