@@ -21,6 +21,7 @@ from rich.progress import (
     TimeElapsedColumn,
     TimeRemainingColumn,
 )
+from rich.status import Status
 from rich.table import Table
 from rich.text import Text
 
@@ -133,6 +134,40 @@ class _Lines:
         taken = now - self._begin
         left = "" if done >= total else f", about {_minutes(taken * (total - done) / done)} left"
         error_console.print(f"{self._label}: {done} of {total} after {_minutes(taken)}{left}", markup=False)
+
+
+class Doing(Protocol):
+    """Tells what a command is doing."""
+
+    def __call__(self, text: str) -> None:
+        """Say what goes on now, in a few words."""
+        ...
+
+
+@contextmanager
+def shown_doing() -> Iterator[Doing]:
+    """Show what goes on, one thing in the place of the one before; it is gone in the end.
+
+    Where the output is no terminal, a line now and then says as much.
+    """
+    status = Status("", console=error_console)
+    last = monotonic()
+
+    def tell(text: str) -> None:
+        nonlocal last
+        if console.quiet:
+            return
+        if error_console.is_terminal:
+            status.update(Text(harmless(text)))
+            status.start()
+        elif monotonic() - last >= _LEAST_PAUSE:
+            last = monotonic()
+            error_console.print(text, markup=False)
+
+    try:
+        yield tell
+    finally:
+        status.stop()
 
 
 def _minutes(seconds: float) -> str:

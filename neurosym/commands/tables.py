@@ -148,6 +148,8 @@ def show_run(run: Run) -> None:
     allowed = "" if run.tolerance is None else f", {1000 * run.tolerance:g} mm are allowed in this run"
     said = f": {far} from it{allowed}" if far else ""
     say(f"goal {'reached' if run.reached else 'missed'}{said}")
+    if run.replannings:
+        say(f"planned anew {counted(len(run.replannings), 'time')}")
     for nudge in run.nudges:
         by = 1000 * math.hypot(*nudge.by)
         say(f"before step {nudge.before_step} {nudge.object} was nudged by {by:.0f} mm")
