@@ -201,7 +201,7 @@ class _Running:
         if new.steps:
             self.left, self.aimed = list(new.steps), new.problem
         elif not self.left or not validate(self.left, self._now(self.aimed), self.grounding).possible:
-            self.ended, self.left = "no plan", []
+            self.ended, self.left = "work" if self.effort.is_used_up else "no plan", []
 
     def step(self) -> None:
         """Perform the next step of the plan, and put down what it lifts unless that ends the plan."""

@@ -19,7 +19,7 @@ from neurosym.related import is_reached, is_relational
 PATIENCE = 10
 """After how many new plans in a row that come no nearer to the goal a run stops."""
 WORK = 2_000_000
-"""How much may be looked at for all new plans of a run [states, see `planners/effort.py`]; see `usual_work`."""
+"""How much may be looked at for all new plans of a run [states], for each object and twice more."""
 WORK_A_PLAN = 3_000_000
 """How much may be looked at for one new plan [states], before one for fewer goals is looked for."""
 NEARER = 0.01

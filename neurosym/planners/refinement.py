@@ -184,7 +184,7 @@ class _Asked:
         return not_proved(self._over_cells(problem, effort))
 
     def _in_turns(self, carry: Callable[[Problem], PlanResult], effort: Effort) -> PlanResult:
-        """Carry and lead objects in turns, if any must be led: a plan for all at once is mostly false then."""
+        """Carry and lead objects in turns, if any must be led; for all at once plans are mostly false."""
         self.query.tell("carrying objects out of the way of others that are led over cells")
         return plan_in_turns(
             self.query.problem, self.query.grounding, carry, partial(self._over_cells, effort=effort)
