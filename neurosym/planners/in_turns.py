@@ -174,11 +174,11 @@ class _Turns:
         task = self._task(now, goals, near)
         if not task.unmet:
             return PlanResult(PlanStatus.SOLVED, (), 0.0), now
-        placed = with_places(task, self.grounding)
+        placed, printed = with_places(task, self.grounding), with_places(self.problem, self.grounding)
         result = self.carry(placed)
         if result.status is PlanStatus.UNSOLVABLE:  # with these places; with others it may be
             result = dataclasses.replace(result, status=PlanStatus.NOT_FOUND)
-        spots = tuple(_to_spot(step, placed) for step in result.steps)
+        spots = tuple(_to_spot(step, placed, printed) for step in result.steps)
         return self._after(dataclasses.replace(result, steps=spots), task)
 
     def _after(self, result: PlanResult, task: Problem, first: PlanResult | None = None) -> _Turn:
@@ -194,8 +194,9 @@ class _Turns:
         return PlanResult(PlanStatus.SOLVED, steps, 0.0), msgspec.structs.replace(task, objects=objects)
 
 
-def _to_spot(step: PlanStep, problem: Problem) -> PlanStep:
-    """Name the place of a step by where it lies: other turns have other places."""
-    return (
-        dataclasses.replace(step, place=spot_name(*problem.place_named(step.place))) if step.place else step
-    )
+def _to_spot(step: PlanStep, now: Problem, printed: Problem) -> PlanStep:
+    """Name the place of a step by where it lies, unless it has its name in the whole problem, too."""
+    known = printed.places if isinstance(printed.places, dict) else {}
+    if not step.place or known.get(step.place) == now.place_named(step.place):
+        return step
+    return dataclasses.replace(step, place=spot_name(*now.place_named(step.place)))
