@@ -39,6 +39,24 @@ class Advance(Protocol):
         ...
 
 
+class Doing(Protocol):
+    """Tells what a command is doing."""
+
+    def __call__(self, text: str) -> None:
+        """Say what goes on now, in a few words."""
+        ...
+
+
+def shown_doing() -> AbstractContextManager[Doing]:
+    """Show what goes on, one thing in the place of the one before; it is gone in the end.
+
+    Where the output is no terminal, a line now and then says as much.
+    """
+    from neurosym.terminal import shown_doing as drawn
+
+    return drawn()
+
+
 def progress_bar(label: str) -> AbstractContextManager[Advance]:
     """Show a bar with rate and remaining time while some long work goes on, once it has begun.
 

@@ -22,10 +22,11 @@ from rich.progress import (
     TimeElapsedColumn,
     TimeRemainingColumn,
 )
+from rich.status import Status
 from rich.table import Table
 from rich.text import Text
 
-from neurosym.console import PIPE_WIDTH, Advance, is_quiet, turn_away
+from neurosym.console import PIPE_WIDTH, Advance, Doing, is_quiet, turn_away
 from neurosym.errors import shortened
 from neurosym.wording import harmless
 
@@ -122,6 +123,29 @@ class _Lines:
 
 def _minutes(seconds: float) -> str:
     return f"{int(seconds) // 60}:{int(seconds) % 60:02d} min"
+
+
+@contextmanager
+def shown_doing() -> Iterator[Doing]:
+    """Show what goes on, one thing in the place of the one before; see `console.shown_doing`."""
+    status = Status("", console=error_console)
+    last = monotonic()
+
+    def tell(text: str) -> None:
+        nonlocal last
+        if is_quiet():
+            return
+        if error_console.is_terminal:
+            status.update(Text(harmless(text)))
+            status.start()
+        elif monotonic() - last >= _LEAST_PAUSE:
+            last = monotonic()
+            error_console.print(text, markup=False)
+
+    try:
+        yield tell
+    finally:
+        status.stop()
 
 
 @contextmanager

@@ -144,6 +144,8 @@ def show_run(run: Run) -> None:
         say("what is put on or into another object is seen from that")
     if any(step.place and not step.promised_state for step in run.steps):
         say("what is carried is seen from the point that the hand aimed at; all else from where it stood")
+    if run.replannings:
+        say(f"planned anew {counted(len(run.replannings), 'time')}")
     for nudge in run.nudges:
         by = 1000 * math.hypot(*nudge.by)
         say(f"before step {nudge.before_step} {nudge.object} was nudged by {by:.0f} mm")

@@ -3,7 +3,7 @@
 A `put-down-...` step is the second half of the lift before it: the world performs both as one interaction,
 and only a lift that ends the plan is left in mid-air. Where a planner is at hand, what is left of the plan is
 replayed from what is seen after every step; if it would miss the goal, a new plan is asked for, as long as
-new plans come nearer to it.
+new plans come nearer to it, and as long as all of them together have not taken too much work.
 """
 
 import math
@@ -19,12 +19,21 @@ from neurosym.execution.performing import lifts, perform, recorded
 from neurosym.execution.reasons import why_missed
 from neurosym.execution.record import Ended, Nudge, Replanning, Run, StepRecord, own_steps, record_refusal
 from neurosym.execution.relating import levelled, missed_relations, prepared, seen_now
-from neurosym.execution.replanning import PATIENCE, Progress, new_plan, usual_replans, why_not_go_on
+from neurosym.execution.replanning import (
+    PATIENCE,
+    Progress,
+    new_plan,
+    usual_replans,
+    usual_work,
+    why_not_go_on,
+)
 from neurosym.execution.watching import STOP, Moment, Watcher
 from neurosym.grounding import Grounding
 from neurosym.guarded import guarded, placed
 from neurosym.pddl.plan_text import PlanStep, Steps, named_steps, primitives
 from neurosym.pddl.validation import validate
+from neurosym.planners.effort import Effort
+from neurosym.planners.planner import Tell
 from neurosym.planners.registry import Replanner
 from neurosym.problems import Problem
 from neurosym.promises import promised
@@ -48,6 +57,7 @@ def execute(
     on_frame: FrameSink | None = None,
     on_step: Callable[[StepRecord], None] | None = None,
     watcher: Watcher | None = None,
+    tell: Tell | None = None,
 ) -> Run:
     """Run a plan in the world with the distilled parameters of its primitives.
 
@@ -65,6 +75,7 @@ def execute(
         on_frame: Called with pictures of the motion as it happens, if given.
         on_step: Called with each step's record as soon as it is done, if given.
         watcher: Asked before each step whether to nudge an object or to stop, and told of new plans.
+        tell: Told of each step and each new plan before it is done or made, if given.
 
     Raises:
         InvalidValue: If something is not what it should be, or a step names an object that there is not.
@@ -88,11 +99,15 @@ def execute(
             break
         if replanner and most and (why := run.why_not_go_on()):
             asked = len(run.replannings)
+            if tell:
+                tell(f"planning anew before step {len(run.records) + 1}, new plan {asked + 1}: {why}")
             run.replan(replanner, why)
             if watcher and run.replannings[asked:]:
                 watcher.replanned(run.replannings[-1])
         if not run.left:
             break
+        if tell:
+            tell(f"step {len(run.records) + 1}: {run.left[0].operator} {run.left[0].object}")
         run.step()
         if on_step:
             on_step(run.records[-1])
@@ -119,18 +134,20 @@ class _Running:
     ended: Ended = "plan"
     contacts: Contacts | None = None
     progress: Progress = field(init=False)
+    effort: Effort = field(init=False)
     _lifted: tuple[PlanStep, Scene] | None = None
 
     def __post_init__(self) -> None:
         self.scene, self.aimed = self.problem.scene(), self.problem
         self.contacts = touching(self.problem) if isinstance(self.problem.touching, tuple) else None
         self.experience = Experience(self.grounding)
+        self.effort = Effort(usual_work(self.problem))
         self.progress = Progress(primitives(self.left), self._miss())
 
     @property
     def goes_on(self) -> bool:
         """Whether nothing has ended the run yet."""
-        return self.ended in ("plan", "budget")
+        return self.ended in ("plan", "budget", "work")
 
     def draw_nudge(self, nudger: Nudger) -> None:
         """Move an object somewhere drawn at random, if there is room for that."""
@@ -169,11 +186,14 @@ class _Running:
         if len(self.replannings) >= self.most_replans:
             self.ended = "budget"
             return
+        if self.effort.is_used_up:
+            self.ended = "work"
+            return
         if self.progress.stalled >= PATIENCE:
             self.ended, self.left = "no progress", []
             return
         self._put_down()
-        new = new_plan(replanner, self._with_new_places(self._now()), self.experience)
+        new = new_plan(replanner, self._with_new_places(self._now()), self.experience, self.effort)
         self.experience = new.experience
         steps = named_steps(new.steps)
         self.replannings.append(Replanning(len(self.records) + 1, why, steps, new.reason))
@@ -181,7 +201,7 @@ class _Running:
         if new.steps:
             self.left, self.aimed = list(new.steps), new.problem
         elif not self.left or not validate(self.left, self._now(self.aimed), self.grounding).possible:
-            self.ended, self.left = "no plan", []
+            self.ended, self.left = "work" if self.effort.is_used_up else "no plan", []
 
     def step(self) -> None:
         """Perform the next step of the plan, and put down what it lifts unless that ends the plan."""
@@ -226,7 +246,13 @@ class _Running:
             reached=reached,
             distances=distances,
             reason=why_missed(
-                ended, self.records, self.replannings, distances, self.problem.tolerance, missed
+                ended,
+                self.records,
+                self.replannings,
+                distances,
+                self.problem.tolerance,
+                missed,
+                self.effort.work,
             ),
             nudge=self.nudges[0] if self.nudges else None,
             more_nudges=tuple(self.nudges[1:]) or msgspec.UNSET,

@@ -14,6 +14,7 @@ def why_missed(
     distances: dict[str, float],
     tolerance: float,
     relations: str = "",
+    work: int = 0,
 ) -> str:
     """Say which goal was missed, and what ended the run; nothing if the goal was reached.
 
@@ -24,6 +25,7 @@ def why_missed(
         distances: How far each object with a goal ended from it [m].
         tolerance: How far it may be [m].
         relations: Which goals by relation were missed, in words.
+        work: How much might be looked at for all new plans [states].
     """
     if ended == "goal":
         return ""
@@ -32,10 +34,12 @@ def why_missed(
     if name and not (relations and distance <= tolerance):
         allowed = f"{1000 * tolerance:g} mm allowed"
         missed += [f"{name} is {in_millimetres(distance, tolerance)} from its goal ({allowed})"]
-    return "; ".join([*missed, _what_ended(ended, records, replannings)])
+    return "; ".join([*missed, _what_ended(ended, records, replannings, work)])
 
 
-def _what_ended(ended: Ended, records: Sequence[StepRecord], replannings: Sequence[Replanning]) -> str:
+def _what_ended(
+    ended: Ended, records: Sequence[StepRecord], replannings: Sequence[Replanning], work: int
+) -> str:
     number = len(records)
     if ended == "lost":
         lost = [records[-1].object] if records[-1].happened == "lost" else []
@@ -49,6 +53,10 @@ def _what_ended(ended: Ended, records: Sequence[StepRecord], replannings: Sequen
         return f"it was stopped before step {number + 1}"
     if ended == "budget":
         return f"all {counted(len(replannings), 'new plan')} were used up{_toppled(records)}"
+    if ended == "work":
+        count = counted(len(replannings), "new plan")
+        spent = f"the budget of {work:,} states for new plans was used up after {count}"
+        return f"gave up planning anew: {spent}{_toppled(records)}"
     if ended == "no progress":
         return f"the last new plans came no nearer to the goal, after {len(replannings)}{_toppled(records)}"
     return f"the plan came to its end; {_first_otherwise(records)}"

@@ -20,11 +20,11 @@ from neurosym.world import Disturbance, Outcome, OutcomeKind, Scene
 
 StepOutcome = OutcomeKind | Literal["not performed"]
 Ended = Literal[
-    "goal", "plan", "lost", "out of reach", "no plan", "budget", "no progress", "stopped", "unknown"
+    "goal", "plan", "lost", "out of reach", "no plan", "budget", "work", "no progress", "stopped", "unknown"
 ]
 """What ended a run: the goal was reached, or the plan was at its end; an object was lost, or out of reach;
-there was no new plan, or none left to ask for, or new ones came no nearer; somebody stopped it; old records
-do not say."""
+there was no new plan, or none left to ask for, or no work left to make one with, or new ones came no nearer;
+somebody stopped it; old records do not say."""
 
 
 class StepRecord(msgspec.Struct, frozen=True, forbid_unknown_fields=True):

@@ -10,6 +10,7 @@ from neurosym.execution.experience import Experience, believed_name, learned_nam
 from neurosym.pddl.place_problem import carried_objects
 from neurosym.pddl.plan_text import PlanStep, primitives
 from neurosym.pddl.validation import Validation, validate
+from neurosym.planners.effort import UNTOLD, Effort
 from neurosym.planners.registry import Replanner
 from neurosym.planners.result import PlanStatus
 from neurosym.problems import Problem
@@ -17,6 +18,10 @@ from neurosym.related import is_reached, is_relational
 
 PATIENCE = 10
 """After how many new plans in a row that come no nearer to the goal a run stops."""
+WORK = 2_000_000
+"""How much may be looked at for all new plans of a run [states], for each object and twice more."""
+WORK_A_PLAN = 3_000_000
+"""How much may be looked at for one new plan [states], before one for fewer goals is looked for."""
 NEARER = 0.01
 """How much nearer objects must have come to their goals, in sum, to be nearer [m]."""
 
@@ -24,6 +29,17 @@ NEARER = 0.01
 def usual_replans(plan: Sequence[PlanStep]) -> int:
     """Return how many new plans a run may ask for: the longer the plan, the more can go otherwise."""
     return PATIENCE + 2 * primitives(plan)
+
+
+def usual_work(problem: Problem) -> int:
+    """Return how much may be looked at for all new plans of a run: the more objects, the more [states].
+
+    That is some 40 s of CPU for four objects. Where it is spent, a run goes on with the plan that it has.
+
+    Args:
+        problem: The problem.
+    """
+    return WORK * (2 + len(problem.objects))
 
 
 @dataclass(slots=True)
@@ -121,21 +137,28 @@ class NewPlan:
         return bool(self.steps) and not self.reason
 
 
-def new_plan(replanner: Replanner, seen: Problem, experience: Experience) -> NewPlan:
+def new_plan(
+    replanner: Replanner, seen: Problem, experience: Experience, effort: Effort | None = None
+) -> NewPlan:
     """Ask for a new plan from where things are; where experience stands against any, hope and ask again.
 
     If there is no plan for all goals, one is asked for that brings some objects to theirs: what is in the way
-    of the others may have gone by then. What failed on an object again and again is not hoped for.
+    of the others may have gone by then. What failed on an object again and again is not hoped for. Once the
+    work for all new plans is spent, no more are asked for.
 
     Args:
         replanner: Whom to ask.
         seen: The problem as it stands now.
         experience: What the objects were seen to do.
+        effort: What may be spent on all new plans of the run [states], if not everything.
     """
-    reason = ""
+    reason, effort = "", effort or Effort()
     for believing in (experience, experience.hoping_again(seen))[: 1 + experience.says_something]:
         for task in (seen, *_for_fewer(seen, believing)):
+            if effort.is_used_up:
+                break
             result = replanner(*believing.believed(task))
+            effort.spend(result.work or UNTOLD)
             if result.status is PlanStatus.SOLVED:
                 steps = tuple(learned_name(step) for step in result.steps)
                 return NewPlan(steps, task, believing, "" if task is seen else reason)

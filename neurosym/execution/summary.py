@@ -77,7 +77,7 @@ def failure(run: Run) -> str:
         return "an object toppled"
     if run.ended == "no progress":
         return "new plans came no nearer"
-    if run.ended == "budget":
+    if run.ended in ("budget", "work"):
         return "new plans were used up"
     if run.replannings and run.replannings[-1].reason:
         return "no plan from where things ended"

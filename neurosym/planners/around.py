@@ -5,14 +5,17 @@ The order of the objects is searched for depth first; an object that keeps other
 order is first put aside. Each way is the cheapest there is to within a cell; all together they need not be.
 """
 
+import dataclasses
 import math
 from collections.abc import Hashable, Iterator
 from dataclasses import dataclass, field
 
+import msgspec
 import numpy as np
 
 from neurosym.arrays import Float
 from neurosym.grounding import Grounding
+from neurosym.pddl.chances import expected_success
 from neurosym.pddl.footprints import footprints_apart
 from neurosym.pddl.moves import PUT_DOWN
 from neurosym.pddl.plan_text import PlanStep
@@ -20,7 +23,7 @@ from neurosym.pddl.validation import validate
 from neurosym.planners.branching import branching_of
 from neurosym.planners.cost_to_go import CostToGo, cost_to_go
 from neurosym.planners.count_vectors import Choices
-from neurosym.planners.effort import Effort
+from neurosym.planners.effort import PLACE, Effort
 from neurosym.planners.joins import choices_of
 from neurosym.planners.result import PlanResult, PlanStatus
 from neurosym.planners.ways import HeldEnd, IsEnd, Way, cheapest_way
@@ -30,6 +33,8 @@ WORK = 150_000
 """How many places are looked at in all."""
 ASIDE = 2
 """How many objects are put aside at most."""
+NEARER = (1.0, 0.75, 0.5)
+"""How near to the middle of its goal an object is to end, as shares of what is allowed."""
 
 
 _State = tuple[Float[np.ndarray, "M 3"], frozenset[int], tuple[PlanStep, ...]]
@@ -51,11 +56,38 @@ def plan_around(
         TimeIsUp: If the deadline passes.
     """
     search = _Search(problem, grounding, Effort(work, deadline))
-    for steps in search.plans():
-        if validate(steps, problem, grounding).valid:
-            return PlanResult(PlanStatus.SOLVED, steps, 0.0)
-    reason = f"no ways around each other were found; {search.effort.spent:,} places looked at"
-    return PlanResult(PlanStatus.NOT_FOUND, (), 0.0, reason)
+    found = next((steps for steps in search.plans() if validate(steps, problem, grounding).valid), None)
+    spent = search.effort.spent
+    if found is not None:
+        return PlanResult(PlanStatus.SOLVED, found, 0.0, work=PLACE * spent)
+    reason = f"no ways around each other were found; {spent:,} places looked at"
+    return PlanResult(PlanStatus.NOT_FOUND, (), 0.0, reason, work=PLACE * spent)
+
+
+def plan_likeliest(problem: Problem, grounding: Grounding, *, deadline: float = math.inf) -> PlanResult:
+    """Find the likeliest to come true of the cheapest and the shortest plans to ever smaller goals.
+
+    The cheapest plan ends where it happens to, often at the edge of what is allowed.
+
+    Args:
+        problem: The problem.
+        grounding: The learned domain.
+        deadline: When the user's time is up, by `time.perf_counter()` [s].
+
+    Raises:
+        TimeIsUp: If the deadline passes.
+    """
+    without_costs = msgspec.structs.replace(grounding, unit_costs=True)
+    results = [
+        plan_around(
+            msgspec.structs.replace(problem, tolerance=share * problem.tolerance), by, deadline=deadline
+        )
+        for share in NEARER
+        for by in (grounding, without_costs)
+    ]
+    solved = [result for result in results if result.status is PlanStatus.SOLVED]
+    best = max(solved, key=lambda one: expected_success(one.steps, problem, grounding), default=results[0])
+    return dataclasses.replace(best, work=sum(result.work for result in results))
 
 
 @dataclass(slots=True)

@@ -18,11 +18,11 @@ from neurosym.pddl.relational_check import why_no_relation
 from neurosym.pddl.relational_problem import needed_texts
 from neurosym.pddl.relational_task import Task
 from neurosym.pddl.validation import validate
-from neurosym.planners.effort import check_time, within
+from neurosym.planners.effort import UNTOLD, check_time, within
 from neurosym.planners.fast_downward import RELATIONS_SUFFIX
 from neurosym.planners.planner import PddlProgram, Planner, Query
 from neurosym.planners.relational_bfs import plan_relational_bfs
-from neurosym.planners.result import PlanResult, PlanStatus
+from neurosym.planners.result import PlannerAnswer, PlanResult, PlanStatus
 from neurosym.planners.scratch import scratch_folder
 from neurosym.problems import Problem
 from neurosym.related import is_reached, is_relational, relations_of
@@ -103,7 +103,7 @@ def _told_at_once(problem: Problem, query: Query) -> PlanResult | None:
 
 
 def _search(query: Query, problem: Problem, program: PddlProgram, deadline: float) -> PlanResult:
-    """Print domain and problem, call the planner, read what it wrote, and replay it."""
+    """Print domain and problem, and call the planner."""
     grounding, encoding = query.grounding, query.encoding or RELATIONAL
     check_time(deadline)
     for item in problem.objects:
@@ -114,17 +114,23 @@ def _search(query: Query, problem: Problem, program: PddlProgram, deadline: floa
             with naming(file):
                 file.write_text(text)
         answer = program.call(domain, task, time_limit=deadline - time.perf_counter())
+    judged = _judged(answer, problem, query)
+    return dataclasses.replace(judged, work=UNTOLD if answer.work is None else answer.work)
+
+
+def _judged(answer: PlannerAnswer, problem: Problem, query: Query) -> PlanResult:
+    """Read what a program wrote, and replay it."""
     if answer.status is PlanStatus.UNSOLVABLE:
         reason = f"no plan with the places that were drawn{_why(problem, query)}"
         return PlanResult(PlanStatus.NOT_FOUND, (), answer.seconds, reason)
     try:
-        steps = parse_plan(answer.text, Path("its plan"), grounding, problem)
+        steps = parse_plan(answer.text, Path("its plan"), query.grounding, problem)
     except InvalidPlan as error:
         said = f"what the planner wrote cannot be read: {textwrap.shorten(str(error), 200)}"
         return PlanResult(PlanStatus.FAILED, (), answer.seconds, said)
     if answer.status is not PlanStatus.SOLVED:
         return PlanResult(answer.status, (), answer.seconds, answer.reason)
-    checked = validate(steps, problem, grounding)
+    checked = validate(steps, problem, query.grounding)
     if checked.valid:
         return PlanResult(PlanStatus.SOLVED, steps, answer.seconds, answer.reason)
     said = f"the plan with relations is not true when replayed: {checked.reason}"

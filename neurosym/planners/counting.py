@@ -10,7 +10,7 @@ is said.
 import math
 
 from neurosym.grounding import Grounding
-from neurosym.planners.effort import Effort, within
+from neurosym.planners.effort import PLACE, Effort, within
 from neurosym.planners.joins import Join
 from neurosym.planners.ordering import mend
 from neurosym.planners.result import PlanResult, PlanStatus
@@ -40,9 +40,9 @@ def plan_counting(
         for steps in join.plans():
             ordered, checked = mend(steps, problem, grounding, join.effort)
             if checked.valid:
-                return PlanResult(PlanStatus.SOLVED, ordered, 0.0)
+                return PlanResult(PlanStatus.SOLVED, ordered, 0.0, work=PLACE * join.effort.spent)
             join.missed = checked.reason
-        return PlanResult(PlanStatus.NOT_FOUND, (), 0.0, join.why_none())
+        return PlanResult(PlanStatus.NOT_FOUND, (), 0.0, join.why_none(), work=PLACE * join.effort.spent)
 
     return within(time_limit, search)
 

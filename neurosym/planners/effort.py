@@ -2,6 +2,9 @@
 
 Plans must not depend on how fast a machine is, or how busy. So every budget of ours counts what is looked at.
 A limit of time is the user's own ceiling: it ends planning as a whole, with no plan instead of another one.
+
+Where several searches share a budget, all count in states: one that A* without a heuristic looks at is 1.
+Others weigh as many of these as they take as long as.
 """
 
 import dataclasses
@@ -12,9 +15,18 @@ from collections.abc import Callable
 
 from neurosym.planners.result import PlanResult, PlanStatus
 
+PLACE = 10
+"""How many states a place, a candidate or a beginning of a plan counts for that is looked at in Python."""
+UNTOLD = 200_000
+"""How many states a search counts for that does not tell."""
+
 
 class TimeIsUp(Exception):
     """The user's ceiling cut in; whoever set the deadline turns this into a result."""
+
+
+class WorkIsUp(Exception):
+    """A budget that several searches share is spent; whoever set it turns this into a result."""
 
 
 @dataclasses.dataclass(slots=True)
@@ -22,7 +34,7 @@ class Effort:
     """What was spent of a budget of work.
 
     Attributes:
-        work: How many beginnings of plans, and ways to join plans, may be looked at.
+        work: How many beginnings of plans, and ways to join plans, may be looked at; or how many states.
         deadline: When the user's time is up, by `time.perf_counter()` [s].
         spent: How many were.
     """
@@ -43,6 +55,22 @@ class Effort:
         check_time(self.deadline)
         self.spent += amount
         return not self.is_used_up
+
+    @property
+    def part(self) -> "Effort":
+        """What is left, to be spent by what goes on beside others; its sum is counted here when it ends."""
+        return Effort(max(0, self.work - self.spent), self.deadline)
+
+    def check(self) -> None:
+        """Raise if nothing may be spent any longer.
+
+        Raises:
+            TimeIsUp: If the deadline has passed.
+            WorkIsUp: If the budget is spent.
+        """
+        check_time(self.deadline)
+        if self.is_used_up:
+            raise WorkIsUp
 
     @property
     def is_used_up(self) -> bool:
@@ -72,6 +100,12 @@ def within(time_limit: float, search: Callable[[float], PlanResult]) -> PlanResu
     except TimeIsUp:
         found = timed_out(time_limit)
     return dataclasses.replace(found, seconds=time.perf_counter() - begin)
+
+
+def all_spent(work: int) -> PlanResult:
+    """Return the result of searches that spent their common budget of work, without a plan."""
+    reason = f"the budget of {work:,} states for a plan was used up"
+    return PlanResult(PlanStatus.NOT_FOUND, (), 0.0, reason)
 
 
 def timed_out(time_limit: float) -> PlanResult:

@@ -9,6 +9,7 @@ busy a machine is. So memory is the budget of a search, and the user's time ends
 """
 
 import importlib.util
+import re
 import sys
 import time
 from collections.abc import Sequence
@@ -34,21 +35,55 @@ class Search:
     Attributes:
         configuration: What Fast Downward calls it; no blanks.
         memory: How much memory it may take [bytes]; the next search begins when it wants more.
+        for_task: How much more for each byte of the task that it reads [bytes].
+        weight: How many states of blind A* one that it evaluates takes as long as.
     """
 
     configuration: str
     memory: int = MEMORY
+    for_task: int = 0
+    weight: int = 15
+
+    def memory_for(self, task: Path) -> int:
+        """Return how much memory it may take for a task [bytes]."""
+        return min(MEMORY, self.memory + self.for_task * task.stat().st_size)
+
+    def work(self, output: str, memory: int) -> int:
+        """Return how much it has looked at [states, see `effort`].
+
+        Where the memory ended it, that is what fits into so much, and no sum of what it said: the last line
+        that it writes then may differ.
+
+        Args:
+            output: What it wrote.
+            memory: How much it was given [bytes].
+        """
+        evaluated = _EVALUATED.search(output)
+        if evaluated:
+            return self.weight * int(evaluated[1])
+        return max(0, memory - _ITSELF) // (_PER_STATE if self.weight == 1 else _PER_HEAVY)
 
 
-PORTFOLIO = (Search("astar(blind())", memory=256 * 1024**2), Search(LAMA_FIRST))
+_EVALUATED = re.compile(r"\] Evaluated (\d+) state")
+_ITSELF = 12 * 1024**2
+"""How much memory Fast Downward takes before it searches [bytes]."""
+_PER_STATE, _PER_HEAVY = 48, 16
+"""How much memory without success counts as a state [bytes]: of blind A*; and of others, which are slower."""
+_TRANSLATING, _PER_FACT = 50_000, 2
+"""As how many states translating a task counts, and how much of it counts as one more [bytes]."""
+
+PORTFOLIO = (Search("astar(blind())", memory=256 * 1024**2, weight=1), Search(LAMA_FIRST))
 """The cheapest plan first: some 10 million states fit; a grid for one object has less than one million."""
 
-FOR_PLACES = (Search("astar(blind())", memory=16 * 1024**2), Search(LAMA_FIRST, memory=256 * 1024**2))
+FOR_PLACES = (
+    Search("astar(blind())", memory=16 * 1024**2, weight=1),
+    Search(LAMA_FIRST, memory=16 * 1024**2, for_task=12),
+)
 """With places there are few steps in a plan, and so many orders of them that more memory seldom helps.
 
 Relations are as places. Four objects fit. With eight, twice the memory took three times as long and was as
-seldom enough. The second search finds plans for thirty objects in little of its memory, or else would go on
-for minutes in vain.
+seldom enough. The second search finds plans for thirty objects in hardly more memory than reading them takes,
+seven bytes for each of the task; or else it would go on for minutes in vain.
 """
 
 RELATIONS_SUFFIX = ".relational.pddl"
@@ -80,14 +115,16 @@ def plan_fast_downward(
     programs = _programs()
     searches = searches or usual_searches(problem.name)
     with scratch_folder() as folder:
-        status, reason, text, task = PlanStatus.SOLVED, "", "", problem.resolve()
+        status, reason, text, task, work = PlanStatus.SOLVED, "", "", problem.resolve(), 0
         if problem.suffix != SAS_SUFFIX:
             status, reason = _translate(folder, programs, domain, problem, time_limit)
             task = folder / "output.sas"
+            work = _TRANSLATING + (task.stat().st_size // _PER_FACT if task.is_file() else 0)
         if status is PlanStatus.SOLVED:
             left = time_limit - (time.perf_counter() - begin)
-            status, reason, text = _search(folder, programs / "downward", task, searches, left)
-    return PlannerAnswer(status, text, time.perf_counter() - begin, reason)
+            status, reason, text, looked_at = _search(folder, programs / "downward", task, searches, left)
+            work += looked_at
+    return PlannerAnswer(status, text, time.perf_counter() - begin, reason, work)
 
 
 def usual_searches(file: str) -> Sequence[Search]:
@@ -110,22 +147,25 @@ def _translate(
 
 def _search(
     folder: Path, downward: Path, task: Path, searches: Sequence[Search], time_limit: float
-) -> tuple[PlanStatus, str, str]:
-    """Run searches until one needs no more memory than it may take."""
+) -> tuple[PlanStatus, str, str, int]:
+    """Run searches until one needs no more memory than it may take; the last number is their work."""
     end = time.perf_counter() + time_limit
     plan = folder / "plan"
-    status, reason = PlanStatus.TIMEOUT, "the time was up before the search"
+    status, reason, work = PlanStatus.TIMEOUT, "the time was up before the search", 0
     for search in searches:
         command = [str(downward), "--search", search.configuration, "--internal-plan-file", str(plan)]
-        left = end - time.perf_counter()
-        finished = run_limited(command, folder, left, stdin=task, memory=search.memory)
+        left, memory = end - time.perf_counter(), search.memory_for(task)
+        finished = run_limited(command, folder, left, stdin=task, memory=memory)
+        work += search.work(finished.output, memory)
         status, reason = _judge(finished)
         if finished.code not in _OUT_OF_MEMORY:
             break
     if status is PlanStatus.SOLVED:
         text = read_text(plan)
-        return (status, "", text) if text else (PlanStatus.FAILED, "Fast Downward wrote no plan", "")
-    return status, reason, ""
+        return (
+            (status, "", text, work) if text else (PlanStatus.FAILED, "Fast Downward wrote no plan", "", work)
+        )
+    return status, reason, "", work
 
 
 def _judge(finished: Finished) -> tuple[PlanStatus, str]:

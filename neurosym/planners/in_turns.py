@@ -41,7 +41,8 @@ def plan_in_turns(problem: Problem, grounding: Grounding, carry: _Solve, lead: _
 
     At first all ways are cleared at once, and what has its goal beside them is carried there before; or only
     what stands in them. If that fails, one object is led after another, each way cleared when it is needed.
-    If that fails, and there are few objects, they are led around all others as they stand.
+    If that fails, and there are few objects, they are led around all others as they stand. What cannot be led
+    to its goal even alone has no plan.
 
     Args:
         problem: The problem.
@@ -57,7 +58,7 @@ def plan_in_turns(problem: Problem, grounding: Grounding, carry: _Solve, lead: _
         return result
     turns = _Turns(problem, grounding, carry, lead, can_be, carried)
     for result in turns.plans(led):
-        if result.status is PlanStatus.SOLVED:
+        if result.status in (PlanStatus.SOLVED, PlanStatus.UNSOLVABLE):
             return result
     return result
 
@@ -173,9 +174,11 @@ class _Turns:
         task = self._task(now, goals, near)
         if not task.unmet:
             return PlanResult(PlanStatus.SOLVED, (), 0.0), now
-        placed = with_places(task, self.grounding)
+        placed, printed = with_places(task, self.grounding), with_places(self.problem, self.grounding)
         result = self.carry(placed)
-        spots = tuple(_to_spot(step, placed) for step in result.steps)
+        if result.status is PlanStatus.UNSOLVABLE:  # with these places; with others it may be
+            result = dataclasses.replace(result, status=PlanStatus.NOT_FOUND)
+        spots = tuple(_to_spot(step, placed, printed) for step in result.steps)
         return self._after(dataclasses.replace(result, steps=spots), task)
 
     def _after(self, result: PlanResult, task: Problem, first: PlanResult | None = None) -> _Turn:
@@ -191,8 +194,9 @@ class _Turns:
         return PlanResult(PlanStatus.SOLVED, steps, 0.0), msgspec.structs.replace(task, objects=objects)
 
 
-def _to_spot(step: PlanStep, problem: Problem) -> PlanStep:
-    """Name the place of a step by where it lies: other turns have other places."""
-    return (
-        dataclasses.replace(step, place=spot_name(*problem.place_named(step.place))) if step.place else step
-    )
+def _to_spot(step: PlanStep, now: Problem, printed: Problem) -> PlanStep:
+    """Name the place of a step by where it lies, unless it has its name in the whole problem, too."""
+    known = printed.places if isinstance(printed.places, dict) else {}
+    if not step.place or known.get(step.place) == now.place_named(step.place):
+        return step
+    return dataclasses.replace(step, place=spot_name(*now.place_named(step.place)))

@@ -9,7 +9,6 @@ still in conflict then are to end where there is room around them.
 """
 
 import dataclasses
-import math
 from collections import Counter
 from collections.abc import Callable, Collection, Mapping
 from functools import partial
@@ -25,7 +24,7 @@ from neurosym.pddl.plan_text import PlanStep
 from neurosym.pddl.validation import operator_for, validate
 from neurosym.planners.around import plan_around
 from neurosym.planners.counting import plan_counting
-from neurosym.planners.effort import Effort, check_time
+from neurosym.planners.effort import PLACE, Effort
 from neurosym.planners.joins import Join
 from neurosym.planners.ordering import ends_held, mend
 from neurosym.planners.parallel import plan_together
@@ -45,39 +44,46 @@ WORK_TO_PART = 2_000
 def plan_one_by_one(
     problem: Problem,
     grounding: Grounding,
-    believed: Callable[[Problem], PlanResult],
-    deadline: float = math.inf,
+    believed: Callable[[Problem, Effort], PlanResult],
+    effort: Effort | None = None,
 ) -> PlanResult:
     """Solve a problem one object at a time; whole, if the hand would have to hold two in the end.
 
     Args:
         problem: The problem.
         grounding: The learned domain.
-        believed: Solves a problem such that the replay of the plan is right.
-        deadline: When the user's time is up, by `time.perf_counter()` [s].
+        believed: Solves a problem such that the replay of the plan is right, with what may be spent.
+        effort: What may be spent [states], if not everything.
 
     Raises:
         TimeIsUp: If the deadline passes.
+        WorkIsUp: If nothing may be spent any longer.
     """
+    effort = effort or Effort()
     wanted = {name: _alone(problem, name, goal, problem.tolerance) for name, goal in problem.goals.items()}
     narrowed: Counter[str] = Counter()
     plans: dict[str, PlanResult] = {}
     aims: Float[np.ndarray, "M 3"] | None = None
     partings = 0
     while True:
-        results = plan_together([partial(believed, task) for task in wanted.values()])
+        effort.check()
+        parts = [effort.part for _ in wanted]
+        tasks = zip(wanted.values(), parts, strict=True)
+        results = plan_together([partial(believed, task, part) for task, part in tasks])
+        effort.spend(sum(part.spent for part in parts[: len(results)]))
         last = results[-1].status
         if last is PlanStatus.TIMEOUT or (last is not PlanStatus.SOLVED and not plans):
             return results[-1]
         solved = [result for result in results if result.status is PlanStatus.SOLVED]
         plans |= zip(wanted, solved, strict=False)  # who has no plan for a narrower goal keeps the last one
         if sum(ends_held(plan.steps, grounding) for plan in plans.values()) > 1:
-            return believed(problem)
+            return believed(problem, effort)
         steps, checked = mend(_joined(plans, problem, grounding), problem, grounding)
         if checked.valid:
             return PlanResult(PlanStatus.SOLVED, steps, 0.0, _remark(plans, narrowed))
         if not narrowed and not partings:
-            around = plan_around(problem, grounding, deadline=deadline)
+            around = plan_around(problem, grounding, deadline=effort.deadline)
+            effort.spend(around.work)
             if around.status is PlanStatus.SOLVED:
                 said = "objects would have stood in each other's way, so ways around each other were taken"
                 return dataclasses.replace(around, reason=said)
@@ -86,11 +92,11 @@ def plan_one_by_one(
         in_conflict = _in_conflict(ends, checked.concerned, problem)
         conflict = [name for name in in_conflict if narrowed[name] < len(NARROWER)]
         if conflict:
-            aims = _aims(problem, grounding, deadline) if aims is None else aims
+            aims = _aims(problem, grounding, effort) if aims is None else aims
             narrowed.update(conflict)
         elif partings < PARTINGS:
             partings, conflict = partings + 1, in_conflict
-            aims = _aims_apart(problem, conflict, ends, grounding, deadline)
+            aims = _aims_apart(problem, conflict, ends, grounding, effort)
         if aims is None or not conflict:
             reason = f"no plan was true when replayed; the last: {checked.reason}"
             return PlanResult(PlanStatus.FAILED, (), 0.0, reason)
@@ -113,10 +119,11 @@ def _remark(plans: Mapping[str, PlanResult], narrowed: Collection[str]) -> str:
     return next((plan.reason for plan in plans.values() if plan.reason), "")
 
 
-def _aims(problem: Problem, grounding: Grounding, deadline: float) -> Float[np.ndarray, "M 3"] | None:
+def _aims(problem: Problem, grounding: Grounding, effort: Effort) -> Float[np.ndarray, "M 3"] | None:
     """Return where objects can end together [m], or None if counting finds no plan."""
+    effort.check()
     found = plan_counting(problem, grounding, work=WORK_TO_COUNT)
-    check_time(deadline)
+    effort.spend(found.work)
     if found.status is not PlanStatus.SOLVED:
         return None
     return np.asarray(validate(found.steps, problem, grounding).positions[-1])
@@ -127,7 +134,7 @@ def _aims_apart(
     names: Collection[str],
     ends: Float[np.ndarray, "M 3"],
     grounding: Grounding,
-    deadline: float,
+    effort: Effort,
 ) -> Float[np.ndarray, "M 3"] | None:
     """Return where some objects can end [m], while the others end as planned, with room around them.
 
@@ -142,7 +149,9 @@ def _aims_apart(
     task = msgspec.structs.replace(
         problem, objects=tuple(items), goals=goals, tolerance=problem.tolerance - room
     )
-    steps = next(Join(task, grounding, Effort(WORK_TO_PART, deadline)).plans(), None)
+    part = Effort(WORK_TO_PART, effort.deadline)
+    steps = next(Join(task, grounding, part).plans(), None)
+    effort.spend(PLACE * part.spent)
     return None if steps is None else _ends(steps, task, grounding)
 
 

@@ -3,6 +3,7 @@
 Ours stand in one dict (`catalogue.PLANNERS`); anybody's own is one more (docs/own-planner.md).
 """
 
+import sys
 from collections.abc import Callable, Collection
 from dataclasses import dataclass
 from pathlib import Path
@@ -21,9 +22,15 @@ from neurosym.problems import LEGAL_NAME, Problem
 Option = Literal["encoding", "whole", "unit-costs"]
 PredictEffects = Callable[[Float[np.ndarray, "M F"]], Float[np.ndarray, "M P 3"]]
 """Says what the network predicts each primitive to do to objects of these features [m]."""
+Tell = Callable[[str], None]
+"""Is told in a few words what a planner goes on with."""
 CEILING = 60.0
 """When planners give up that count no work, if the user sets no limit [s]."""
 GRID: tuple[Encoding, ...] = ("stepwise", "operators")
+
+
+def _say_nothing(text: str) -> None:
+    del text
 
 
 class PlannerMissing(NeurosymError):
@@ -44,6 +51,8 @@ class Query:
         time_limit: The user's ceiling, which may be infinite [s].
         encoding: The encoding to plan in; None for the one that the planner does best with.
         whole: Whether to plan for all objects at once instead of one by one.
+        work: How much may be looked at in all [states, see `effort`], for planners that count that.
+        tell: Told what is tried, by planners that try one thing after another.
     """
 
     problem: Problem
@@ -52,6 +61,8 @@ class Query:
     time_limit: float = CEILING
     encoding: Encoding | None = None
     whole: bool = False
+    work: int = sys.maxsize
+    tell: Tell = _say_nothing
 
     def __post_init__(self) -> None:
         check_kind("problem", self.problem, Problem, "a Problem")

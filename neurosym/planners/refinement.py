@@ -28,10 +28,10 @@ from neurosym.pddl.plan_reading import parse_plan
 from neurosym.pddl.problem import STEPS, problem_text
 from neurosym.pddl.sas import sas_text
 from neurosym.planners.aiming import aim
-from neurosym.planners.around import plan_around
+from neurosym.planners.around import plan_around, plan_likeliest
 from neurosym.planners.by_places import MOST_LED, is_by_places, not_found, not_proved, plan_by_places
 from neurosym.planners.edges import away_from_edges
-from neurosym.planners.effort import TimeIsUp, check_time, within
+from neurosym.planners.effort import UNTOLD, Effort, TimeIsUp, WorkIsUp, all_spent, within
 from neurosym.planners.fast_downward import PLACES_SUFFIX, SAS_SUFFIX
 from neurosym.planners.in_turns import plan_in_turns
 from neurosym.planners.no_plan import Explanation, explain_clash, explain_no_plan
@@ -65,6 +65,7 @@ class _Slack:
 
 
 _Solve = Callable[[Problem, _Slack], PlanResult]
+_OffGrid = Callable[[Problem], PlanResult]
 
 
 def pddl_planner(
@@ -155,35 +156,59 @@ class _Asked:
     encoding: Encoding
 
     def search(self, deadline: float) -> PlanResult:
+        """Plan until a deadline, or until the work is spent."""
+        effort = Effort(self.query.work, deadline)
+        try:
+            found = self._any_way(effort)
+        except WorkIsUp:
+            found = all_spent(effort.work)
+        return dataclasses.replace(found, work=effort.spent)
+
+    def _any_way(self, effort: Effort) -> PlanResult:
         """Carry what can be carried, or lead everything over cells."""
         query, problem, grounding = self.query, self.query.problem, self.query.grounding
         takes_places = "stepwise" in self.program.encodings and query.encoding in (None, PLACES)
         if not (takes_places and is_by_places(problem, grounding)):
-            return self._over_cells(problem, deadline)
-        carry = partial(self._solve, grounding=grounding, deadline=deadline, encoding=PLACES)
-        result = plan_by_places(problem, grounding, partial(carry, slack=_Slack(STEPS)))
-        if result.status is PlanStatus.SOLVED or query.encoding == PLACES:
+            return self._over_cells(problem, effort)
+        carry = partial(self._solve, grounding=grounding, effort=effort, encoding=PLACES, slack=_Slack(STEPS))
+        for way in (self._in_turns, self._at_once) if query.encoding is None else (self._at_once,):
+            result = way(carry, effort)
+            if result.status is PlanStatus.SOLVED:
+                return result
+            if result.status is PlanStatus.UNSOLVABLE:
+                return not_proved(result)
+        if query.encoding == PLACES:
             return result
-        lead = partial(self._over_cells, deadline=deadline)
-        turns = plan_in_turns(problem, grounding, partial(carry, slack=_Slack(STEPS)), lead)
-        if turns.status is PlanStatus.SOLVED:
-            return turns
         if len(problem.objects) > MOST_LED:
             return not_found(result)
-        return not_proved(self._over_cells(problem, deadline))
+        return not_proved(self._over_cells(problem, effort))
 
-    def _over_cells(self, problem: Problem, deadline: float) -> PlanResult:
+    def _in_turns(self, carry: Callable[[Problem], PlanResult], effort: Effort) -> PlanResult:
+        """Carry and lead objects in turns, if any must be led; for all at once plans are mostly false."""
+        self.query.tell("carrying objects out of the way of others that are led over cells")
+        return plan_in_turns(
+            self.query.problem, self.query.grounding, carry, partial(self._over_cells, effort=effort)
+        )
+
+    def _at_once(self, carry: Callable[[Problem], PlanResult], effort: Effort) -> PlanResult:
+        """Plan for all objects at once, with places."""
+        effort.check()
+        self.query.tell("carrying all objects to places")
+        return plan_by_places(self.query.problem, self.query.grounding, carry)
+
+    def _over_cells(self, problem: Problem, effort: Effort) -> PlanResult:
         """Lead objects over cells, away from the edges of the table if that is possible."""
+        self.query.tell(f"leading {', '.join(problem.unmet)} over cells")
         grounding = self.query.grounding
         if self.program.aims and not grounding.unit_costs:
             careful = away_from_edges(grounding, problem)
-            result = self._attempt(problem, careful, deadline)
+            result = self._attempt(problem, careful, effort)
             if result.status is PlanStatus.SOLVED:
-                return dataclasses.replace(result, steps=aim(result.steps, problem, careful, deadline))
-        result = self._attempt(problem, grounding, deadline)
+                return dataclasses.replace(result, steps=aim(result.steps, problem, careful, effort.deadline))
+        result = self._attempt(problem, grounding, effort)
         if result.status is PlanStatus.FAILED and not self._is_at_once(problem) and not grounding.unit_costs:
             # The most reliable plans are long, and long ones stand in each other's way; shorter ones may not.
-            shorter = self._attempt(problem, msgspec.structs.replace(grounding, unit_costs=True), deadline)
+            shorter = self._attempt(problem, msgspec.structs.replace(grounding, unit_costs=True), effort)
             if shorter.status is PlanStatus.SOLVED:
                 return dataclasses.replace(shorter, reason=f"not the most reliable: {result.reason}")
         return result
@@ -191,35 +216,38 @@ class _Asked:
     def _is_at_once(self, problem: Problem) -> bool:
         return self.query.whole or len(problem.objects) == 1
 
-    def _attempt(self, problem: Problem, grounding: Grounding, deadline: float) -> PlanResult:
+    def _attempt(self, problem: Problem, grounding: Grounding, effort: Effort) -> PlanResult:
         """Plan object by object, or for all at once, until a replay is right."""
 
-        def solve(task: Problem, slack: _Slack) -> PlanResult:
-            found = self._solve(task, grounding, deadline, self.encoding, slack)
-            if found.status is PlanStatus.TIMEOUT:
-                raise TimeIsUp
-            return found
+        def believed(task: Problem, spending: Effort) -> PlanResult:
+            def solve(task: Problem, slack: _Slack) -> PlanResult:
+                found = self._solve(task, grounding, spending, self.encoding, slack)
+                if found.status is PlanStatus.TIMEOUT:
+                    raise TimeIsUp
+                return found
 
-        def believed(task: Problem) -> PlanResult:
-            result = _believed(task, grounding, solve)
-            if result.status is not PlanStatus.FAILED or not self.program.aims:
-                return result
-            found = plan_around(task, grounding, deadline=deadline)  # false on every grid: without one
-            if found.status is not PlanStatus.SOLVED:
-                return result
-            return dataclasses.replace(found, reason=f"searched for without a grid: {result.reason}")
+            def off_grid(task: Problem) -> PlanResult:
+                search = plan_likeliest if len(task.objects) == 1 else plan_around
+                found = search(task, grounding, deadline=spending.deadline)
+                spending.spend(found.work)
+                return found
+
+            try:
+                return _believed(task, grounding, solve, off_grid if self.program.aims else None)
+            except WorkIsUp:
+                return all_spent(effort.work)
 
         if self._is_at_once(problem):
-            return believed(problem)
-        return plan_one_by_one(problem, grounding, believed, deadline)
+            return believed(problem, effort)
+        return plan_one_by_one(problem, grounding, believed, effort)
 
     def _solve(
-        self, problem: Problem, grounding: Grounding, deadline: float, encoding: Encoding, slack: _Slack
+        self, problem: Problem, grounding: Grounding, effort: Effort, encoding: Encoding, slack: _Slack
     ) -> PlanResult:
         """Print domain and problem, in one file if in SAS+, call the planner, and read what it wrote."""
         if problem.is_met(problem.scene().positions):
             return PlanResult(PlanStatus.SOLVED, (), 0.0)
-        check_time(deadline)
+        effort.check()
         narrowed = _fitted(grounding, problem, max(grounding.cell, self.program.cell) / slack.finer)
         with scratch_folder() as folder:
             domain = folder / "domain.pddl"
@@ -231,7 +259,8 @@ class _Asked:
                 _write(domain, domain_text(narrowed, encoding))
                 text = problem_text(problem, narrowed, encoding, steps=slack.steps, margin=slack.margin)
                 _write(task, text)
-            answer = self.program.call(domain, task, time_limit=deadline - time.perf_counter())
+            answer = self.program.call(domain, task, time_limit=effort.deadline - time.perf_counter())
+        effort.spend(UNTOLD if answer.work is None else answer.work)
         try:
             steps = parse_plan(answer.text, Path("its plan"), narrowed, problem)
         except InvalidPlan as error:
@@ -240,9 +269,15 @@ class _Asked:
         return PlanResult(answer.status, steps, answer.seconds, answer.reason)
 
 
-def _believed(problem: Problem, grounding: Grounding, solve: _Solve) -> PlanResult:
-    """Solve a problem until the replay of the plan is right; each time with more slack, and then finer."""
+def _believed(
+    problem: Problem, grounding: Grounding, solve: _Solve, off_grid: _OffGrid | None = None
+) -> PlanResult:
+    """Solve a problem until the replay of the plan is right; each time with more slack, and then finer.
+
+    What rounds off no place, if it is given, is tried last; for one object it is quick, and tried second.
+    """
     slack, said, wrong = _Slack(STEPS), "", ""
+    alone = len(problem.objects) == 1
     for attempt in range(1, ATTEMPTS + 1):
         result = solve(problem, slack)
         if result.status is PlanStatus.UNSOLVABLE and (slack.steps or slack.margin):
@@ -262,10 +297,18 @@ def _believed(problem: Problem, grounding: Grounding, solve: _Solve) -> PlanResu
             wrong = checked.reason
             longest = max(Counter(step.object for step in steps).values(), default=0)
             finer = FINER if attempt >= ATTEMPTS // 2 else slack.finer
+        if off_grid and alone and attempt == 1:
+            found = off_grid(problem)
+            if found.status is PlanStatus.SOLVED:
+                return dataclasses.replace(found, reason=f"searched for without a grid, for on it: {wrong}")
         said = f"attempt {attempt + 1}, after a replay that said: {wrong}"
         steps_reckoned = STEPS if finer > slack.finer else 2 * slack.steps
         slack = _Slack(max(steps_reckoned, longest), slack.margin + 1, finer)
     reason = f"no plan was true when replayed, in {ATTEMPTS} attempts; the last: {wrong}"
+    if off_grid and not alone:
+        found = off_grid(problem)
+        if found.status is PlanStatus.SOLVED:
+            return dataclasses.replace(found, reason=f"searched for without a grid: {reason}")
     return PlanResult(PlanStatus.FAILED, (), 0.0, reason)
 
 

@@ -1,6 +1,7 @@
 """Planning by name: ours, those that were registered, and anybody's own as `module:factory`."""
 
 import dataclasses
+import sys
 from collections.abc import Callable
 from pathlib import Path
 
@@ -15,7 +16,7 @@ from neurosym.pddl.moves import Encoding
 from neurosym.planners.by_relations import by_relations
 from neurosym.planners.catalogue import PLANNERS
 from neurosym.planners.custom import check_installed, check_planner, load_planner, solve_checked
-from neurosym.planners.planner import Option, Planner, PredictEffects, Query
+from neurosym.planners.planner import Option, Planner, PredictEffects, Query, Tell
 from neurosym.planners.result import PlanResult, PlanStatus
 from neurosym.problems import NEAR_TABLE, Problem
 
@@ -34,6 +35,8 @@ def plan(
     encoding: Encoding | None = None,
     whole: bool = False,
     costs: bool = True,
+    work: int | None = None,
+    tell: Tell | None = None,
 ) -> PlanResult:
     """Plan with any planner; finding no plan is a result.
 
@@ -48,6 +51,9 @@ def plan(
             not given.
         whole: For PDDL planners, solve for all objects at once instead of one by one.
         costs: Whether steps cost the more the rarer they keep their promise; otherwise each costs 1.
+        work: How much may be looked at in all [states, see `effort`], for PDDL planners; only each search
+            has a budget of its own, if not given.
+        tell: Told what is tried, if given.
 
     Raises:
         UnknownChoice: If there is no such planner, or an object's category is unknown.
@@ -62,6 +68,10 @@ def plan(
         check_kind("time_limit", time_limit, int | float, "a time above 0 s")
         if not time_limit > 0:
             raise InvalidValue(f"time_limit = {time_limit} s must be above 0 s.")
+    if work is not None:
+        check_kind("work", work, int, "a number of states")
+    if tell is not None:
+        check_callable("tell", tell, "a function of a text")
     if predict is not None:
         check_callable("predict", predict, "a function from features (M, F) to effects (M, P, 3)")
     chosen = planner_named(planner) if isinstance(planner, str) else planner
@@ -75,7 +85,8 @@ def plan(
         grounding = msgspec.structs.replace(grounding, unit_costs=True)
     read = predict if chosen.reads == "network" else None
     ceiling = chosen.ceiling if time_limit is None else time_limit
-    query = Query(problem, grounding, read, ceiling, encoding, whole)
+    query = Query(problem, grounding, read, ceiling, encoding, whole, sys.maxsize if work is None else work)
+    query = query if tell is None else dataclasses.replace(query, tell=tell)
     takers = tuple(other.name for other in (*PLANNERS.values(), chosen) if reads_relations(other))
     chosen = by_relations(chosen, query, takers, is_ours=is_ours)
     result = chosen.solve(query) if is_ours else solve_checked(chosen, query)

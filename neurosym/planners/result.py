@@ -35,6 +35,7 @@ class PlanResult:
         seconds: How long it took [s].
         reason: Why there is no plan, or what is to be said about the one found.
         depth: How many primitives were looked ahead, by a search that ended there.
+        work: How much was looked at for it [states, see `effort`]; 0 if that is not known.
     """
 
     status: PlanStatus
@@ -42,6 +43,7 @@ class PlanResult:
     seconds: float
     reason: str = ""
     depth: int | None = None
+    work: int = 0
 
     @property
     def has_plan(self) -> bool:
@@ -58,9 +60,11 @@ class PlannerAnswer:
         text: The plan in IPC form; empty unless solved.
         seconds: How long it took [s].
         reason: The planner's last words if there is no plan.
+        work: How much it looked at [states, see `effort`]; None if that is not known.
     """
 
     status: PlanStatus
     text: str = ""
     seconds: float = 0.0
     reason: str = ""
+    work: int | None = None

@@ -6,11 +6,12 @@ from typing import Any, Protocol
 
 import msgspec
 
-from neurosym.console import say
+from neurosym.console import say, shown_doing
 from neurosym.errors import InvalidFile, InvalidPlanner, InvalidValue, UnknownChoice
 from neurosym.execution.executor import execute
 from neurosym.execution.machine import this_machine
 from neurosym.execution.record import Run, StepRecord
+from neurosym.execution.replanning import WORK_A_PLAN
 from neurosym.execution.rerun import Agreement, compare_runs, rerun
 from neurosym.execution.watching import Watcher
 from neurosym.files import make_folder, write_json
@@ -18,6 +19,7 @@ from neurosym.grounding import Grounding
 from neurosym.pddl.plan_reading import read_plan
 from neurosym.pddl.validation import hand_problem
 from neurosym.planners import Planner, PlanResult, PlanStatus, plan, planner_named
+from neurosym.planners.planner import Tell
 from neurosym.planners.registry import Replanner
 from neurosym.problems import Problem
 from neurosym.reading import digest, read_json
@@ -112,18 +114,20 @@ def execute_stage(
         if impossible := hand_problem(steps, grounding):
             raise InvalidFile(plan_file, impossible)
         shown = _Shown(showing, world, problem)
-        run = execute(
-            world,
-            problem,
-            grounding,
-            steps,
-            replanner=None if replans == 0 else replanning(asked_again, time_limit),
-            replans=replans,
-            nudge_seed=nudge_seed,
-            on_frame=shown.on_frame,
-            on_step=shown.on_step,
-            watcher=showing.audience,
-        )
+        with shown_doing() as tell:
+            run = execute(
+                world,
+                problem,
+                grounding,
+                steps,
+                replanner=None if replans == 0 else replanning(asked_again, time_limit, tell),
+                replans=replans,
+                nudge_seed=nudge_seed,
+                on_frame=shown.on_frame,
+                on_step=shown.on_step,
+                watcher=showing.audience,
+                tell=tell,
+            )
         other = None if problem.tolerance == own.tolerance else problem.tolerance
         by = asked_again.name if run.own_steps < len(run.steps) else msgspec.UNSET
         run = msgspec.structs.replace(run, tolerance=other, machine=this_machine(), replanner=by)
@@ -142,17 +146,22 @@ def execute_stage(
     return Stage(f"execute {run_name(name, plan_file)}", inputs, (record_file,), work, options)
 
 
-def replanning(planner: Planner, time_limit: float | None = None) -> Replanner:
+def replanning(planner: Planner, time_limit: float | None = None, tell: Tell | None = None) -> Replanner:
     """Return a planner such that a run can ask it for a new plan.
 
     Args:
         planner: The planner; what it reads is what the operators promise, by what was seen.
         time_limit: The user's ceiling for each new plan [s]; the planner's own if not given.
+        tell: Told what the planner tries, if given.
     """
+
+    def told(text: str) -> None:
+        if tell:
+            tell(f"planning anew: {text}")
 
     def replan(problem: Problem, grounding: Grounding) -> PlanResult:
         try:
-            return plan(problem, grounding, planner, time_limit=time_limit)
+            return plan(problem, grounding, planner, time_limit=time_limit, work=WORK_A_PLAN, tell=told)
         except InvalidPlanner:
             raise
         except InvalidValue as error:  # things ended where no problem can begin, like off the table

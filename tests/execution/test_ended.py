@@ -6,11 +6,13 @@ from toy_domain import WORLD, grounding, problem
 
 from neurosym.errors import InvalidValue
 from neurosym.execution.executor import execute
-from neurosym.execution.replanning import PATIENCE, Progress, usual_replans
+from neurosym.execution.experience import Experience
+from neurosym.execution.replanning import PATIENCE, Progress, new_plan, usual_replans, usual_work
 from neurosym.execution.summary import failure
 from neurosym.grounding import Grounding
 from neurosym.pddl.plan_text import PlanStep
 from neurosym.planners import PlanResult, PlanStatus, plan
+from neurosym.planners.effort import Effort
 from neurosym.problems import Problem, SceneObject
 from neurosym.world import Outcome, Scene
 
@@ -62,6 +64,33 @@ def test_budget_that_is_given_is_kept_to_and_named():
     assert (run.ended, len(run.replannings)) == ("budget", 3)
     assert "all 3 new plans were used up" in run.reason
     assert failure(run) == "new plans were used up"
+
+
+def test_work_for_new_plans_is_bounded_in_all_and_its_end_is_named():
+    def laborious(task: Problem, learned: Grounding) -> PlanResult:
+        return replace(replanner(task, learned), work=usual_work(task) // 2)
+
+    run = execute(Stubborn(1000), problem(AWAY), grounding(), [PUSH_LEFT], replanner=laborious)
+    assert (run.reached, run.ended, len(run.replannings)) == (False, "work", 2)
+    assert (
+        f"gave up planning anew: the budget of {usual_work(problem(AWAY)):,} states for new plans was used up"
+        in run.reason
+    )
+    assert "after 2 new plans" in run.reason
+    assert failure(run) == "new plans were used up"
+
+
+def test_what_does_not_tell_its_work_counts_some():
+    effort = Effort()
+    new_plan(replanner, problem(AWAY), Experience(grounding()), effort)
+    assert effort.spent > 0
+
+
+def test_each_step_and_each_new_plan_is_told():
+    told: list[str] = []
+    execute(Stubborn(1), problem(AWAY), grounding(), [PUSH_LEFT] * 2, replanner=replanner, tell=told.append)
+    assert told[0] == f"step 1: {PUSH_LEFT.operator} item-01"
+    assert told[1].startswith("planning anew before step 2, new plan 1: item-01 ends")
 
 
 def test_progress_is_fewer_primitives_or_a_shorter_way():

@@ -68,4 +68,4 @@ def test_compiled_domain_has_every_outcome_as_an_action_and_as_a_choice():
     found = plan(problem, learned)
     assert found.status is PlanStatus.SOLVED
     assert [step.operator for step in found.steps] == ["push-forward-010-block"]
-    assert plan(problem, grounding()).status is not PlanStatus.SOLVED
+    assert plan(problem, grounding(), "bfs-operators").status is not PlanStatus.SOLVED

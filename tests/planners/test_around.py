@@ -10,10 +10,11 @@ import tables
 
 from neurosym.grounding import Grounding
 from neurosym.operators import Operator
+from neurosym.pddl.chances import expected_success
 from neurosym.pddl.plan_text import primitives
 from neurosym.pddl.validation import validate
 from neurosym.planners import PlanStatus, plan
-from neurosym.planners.around import plan_around
+from neurosym.planners.around import plan_around, plan_likeliest
 from neurosym.planners.effort import TimeIsUp
 from neurosym.problems import Problem
 
@@ -50,6 +51,15 @@ def test_way_leads_around_who_stands_there():
     assert found.status is PlanStatus.SOLVED
     assert primitives(found.steps) == 4
     assert validate(found.steps, row, learned()).valid
+
+
+def test_likeliest_plan_is_no_less_likely_than_the_cheapest():
+    alone = msgspec.structs.replace(task({"item-01": (0, 0)}, {"item-01": (2, 0)}), tolerance=0.02)
+    cheapest, likeliest = plan_around(alone, learned()), plan_likeliest(alone, learned())
+    assert validate(likeliest.steps, alone, learned()).valid
+    chances = [expected_success(one.steps, alone, learned()) for one in (cheapest, likeliest)]
+    assert chances[1] >= chances[0]
+    assert likeliest.work > cheapest.work > 0
 
 
 def test_who_is_in_the_way_of_another_goes_first():

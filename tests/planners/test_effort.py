@@ -1,8 +1,10 @@
 """Plans do not depend on the clock: budgets count work, and a limit of time is a time-out, nothing else."""
 
+import dataclasses
 import itertools
 import time
 from functools import partial
+from unittest.mock import ANY
 
 import pytest
 import tables
@@ -95,6 +97,17 @@ def test_work_is_counted_and_ends():
     assert "none within 1 candidates, joins and orders looked at" in found.reason
 
 
+def test_common_budget_that_is_spent_is_a_result_that_says_so():
+    whole = plan(tables.problem(), tables.grounding(), "fast-downward")
+    assert whole.work > 0
+    few = plan(tables.problem(), tables.grounding(), "fast-downward", work=0)
+    assert (few.status, few.steps) == (PlanStatus.NOT_FOUND, ())
+    assert few.reason == "the budget of 0 states for a plan was used up"
+    assert plan(tables.problem(), tables.grounding(), "fast-downward", work=2 * whole.work) == (
+        dataclasses.replace(whole, seconds=ANY)
+    )
+
+
 def test_time_that_is_up_is_a_result():
     def search(deadline: float) -> PlanResult:
         raise TimeIsUp
@@ -110,3 +123,8 @@ def test_a_search_that_wants_more_memory_makes_way_for_the_next(tmp_path):
     assert (alone.status, alone.reason) == (PlanStatus.NOT_FOUND, "Fast Downward ran out of memory")
     both = plan_fast_downward(file, file, time_limit=60.0, searches=(tight, PORTFOLIO[1]))
     assert both.status is PlanStatus.SOLVED
+    assert alone.work is not None
+    assert both.work is not None
+    assert both.work > alone.work
+    roomy = dataclasses.replace(tight, for_task=12)
+    assert roomy.memory_for(file) == tight.memory + 12 * file.stat().st_size

@@ -3,7 +3,7 @@
 from toy_places import grounding, scene
 
 from neurosym.pddl.validation import validate
-from neurosym.planners import PlanStatus, plan
+from neurosym.planners import PlanResult, PlanStatus, plan
 from neurosym.planners.in_turns import plan_in_turns
 from neurosym.problems import Problem
 
@@ -52,6 +52,31 @@ def test_where_all_can_be_carried_there_are_no_turns():
     result = plan_in_turns(problem, grounding(), plan, plan)
     assert result.status is PlanStatus.FAILED
     assert "everything that has a goal can be carried" in result.reason
+
+
+def test_what_cannot_be_led_even_alone_is_not_tried_again():
+    asked: list[Problem] = []
+
+    def lead(task: Problem) -> PlanResult:
+        asked.append(task)
+        return PlanResult(PlanStatus.UNSOLVABLE, (), 0.0, "out of reach")
+
+    result = plan_in_turns(lead_past((0.7, 0.0, 0.45, 0.0)), grounding(), plan, lead)
+    assert (result.status, result.reason, len(asked)) == (PlanStatus.UNSOLVABLE, "out of reach", 1)
+
+
+def test_places_without_a_plan_prove_nothing():
+    def carry(_: Problem) -> PlanResult:
+        return PlanResult(PlanStatus.UNSOLVABLE, (), 0.0, "not with these places")
+
+    learned = grounding()
+    result = plan_in_turns(
+        lead_past((0.7, 0.0, 0.45, 0.0)),
+        learned,
+        carry,
+        lambda task: plan(task, learned, encoding="stepwise"),
+    )
+    assert result.status is not PlanStatus.UNSOLVABLE
 
 
 def test_where_all_ways_cannot_be_cleared_at_once_each_is_cleared_when_it_is_needed():

@@ -6,6 +6,7 @@ from tables import DOWN, LEFT, LIFT, PUSH, grounding, item
 from neurosym.pddl.plan_text import PlanStep
 from neurosym.pddl.validation import validate
 from neurosym.planners import PlanResult, PlanStatus, one_by_one
+from neurosym.planners.effort import Effort
 from neurosym.planners.one_by_one import plan_one_by_one
 from neurosym.problems import Problem
 
@@ -23,7 +24,8 @@ def test_an_object_whose_name_begins_like_that_of_another_is_not_planned_for_aga
     task = Problem("p", (item("item-1", 0.5, 0.0), item("item-10", 0.8, -0.1)), goals)
     asked: list[list[str]] = [[]]
 
-    def believed(one: Problem) -> PlanResult:
+    def believed(one: Problem, effort: Effort) -> PlanResult:
+        del effort
         (name,) = one.goals
         if name in asked[-1]:
             asked.append([])

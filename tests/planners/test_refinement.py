@@ -166,11 +166,11 @@ def test_encodings_agree_on_the_cost():
 def test_objects_in_each_others_way_are_planned_for_without_costs_in_the_end(monkeypatch: pytest.MonkeyPatch):
     asked = []
 
-    def one_by_one(task: Problem, learned: Grounding, believed, deadline: float):
+    def one_by_one(task: Problem, learned: Grounding, believed, effort: Effort):
         asked.append(learned.unit_costs)
         if not learned.unit_costs:
             return PlanResult(PlanStatus.FAILED, (), 0.0, "they collide")
-        return plan_one_by_one(task, learned, believed, deadline)
+        return plan_one_by_one(task, learned, believed, effort)
 
     monkeypatch.setattr(refinement, "plan_one_by_one", one_by_one)
     result = plan(problem(), grounding())
@@ -206,7 +206,8 @@ def test_who_is_in_conflict_with_narrow_goals_is_sent_to_where_there_is_room(
     goals = {"item-01": (0.57, 0.06, 0.025), "item-02": (0.57, 0.1, 0.025)}
     task = Problem("p", (item("item-01", 0.4, 0.0), item("item-02", 0.4, 0.12)), goals)
 
-    def believed(one: Problem) -> PlanResult:
+    def believed(one: Problem, effort: Effort) -> PlanResult:
+        del effort
         plans = list(itertools.islice(Join(one, grounding(), Effort(20_000)).plans(), 40))
         ends = [validate(steps, one, grounding()).positions[-1][0] for steps in plans]
         nearest = min(range(len(plans)), key=lambda index: math.dist(ends[index], (0.57, 0.08, 0.025)))
