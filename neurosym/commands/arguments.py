@@ -62,7 +62,7 @@ def read_arguments(arguments: Sequence[str]) -> Callable[[], int]:
     try:
         with on_parse_error(_refuse):
             if command:  # as the others would be, which are not imported for it
-                chosen: partial[int] = tyro.cli(
+                chosen: partial[int] = tyro.cli(  # type: ignore[assignment]
                     _later(command), prog=f"neurosym {name}", args=arguments[1:], **options
                 )
             else:
