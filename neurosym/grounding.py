@@ -17,6 +17,7 @@ from neurosym.checks import as_path, check_fields, check_length
 from neurosym.duplicates import find_duplicates
 from neurosym.errors import InvalidFile, InvalidValue, UnknownChoice
 from neurosym.files import write_json
+from neurosym.fits import remember_fits
 from neurosym.naming import counted_axes
 from neurosym.operators import (
     MIN_CHANCE,
@@ -270,6 +271,7 @@ def _decoded(path: Path, content: bytes) -> Grounding:
         _check_format(path, decode_json(path, content, _Versioned, remedy).format, remedy)
         raise
     _check_format(path, grounding.format, remedy)
+    remember_fits(path, content, grounding.every_operator, grounding.operators.categories)
     return grounding
 
 
