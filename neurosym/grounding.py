@@ -257,8 +257,11 @@ class Grounding(msgspec.Struct, frozen=True, forbid_unknown_fields=True, omit_de
         Args:
             operator: An operator with a promise.
         """
-        seen = [row.effect[2] for row in operator.rehearsals if row.kind == "held" and is_lift(operator)]
-        return max([self.cells(operator)[2], *(in_cells((0.0, 0.0, up), self.cell)[2] for up in seen)])
+        highest = self.cells(operator)[2]
+        if not is_lift(operator):
+            return highest
+        seen = [row.effect[2] for row in operator.rehearsals if row.kind == "held"]
+        return max(highest, in_cells((0.0, 0.0, max(seen)), self.cell)[2]) if seen else highest
 
 
 @lru_cache(maxsize=2)
