@@ -17,6 +17,7 @@ from neurosym.checks import as_path, check_fields, check_length
 from neurosym.duplicates import find_duplicates
 from neurosym.errors import InvalidFile, InvalidValue, UnknownChoice
 from neurosym.files import write_json
+from neurosym.fits import remember_fits
 from neurosym.naming import counted_axes
 from neurosym.operators import (
     MIN_CHANCE,
@@ -256,8 +257,11 @@ class Grounding(msgspec.Struct, frozen=True, forbid_unknown_fields=True, omit_de
         Args:
             operator: An operator with a promise.
         """
-        seen = [row.effect[2] for row in operator.rehearsals if row.kind == "held" and is_lift(operator)]
-        return max([self.cells(operator)[2], *(in_cells((0.0, 0.0, up), self.cell)[2] for up in seen)])
+        highest = self.cells(operator)[2]
+        if not is_lift(operator):
+            return highest
+        seen = [row.effect[2] for row in operator.rehearsals if row.kind == "held"]
+        return max(highest, in_cells((0.0, 0.0, max(seen)), self.cell)[2]) if seen else highest
 
 
 @lru_cache(maxsize=2)
@@ -270,6 +274,7 @@ def _decoded(path: Path, content: bytes) -> Grounding:
         _check_format(path, decode_json(path, content, _Versioned, remedy).format, remedy)
         raise
     _check_format(path, grounding.format, remedy)
+    remember_fits(path, content, grounding.every_operator, grounding.operators.categories)
     return grounding
 
 

@@ -16,10 +16,11 @@ import msgspec
 import numpy as np
 
 from neurosym.arrays import Float
+from neurosym.fits import found_for
 from neurosym.grounding import Grounding
 from neurosym.operators import TOLERANCE, Category, Mode, Operator
 from neurosym.problems import SceneObject
-from neurosym.regression import Regression, fit
+from neurosym.regression import Choice, Regression, fit
 
 LEAST_CHANCE = 0.25
 """Operators that keep their promise more rarely with such an object are not planned with.
@@ -101,6 +102,17 @@ def keeps_promises(operator: Operator, category: Category, tolerance: float) -> 
         )
     kept = iter(regression.keeps(tolerance).tolist())
     return tuple(is_kind and next(kept) for is_kind in kinds)
+
+
+def fits_of(grounding: Grounding) -> dict[str, Choice]:
+    """Fit the rehearsals of all operators of a domain, and return what that came to, by name.
+
+    Args:
+        grounding: The learned domain.
+    """
+    pairs = ((one, grounding.category(one.category)) for one in grounding.every_operator)
+    fitted = {operator.name: _regression(operator, category) for operator, category in pairs}
+    return {name: regression.choice for name, regression in fitted.items() if regression}
 
 
 def chances_of(
@@ -227,7 +239,8 @@ def _regression(operator: Operator, category: Category) -> Regression | None:
     if is_kind.sum() < LEAST_REHEARSALS:
         return None
     outcomes = _outcomes(operator, promise.kind == "held")
-    return fit(np.array(rows), is_kind, outcomes[is_kind], scale=_scale(category))
+    known = found_for(operator, category)
+    return fit(np.array(rows), is_kind, outcomes[is_kind], scale=_scale(category), known=known)
 
 
 def _outcomes(operator: Operator, is_held: bool) -> Float[np.ndarray, "N D"]:

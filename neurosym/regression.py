@@ -9,6 +9,7 @@ from dataclasses import dataclass
 from functools import cache
 from itertools import combinations
 
+import msgspec
 import numpy as np
 
 from neurosym.arrays import Bool, Float
@@ -27,6 +28,27 @@ _RATE = 0.5  # as how many neighbours all rehearsals count, where it is told whe
 _LEAST_SPREAD = 1e-3
 
 
+class Choice(msgspec.Struct, frozen=True, array_like=True, forbid_unknown_fields=True):
+    """What a fit chooses, each among few.
+
+    Attributes:
+        length: Over what distance outcomes change, in spreads of the features.
+        noise: Variance that features do not explain, of that they do.
+        deciding: By what features are multiplied, to tell for which objects promises are kept.
+        neighbours: How many objects near by tell that.
+    """
+
+    length: float
+    noise: float
+    deciding: tuple[float, ...]
+    neighbours: int
+
+    def is_one_of_ours(self, features: int) -> bool:
+        """Say whether a fit to objects of so many features can come to this."""
+        is_known = self.length in _LENGTHS and self.noise in _NOISES and self.neighbours in _NEIGHBOURS
+        return is_known and self.deciding in {tuple(metric.tolist()) for metric in _metrics(features)}
+
+
 @dataclass(frozen=True, slots=True, eq=False)
 class Regression:
     """A Gaussian process from features to outcomes, fitted to the rehearsals that ended as promised.
@@ -42,9 +64,7 @@ class Regression:
         deviation: Standard deviation of each column of the outcomes [m].
         low: The least outcomes.
         high: The greatest.
-        deciding: By what features are multiplied, to tell for which objects promises are kept.
-        neighbours: How many objects near by tell that.
-        length: Over what distance outcomes change.
+        choice: What was chosen by what is likeliest.
         weights: What each object counts in a prediction.
     """
 
@@ -58,14 +78,12 @@ class Regression:
     deviation: Float[np.ndarray, "D"]
     low: Float[np.ndarray, "D"]
     high: Float[np.ndarray, "D"]
-    deciding: Float[np.ndarray, "F"]
-    neighbours: int
-    length: float
+    choice: Choice
     weights: Float[np.ndarray, "n D"]
 
     def predict(self, at: Float[np.ndarray, "F"]) -> Float[np.ndarray, "D"]:
         """Predict the outcome for scaled features, within what was seen [m]."""
-        near = _likeness(self.objects[self.is_kind], at[None], self.length)[:, 0]
+        near = _likeness(self.objects[self.is_kind], at[None], self.choice.length)[:, 0]
         value = self.mean + self.deviation * (near @ self.weights)
         return np.asarray(np.clip(value, self.low, self.high))
 
@@ -73,8 +91,9 @@ class Regression:
         """Estimate how often an object of such features ends as promised, within a tolerance of it [m]."""
         kept = np.zeros(len(self.objects))
         kept[self.is_kind] = self.keeps(tolerance)
-        apart = _apart(self.objects * self.deciding, at[None] * self.deciding)
-        (last,) = _nearest(apart, (self.neighbours,))
+        deciding = np.array(self.choice.deciding)
+        apart = _apart(self.objects * deciding, at[None] * deciding)
+        (last,) = _nearest(apart, (self.choice.neighbours,))
         return float(_chances(apart, kept, last)[0])
 
     def spreads(self, at: Float[np.ndarray, "F"]) -> Float[np.ndarray, "D"]:
@@ -95,6 +114,7 @@ def fit(
     outcomes: Float[np.ndarray, "n D"],
     *,
     scale: Float[np.ndarray, "F"],
+    known: Choice | None = None,
 ) -> Regression:
     """Fit a Gaussian process to the outcomes of those that ended as promised.
 
@@ -103,18 +123,22 @@ def fit(
         is_kind: Which of them ended as promised.
         outcomes: Their outcomes [m]: where the object rests, x and y, and if held, where it is in the air.
         scale: What features are divided by.
+        known: What a former fit to the same came to, if that is known; it is not sought again then.
     """
+    if known and not known.is_one_of_ours(features.shape[1]):
+        known = None
     centre = features.mean(0)
     objects = (features - centre) / scale
     mean, deviation = outcomes.mean(0), np.maximum(outcomes.std(0), _LEAST_SPREAD)
     scaled = (outcomes - mean) / deviation
-    length, vectors, values = _most_likely(objects[is_kind], scaled)
+    lengths, noises = ((known.length,), (known.noise,)) if known else (_LENGTHS, _NOISES)
+    length, noise, vectors, values = _most_likely(objects[is_kind], scaled, lengths, noises)
     weights = vectors @ (vectors.T @ scaled / values[:, None])
     left_out = weights / (vectors**2 / values).sum(1)[:, None] * deviation  # eq. 5.12
     ends = slice(2, 5) if outcomes.shape[1] > 2 else slice(0, 2)
     kept = np.zeros(len(objects))
     kept[is_kind] = np.linalg.norm(left_out[:, ends], axis=1) <= TOLERANCE
-    deciding, neighbours = _deciding(objects, kept)
+    deciding, neighbours = (known.deciding, known.neighbours) if known else _deciding(objects, kept)
     return Regression(
         centre=centre,
         scale=scale,
@@ -126,41 +150,45 @@ def fit(
         deviation=deviation,
         low=outcomes.min(0),
         high=outcomes.max(0),
-        deciding=deciding,
-        neighbours=neighbours,
-        length=length,
+        choice=Choice(length, noise, deciding, neighbours),
         weights=weights,
     )
 
 
 @one_thread()
 def _most_likely(
-    objects: Float[np.ndarray, "n F"], outcomes: Float[np.ndarray, "n D"]
-) -> tuple[float, Float[np.ndarray, "n n"], Float[np.ndarray, "n"]]:
+    objects: Float[np.ndarray, "n F"],
+    outcomes: Float[np.ndarray, "n D"],
+    lengths: Sequence[float],
+    noises: Sequence[float],
+) -> tuple[float, float, Float[np.ndarray, "n n"], Float[np.ndarray, "n"]]:
     """Choose length and noise by the marginal likelihood (eq. 5.8), the variances in closed form.
 
     Returns:
-        The length, and eigenvectors and eigenvalues of the kernel's matrix with the noise.
+        The length, the noise, and eigenvectors and eigenvalues of the kernel's matrix with the noise.
     """
     best, found = -np.inf, None
     apart = _apart(objects, objects)
-    for length in _LENGTHS:
+    for length in lengths:
         bare, vectors = np.linalg.eigh(_alike(apart, length))
         squares = (vectors.T @ outcomes) ** 2
-        every = np.maximum(bare, 0) + np.array(_NOISES)[:, None]  # (noises, n)
+        every = np.maximum(bare, 0) + np.array(noises)[:, None]  # (noises, n)
         variance = (squares / every[..., None]).mean(1) + 1e-9
         columns = outcomes.shape[1]
         likelihoods = -0.5 * (len(objects) * np.log(variance).sum(1) + columns * np.log(every).sum(1))
         likeliest = int(likelihoods.argmax())
         if likelihoods[likeliest] > best:
-            best, found = float(likelihoods[likeliest]), (length, vectors, every[likeliest])
+            best, found = (
+                float(likelihoods[likeliest]),
+                (length, noises[likeliest], vectors, every[likeliest]),
+            )
     assert found is not None, "outcomes are finite"
     return found
 
 
 def _deciding(
     objects: Float[np.ndarray, "N F"], kept: Float[np.ndarray, "N"]
-) -> tuple[Float[np.ndarray, "F"], int]:
+) -> tuple[tuple[float, ...], int]:
     """Find which features decide whether a promise is kept, by how likely that makes those left out.
 
     A hand closes over what is narrow, however long it is. All features count alike, or none if they say
@@ -185,7 +213,7 @@ def _deciding(
             likelihood += _CLEARLY if metric.all() or not metric.any() else 0.0
             if likelihood > best:
                 found, best = (metric, neighbours), likelihood
-    return found
+    return tuple(found[0].tolist()), found[1]
 
 
 @cache

@@ -27,6 +27,9 @@ def compute_in_one_thread() -> None:
 @contextmanager
 def one_thread() -> Iterator[None]:
     """Have numpy compute in one thread meanwhile, however it was imported."""
+    if os.environ.get(_VARIABLE) == "1":
+        yield
+        return
     with _controller().limit(limits=1, user_api="blas"):
         yield
 

@@ -58,19 +58,19 @@ def _apart(
 ) -> Float[np.ndarray, "M 2"]:
     """Push boxes apart with less than `ROOM` between them, step by step, none too far from its goal."""
     low, high = np.array([table.x, table.y]).T
+    pairs = [pair for pair in combinations(range(len(goals)), 2) if moves[[*pair]].any()]
+    ones, others = np.array(pairs, dtype=int).reshape(-1, 2).T
+    room = halves[ones] + halves[others]
     spots = goals.copy()
     for _ in range(_ROUNDS):
         push = np.zeros_like(spots)
-        for one, other in combinations(range(len(spots)), 2):
-            if not (moves[one] or moves[other]):
-                continue
-            away = spots[other] - spots[one]
-            over = halves[one] + halves[other] - np.abs(away)
-            lacking = over + np.array(ROOM)
-            if np.any(lacking <= 0):
-                continue
-            axis = int(over.argmin())
-            step = np.sign(away[axis] or 1.0) * lacking[axis] / (moves[one] + moves[other])
+        away = spots[others] - spots[ones]  # (pairs, 2)
+        over = room - np.abs(away)
+        lacking = over + np.array(ROOM)
+        for number in np.flatnonzero((lacking > 0).all(1)):
+            one, other = pairs[number]
+            axis = int(over[number].argmin())
+            step = np.sign(away[number, axis] or 1.0) * lacking[number, axis] / (moves[one] + moves[other])
             push[one, axis] -= step * moves[one]
             push[other, axis] += step * moves[other]
         if not push.any():
@@ -78,5 +78,7 @@ def _apart(
         beside = spots + push / 2 - goals
         beside *= np.minimum(1.0, most / np.maximum(np.linalg.norm(beside, axis=1), 1e-12))[:, None]
         inside = np.clip(goals + beside, np.minimum(low, goals), np.maximum(high, goals))
-        spots = np.where(moves[:, None], inside, goals)
+        before, spots = spots, np.where(moves[:, None], inside, goals)
+        if np.array_equal(before, spots):  # and so it would stay
+            break
     return spots

@@ -54,7 +54,8 @@ class Grid:
 
     def cell_names(self, axis: int) -> tuple[str, ...]:
         """Name all cells of an axis."""
-        return tuple(self.cell_name(axis, index) for index in range(self.last[axis] + 1))
+        digits = len(str(max(self.last)))
+        return tuple([f"{AXES[axis]}{index:0{digits}d}" for index in range(self.last[axis] + 1)])
 
     def shifts(self, axis: int, cells: int, margin: int) -> tuple[tuple[int, int], ...]:
         """List the pairs of cells (from, to) that a displacement leads between.

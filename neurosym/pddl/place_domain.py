@@ -6,6 +6,8 @@ notes so, one after another. Places that objects start from are never gone back 
 be free stays so. Everything is positive STRIPS with types and action costs.
 """
 
+from functools import lru_cache
+
 from neurosym.grounding import Grounding
 from neurosym.operators import Operator
 from neurosym.pddl.moves import MOVE, step_cost
@@ -20,6 +22,7 @@ NOTES = (LOOK, REACH, LEAVE)
 _NEVER = 0.01  # as how rare counts what was never seen
 
 
+@lru_cache(maxsize=8)
 def carriers_of(grounding: Grounding) -> tuple[Operator, ...]:
     """List the operators of the domain that carry objects to places, by name.
 

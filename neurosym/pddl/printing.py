@@ -2,6 +2,7 @@
 
 import math
 import textwrap
+from functools import lru_cache
 
 from neurosym.grounding import Grounding
 from neurosym.operators import Effect, Operator
@@ -147,8 +148,13 @@ def left_out(grounding: Grounding) -> str:
 
 def comment(lines: list[str], indent: str) -> str:
     """Print a comment, wrapped."""
-    wrapped = [part for line in lines for part in textwrap.wrap(line, 106 - len(indent))]
+    wrapped = [part for line in lines for part in _wrapped(line, 106 - len(indent))]
     return "\n".join(f"{indent}; {line}" for line in wrapped)
+
+
+@lru_cache(maxsize=4096)
+def _wrapped(line: str, columns: int) -> tuple[str, ...]:
+    return tuple(textwrap.wrap(line, columns))
 
 
 def millimetres(value: float) -> str:

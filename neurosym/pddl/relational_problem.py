@@ -24,7 +24,7 @@ from neurosym.pddl.relational_domain import (
     cost_function,
     relational_domain_text,
 )
-from neurosym.pddl.relational_task import Task
+from neurosym.pddl.relational_task import Task, task_of
 from neurosym.problems import Problem
 from neurosym.promises import promised
 from neurosym.related import loads_of
@@ -44,7 +44,7 @@ def relational_problem_text(problem: Problem, grounding: Grounding, encoding: En
     Raises:
         InvalidValue: If the domain knows nothing of relations.
     """
-    return _text(Task(problem, grounding), actions_of(grounding), encoding)
+    return _text(task_of(problem, grounding), actions_of(grounding), encoding)
 
 
 def needed_texts(problem: Problem, grounding: Grounding, encoding: Encoding = RELATIONAL) -> tuple[str, str]:
@@ -60,7 +60,7 @@ def needed_texts(problem: Problem, grounding: Grounding, encoding: Encoding = RE
     Raises:
         InvalidValue: If the domain knows nothing of relations.
     """
-    task = Task(problem, grounding)
+    task = task_of(problem, grounding)
     needed = task.needed()
     return relational_domain_text(grounding, encoding, needed), _text(task, needed, encoding)
 

@@ -17,7 +17,7 @@ from neurosym.pddl.relational import Put, put_named
 from neurosym.pddl.relational_actions import Carrier, chance_of, relational_carriers
 from neurosym.pddl.relational_domain import FROM_OBJECT, FROM_PLACE, LADEN, LEAVE, LEAVE_PLACE
 from neurosym.pddl.relational_problem import COUNTS
-from neurosym.pddl.relational_task import Task
+from neurosym.pddl.relational_task import task_of
 from neurosym.problems import Problem
 from neurosym.promises import promised
 from neurosym.related import Borne, carried_along, chain_below, loads_of
@@ -41,7 +41,7 @@ class Following:
     """
 
     def __init__(self, problem: Problem, grounding: Grounding):
-        self.task = Task(problem, grounding)
+        self.task = task_of(problem, grounding)
         self.positions = problem.scene().positions
         self.bearers = dict(self.task.bearers)
         self.stands = {name: f"{START}{name}" for name in problem.object_names if name not in self.bearers}

@@ -103,6 +103,27 @@ class Task:
         return tuple(other for other in found if other not in self.bearers)
 
 
+_latest: list[tuple[Problem, Grounding, Task]] = []
+
+
+def task_of(problem: Problem, grounding: Grounding) -> Task:
+    """Return a problem as the encoding sees it; the same one while it is asked for of the same problem.
+
+    Args:
+        problem: The problem, with the objects as they stand now.
+        grounding: The learned domain.
+
+    Raises:
+        InvalidValue: If the domain knows nothing of relations.
+    """
+    for known, learned, task in _latest:
+        if learned is grounding and known == problem:
+            return task
+    task = Task(problem, grounding)
+    _latest[:] = [(problem, grounding, task)]
+    return task
+
+
 def flattened(problem: Problem, bearers: dict[str, Borne]) -> Problem:
     """Return a problem whose borne objects are as high as they are when they stand on the table.
 

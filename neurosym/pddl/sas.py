@@ -6,8 +6,9 @@ it half a second an object. Variables and operators come in the order in which i
 that searches break ties alike and find the same plans.
 """
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from typing import NamedTuple
 
 from neurosym.grounding import Grounding
 from neurosym.pddl.grid import AXES, Grid, goal_region, grid_of
@@ -30,9 +31,12 @@ class _Variable:
     def index(self, value: str) -> int:
         return self.values.index(value)
 
+    def text(self) -> str:
+        about = ["begin_variable", f"var{self.number}", "-1", str(len(self.values))]
+        return "\n".join([*about, *self.values, "end_variable"])
 
-@dataclass(frozen=True, slots=True)
-class _Operator:
+
+class _Operator(NamedTuple):
     """A ground action: what must hold and stays, and which variables change from what to what."""
 
     name: str
@@ -40,15 +44,15 @@ class _Operator:
     changes: tuple[tuple[int, int, int], ...]
     cost: int
 
-    def lines(self) -> Iterator[str]:
-        yield "begin_operator"
-        yield self.name
-        yield str(len(self.prevail))
-        yield from (f"{variable} {value}" for variable, value in sorted(self.prevail))
-        yield str(len(self.changes))
-        yield from (f"0 {variable} {before} {after}" for variable, before, after in sorted(self.changes))
-        yield str(self.cost)
-        yield "end_operator"
+    def text(self) -> str:
+        prevail = "".join([f"\n{variable} {value}" for variable, value in sorted(self.prevail)])
+        changes = "".join(
+            [f"\n0 {variable} {before} {after}" for variable, before, after in sorted(self.changes)]
+        )
+        return (
+            f"begin_operator\n{self.name}\n{len(self.prevail)}{prevail}\n{len(self.changes)}{changes}\n"
+            f"{self.cost}\nend_operator"
+        )
 
 
 def sas_text(problem: Problem, grounding: Grounding, *, steps: int = STEPS, margin: int = 0) -> str:
@@ -71,12 +75,12 @@ def sas_text(problem: Problem, grounding: Grounding, *, steps: int = STEPS, marg
     task = _Task(problem, grounding, steps, margin)
     operators = sorted(task.operators(), key=lambda one: one.name)
     lines = ["begin_version", "3", "end_version", "begin_metric", "1", "end_metric"]
-    lines += _counted(_variable_lines(variable) for variable in task.variables)
+    lines += [str(len(task.variables)), *(variable.text() for variable in task.variables)]
     lines += ["0"]  # groups of facts that exclude each other beside those of a variable
     lines += ["begin_state", *map(str, task.start()), "end_state"]
     goals = [f"{task.done[name].number} 0" for name in task.names]
     lines += ["begin_goal", str(len(goals)), *goals, "end_goal"]
-    lines += _counted(operator.lines() for operator in operators)
+    lines += [str(len(operators)), *(operator.text() for operator in operators)]
     return "\n".join([*lines, "0", ""])  # no axioms
 
 
@@ -89,6 +93,7 @@ class _Task:
         self._problem, self._grounding = problem, grounding
         self._steps, self._margin = steps, margin
         self._grid: Grid = grid_of(grounding)
+        self._cells = [self._grid.cell_names(axis) for axis in range(3)]
         of_item = [
             (item, move) for item in self._items for move in moves_for(item, grounding, problem.tolerance)
         ]
@@ -112,7 +117,7 @@ class _Task:
 
     def _axis_variables(self, axis: int) -> None:
         for name in self.names:
-            values = [f"Atom at-{AXES[axis]}({name}, {cell})" for cell in self._grid.cell_names(axis)]
+            values = [f"Atom at-{AXES[axis]}({name}, {cell})" for cell in self._cells[axis]]
             self._at[name, axis] = self._variable(values)
 
     def start(self) -> list[int]:
@@ -153,8 +158,9 @@ class _Task:
                 else:
                     changed.append((self._hand.number, self._hand.index(held), empty))
             cost = move.cost if number == 0 else 0
+            stays, begin = tuple(asked), f"{name} {item.name}"
             for words, shifted in self._shifts(item, move, axes):
-                yield _Operator(f"{name} {item.name}{words}", tuple(asked), (*changed, *shifted), cost)
+                yield _Operator(begin + words, stays, (*changed, *shifted), cost)
 
     def _shifts(
         self, item: SceneObject, move: Move, axes: tuple[int, ...]
@@ -163,10 +169,9 @@ class _Task:
         if not axes:
             yield "", ()
         for axis in axes:
-            number = self._at[item.name, axis].number
+            number, names = self._at[item.name, axis].number, self._cells[axis]
             for before, after in self._grid.shifts(axis, move.cells[axis], self._margin):
-                cells = f" {self._grid.cell_name(axis, before)} {self._grid.cell_name(axis, after)}"
-                yield cells, ((number, before, after),)
+                yield f" {names[before]} {names[after]}", ((number, before, after),)
 
     def _reaching(self, item: SceneObject) -> Iterator[_Operator]:
         """List the ground actions that note that an object is within its goal region."""
@@ -176,7 +181,7 @@ class _Task:
         for xy in region.xy:
             for z in region.z:
                 spot = tuple(enumerate((*xy, z)))
-                words = " ".join(self._grid.cell_name(axis, cell) for axis, cell in spot)
+                words = " ".join([self._cells[axis][cell] for axis, cell in spot])
                 at = tuple((self._at[item.name, axis].number, cell) for axis, cell in spot)
                 noted = ((self.done[item.name].number, _ANY, 0),)
                 yield _Operator(f"{REACH_GOAL} {item.name} {words}", (ready, *at), noted, 0)
@@ -188,18 +193,3 @@ def _lock(item: SceneObject, move: Move, axis: int) -> str:
 
 def _holding(item: SceneObject, move: Move) -> str:
     return f"Atom held-by-{move.operator.name}({item.name})"
-
-
-def _variable_lines(variable: _Variable) -> Iterator[str]:
-    yield "begin_variable"
-    yield f"var{variable.number}"
-    yield "-1"
-    yield str(len(variable.values))
-    yield from variable.values
-    yield "end_variable"
-
-
-def _counted(blocks: Iterable[Iterable[str]]) -> list[str]:
-    """Put the number of blocks before their lines."""
-    listed = [list(block) for block in blocks]
-    return [str(len(listed)), *(line for block in listed for line in block)]

@@ -16,7 +16,7 @@ from neurosym.pddl.plan_reading import parse_plan
 from neurosym.pddl.problem import check_object
 from neurosym.pddl.relational_check import why_no_relation
 from neurosym.pddl.relational_problem import needed_texts
-from neurosym.pddl.relational_task import Task
+from neurosym.pddl.relational_task import task_of
 from neurosym.pddl.validation import validate
 from neurosym.planners.effort import UNTOLD, check_time, within
 from neurosym.planners.fast_downward import RELATIONS_SUFFIX
@@ -139,7 +139,7 @@ def _judged(answer: PlannerAnswer, problem: Problem, query: Query) -> PlanResult
 
 def _why(problem: Problem, query: Query) -> str:
     """Name the objects with a goal on the table that nothing carries there."""
-    task = Task(problem, query.grounding)
+    task = task_of(problem, query.grounding)
     fixed = [name for name in problem.unmet if name not in task.carriers]
     if not fixed:
         return ""

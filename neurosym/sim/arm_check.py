@@ -52,7 +52,7 @@ class Link:
     @property
     def moves(self) -> bool:
         """Whether its joint is one that moves."""
-        return self.kind != pybullet.JOINT_FIXED
+        return bool(self.kind != pybullet.JOINT_FIXED)
 
 
 @dataclass(frozen=True, slots=True)

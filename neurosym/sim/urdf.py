@@ -94,10 +94,10 @@ def _tree_problem(robot: ElementTree.Element) -> str:
     roots = [name for name in names if name not in children]
     if len(roots) > 1:
         return f"the links {' and '.join(roots[:2])} are no joint's child; valid: one such link, the base"
-    reached, found = set(roots), True
+    reached = found = set(roots)
     while found:
         found = {child for parent, child in pairs if parent in reached} - reached
-        reached |= found
+        reached = reached | found
     if around := sorted(set(names) - reached):
         return f"its joints lead round in a circle at the link {around[0]}; valid: a tree"
     return ""

@@ -2,12 +2,14 @@
 
 from neurosym.errors import InvalidFile, InvalidValue
 from neurosym.files import write_atomically
+from neurosym.fits import save_fits
 from neurosym.grounding import Grounding
 from neurosym.pddl import compile_domain, domain_text
 from neurosym.pddl.compiler import check_axes
 from neurosym.pddl.moves import LIFTED, PLACES, RELATIONAL
 from neurosym.pddl.relational import puts_of
 from neurosym.place_operators import PlaceOperators
+from neurosym.promises import fits_of
 from neurosym.relation_operators import RelationOperators
 from neurosym.stages.folder import DomainFolder, load_scene
 from neurosym.stages.layout import (
@@ -88,6 +90,7 @@ def compile_stage(
             write_atomically(folder / LIFTED_DOMAIN, domain_text(grounding, LIFTED))
         write_durative_domain(folder, grounding, is_wanted=durative)
         grounding.save(folder / GROUNDING)
+        save_fits(folder / GROUNDING, fits_of(grounding))
         problems = []
         for scene in sorted((folder / PROBLEMS).glob(f"*{SCENE}")):
             problem = placed(load_scene(scene), grounding)
