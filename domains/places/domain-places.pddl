@@ -1,12 +1,16 @@
-; Learned domain tabletop, encoding places. Printed by neurosym; do not edit.
+; Learned domain places, encoding places. Printed by neurosym; do not edit.
 ; Objects that can be carried stand at places and are carried to others; the others are led over cells: the
 ; named action begins a move, and move-z, move-x and move-y make it.
 ; Cells of 5 mm: 121 along x, 121 along y, 54 along z (counted from where an object rests).
 ; (x-leads x-plus-3 ?from ?to): ?to is 3 cells further along x than ?from, and on the table.
 ; After a lift the hand is full: only the put-down of that lift applies.
 ; Cost of a step: 1 + round(-100 ln((k + 1) / (n + 2))), k successes in n rehearsals.
+; What a valid plan guarantees: the hand can begin each step; what is carried comes to free places, where it
+; overlaps nothing that stands at a place; goals are met, by what is led up to the rounding of cells.
+; What is led over cells meets no condition for others: a valid plan may push it through an object, or leave
+; it in one. `neurosym validate` replays a plan and finds objects that end in each other.
 
-(define (domain tabletop)
+(define (domain places-places)
   (:requirements :strips :typing :action-costs)
 
   (:types

@@ -1,12 +1,16 @@
-; Learned domain tabletop, encoding stepwise. Printed by neurosym; do not edit.
+; Learned domain places, encoding stepwise. Printed by neurosym; do not edit.
 ; The named action begins a move, and move-z, move-x and move-y make it. By which steps, and what it costs,
 ; stands in the problem.
 ; Cells of 5 mm: 121 along x, 121 along y, 54 along z (counted from where an object rests).
 ; (x-leads x-plus-3 ?from ?to): ?to is 3 cells further along x than ?from, and on the table.
 ; After a lift the hand is full: only the put-down of that lift applies.
 ; Cost of a step: 1 + round(-100 ln((k + 1) / (n + 2))), k successes in n rehearsals.
+; What a valid plan guarantees: the hand can begin each step; each object stays on the table and meets its
+; goal, up to the rounding of positions.
+; What is led over cells meets no condition for others: a valid plan may push it through an object, or leave
+; it in one. `neurosym validate` replays a plan and finds objects that end in each other.
 
-(define (domain tabletop)
+(define (domain places)
   (:requirements :strips :typing :action-costs)
 
   (:types

@@ -1,4 +1,4 @@
-; Learned domain tabletop, encoding numeric. Printed by neurosym; do not edit.
+; Learned domain towers, encoding numeric. Printed by neurosym; do not edit.
 ; Positions are whole numbers of 0.1 mm: x and y from the table's lowest corner, z from where an object
 ; rests.
 ; The table reaches to x = 6000, y = 6000; steps end 6 inside its edges, for what 10 steps with an object
@@ -7,8 +7,12 @@
 ; negative.
 ; After a lift the hand is full: only the put-down of that lift applies.
 ; Cost of a step: 1 + round(-100 ln((k + 1) / (n + 2))), k successes in n rehearsals.
+; What a valid plan guarantees: the hand can begin each step; each object stays on the table and meets its
+; goal, up to the rounding of positions.
+; What is led over cells meets no condition for others: a valid plan may push it through an object, or leave
+; it in one. `neurosym validate` replays a plan and finds objects that end in each other.
 
-(define (domain tabletop)
+(define (domain towers-numeric)
   (:requirements :strips :typing :numeric-fluents :action-costs)
 
   (:types

@@ -1,4 +1,4 @@
-; Learned domain tabletop, encoding relational-lifted. Printed by neurosym; do not edit.
+; Learned domain towers, encoding relational-lifted. Printed by neurosym; do not edit.
 ; Every object stands at a place or is borne by another object. A step has two actions: leave-... takes an
 ; object from where it is, and the operator puts it elsewhere.
 ; What an object bears is asked for with `not` and `exists`.
@@ -8,8 +8,11 @@
 ; (can-... ?t ?r ?g): an operator is likely to work with a pair; ?g says how surely. A problem tells that of
 ; its pairs, as a network foresees it: surely (0.9), mostly (0.7), often (0.5), seldom (0.3), hardly (0.1);
 ; or usual, as rehearsals showed.
+; What a valid plan guarantees: the hand can begin each step; each object comes to a free place or is borne
+; by the one named, as its goal says. It does not say where in metres what is borne ends up; `neurosym
+; validate` replays that.
 
-(define (domain tabletop)
+(define (domain towers-relational-lifted)
   (:requirements :strips :typing :negative-preconditions :existential-preconditions :action-costs)
 
   (:types

@@ -47,9 +47,9 @@ def excerpt_for(domain: str, problem: str, actions: Sequence[Action]) -> Excerpt
     words = {word for action in actions for word in action}
     words |= {word for part in kept if _is_action(part) for word in _words(part)}
     task = tree_of(problem)
-    words |= {word for part in task if _head(part) == ":goal" for word in _words(part)}
+    words |= {word for part in task if _head(part) in (":goal", ":metric") for word in _words(part)}
     if words.isdisjoint(_QUANTIFIED):
-        task = [_narrowed(part, words) if _head(part) == ":init" else part for part in task]
+        kept, task = ([_narrowed(part, words) for part in text] for text in (kept, task))
     return Excerpt(_text(kept), _text(task))
 
 
@@ -113,9 +113,28 @@ def _words(part: "Tree | str") -> Iterable[str]:
             yield from _words(each)
 
 
-def _narrowed(init: "Tree | str", words: set[str]) -> Tree:
-    """Keep the facts and values of which every word occurs."""
-    return [fact for fact in init if isinstance(fact, str) or _subject(fact) <= words | {"total-cost"}]
+def _narrowed(part: "Tree | str", words: set[str]) -> "Tree | str":
+    """Keep what occurs of the facts and values at the start, and of what is declared."""
+    if _head(part) == ":init":
+        return [fact for fact in part if isinstance(fact, str) or _subject(fact) <= words]
+    if _head(part) in (":objects", ":constants", ":functions", ":predicates"):
+        return [_head(part), *_declared(list(part[1:]), words)]
+    return part
+
+
+def _declared(declared: Tree, words: set[str]) -> Tree:
+    """Keep what occurs of the names that are declared, each group of them with its type."""
+    rest = iter(declared)
+    kept: Tree = []
+    names: Tree = []
+    for one in rest:
+        if one == "-":
+            kind = next(rest, "object")
+            kept += [*names, "-", kind] if names else []
+            names = []
+        elif (one if isinstance(one, str) else _head(one)) in words:
+            names.append(one)
+    return [*kept, *names]
 
 
 def _subject(fact: Tree) -> set[str]:

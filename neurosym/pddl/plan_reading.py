@@ -11,7 +11,7 @@ from pathlib import Path
 
 from neurosym.errors import InvalidPlan, shortened
 from neurosym.grounding import Grounding
-from neurosym.pddl.moves import PUT_DOWN, REACH_GOAL, Encoding
+from neurosym.pddl.moves import CARRIERS, PUT_DOWN, REACH_GOAL, Encoding
 from neurosym.pddl.place_domain import NOTES
 from neurosym.pddl.plan_cells import without_part
 from neurosym.pddl.plan_following import Misread, follow
@@ -122,7 +122,7 @@ class _Names:
 
     def is_action(self, name: str) -> bool:
         """Say whether something in the domain has that name."""
-        if name in (REACH_GOAL, *NOTES) or (self._grounding.relations and name.startswith(LEAVE)):
+        if name in (REACH_GOAL, *NOTES, *CARRIERS) or (self._grounding.relations and name.startswith(LEAVE)):
             return True
         bare = without_part(name).removeprefix(PUT_DOWN)
         if bare in self._operators or relating(name, self._grounding):

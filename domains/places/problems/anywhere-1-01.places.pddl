@@ -1,10 +1,10 @@
-; Problem anywhere-1-01 of the learned domain tabletop, with places.
+; Problem anywhere-1-01 of the learned domain places, with places.
 ; How it came about: anywhere, drawn with seed 2; draw 1.
 ; A place starting with start- is where an object stands at first, goal- one that meets a goal,
 ; park- one to wait at. room names the places that must be free for an object, one after
 ; another; look-on notes that one is. can names what carries an object, at which cost.
 (define (problem anywhere-1-01)
-  (:domain tabletop)
+  (:domain places-places)
   (:objects
     item-01 - solid-low-10
     start-item-01 goal-item-01 park-01 - place)

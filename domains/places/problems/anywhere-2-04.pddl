@@ -1,10 +1,10 @@
-; Problem anywhere-2-04 of the learned domain tabletop, for its encodings on a grid.
+; Problem anywhere-2-04 of the learned domain places, for its encodings on a grid.
 ; How it came about: anywhere, drawn with seed 5; draw 1.
 ; A goal is met within 50 mm. goal-xy and goal-z list the cells from
 ; which it is met whatever the grid rounds on the way, in plans of at most
 ; 1 step(s) and cells of 5 mm.
 (define (problem anywhere-2-04)
-  (:domain tabletop)
+  (:domain places)
   (:objects
     item-01 - hollow-wide-00
     item-02 - solid-low-narrow-01

@@ -1,4 +1,4 @@
-; Problem anywhere-4-14 of the learned domain tabletop, with places.
+; Problem anywhere-4-14 of the learned domain places, with places.
 ; How it came about: anywhere, drawn with seed 15; draw 1.
 ; A place starting with start- is where an object stands at first, goal- one that meets a goal,
 ; park- one to wait at. room names the places that must be free for an object, one after
@@ -7,7 +7,7 @@
 ; which it is met whatever the grid rounds on the way, in plans of at most
 ; 1 step(s) and cells of 5 mm.
 (define (problem anywhere-4-14)
-  (:domain tabletop)
+  (:domain places-places)
   (:objects
     item-01 - solid-low-10
     item-02 - any-tall-narrow-11

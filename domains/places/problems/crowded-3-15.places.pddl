@@ -1,10 +1,10 @@
-; Problem crowded-3-15 of the learned domain tabletop, with places.
+; Problem crowded-3-15 of the learned domain places, with places.
 ; How it came about: crowded, drawn with seed 16; draw 1.
 ; A place starting with start- is where an object stands at first, goal- one that meets a goal,
 ; park- one to wait at. room names the places that must be free for an object, one after
 ; another; look-on notes that one is. can names what carries an object, at which cost.
 (define (problem crowded-3-15)
-  (:domain tabletop)
+  (:domain places-places)
   (:objects
     item-01 - any-tall-narrow-11
     item-02 - solid-low-narrow-01

@@ -1,9 +1,9 @@
-; Problem row-4-11 of the learned domain tabletop, for its encoding numeric.
+; Problem row-4-11 of the learned domain places, for its encoding numeric.
 ; How it came about: row, drawn with seed 12; draw 3.
 ; A goal is met within 50 mm; what is asked for here lies inside that
 ; by as much as 10 step(s) with an object can err by rounding to 0.1 mm.
 (define (problem row-4-11)
-  (:domain tabletop)
+  (:domain places-numeric)
   (:objects
     item-01 - solid-low-narrow-01
     item-02 - any-tall-narrow-11

@@ -1,10 +1,10 @@
-; Problem row-4-12 of the learned domain tabletop, with places.
+; Problem row-4-12 of the learned domain places, with places.
 ; How it came about: row, drawn with seed 13; draw 1.
 ; A place starting with start- is where an object stands at first, goal- one that meets a goal,
 ; park- one to wait at. room names the places that must be free for an object, one after
 ; another; look-on notes that one is. can names what carries an object, at which cost.
 (define (problem row-4-12)
-  (:domain tabletop)
+  (:domain places-places)
   (:objects
     item-01 - hollow-wide-00
     item-02 - any-tall-narrow-11

@@ -1,9 +1,9 @@
-; Problem swap-2-06 of the learned domain tabletop, for its encoding numeric.
+; Problem swap-2-06 of the learned domain places, for its encoding numeric.
 ; How it came about: swap, drawn with seed 7; draw 1.
 ; A goal is met within 50 mm; what is asked for here lies inside that
 ; by as much as 10 step(s) with an object can err by rounding to 0.1 mm.
 (define (problem swap-2-06)
-  (:domain tabletop)
+  (:domain places-numeric)
   (:objects
     item-01 - solid-low-10
     item-02 - solid-low-narrow-01)

@@ -1,10 +1,10 @@
-; Problem task-07 of the learned domain tabletop, for its encodings on a grid.
+; Problem task-07 of the learned domain tabletop-paper, for its encodings on a grid.
 ; How it came about: drawn with seed 8: one random action on item-02; draw 5, earlier ones met at the start or off the table.
 ; A goal is met within 50 mm. goal-xy and goal-z list the cells from
 ; which it is met whatever the grid rounds on the way, in plans of at most
 ; 1 step(s) and cells of 5 mm.
 (define (problem task-07)
-  (:domain tabletop)
+  (:domain tabletop-paper)
   (:objects
     item-01 - any-low-narrow-11
     item-02 - hollow-00

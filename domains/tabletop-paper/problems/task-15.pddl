@@ -1,10 +1,10 @@
-; Problem task-15 of the learned domain tabletop, for its encodings on a grid.
+; Problem task-15 of the learned domain tabletop-paper, for its encodings on a grid.
 ; How it came about: drawn with seed 16: 3 random actions on item-04, item-01, item-02; draw 2, earlier ones met at the start or off the table.
 ; A goal is met within 50 mm. goal-xy and goal-z list the cells from
 ; which it is met whatever the grid rounds on the way, in plans of at most
 ; 1 step(s) and cells of 5 mm.
 (define (problem task-15)
-  (:domain tabletop)
+  (:domain tabletop-paper)
   (:objects
     item-01 - solid-narrow-10
     item-02 - any-low-narrow-11

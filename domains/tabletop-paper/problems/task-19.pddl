@@ -1,10 +1,10 @@
-; Problem task-19 of the learned domain tabletop, for its encodings on a grid.
+; Problem task-19 of the learned domain tabletop-paper, for its encodings on a grid.
 ; How it came about: drawn with seed 20: 6 random actions on item-08, item-05, item-02, item-05, item-04, item-08; draw 1, earlier ones met at the start or off the table.
 ; A goal is met within 50 mm. goal-xy and goal-z list the cells from
 ; which it is met whatever the grid rounds on the way, in plans of at most
 ; 1 step(s) and cells of 5 mm.
 (define (problem task-19)
-  (:domain tabletop)
+  (:domain tabletop-paper)
   (:objects
     item-01 - any-low-narrow-11
     item-02 - solid-narrow-10

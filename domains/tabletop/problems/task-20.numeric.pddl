@@ -3,7 +3,7 @@
 ; A goal is met within 50 mm; what is asked for here lies inside that
 ; by as much as 10 step(s) with an object can err by rounding to 0.1 mm.
 (define (problem task-20)
-  (:domain tabletop)
+  (:domain tabletop-numeric)
   (:objects
     item-01 - solid-low-narrow-11
     item-02 - solid-low-narrow-11

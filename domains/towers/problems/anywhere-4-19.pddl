@@ -1,10 +1,10 @@
-; Problem anywhere-4-19 of the learned domain tabletop, for its encodings on a grid.
+; Problem anywhere-4-19 of the learned domain towers, for its encodings on a grid.
 ; How it came about: anywhere, drawn with seed 20; draw 1.
 ; A goal is met within 50 mm. goal-xy and goal-z list the cells from
 ; which it is met whatever the grid rounds on the way, in plans of at most
 ; 1 step(s) and cells of 5 mm.
 (define (problem anywhere-4-19)
-  (:domain tabletop)
+  (:domain towers)
   (:objects
     item-01 - solid-low-narrow-01
     item-02 - hollow-wide-00

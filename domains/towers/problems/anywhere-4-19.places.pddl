@@ -1,10 +1,10 @@
-; Problem anywhere-4-19 of the learned domain tabletop, with places.
+; Problem anywhere-4-19 of the learned domain towers, with places.
 ; How it came about: anywhere, drawn with seed 20; draw 1.
 ; A place starting with start- is where an object stands at first, goal- one that meets a goal,
 ; park- one to wait at. room names the places that must be free for an object, one after
 ; another; look-on notes that one is. can names what carries an object, at which cost.
 (define (problem anywhere-4-19)
-  (:domain tabletop)
+  (:domain towers-places)
   (:objects
     item-01 - solid-low-narrow-01
     item-02 - hollow-wide-00

@@ -1,9 +1,9 @@
-; Problem anywhere-8-20 of the learned domain tabletop, for its encoding relational.
+; Problem anywhere-8-20 of the learned domain towers, for its encoding relational.
 ; How it came about: anywhere, drawn with seed 21; draw 1.
 ; States in which one object bears another: leans-on-001, rests-on-011, leans-on-101, sits-in-111.
 ; Objects stand at start-... at first, and none goes back there; park-... are places to wait at.
 (define (problem anywhere-8-20)
-  (:domain tabletop)
+  (:domain towers-relational)
   (:objects
     item-01 - solid-low-10
     item-02 - solid-low-10

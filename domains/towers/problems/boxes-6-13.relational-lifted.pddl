@@ -1,9 +1,9 @@
-; Problem boxes-6-13 of the learned domain tabletop, for its encoding relational-lifted.
+; Problem boxes-6-13 of the learned domain towers, for its encoding relational-lifted.
 ; How it came about: boxes, drawn with seed 14; draw 1.
 ; States in which one object bears another: leans-on-001, rests-on-011, leans-on-101, sits-in-111.
 ; Objects stand at start-... at first, and none goes back there; park-... are places to wait at.
 (define (problem boxes-6-13)
-  (:domain tabletop)
+  (:domain towers-relational-lifted)
   (:objects
     item-01 - solid-low-narrow-01
     item-02 - hollow-wide-00

@@ -1,9 +1,9 @@
-; Problem tower-2-02 of the learned domain tabletop, for its encoding relational.
+; Problem tower-2-02 of the learned domain towers, for its encoding relational.
 ; How it came about: tower, drawn with seed 3; draw 1.
 ; States in which one object bears another: leans-on-001, rests-on-011, leans-on-101, sits-in-111.
 ; Objects stand at start-... at first, and none goes back there; park-... are places to wait at.
 (define (problem tower-2-02)
-  (:domain tabletop)
+  (:domain towers-relational)
   (:objects
     item-01 - hollow-wide-00
     item-02 - hollow-wide-00

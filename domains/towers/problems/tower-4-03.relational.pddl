@@ -1,9 +1,9 @@
-; Problem tower-4-03 of the learned domain tabletop, for its encoding relational.
+; Problem tower-4-03 of the learned domain towers, for its encoding relational.
 ; How it came about: tower, drawn with seed 4; draw 1.
 ; States in which one object bears another: leans-on-001, rests-on-011, leans-on-101, sits-in-111.
 ; Objects stand at start-... at first, and none goes back there; park-... are places to wait at.
 (define (problem tower-4-03)
-  (:domain tabletop)
+  (:domain towers-relational)
   (:objects
     item-01 - solid-low-narrow-01
     item-02 - solid-low-10

@@ -1,9 +1,9 @@
-; Problem tower-6-05 of the learned domain tabletop, for its encoding relational-lifted.
+; Problem tower-6-05 of the learned domain towers, for its encoding relational-lifted.
 ; How it came about: tower, drawn with seed 6; draw 1.
 ; States in which one object bears another: leans-on-001, rests-on-011, leans-on-101, sits-in-111.
 ; Objects stand at start-... at first, and none goes back there; park-... are places to wait at.
 (define (problem tower-6-05)
-  (:domain tabletop)
+  (:domain towers-relational-lifted)
   (:objects
     item-01 - any-tall-narrow-11
     item-02 - solid-low-10

@@ -1,9 +1,9 @@
-; Problem unstack-6-16 of the learned domain tabletop, for its encoding relational-lifted.
+; Problem unstack-6-16 of the learned domain towers, for its encoding relational-lifted.
 ; How it came about: unstack, drawn with seed 17; draw 1.
 ; States in which one object bears another: leans-on-001, rests-on-011, leans-on-101, sits-in-111.
 ; Objects stand at start-... at first, and none goes back there; park-... are places to wait at.
 (define (problem unstack-6-16)
-  (:domain tabletop)
+  (:domain towers-relational-lifted)
   (:objects
     item-01 - any-tall-narrow-11
     item-02 - solid-low-10
