@@ -300,6 +300,6 @@ def test_a_module_that_loads_torch_would_be_noticed():
     assert "torch" in loaded_by("from neurosym import train")
 
 
-def test_no_module_is_longer_than_300_lines():
+def test_no_module_is_longer_than_600_lines():
     lengths = {path.name: len(path.read_text().splitlines()) for path in PACKAGE.rglob("*.py")}
-    assert {name: length for name, length in lengths.items() if length > 300} == {}
+    assert {name: length for name, length in lengths.items() if length > 600} == {}
