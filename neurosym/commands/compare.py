@@ -15,6 +15,7 @@ from neurosym.wording import counted, quoted
 
 if TYPE_CHECKING:
     from neurosym.evaluation.comparison_summary import Comparison
+    from neurosym.stages.verdict import Verdict
 
 
 def compare(
@@ -38,6 +39,7 @@ def compare(
     the planner that made it. Interrupt it when you like: what is measured is kept in DIR/comparison, and the
     same command goes on.
     """
+    from neurosym.commands.tables import show_verdict
     from neurosym.evaluation.comparison import check_planners
     from neurosym.evaluation.comparison_picture import draw_comparison
     from neurosym.evaluation.comparison_summary import summarise
@@ -72,12 +74,24 @@ def compare(
     draw_comparison(comparison, title, order.place / "comparison.png")
     _show(comparison, title)
     say(f"wrote {order.place / 'comparison.json'}, comparison.png, and a file for each task")
+    verdict = _judged(comparison, tolerance)
+    show_verdict(verdict)
     like = "" if objects == 1 else f" --objects {objects}"
     like += "" if task is None else f" --task {task}"
     like += "" if tolerance == TOLERANCE else f" --tolerance {tolerance:g}"
     say_next(f"neurosym new-problem {quoted(folder)} --name mine --seed {seed}{like}")
-    answer(comparison, file=str(order.place / "comparison.json"))
+    answer(comparison, file=str(order.place / "comparison.json"), verdict=verdict)
     return 0
+
+
+def _judged(comparison: "Comparison", tolerance: float) -> "Verdict":
+    from neurosym.stages.verdict import Tries, judge_tries
+
+    tries = {
+        name: Tries(tally.reached_with_replanning, tally.found, comparison.counted)
+        for name, tally in comparison.planners.items()
+    }
+    return judge_tries(tries, how="with replanning", tolerance=tolerance)
 
 
 def _show(comparison: "Comparison", title: str) -> None:

@@ -29,8 +29,10 @@ def compile_domain(
     With `--durative` there is `domain-durative.pddl`, too: it carries objects to places by actions that
     take time, and takes the problems NAME.durative.pddl. From then on it is kept up to date.
     """
+    from neurosym.commands.tables import show_verdict
     from neurosym.grounding import Grounding
     from neurosym.stages.compiling import compile_stage
+    from neurosym.stages.verdict import judge_domain
 
     domain = opened(folder)
     domain.perform(compile_stage(domain, cell=cell, name=name, durative=durative), again=True)
@@ -45,5 +47,6 @@ def compile_domain(
         if left:
             say("  left out, since not all can be carried to its goal, or something is to bear something, or")
             say(f"  does so at first: {listed_briefly(left)}")
+    show_verdict(judge_domain(grounding))
     say_next(f"neurosym new-problem {quoted(folder)}")
     return 0

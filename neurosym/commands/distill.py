@@ -1,6 +1,7 @@
 """The command `neurosym distill`: symbols to parameters, and what these do."""
 
-from typing import Annotated
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
 
 from tyro.conf import arg
 
@@ -22,6 +23,9 @@ from neurosym.stages.layout import (
 )
 from neurosym.wording import quoted
 
+if TYPE_CHECKING:
+    from neurosym.operators import OperatorTable
+
 
 def distill(
     folder: Folder,
@@ -31,14 +35,14 @@ def distill(
     choice: Choice = "own",
 ) -> int:
     """Turn action symbols into parameters and rehearse each in the world: -> `primitives.json`."""
-    from neurosym.commands.tables import show_operators, show_relations
-    from neurosym.naming import counted_axes
+    from neurosym.commands.tables import show_operators, show_relations, show_verdict
     from neurosym.operators import OperatorTable
     from neurosym.place_operators import PlaceOperators
     from neurosym.relation_operators import RelationOperators
     from neurosym.stages.aiming import distill_places_stage
     from neurosym.stages.distilling import distill_stage
     from neurosym.stages.relating import distill_relations_stage
+    from neurosym.stages.verdict import judge_operators, judge_relations
 
     domain = opened(folder)
     domain.perform(
@@ -46,21 +50,31 @@ def distill(
     )
     table = OperatorTable.load(domain / PRIMITIVES)
     show_operators(table)
-    if (domain / PLACE_MODEL).exists() and table.measured == "rehearsal":
+    is_rehearsed = table.measured == "rehearsal"
+    after = f"neurosym compile-domain {quoted(folder)}" if is_rehearsed else _told_of_data(folder, table)
+    show_verdict(judge_operators(table))
+    if (domain / PLACE_MODEL).exists() and is_rehearsed:
         domain.perform(distill_places_stage(domain, objects=objects, seed=seed, workers=workers), again=True)
-        show_operators(PlaceOperators.load(domain / PLACE_OPERATORS).operators)
-    if (domain / RELATION_MODEL).exists() and table.measured == "rehearsal":
+        places = PlaceOperators.load(domain / PLACE_OPERATORS).operators
+        show_operators(places)
+        show_verdict(judge_operators(places))
+    if (domain / RELATION_MODEL).exists() and is_rehearsed:
         stage = distill_relations_stage(domain, pairs=objects, seed=seed, workers=workers)
         domain.perform(stage, again=True)
-        show_relations(RelationOperators.load(domain / RELATION_OPERATORS))
-    if table.measured == "rehearsal":
-        say_next(f"neurosym compile-domain {quoted(folder)}")
-        return 0
+        relations = RelationOperators.load(domain / RELATION_OPERATORS)
+        show_relations(relations)
+        show_verdict(judge_relations(relations))
+    say_next(after)
+    return 0
+
+
+def _told_of_data(folder: Path, table: "OperatorTable") -> str:
+    """Say what a table lacks that was averaged from data; return what to type next."""
+    from neurosym.naming import counted_axes
+
     say("there is no world.toml, so nothing was rehearsed: effects are averages over the rows of the data")
     if table.axes == 3:
         say("a PDDL domain needs a world besides, and distilled again, primitives are rehearsed in it")
-        say_next(f"neurosym init {quoted(folder)} --world module:factory")
-    else:
-        say(f"no PDDL domain can be made of {counted_axes(table.axes)}: it moves objects along x, y and z")
-        say_next(f"neurosym explain {quoted(folder)}")
-    return 0
+        return f"neurosym init {quoted(folder)} --world module:factory"
+    say(f"no PDDL domain can be made of {counted_axes(table.axes)}: it moves objects along x, y and z")
+    return f"neurosym explain {quoted(folder)}"

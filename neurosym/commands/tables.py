@@ -16,17 +16,19 @@ from neurosym.operators import CONVERGED, Effect, Operator, OperatorTable
 from neurosym.pddl.plan_text import PlanStep, primitives
 from neurosym.reading import read_json
 from neurosym.relation_operators import RelationOperators
+from neurosym.stages.verdict import Verdict, judge_training
 from neurosym.wording import counted, listed_briefly
 
 
-def show_training(path: Path) -> None:
+def show_training(path: Path, data: Path) -> None:
     """Print how well a model fits interactions it was not trained on, beside trivial predictors.
 
     Args:
         path: The training report.
+        data: The interactions that were trained on.
 
     Raises:
-        InvalidFile: If it is no training report.
+        InvalidFile: If one of them cannot be read.
     """
     report = read_json(path, TrainingReport)
     show_table(f"mean absolute error, {report.held_out} held-out interactions", *error_table(report))
@@ -38,6 +40,13 @@ def show_training(path: Path) -> None:
     say(f"symbols used in the held-out interactions: {used}")
     if empty := empty_codes(report):
         say(empty)
+    show_verdict(judge_training(report, Interactions.load(data)))
+
+
+def show_verdict(verdict: Verdict) -> None:
+    """Print whether something is good, weak or useless, and if it is not good, what may help."""
+    for line in verdict.lines:
+        say(line)
 
 
 def _share(report: TrainingReport) -> str:

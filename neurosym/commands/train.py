@@ -23,6 +23,7 @@ def train(
     from neurosym.commands.tables import show_training
     from neurosym.stages.aiming import train_places_stage
     from neurosym.stages.layout import (
+        INTERACTIONS,
         PLACE_INTERACTIONS,
         PLACE_TRAINING,
         RELATION_INTERACTIONS,
@@ -35,14 +36,14 @@ def train(
     domain = opened(folder)
     bits = {"object_bits": object_bits, "action_bits": action_bits}
     domain.perform(train_stage(domain, seed=seed, regime=regime, **bits), again=True)
-    show_training(domain / TRAINING)
+    show_training(domain / TRAINING, domain / INTERACTIONS)
     if (domain / PLACE_INTERACTIONS).exists():
         domain.perform(train_places_stage(domain, seed=seed, regime=regime), again=True)
         say("what carries objects to places:")
-        show_training(domain / PLACE_TRAINING)
+        show_training(domain / PLACE_TRAINING, domain / PLACE_INTERACTIONS)
     if (domain / RELATION_INTERACTIONS).exists():
         domain.perform(train_relations_stage(domain, seed=seed, regime=regime), again=True)
         say("what can be done with pairs of objects:")
-        show_training(domain / RELATION_TRAINING)
+        show_training(domain / RELATION_TRAINING, domain / RELATION_INTERACTIONS)
     say_next(f"neurosym distill {quoted(folder)}")
     return 0

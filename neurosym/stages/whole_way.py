@@ -6,6 +6,8 @@ from typing import Any
 from neurosym.console import say, say_next, show_table
 from neurosym.data.interactions import Interactions
 from neurosym.errors import InvalidValue
+from neurosym.grounding import Grounding
+from neurosym.learning.report import TrainingReport
 from neurosym.pddl.compiler import CELL
 from neurosym.reading import read_json
 from neurosym.stages.aimed_learning import check_takes
@@ -15,7 +17,15 @@ from neurosym.stages.distilling import distill_stage
 from neurosym.stages.executing import execute_stage, load_run
 from neurosym.stages.exploring import explore_stage
 from neurosym.stages.folder import DomainFolder
-from neurosym.stages.layout import PLACE_INTERACTIONS, PLACE_OPERATORS, WORLD, plan_files
+from neurosym.stages.layout import (
+    GROUNDING,
+    INTERACTIONS,
+    PLACE_INTERACTIONS,
+    PLACE_OPERATORS,
+    TRAINING,
+    WORLD,
+    plan_files,
+)
 from neurosym.stages.manifest import Claim, Stage
 from neurosym.stages.plan_records import PlanRecord, written_steps
 from neurosym.stages.planning import plan_stage
@@ -26,6 +36,7 @@ from neurosym.stages.relating import (
     train_relations_stage,
 )
 from neurosym.stages.training import train_stage
+from neurosym.stages.verdict import Tries, Verdict, judge_domain, judge_training, judge_tries, worst
 from neurosym.strategies import StrategyName
 from neurosym.wording import counted, quoted
 from neurosym.world import World, references_of
@@ -122,7 +133,22 @@ def go_the_whole_way(
             f"{counted(len(rows), 'problem')} drawn from the world", columns, [row.cells for row in rows]
         )
     say(f"everything lies in {folder.path}; {folder / 'domain.pddl'} is the domain")
+    for line in _judged(folder, rows).lines:
+        say(line)
     say_next(f"neurosym plan {quoted(folder.path)} task-01 --planner bfs")
+
+
+def _judged(folder: DomainFolder, rows: "list[_Row]") -> Verdict:
+    """Judge the whole way by what came out worst: the bits, the domain, or the problems."""
+    reached, found = sum(row.reached for row in rows), sum(row.executed for row in rows)
+    report = read_json(folder / TRAINING, TrainingReport)
+    return worst(
+        (
+            judge_training(report, Interactions.load(folder / INTERACTIONS)),
+            judge_domain(Grounding.load(folder / GROUNDING)),
+            judge_tries({PLANNER: Tries(reached, found, len(rows))}),
+        )
+    )
 
 
 def _usual_places(folder: DomainFolder, world: World, steps: int) -> int:
@@ -150,6 +176,7 @@ def _check_aims(folder: DomainFolder, world: World, places: int, relations: int)
 class _Row:
     cells: tuple[str, ...]
     executed: bool
+    reached: bool = False
 
 
 def _try_problem(folder: DomainFolder, number: int, seed: int) -> _Row:
@@ -164,7 +191,8 @@ def _try_problem(folder: DomainFolder, number: int, seed: int) -> _Row:
         return _Row((*cells, "-", record.reason), executed=False)
     _perform(folder, execute_stage(folder, name, folder / plan_file))
     run = load_run(folder, name, folder / plan_file)
-    return _Row((*cells, run.outcome.removeprefix("goal "), run.reason), executed=True)
+    outcome = run.outcome.removeprefix("goal ")
+    return _Row((*cells, outcome, run.reason), executed=True, reached=run.reached)
 
 
 def _perform(folder: DomainFolder, stage: Stage) -> None:

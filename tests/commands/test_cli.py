@@ -35,7 +35,9 @@ def test_run_leaves_every_file_of_the_design(toy_folder):
 def test_second_run_does_nothing_again(folder, capsys):
     before = {path: path.stat().st_mtime_ns for path in folder.rglob("*") if path.is_file()}
     assert neurosym("run", folder, *RUN_TOY) == 0
-    assert ": done" not in capsys.readouterr().out
+    said = capsys.readouterr().out
+    assert ": done" not in said
+    assert said[said.rindex("\nverdict: ") :].splitlines()[-1].startswith("next: ")
     assert {path: path.stat().st_mtime_ns for path in folder.rglob("*") if path.is_file()} == before
 
 

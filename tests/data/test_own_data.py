@@ -232,6 +232,8 @@ def test_one_effect_axis_and_no_gripper_go_the_whole_way(tmp_path, capsys):
     columns = own_columns(200)
     write_data(tmp_path, {**columns, "effects": columns["effects"][:, :1]})
     assert neurosym("train", tmp_path, "--regime", "paper") == 0
-    assert "e1" in capsys.readouterr().out
+    said = capsys.readouterr().out
+    assert "e1" in said
+    assert "\nverdict: " in said
     assert neurosym("distill", tmp_path) == 0
     assert "no PDDL domain can be made of 1 axis" in capsys.readouterr().out

@@ -34,13 +34,6 @@ def trial(blind: bool = True, replanned: bool = True, chance: float = 0.5, steps
 NO_PLAN = Trial("task", "unsolvable", "too far")
 
 
-def test_wilson_interval_is_that_of_the_book():
-    assert figures.wilson(8, 10) == pytest.approx((0.4902, 0.9433), abs=1e-4)
-    low, high = figures.wilson(0, 20)
-    assert (low, high) == (pytest.approx(0.0, abs=1e-12), pytest.approx(0.1611, abs=1e-4))
-    assert figures.wilson(20, 20)[1] == pytest.approx(1.0)
-
-
 def test_task_without_a_plan_is_a_miss():
     assert figures.share([NO_PLAN, trial()]) == 0.5
     assert figures.share([]) is None

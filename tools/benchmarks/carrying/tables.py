@@ -5,8 +5,8 @@ from statistics import mean, stdev
 from typing import Any
 
 from neurosym.markdown import markdown_table
+from neurosym.stages.verdict import wilson
 from neurosym.wording import counted
-from tools.benchmarks.planning.figures import wilson
 
 
 def page(summary: Mapping[str, Any]) -> str:

@@ -1,6 +1,5 @@
-"""Figures of trials: shares with Wilson intervals, Brier scores, and errors of promises."""
+"""Figures of trials: shares, Brier scores, and errors of promises."""
 
-import math
 from collections import Counter, defaultdict
 from collections.abc import Iterable, Sequence
 from typing import Any
@@ -14,21 +13,7 @@ BIN = 50
 """Least number of plans in a bin of the calibration."""
 TELLING = 20
 """Least number of steps of a category that can be the worst."""
-_Z = 1.959964  # of 95 % of a normal distribution
 _RESAMPLES = 2000
-
-
-def wilson(reached: int, of: int) -> tuple[float, float]:
-    """Return the Wilson interval of a share, at 95 %.
-
-    Args:
-        reached: How many.
-        of: Out of how many, 1 or more.
-    """
-    share, squared = reached / of, _Z**2
-    middle = (share + squared / (2 * of)) / (1 + squared / of)
-    half = _Z / (1 + squared / of) * math.sqrt(share * (1 - share) / of + squared / (4 * of**2))
-    return max(0.0, middle - half), min(1.0, middle + half)
 
 
 def reached(trials: Sequence[Trial], way: str = "replanned") -> int:

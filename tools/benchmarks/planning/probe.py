@@ -19,6 +19,7 @@ import neurosym
 from neurosym.console import say, show_table
 from neurosym.grounding import Grounding
 from neurosym.stages.layout import GROUNDING
+from neurosym.stages.verdict import wilson
 from tools.benchmarks.jobs import Job, load_jobs, perform
 from tools.benchmarks.planning import figures
 from tools.benchmarks.planning.jobs import FAR_OBJECTS, SIZES, stamp
@@ -181,7 +182,7 @@ def _reached(trials: Sequence[Trial], way: str = "replanned") -> str:
     if not trials:
         return "-"
     count = figures.reached(trials, way)
-    low, high = figures.wilson(count, len(trials))
+    low, high = wilson(count, len(trials))
     return f"{count} of {len(trials)}: {count / len(trials):.0%} ({low:.0%} to {high:.0%})"
 
 
