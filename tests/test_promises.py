@@ -143,7 +143,7 @@ def test_one_feature_that_decides_is_found_among_four(column: int):
     is_kind = objects[:, column] < 0.12
     outcomes = np.zeros((int(is_kind.sum()), 2))
     found = fit(objects, is_kind, outcomes, scale=objects.std(0))
-    assert np.flatnonzero(found.deciding).tolist() == [column]
+    assert np.flatnonzero(found.choice.deciding).tolist() == [column]
     at = (objects - found.centre) / found.scale
     chances = np.array([found.chance(row, TOLERANCE) for row in at])
     assert chances[objects[:, column] > 0.14].max() < 0.3
@@ -154,4 +154,4 @@ def test_no_feature_counts_where_none_decides():
     objects = np.random.default_rng(0).uniform(size=(32, 4))
     is_kind = np.arange(32) % 3 > 0
     found = fit(objects, is_kind, np.zeros((int(is_kind.sum()), 2)), scale=objects.std(0))
-    assert not found.deciding.any()
+    assert not any(found.choice.deciding)

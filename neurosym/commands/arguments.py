@@ -58,17 +58,17 @@ def read_arguments(arguments: Sequence[str]) -> Callable[[], int]:
     import tyro
     from tyro._errors import on_parse_error
 
-    options: dict[str, Any] = {"config": (tyro.conf.FlagCreatePairsOff,)}
+    config = (tyro.conf.FlagCreatePairsOff,)
     try:
         with on_parse_error(_refuse):
             if command:  # as the others would be, which are not imported for it
-                chosen: partial[int] = tyro.cli(  # type: ignore[assignment]
-                    _later(command), prog=f"neurosym {name}", args=arguments[1:], **options
+                chosen: partial[int] = tyro.cli(
+                    _later(command), prog=f"neurosym {name}", args=arguments[1:], config=config
                 )
             else:
                 commands = {known: _later(command_named(known)) for known in SUMMARIES}
                 chosen = tyro.extras.subcommand_cli_from_dict(
-                    commands, prog="neurosym", description=ABOUT, args=arguments, **options
+                    commands, prog="neurosym", description=ABOUT, args=arguments, config=config
                 )
     except _Unreadable as error:
         said = f"neurosym{' ' if name else ''}{name}: {error}"
@@ -103,11 +103,11 @@ def _check_number(option: str, value: object) -> None:
         raise InvalidValue(f"{option} = {given} is too great; valid: at most {most:,}.")
 
 
-def _later(command: Command) -> Callable[..., Callable[[], int]]:
+def _later(command: Command) -> Callable[..., "partial[int]"]:
     """Return a function with the same signature that only remembers what the command is called with."""
 
     @wraps(command)
-    def later(*arguments: object, **options: object) -> Callable[[], int]:
+    def later(*arguments: object, **options: object) -> "partial[int]":
         return partial(command, *arguments, **options)
 
     return later

@@ -9,6 +9,7 @@ from neurosym.commands.answers import Json, answer_in
 from neurosym.commands.exit_codes import NO_RESULT
 from neurosym.commands.options import Folder, ProblemName, TimeLimit, Tolerance, check_time_limit, opened
 from neurosym.commands.plan_streams import STANDARD, check_output, hand_over
+from neurosym.commands.spent import spent
 from neurosym.console import be_quiet, is_quiet, say, say_next
 from neurosym.wording import counted, quoted
 
@@ -111,9 +112,9 @@ def _say_plan(record: "PlanRecord") -> None:
         remark = f" ({record.reason})" if record.reason else ""
         chance = 1.0 if record.chance is None else record.chance
         count = counted(record.primitives, "primitive")
-        say(f"{count} in {record.seconds:.2f} s{remark}, {_likely(chance)} to go as promised:")
+        say(f"{count} in {spent():.2f} s of CPU{remark}, {_likely(chance)} to go as promised:")
     else:
-        say(f"no plan for {record.problem} ({record.status.value}, {record.seconds:.2f} s): {record.reason}")
+        say(f"no plan for {record.problem} ({record.status.value}, {spent():.2f} s of CPU): {record.reason}")
         if record.steps:
             say("as near as it comes:")
     _say_steps(record.steps)
