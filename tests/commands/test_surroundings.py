@@ -66,7 +66,7 @@ INTERRUPTED_IMPORT = """
 import sys
 class Interrupt:
     def find_spec(self, name, *_):
-        if name == "neurosym.commands.train":
+        if name == "neurosym.commands.planners":
             raise KeyboardInterrupt
 sys.meta_path.insert(0, Interrupt())
 from neurosym.commands.cli import main
