@@ -146,6 +146,13 @@ class InvalidWorld(InvalidValue):
         return error
 
 
+class InvalidArm(InvalidWorld):
+    """An arm that is not as its file describes it, or whose file cannot be read; `problem` names the file."""
+
+    def __init__(self, problem: str):
+        InvalidValue.__init__(self, f"The arm {problem}.")
+
+
 class InvalidPlanner(InvalidValue):
     """A planner of one's own that cannot be used; `name` is `module:factory`, or the name it has itself."""
 

@@ -4,6 +4,9 @@ The rest of this folder takes it from here, so that sizes and shapes can be aske
 """
 
 import os
+import tempfile
+from collections.abc import Iterator
+from contextlib import contextmanager
 
 _saved, _nowhere = os.dup(2), os.open(os.devnull, os.O_WRONLY)
 try:
@@ -14,4 +17,23 @@ finally:
     os.close(_saved)
     os.close(_nowhere)
 
-__all__ = ["pybullet"]
+__all__ = ["overheard", "pybullet"]
+
+
+@contextmanager
+def overheard(words: list[str]) -> Iterator[None]:
+    """Keep what PyBullet prints to standard output meanwhile, instead of showing it.
+
+    Args:
+        words: What it says is appended to these.
+    """
+    with tempfile.TemporaryFile() as file:
+        shown = os.dup(1)
+        os.dup2(file.fileno(), 1)
+        try:
+            yield
+        finally:
+            os.dup2(shown, 1)
+            os.close(shown)
+            file.seek(0)
+            words.append(file.read().decode(errors="replace"))

@@ -14,9 +14,10 @@ from functools import lru_cache
 import numpy as np
 from jaxtyping import Bool, Float
 
-from neurosym.errors import InvalidValue
+from neurosym.errors import InvalidArm, InvalidValue
 from neurosym.sim.arm import TOOL_DOWN
 from neurosym.sim.bullet import pybullet
+from neurosym.sim.urdf import loaded
 
 MOST_STEPS = 100
 LARGEST_STEP = 0.5
@@ -182,27 +183,23 @@ def read_chain(urdf: str, base: tuple[float, float, float], joints: tuple[int, .
         tool: Index of the tool's link.
 
     Raises:
-        InvalidValue: If PyBullet cannot read the file, or a joint neither turns nor slides.
+        InvalidArm: If the file cannot be read, or has no such joints.
+        InvalidValue: If a joint neither turns nor slides.
     """
-    client = pybullet.connect(pybullet.DIRECT)
-    try:
-        return _read_chain(client, urdf, base, joints, tool)
-    except pybullet.error as error:
-        raise InvalidValue(f"The arm cannot be read from {urdf}: {error}") from error
-    finally:
-        pybullet.disconnect(client)
+    with loaded(urdf, base, collides=False) as (client, body):
+        return _read_chain(client, body, joints, tool)
 
 
-def _read_chain(
-    client: int, urdf: str, base: tuple[float, float, float], joints: tuple[int, ...], tool: int
-) -> Chain:
-    flags = pybullet.URDF_IGNORE_VISUAL_SHAPES | pybullet.URDF_IGNORE_COLLISION_SHAPES
-    body = pybullet.loadURDF(urdf, base, useFixedBase=True, flags=flags, physicsClientId=client)
+def _read_chain(client: int, body: int, joints: tuple[int, ...], tool: int) -> Chain:
+    count = pybullet.getNumJoints(body, physicsClientId=client)
+    for number in (*joints, tool):
+        if not 0 <= number < count:
+            raise InvalidArm(f"has no joint or link {number}; valid: 0 to {count - 1}")
     infos = [pybullet.getJointInfo(body, joint, physicsClientId=client) for joint in joints]
     for info in infos:
         if info[2] not in (pybullet.JOINT_REVOLUTE, pybullet.JOINT_PRISMATIC):
             raise InvalidValue(f"Joint {info[0]} ({info[1].decode()}) neither turns nor slides.")
-    for joint in range(pybullet.getNumJoints(body, physicsClientId=client)):
+    for joint in range(count):
         pybullet.resetJointState(body, joint, 0.0, physicsClientId=client)
     frames = np.array([_frame(client, body, link) for link in (*joints, tool)])  # (J + 1, 4, 4)
     lower, upper = (np.array([info[column] for info in infos]) for column in (8, 9))

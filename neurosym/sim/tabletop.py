@@ -12,6 +12,7 @@ from neurosym.errors import InvalidValue
 from neurosym.object_limits import ObjectLimits
 from neurosym.poses import Part, PoseSink
 from neurosym.sim.arm import Arm, check_reach
+from neurosym.sim.arm_check import check_arm
 from neurosym.sim.bullet import pybullet
 from neurosym.sim.camera import Camera
 from neurosym.sim.config import MOST_OBJECTS, TabletopConfig
@@ -20,6 +21,7 @@ from neurosym.sim.posing import links_at_rest, object_parts, robot_parts
 from neurosym.sim.scenes import check_scene, sample_scene
 from neurosym.sim.shapes import FEATURE_NAMES
 from neurosym.sim.simulation import Simulation
+from neurosym.sim.trial import check_lift
 from neurosym.sim.ur10 import UR10
 from neurosym.sim.window import open_window
 from neurosym.table import Reference, ReferenceKind, Table
@@ -56,7 +58,8 @@ class Tabletop:
     _client: int | None = field(default=None, init=False)
 
     def __post_init__(self) -> None:
-        check_reach(self.config, self.arm)
+        check = check_reach if self.arm is UR10 else check_arm  # a test compares the UR10 with its file
+        check(self.config, self.arm)
 
     @property
     def action_box(self) -> ActionBox:
@@ -119,6 +122,14 @@ class Tabletop:
             if pybullet.isConnected(self.client()):
                 raise
             raise InvalidValue("The window was closed before the motion ended.") from error
+
+    def try_out(self) -> None:
+        """Lift a plain box once (see `check_world`).
+
+        Raises:
+            InvalidArm: If the hand does not.
+        """
+        check_lift(self.client(), self.config, self.arm)
 
     def picture(self, scene: Scene, ghosts: Float[np.ndarray, "M 3"] | None = None) -> Frame:
         """Draw a scene without the arm (see `Pictured.picture`)."""

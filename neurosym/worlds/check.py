@@ -5,7 +5,7 @@ from typing import Any
 import numpy as np
 
 from neurosym.contract import attempt, check_attributes, check_drawn, check_outcome
-from neurosym.errors import InvalidWorld
+from neurosym.errors import InvalidWorld, NeurosymError
 from neurosym.table import Place
 from neurosym.world import Outcome, Scene, World, references_of, relative_to
 from neurosym.worlds.mirrors import broken_mirror
@@ -14,7 +14,8 @@ from neurosym.worlds.mirrors import broken_mirror
 def check_world(world: World) -> None:
     """Raise unless an object keeps what the protocol `World` promises; for tests of worlds of your own.
 
-    Samples a scene and performs an interaction, another one, and the first again: a world has no memory.
+    First a world that has a method `try_out` tries itself: the hand of a `Tabletop` lifts a plain box.
+    Then samples a scene and performs an interaction, another one, and the first again: a world has no memory.
     If the world takes places as references, the other one has the middle of the table as its reference.
     Then, if the action box has mirrors, performs 20 interactions and their images in each mirror.
 
@@ -25,6 +26,8 @@ def check_world(world: World) -> None:
         InvalidWorld: If it does not; the message says which requirement is broken.
     """
     check_attributes(world)
+    if try_out := getattr(world, "try_out", None):
+        attempt(world.name, "try_out", try_out, NeurosymError)
     _check_interactions(world, _checked_scene(world))
     if broken := attempt(world.name, "interact", lambda: broken_mirror(world)):
         raise InvalidWorld(world.name, f"has an action_box with {broken}; leave that mirror out")

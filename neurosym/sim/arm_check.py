@@ -1,0 +1,257 @@
+"""Whether an arm is as its file says: driven as `robot.py` drives it, its tool moves and its fingers part.
+
+Each finger is set to what it will be told, and what that moves is looked at in the tool's frame.
+"""
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from functools import lru_cache
+from itertools import chain, product
+
+import numpy as np
+from jaxtyping import Float
+
+from neurosym.errors import InvalidArm
+from neurosym.sim.arm import TOOL_DOWN, Arm, check_reach, corners
+from neurosym.sim.bullet import pybullet
+from neurosym.sim.config import TabletopConfig
+from neurosym.sim.numeric_inverse import forward, read_chain
+from neurosym.sim.robot import LOWEST_TOOL_POINT
+from neurosym.sim.urdf import loaded
+
+OFF, OFF_TURN = 0.001, 0.01
+"""How far the tool may be from where it is wanted [m], [rad], and a finger from its way [m]."""
+LOOSE = 0.01
+"""How far closed fingers may stay apart or overlap [m]; shapes that collide are often coarse."""
+BESIDE = 0.005
+"""How far the fingertips may be beside the tool point [m]."""
+_FARTHEST = 10.0
+
+
+@dataclass(frozen=True, slots=True)
+class Link:
+    """A link with the joint that it hangs on; both have the same index.
+
+    Attributes:
+        index: In PyBullet's count.
+        name: Name of the joint.
+        kind: PyBullet's number for its type.
+        limits: Least and greatest position [m], [rad]; the least is greater if there are none.
+        above: Indices of all links above it.
+    """
+
+    index: int
+    name: str
+    kind: int
+    limits: tuple[float, float]
+    above: tuple[int, ...]
+
+    def __str__(self) -> str:
+        return f"{self.name} ({self.index})"
+
+    @property
+    def moves(self) -> bool:
+        """Whether its joint is one that moves."""
+        return bool(self.kind != pybullet.JOINT_FIXED)
+
+
+@dataclass(frozen=True, slots=True)
+class Driven:
+    """What of an arm is driven; see `Arm`."""
+
+    joints: tuple[int, ...]
+    fingers: tuple[int, ...]
+    tool: int
+    half_opening: float
+
+
+def check_arm(config: TabletopConfig, arm: Arm) -> None:
+    """Raise unless an arm is as its file says, and reaches over the whole table.
+
+    Args:
+        config: The world's options.
+        arm: The arm.
+
+    Raises:
+        InvalidArm: If its file cannot be read, or says otherwise.
+        InvalidValue: If it reaches too little.
+    """
+    _check_file(arm.urdf, Driven(tuple(arm.joints), tuple(arm.fingers), arm.tool, arm.half_opening))
+    check_reach(config, arm)
+    points = corners(config)
+    angles = np.asarray(arm.inverse_kinematics(points), dtype=float)
+    if angles.shape != (shape := (len(points), len(arm.joints))) or not np.isfinite(angles).all():
+        raise InvalidArm(
+            f"of {arm.urdf} has inverse_kinematics that gives {angles.shape} for {len(points)} points; "
+            f"valid: finite angles, {shape}"
+        )
+    geometry = read_chain(arm.urdf, arm.base, tuple(arm.joints), arm.tool)
+    for point, pose in zip(points, forward(geometry, angles)[0], strict=True):
+        away, turned = np.linalg.norm(pose[:3, 3] - point), np.abs(pose[:3, :3] - TOOL_DOWN).max()
+        if away > OFF or turned > OFF_TURN:
+            raise InvalidArm(
+                f"of {arm.urdf} has inverse_kinematics that brings the tool to {_said(pose[:3, 3])} m, its z "
+                f"axis along {_said(pose[:3, 2])}, where {_said(point)} m and (0, 0, -1) are asked for, y "
+                "along the world's -y; valid: angles for the same file, base, joints and tool"
+            )
+
+
+@lru_cache
+def _check_file(urdf: str, driven: Driven) -> None:
+    with loaded(urdf) as (client, body):
+        links = _links(client, body)
+        problems = chain(
+            _problems(links, driven),
+            _masses(client, body, links),
+            _motions(client, body, links, driven),
+        )
+        if problem := next(problems, None):  # the first: each check relies on those before
+            raise InvalidArm(f"of {urdf} {problem}")
+
+
+def _links(client: int, body: int) -> tuple[Link, ...]:
+    links: list[Link] = []
+    for index in range(pybullet.getNumJoints(body, physicsClientId=client)):
+        info = pybullet.getJointInfo(body, index, physicsClientId=client)
+        above = () if info[16] < 0 else (*links[info[16]].above, info[16])
+        links.append(Link(index, info[1].decode(errors="replace"), info[2], (info[8], info[9]), above))
+    return tuple(links)
+
+
+def _problems(links: Sequence[Link], driven: Driven) -> Iterator[str]:
+    """Tell what is wrong with the joints."""
+    for index in (*driven.joints, *driven.fingers, driven.tool):
+        if not 0 <= index < len(links):
+            yield f"has no joint or link {index}; valid: 0 to {len(links) - 1}, as getJointInfo counts them"
+    for link in (links[index] for index in driven.joints):
+        if link.kind not in (pybullet.JOINT_REVOLUTE, pybullet.JOINT_PRISMATIC):
+            yield f"has the joint {link}, which neither turns nor slides; valid: one that does"
+        if link.limits[0] == link.limits[1]:
+            yield f"has the joint {link}, which its limits hold at {link.limits[0]:g}; valid: room to move"
+    if [*driven.joints] != sorted(driven.joints):
+        yield f"has joints = {driven.joints}; valid: in the order from base to tool"
+    for link in (links[index] for index in driven.fingers):
+        yield from _finger(links, link, driven)
+    tool = links[driven.tool]
+    for finger in driven.fingers:
+        if finger in (tool.index, *tool.above):
+            yield f"has the tool {tool}, which the finger {links[finger]} moves; valid: a link of the palm"
+    yield from _not_driven(links, (*tool.above, tool.index), driven.joints, f"the tool {tool}")
+
+
+def _finger(links: Sequence[Link], finger: Link, driven: Driven) -> Iterator[str]:
+    if finger.kind != pybullet.JOINT_PRISMATIC:
+        how = "is fixed" if not finger.moves else "does not slide"
+        yield f"has the finger {finger}, whose joint {how}; valid: two fingers on sliding joints"
+    (least, greatest), wanted = finger.limits, driven.half_opening
+    if least > OFF or greatest < wanted - OFF:
+        yield (
+            f"has the finger {finger}, whose limits are {least:g} and {greatest:g} m; valid: from 0 (or "
+            f"less) to half_opening = {wanted:g} m (or more), opening in the positive sense"
+        )
+    yield from _not_driven(links, finger.above, driven.joints, f"the finger {finger}")
+    for link in links:
+        if finger.index in link.above and link.moves:
+            yield f"has the joint {link} on the finger {finger}, which nothing drives; valid: a fixed joint"
+
+
+def _not_driven(links: Sequence[Link], way: Sequence[int], joints: Sequence[int], what: str) -> Iterator[str]:
+    """Tell which joints move something and are not the arm's, or the other way round."""
+    for index in way:
+        if links[index].moves and index not in joints:
+            yield f"has the joint {links[index]}, which moves {what} and is none of joints = {tuple(joints)}"
+    for index in joints:
+        if index not in way:
+            yield f"has the joint {links[index]} among its joints, which does not move {what}"
+
+
+def _masses(client: int, body: int, links: Sequence[Link]) -> Iterator[str]:
+    for link in links:
+        mass, _, inertia, *_ = pybullet.getDynamicsInfo(body, link.index, physicsClientId=client)
+        if not all(0 <= number < np.inf for number in (mass, *inertia)):
+            yield f"has mass {mass:g} kg and inertia {inertia} on the joint {link}; valid: 0 or more"
+
+
+def _motions(client: int, body: int, links: Sequence[Link], driven: Driven) -> Iterator[str]:
+    """Tell what the fingers do amiss in the tool's frame, which is made the world's."""
+    wanted, fingers = driven.half_opening, driven.fingers
+    named = " and ".join(str(links[finger]) for finger in fingers)
+    parts = [_parts(client, body, links, finger) for finger in fingers]
+    for finger, shapes in zip(fingers, parts, strict=True):
+        if not shapes:
+            yield f"has the finger {links[finger]}, which has no collision shape; valid: one that touches"
+    _bring_tool_home(client, body, links, driven.tool)
+    closed = _origins(client, body, fingers, 0.0)
+    (gap, middle), (low, high) = _gap(client, body, *parts), _extent(client, body, [*parts[0], *parts[1]])
+    ways = _origins(client, body, fingers, wanted) - closed  # (2, 3)
+    open_gap, _ = _gap(client, body, *parts)
+    for finger, way in zip(fingers, ways, strict=True):
+        if abs(abs(way[1]) - wanted) > OFF or np.abs(way[[0, 2]]).max() > OFF:
+            yield (
+                f"has the finger {links[finger]}, which goes by {_said(way)} m in the frame of the tool "
+                f"{links[driven.tool]} when its joint goes by {wanted:g} m; valid: by that along the y axis"
+            )
+    if ways[0, 1] * ways[1, 1] > 0:
+        yield f"has the fingers {named}, which both open to one side; valid: axes that point apart"
+    if abs(gap) > LOOSE or abs(open_gap - 2 * wanted) > LOOSE:
+        yield (
+            f"has the fingers {named}, which are {gap:.3f} m apart at 0 and {open_gap:.3f} m at half_opening "
+            f"= {wanted:g} m; valid: they meet at 0, and part in the positive sense to {2 * wanted:g} m"
+        )
+    if abs(middle) > BESIDE or not _is_between(low, high):
+        yield (
+            f"has the tool {links[driven.tool]}, in whose frame the fingers reach from {_said(low)} to "
+            f"{_said(high)} m; valid: the point where the tips meet, at most {LOWEST_TOOL_POINT:g} m before "
+            "their ends, z pointing out of the hand"
+        )
+
+
+def _is_between(low: Float[np.ndarray, "3"], high: Float[np.ndarray, "3"]) -> bool:
+    """Say whether the origin is between fingers of this extent, near their ends along z [m]."""
+    around = low[0] <= BESIDE and high[0] >= -BESIDE and low[2] <= BESIDE
+    return bool(around and -BESIDE <= high[2] <= LOWEST_TOOL_POINT + BESIDE)
+
+
+def _bring_tool_home(client: int, body: int, links: Sequence[Link], tool: int) -> None:
+    """Set all joints to zero and move the robot such that the tool's frame is the world's."""
+    for link in links:
+        pybullet.resetJointState(body, link.index, 0.0, physicsClientId=client)
+    state = pybullet.getLinkState(body, tool, computeForwardKinematics=1, physicsClientId=client)
+    base = pybullet.getBasePositionAndOrientation(body, physicsClientId=client)
+    moved = pybullet.multiplyTransforms(*pybullet.invertTransform(*state[4:6]), *base)
+    pybullet.resetBasePositionAndOrientation(body, *moved, physicsClientId=client)
+
+
+def _origins(client: int, body: int, fingers: Sequence[int], position: float) -> Float[np.ndarray, "2 3"]:
+    """Set both fingers and return where the origins of their frames are [m]."""
+    for finger in fingers:
+        pybullet.resetJointState(body, finger, position, physicsClientId=client)
+    states = pybullet.getLinkStates(body, fingers, computeForwardKinematics=1, physicsClientId=client)
+    return np.array([state[4] for state in states])
+
+
+def _parts(client: int, body: int, links: Sequence[Link], finger: int) -> list[int]:
+    """List the links that move with a finger and can touch something."""
+    moving = [link.index for link in links if finger in (link.index, *link.above)]
+    return [link for link in moving if pybullet.getCollisionShapeData(body, link, physicsClientId=client)]
+
+
+def _gap(client: int, body: int, one: Sequence[int], other: Sequence[int]) -> tuple[float, float]:
+    """Return how far two fingers are apart [m], and where the middle of that is along y [m]."""
+    return min(
+        (point[8], (point[5][1] + point[6][1]) / 2)
+        for pair in product(one, other)
+        for point in pybullet.getClosestPoints(body, body, _FARTHEST, *pair, physicsClientId=client)
+    )
+
+
+def _extent(
+    client: int, body: int, parts: Sequence[int]
+) -> tuple[Float[np.ndarray, "3"], Float[np.ndarray, "3"]]:
+    """Return between which coordinates both fingers are [m]."""
+    boxes = np.array([pybullet.getAABB(body, part, physicsClientId=client) for part in parts])  # (P, 2, 3)
+    return boxes[:, 0].min(0), boxes[:, 1].max(0)
+
+
+def _said(point: Float[np.ndarray, "3"]) -> str:
+    return f"({', '.join(f'{number:.3f}' for number in point + 0.0)})"

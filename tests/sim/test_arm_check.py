@@ -1,0 +1,349 @@
+"""An arm that is not as its file says is refused in one sentence: which joint, and what would be valid."""
+
+import re
+import subprocess
+import sys
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from neurosym import check_world
+from neurosym.errors import InvalidArm, InvalidValue
+from neurosym.sim.arm import Arm
+from neurosym.sim.arm_check import check_arm
+from neurosym.sim.config import TabletopConfig
+from neurosym.sim.numeric_inverse import NumericInverse
+from neurosym.sim.tabletop import Tabletop
+from neurosym.sim.ur10 import UR10
+
+BASE, HOME = (0.5, 0.0, 0.6), (0.0, 0.0, -0.2, 3.14159)
+JOINTS, FINGERS, TOOL = (0, 1, 2, 3), (5, 6), 7
+HALF_OPENING = 0.05
+TABLE = TabletopConfig(
+    table_x=(0.35, 0.65), table_y=(-0.25, 0.25), spawn_margin=0.1, size=(0.03, 0.09), height=(0.02, 0.06)
+)
+PALM = '<box size="0.06 0.12 0.02"/>'
+ARM = "".join(
+    f'<link name="{child}"><inertial><mass value="0.2"/>{{inertia}}</inertial></link><joint name="{joint}" '
+    f'type="{kind}"><parent link="{parent}"/><child link="{child}"/><axis xyz="{axis}"/><limit lower="-3.3" '
+    'upper="3.3" effort="100" velocity="2"/></joint>'
+    for joint, kind, parent, child, axis in (
+        ("j-x", "prismatic", "base", "l-x", "1 0 0"),
+        ("j-y", "prismatic", "l-x", "l-y", "0 1 0"),
+        ("j-z", "prismatic", "l-y", "l-z", "0 0 1"),
+        ("j-turn", "revolute", "l-z", "l-turn", "1 0 0"),
+    )
+)
+FINGER = (
+    '<link name="{name}"><inertial><mass value="0.05"/>{inertia}</inertial><collision>'
+    '<origin xyz="0 {middle} 0.06"/><geometry><box size="0.02 0.01 0.1"/></geometry></collision></link>'
+    '<joint name="j-{name}" type="{kind}"><parent link="{parent}"/><child link="{name}"/><axis xyz="{axis}"/>'
+    '<limit lower="{lower}" upper="{upper}" effort="50" velocity="1"/></joint>'
+)
+LEFT = {
+    "name": "left",
+    "kind": "prismatic",
+    "parent": "palm",
+    "axis": "0 1 0",
+    "lower": "0",
+    "upper": "0.05",
+    "middle": "0.005",
+}
+RIGHT = LEFT | {"name": "right", "axis": "0 -1 0", "middle": "-0.005"}
+INERTIA = '<inertia ixx="1e-4" iyy="1e-4" izz="1e-4" ixy="0" ixz="0" iyz="0"/>'
+
+
+def gantry(*, left=(), right=(), tool_at="0 0 0.105", tool_on="palm", palm=PALM, palm_by="fixed", more=""):
+    """Return the URDF of a gantry with two fingers, some things about it changed."""
+    body = '<link name="{}"><inertial><mass value="0.3"/>{{inertia}}</inertial>{}</link>'
+    joint = (
+        '<joint name="j-{0}" type="{1}"><parent link="{2}"/><child link="{0}"/><origin xyz="{3}"/>'
+        '<axis xyz="0 0 1"/><limit lower="-1" upper="1" effort="9" velocity="9"/></joint>'
+    )
+    parts = [
+        body.format("base", ""),
+        ARM,
+        body.format("palm", f"<collision><geometry>{palm}</geometry></collision>"),
+        joint.format("palm", palm_by, "l-turn", "0 0 0"),
+        FINGER.format(**LEFT | dict(left), inertia="{inertia}"),
+        FINGER.format(**RIGHT | dict(right), inertia="{inertia}"),
+        body.format("tool", "").replace("0.3", "0.001"),
+        joint.format("tool", "fixed", tool_on, tool_at),
+        more,
+    ]
+    return f'<robot name="gantry">{"".join(parts)}</robot>'.replace("{inertia}", INERTIA)
+
+
+def arm_of(urdf: str, **changes) -> Arm:
+    inverse = NumericInverse(urdf, BASE, JOINTS, TOOL, HOME)
+    arm = Arm(
+        urdf=urdf,
+        base=BASE,
+        joints=JOINTS,
+        fingers=FINGERS,
+        tool=TOOL,
+        inverse_kinematics=inverse,
+        forces=(60.0, 60.0, 60.0, 10.0),
+        half_opening=HALF_OPENING,
+        finger_length=0.095,
+        finger_half_width=0.01,
+        finger_thickness=0.01,
+        palm_half_size=(0.03, 0.06),
+        mass_scale=0.05,
+    )
+    return replace(arm, **changes)
+
+
+@pytest.fixture
+def written(tmp_path):
+    """Write a URDF and return its path."""
+
+    def write(text: str) -> str:
+        path = tmp_path / "gantry.urdf"
+        path.write_text(text)
+        return str(path)
+
+    return write
+
+
+def refusal(urdf: str, **changes) -> str:
+    """Return what is said of an arm when a world is made with it, having checked that it is one sentence."""
+    with pytest.raises(InvalidArm) as error:
+        Tabletop(TABLE, "gantry", arm=arm_of(urdf, **changes))
+    said = str(error.value)
+    assert said.startswith("The arm ")
+    assert said.endswith(".")
+    assert "\n" not in said
+    assert "more than the arm reaches" not in said
+    return said
+
+
+def test_shipped_arm_is_as_its_file_says():
+    check_arm(TabletopConfig(), UR10)
+
+
+def test_hand_that_is_as_assumed_makes_a_world_and_lifts_a_box(written):
+    world = Tabletop(TABLE, "gantry", arm=arm_of(written(gantry())))
+    world.try_out()
+    check_world(world)
+
+
+def test_mimicking_joint_is_no_matter_where_both_are_driven(written):
+    urdf = gantry().replace(
+        'name="j-right" type="prismatic">', 'name="j-right" type="prismatic"><mimic joint="j-left"/>'
+    )
+    assert "mimic" in urdf
+    Tabletop(TABLE, "gantry", arm=arm_of(written(urdf)))
+
+
+NEGATIVE = {"lower": "-0.05", "upper": "0"}
+BOTH_WAYS = {"lower": "-0.05", "upper": "0.05"}
+LOOSE = (
+    '<link name="tip"><inertial><mass value="0.01"/>{inertia}</inertial></link><joint name="j-tip" '
+    'type="revolute"><parent link="left"/><child link="tip"/><axis xyz="0 0 1"/>'
+    '<limit lower="0" upper="1" effort="1" velocity="1"/></joint>'
+)
+
+
+@pytest.mark.parametrize(
+    ("changed", "said"),
+    [
+        (
+            {"left": NEGATIVE},
+            r"j-left \(5\), whose limits are -0.05 and 0 m; valid: from 0 .* to half_opening",
+        ),
+        ({"right": {"upper": "0"}}, r"j-right \(6\), whose limits are 0 and 0 m"),
+        ({"right": {"upper": "0.03"}}, r"j-right \(6\), whose limits are 0 and 0.03 m.* = 0.05 m"),
+        ({"left": {"lower": "0.05", "upper": "0"}}, r"j-left \(5\), whose limits are 0.05 and 0 m"),
+        ({"left": {"kind": "revolute"}}, r"j-left \(5\), whose joint does not slide"),
+        ({"left": {"kind": "continuous"}}, r"j-left \(5\), whose joint does not slide"),
+        ({"right": {"kind": "fixed"}}, r"j-right \(6\), whose joint is fixed; valid: two"),
+        ({"right": {"axis": "0 1 0"}}, r"j-left \(5\) and j-right \(6\), which both open to one side"),
+        ({"right": {"axis": "-1 0 0"}}, r"j-right \(6\), which goes by \(-0.050, 0.000, 0.000\) m"),
+        ({"right": {"axis": "0 -2 0"}}, r"j-right \(6\), which goes by \(0.000, -0.100, 0.000\) m"),
+        ({"right": {"axis": "0 0 0"}}, r"j-right \(6\), which goes by \(0.000, 0.000, 0.000\) m"),
+        (
+            {"left": BOTH_WAYS | {"axis": "0 -1 0"}, "right": BOTH_WAYS | {"axis": "0 1 0"}},
+            r"which are 0.000 m apart at 0 and 0.080 m at half_opening = 0.05 m; valid: they meet",
+        ),
+        (
+            {
+                "left": {"axis": "0 -1 0", "middle": "0.055"},
+                "right": {"axis": "0 1 0", "middle": "-0.055"},
+            },
+            r"which are 0.100 m apart at 0 and 0.000 m",
+        ),
+        ({"left": {"middle": "0.025"}}, r"which are 0.020 m apart at 0"),
+        ({"left": {"middle": "0.025"}, "right": {"middle": "0.015"}}, r"tool j-tool \(7\), in whose frame"),
+        (
+            {"tool_at": "0 0 0"},
+            r"tool j-tool \(7\), in whose frame the fingers reach from .* m; valid:",
+        ),
+        ({"tool_at": "0 0.03 0.105"}, r"tool j-tool \(7\), in whose frame"),
+        ({"tool_on": "left"}, r"tool j-tool \(6\), which the finger j-left \(5\) moves"),
+        (
+            {"palm_by": "revolute"},
+            r"j-palm \(4\), which moves the (finger|tool) .* none of joints = \(0, 1, 2, 3\)",
+        ),
+        ({"more": LOOSE}, r"j-tip \(6\) on the finger j-left \(5\), which nothing drives"),
+        (
+            {"left": {"parent": "l-z"}},
+            r"j-turn \(3\) among its joints, which does not move the finger j-left",
+        ),
+    ],
+    ids=lambda value: str(value) if isinstance(value, dict) else "",
+)
+def test_hand_that_is_not_as_assumed_is_refused(written, changed, said):
+    urdf = written(gantry(**changed))
+    order = [*re.findall(r'joint name="(.*?)"', depth_first(urdf))]
+    known = {"tool": order.index("j-tool"), "fingers": (order.index("j-left"), order.index("j-right"))}
+    told = refusal(urdf, **known)
+    numbers = {name: f"{name} ({index})" for index, name in enumerate(order)}
+    wanted = re.sub(r"(j-[a-z]+) \\\(\d\\\)", lambda match: re.escape(numbers[match[1]]), said)
+    assert re.search(wanted, told), told
+
+
+def depth_first(urdf: str) -> str:
+    """List joints as PyBullet counts them."""
+    import pybullet
+
+    client = pybullet.connect(pybullet.DIRECT)
+    try:
+        body = pybullet.loadURDF(urdf, physicsClientId=client)
+        infos = [
+            pybullet.getJointInfo(body, index, physicsClientId=client)
+            for index in range(pybullet.getNumJoints(body, physicsClientId=client))
+        ]
+    finally:
+        pybullet.disconnect(client)
+    return "".join(f'joint name="{info[1].decode()}"' for info in infos)
+
+
+@pytest.mark.parametrize(
+    ("changes", "said"),
+    [
+        ({"fingers": (5, 12)}, r"no joint or link 12; valid: 0 to 7"),
+        ({"fingers": (-1, 6)}, r"no joint or link -1"),
+        ({"tool": 8}, r"no joint or link 8"),
+        ({"fingers": (6, 6)}, r"joint 6 twice"),
+        ({"fingers": (3, 6)}, r"joint 3 twice"),
+        ({"joints": (0, 1, 2)}, r"4 forces for 3 joints"),
+        ({"joints": (0, 1, 2), "forces": (60.0, 60.0, 60.0)}, r"j-turn \(3\), which moves the finger"),
+        ({"joints": (0, 1, 2, 4)}, r"j-palm \(4\), which neither turns nor slides"),
+        ({"joints": (1, 0, 2, 3)}, r"joints = \(1, 0, 2, 3\); valid: in the order from base to tool"),
+        ({"tool": 5}, r"tool j-left \(5\), which the finger j-left \(5\) moves"),
+        ({"tool": 2}, r"j-turn \(3\) among its joints, which does not move the tool j-z \(2\)"),
+        ({"tool": 4}, r"tool j-palm \(4\), in whose frame the fingers reach"),
+        ({"half_opening": 50.0}, r"limits are 0 and 0.05 m; valid: .* = 50 m"),
+        ({"half_opening": 0.0}, r"half_opening = 0.0; valid: greater than 0"),
+        ({"base": (0.5, 0.0, 0.7)}, r"inverse_kinematics that brings the tool to \(0.350, -0.250, 0.120\) m"),
+        ({"inverse_kinematics": lambda points: np.zeros((len(points), 2))}, r"gives \(8, 2\) for 8 points"),
+        ({"inverse_kinematics": lambda _: np.full((8, 4), np.nan)}, r"valid: finite angles"),
+    ],
+)
+def test_description_that_does_not_fit_the_file_is_refused(written, changes, said):
+    told = None
+    try:
+        told = refusal(written(gantry()), **changes)
+    except InvalidArm as error:  # by the arm itself, before there is a world
+        told = str(error)
+    assert re.search(said, told), told
+
+
+@pytest.mark.parametrize(
+    ("change", "said"),
+    [
+        (("j-x", "j-x"), None),
+        (("</robot>", ""), "it is no whole XML"),
+        (('type="revolute"', 'type="wheel"'), "PyBullet says: Joint j-turn has unknown type: wheel"),
+        (('<child link="palm"/>', '<child link="hand"/>'), "a joint names the link hand, which it does not"),
+        (('<parent link="l-x"/>', '<parent link="palm"/>'), "its joints lead round in a circle at the link"),
+        (("</robot>", '<link name="alone"/></robot>'), "the links base and alone are no joint's child"),
+        (
+            (
+                "</robot>",
+                '<joint name="j" type="fixed"><parent link="base"/><child link="left"/></joint></robot>',
+            ),
+            "the link left is the child of 2 joints",
+        ),
+        (
+            (PALM, '<mesh filename="package://hand/palm.stl"/>'),
+            "the mesh package://hand/palm.stl of the link palm is",
+        ),
+        (
+            (PALM, '<mesh filename="palm.stl"/>'),
+            "the mesh palm.stl of the link palm is not found; valid: a path",
+        ),
+        ((PALM, '<mesh filename="empty.stl"/>'), "the mesh empty.stl of the link palm cannot be read"),
+    ],
+)
+def test_file_that_cannot_be_read_is_told_as_that_and_prints_nothing(written, tmp_path, capfd, change, said):
+    (tmp_path / "empty.stl").touch()
+    urdf = written(gantry().replace(*change))
+    if said is None:
+        Tabletop(TABLE, "gantry", arm=arm_of(urdf))
+    else:
+        assert f"cannot be read from {urdf}: {said}" in refusal(urdf)
+    assert capfd.readouterr() == ("", "")
+
+
+def test_file_that_is_none_is_told_as_that(tmp_path):
+    assert "gone.urdf: there is no such file" in refusal(str(tmp_path / "gone.urdf"))
+    assert "it is a folder" in refusal(str(tmp_path))
+
+
+def test_mended_file_is_read_anew(written):
+    refusal(written(gantry(left=NEGATIVE)))
+    Tabletop(TABLE, "gantry", arm=arm_of(written(gantry())))
+
+
+def test_hand_without_shapes_is_refused(written):
+    urdf = re.sub(r'<collision><origin xyz="0 0.005.*?</collision>', "", gantry())
+    assert "j-left (5), which has no collision shape" in refusal(written(urdf))
+
+
+@pytest.mark.parametrize("mass", ["nan", "-1"])
+def test_masses_that_cannot_be_are_refused(written, mass):
+    urdf = written(gantry().replace('value="0.05"', f'value="{mass}"'))
+    assert f"has mass {mass} kg" in refusal(urdf)
+
+
+@pytest.mark.parametrize("changed", [{"mass": "0"}, {"inertia": "0"}])
+def test_hand_that_seems_right_and_does_not_lift_is_told_by_check_world(written, changed):
+    urdf = gantry().replace('value="0.05"', f'value="{changed.get("mass", "0.05")}"')
+    world = Tabletop(
+        TABLE, "gantry", arm=arm_of(written(urdf.replace("1e-4", changed.get("inertia", "1e-4"))))
+    )
+    with pytest.raises(InvalidArm, match=r"does not lift a plain box of 0\.05 x 0\.05 x 0\.05 m: .* 0\.2 m"):
+        check_world(world)
+
+
+def test_box_that_no_hand_could_hold_is_not_tried(written):
+    wide = replace(TABLE, size=(0.1, 0.12))
+    Tabletop(wide, "gantry", arm=arm_of(written(gantry()))).try_out()
+
+
+def test_slippery_world_is_no_fault_of_the_hand(written):
+    Tabletop(replace(TABLE, friction=0.001), "gantry", arm=arm_of(written(gantry()))).try_out()
+
+
+def test_table_beyond_reach_is_told_as_that(written):
+    with pytest.raises(InvalidValue, match="ask for more than the arm reaches") as error:
+        Tabletop(replace(TABLE, table_x=(0.35, 9.0)), "gantry", arm=arm_of(written(gantry())))
+    assert not isinstance(error.value, InvalidArm)
+
+
+def test_command_tells_whole_what_is_wrong_with_a_hand(written, tmp_path):
+    urdf = written(gantry(right={"axis": "0 1 0"}))
+    code = "from test_arm_check import TABLE, arm_of\nfrom neurosym.sim.tabletop import Tabletop\n"
+    (tmp_path / "hand.py").write_text(
+        f"import sys; sys.path.insert(0, {str(__file__).rsplit('/', 1)[0]!r})\n{code}"
+        f"def make() -> Tabletop: return Tabletop(TABLE, 'gantry', arm=arm_of({urdf!r}))\n"
+    )
+    typed = [sys.executable, "-m", "neurosym", "init", "d", "--world", "hand:make"]
+    ended = subprocess.run(typed, cwd=tmp_path, capture_output=True, text=True)
+    assert ended.returncode == 2
+    said = "j-left (5) and j-right (6), which both open to one side; valid: axes that point apart."
+    assert ended.stderr.strip() == f"The arm of {urdf} has the fingers {said}"
+    assert ended.stdout == ""
