@@ -11,7 +11,7 @@ from neurosym.grounding import Grounding
 from neurosym.pddl.footprints import footprints_apart
 from neurosym.pddl.place_domain import NOWHERE, carriers_of
 from neurosym.pddl.place_problem import START
-from neurosym.pddl.places import PARK, is_at
+from neurosym.pddl.places import GOAL, PARK, is_at
 from neurosym.pddl.problem import is_taken
 from neurosym.problems import Problem, check_names
 from neurosym.spots import SPOT
@@ -40,8 +40,22 @@ def check_places(problem: Problem, grounding: Grounding) -> None:
         if name in problem.object_names or is_taken(name, grounding) or re.fullmatch(_TAKEN, name):
             raise InvalidValue(f"No place can be called {name}, the problem uses that; try shelf-01.")
         table.check(name, x, y)
+        _check_goal_place(name, problem)
     for one, other in combinations(names, 2):
         _check_apart(one, other, problem)
+
+
+def _check_goal_place(place: str, problem: Problem) -> None:
+    """Refuse a place that is called after the goal of an object and lies elsewhere."""
+    thing = place.removeprefix(GOAL)
+    if not place.startswith(GOAL) or thing not in problem.goals:
+        return
+    if not is_at(thing, problem.place_named(place), problem):
+        (x, y), (goal_x, goal_y, _) = problem.place_named(place), problem.goals[thing]
+        raise InvalidValue(
+            f"The place {place} lies at ({x:g}, {y:g}) m, and the goal of {thing} at "
+            f"({goal_x:g}, {goal_y:g}) m; give it another name, or the place of the goal."
+        )
 
 
 def _check_apart(one: str, other: str, problem: Problem) -> None:

@@ -1,7 +1,7 @@
 """Whether the goals by relation of a problem can be, by what was learned of its pairs."""
 
 from collections import Counter
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
 from neurosym.any_pair import FAINT
 from neurosym.errors import InvalidValue
@@ -12,6 +12,7 @@ from neurosym.pddl.relational import Put, bearing_states, puts_of
 from neurosym.problems import Problem
 from neurosym.related import relations_of, unmet_relations
 from neurosym.relation_goals import RelationGoal, pair_key
+from neurosym.relation_operators import RelationOperators
 
 
 def relations_meant(goals: Sequence[RelationGoal], grounding: Grounding) -> tuple[RelationGoal, ...]:
@@ -43,11 +44,25 @@ def check_relations(problem: Problem, grounding: Grounding) -> None:
         grounding: The learned domain.
 
     Raises:
-        InvalidValue: If nothing does, or the domain knows nothing of relations.
+        InvalidValue: If nothing does, a kind of pairs is no code of this domain, or the domain knows nothing
+            of relations.
         UnknownChoice: If there is no such state.
     """
+    if grounding.relations and isinstance(problem.pairs, dict):
+        _check_codes(problem.pairs, grounding.relations)
     if problem.related and (reason := why_no_relation(problem, grounding)):
         raise InvalidValue(f"{reason}.")
+
+
+def _check_codes(pairs: Mapping[str, str], relations: RelationOperators) -> None:
+    """Refuse kinds of pairs that have more or fewer bits than those that were learned."""
+    bits = len(relations.pairs[0].symbol) if relations.pairs else 0
+    wrong = next((pair for pair, code in sorted(pairs.items()) if bits and len(code) != bits), None)
+    if wrong is not None:
+        raise InvalidValue(
+            f"pairs has the code {pairs[wrong]!r} for {wrong!r}; valid: {bits} bits, like "
+            f"{relations.pairs[0].symbol!r}, or no entry."
+        )
 
 
 def why_no_relation(problem: Problem, grounding: Grounding) -> str:

@@ -30,7 +30,12 @@ from neurosym.stages.layout import (
 from neurosym.stages.manifest import Stage
 from neurosym.stages.plan_records import write_plans
 from neurosym.stages.problem_printing import print_beside, print_problem
-from neurosym.stages.remarks import remarks_on_number, remarks_on_own_scene, remarks_on_places
+from neurosym.stages.remarks import (
+    remarks_on_blocked,
+    remarks_on_number,
+    remarks_on_own_scene,
+    remarks_on_places,
+)
 from neurosym.wording import quoted
 from neurosym.world import World
 from neurosym.worlds.world_file import read_limits
@@ -138,6 +143,7 @@ def plan_stage(
         for remark in (
             *remarks_on_own_scene(folder, own, grounding),
             *remarks_on_places(problem, grounding),
+            *remarks_on_blocked(problem, grounding),
             *remarks_on_number(folder, problem),
         ):
             folder.notify(remark)

@@ -6,9 +6,11 @@ import msgspec
 import numpy as np
 
 from neurosym.grounding import Grounding
+from neurosym.pddl.footprints import footprints_apart
 from neurosym.pddl.place_problem import carried_objects
+from neurosym.pddl.places import blockers
 from neurosym.problems import Problem
-from neurosym.promises import is_rehearsed
+from neurosym.promises import is_rehearsed, usable
 from neurosym.stages.folder import DomainFolder
 from neurosym.stages.layout import MODEL, WORLD, scene_file
 from neurosym.symbols import symbols_of
@@ -32,6 +34,27 @@ def remarks_on_places(problem: Problem, grounding: Grounding) -> Iterator[str]:
             f'none of the "places" lies at the goal of {" and ".join(lacking)}, so nothing is carried there; '
             'name one there, or leave "places" out, and places are drawn'
         )
+
+
+def remarks_on_blocked(problem: Problem, grounding: Grounding) -> Iterator[str]:
+    """Name the places that an object stands on which nothing in the domain moves.
+
+    Args:
+        problem: The problem; only places of its own may be blocked so.
+        grounding: The learned domain.
+    """
+    if not isinstance(problem.places, dict):
+        return
+    carried, apart = carried_objects(problem, grounding), footprints_apart(problem)
+    fixed = [
+        item.name
+        for item in problem.objects
+        if item.name not in carried and not usable(grounding, item, problem.tolerance)
+    ]
+    for name, spot in problem.places.items():
+        others = blockers(carried[0], spot, problem, apart) if carried else ()
+        if on := [other for other in others if other in fixed]:
+            yield f"{on[0]} stands on the place {name}, and nothing in this domain moves it away"
 
 
 def remarks_on_number(folder: DomainFolder, problem: Problem) -> Iterator[str]:

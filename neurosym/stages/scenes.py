@@ -16,7 +16,12 @@ from neurosym.stages.layout import GROUNDING, PROBLEMS, WORLD, problem_files, re
 from neurosym.stages.manifest import Stage
 from neurosym.stages.planning import check_scene
 from neurosym.stages.problem_printing import print_problem
-from neurosym.stages.remarks import remarks_on_number, remarks_on_objects, remarks_on_places
+from neurosym.stages.remarks import (
+    remarks_on_blocked,
+    remarks_on_number,
+    remarks_on_objects,
+    remarks_on_places,
+)
 from neurosym.stages.task_drawing import networks_of_pairs, sight_of_pairs
 
 
@@ -44,6 +49,7 @@ def scene_stage(folder: DomainFolder, file: Path, *, name: str, tolerance: float
         for remark in (
             *remarks_on_objects(folder, problem, grounding),
             *remarks_on_places(problem, grounding),
+            *remarks_on_blocked(problem, grounding),
             *remarks_on_number(folder, problem),
         ):
             folder.notify(remark)

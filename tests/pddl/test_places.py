@@ -249,6 +249,7 @@ def test_own_places_are_planned_with_as_they_are_written():
         ({"item_01": (0.6, 0.0)}, "No place can be called item-01"),
         ({"start_item_01": (0.6, 0.0)}, "No place can be called start-item-01"),
         ({"nowhere": (0.6, 0.0)}, "No place can be called nowhere"),
+        ({"goal_item_01": (0.4, 0.2)}, r"goal-item-01 lies at \(0.4, 0.2\) m, and the goal of item-01 at"),
         ({"Shelf": (0.6, 0.0)}, "'Shelf' is not a legal name"),
         (
             {"park_a": (0.6, 0.0), "park_b": (0.62, 0.01)},

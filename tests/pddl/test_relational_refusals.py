@@ -126,3 +126,9 @@ def test_states_are_meant_by_the_beginning_of_one_name_only():
 def test_a_relation_that_is_asked_for_twice_is_asked_for_once():
     goal = ("item-01", "item-02", "rests")
     assert relations_meant((goal, goal), grounding()) == (("item-01", "item-02", REST),)
+
+
+def test_code_of_a_pair_with_other_bits_than_were_learned_is_refused():
+    problem = msgspec.structs.replace(tower(), pairs={"item-01 item-02": "1"})
+    with pytest.raises(InvalidValue, match=r"the code '1' for 'item-01 item-02'; valid: 2 bits"):
+        check_relations(problem, grounding())
