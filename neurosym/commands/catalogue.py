@@ -12,7 +12,8 @@ from neurosym.errors import UnknownChoice
 Command = Callable[..., int]
 SUMMARIES = {
     "demo": (
-        "Show what neurosym does: compile a shipped domain, plan with two planners, execute, take pictures."
+        "Show what neurosym does: compile a shipped domain, plan how two objects change places, execute, "
+        "film."
     ),
     "run": "Go the whole way: explore, train, distil, compile, draw problems, plan and execute.",
     "init": "Make a new domain folder with a `world.toml` that holds every option of its world.",

@@ -14,10 +14,10 @@ from neurosym.files import check_writable, write_atomically
 from neurosym.world import Frame
 
 ENDINGS = (".png", ".gif")
-GIF_SIZE = (640, 480)
+GIF_SIZE = (480, 360)
 FRAME_MILLISECONDS = 50
 PAUSE_MILLISECONDS = 1500
-STRIP_SIZE = (640, 480)
+STRIP_SIZE = (480, 360)
 _CAPTION, _GAP = 34, 8
 _TEXT = 18
 _GIF_TEXT = 14

@@ -128,14 +128,28 @@ def primitive_motions(
     Raises:
         UnknownChoice: If there is no such primitive.
     """
+    operators = operators_of(grounding, label)
+    return operator_motions(world, grounding, operators, categorise, objects=objects, seed=seed)
+
+
+def operators_of(grounding: Grounding, label: str) -> tuple[Operator, ...]:
+    """Name what a primitive does that the domain promises, or all that it was tried for if that is nothing.
+
+    Args:
+        grounding: The learned domain.
+        label: The primitive's action symbol, which stands for all of its actions, or one of its labels.
+
+    Raises:
+        UnknownChoice: If there is no such primitive.
+    """
     symbol = grounding.primitive(label).symbol
-    operators = [
+    operators = tuple(
         operator
         for operator in grounding.operators.operators
         if operator.primitive == symbol and label in (symbol, operator.label)
-    ]
-    promised = [operator for operator in operators if grounding.why_left_out(operator) is None]
-    return operator_motions(world, grounding, promised or operators, categorise, objects=objects, seed=seed)
+    )
+    promised = tuple(operator for operator in operators if grounding.why_left_out(operator) is None)
+    return promised or operators
 
 
 def operator_motions(

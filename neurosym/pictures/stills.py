@@ -12,7 +12,7 @@ from neurosym.execution.performing import perform
 from neurosym.execution.record import Run, StepRecord
 from neurosym.grounding import Grounding
 from neurosym.pictures.film import Sparing, caption_of, ends_in_the_air, film_phases
-from neurosym.pictures.motions import Motion, operator_motions, primitive_motions
+from neurosym.pictures.motions import Motion, operator_motions, operators_of
 from neurosym.pictures.show import check_pictured, tell
 from neurosym.problems import Problem
 from neurosym.symbols import Categorise
@@ -55,11 +55,13 @@ def primitive_stills(
         UnknownChoice: If there is no such primitive.
         InvalidValue: If there is no object to perform it on, or the world draws no pictures.
     """
-    motions = primitive_motions(world, grounding, label, categorise, objects=objects, seed=seed)
-    if not motions:
-        raise InvalidValue(f"Rehearsal sampled no object that the primitive {label} was tried on.")
     weights = _weights(grounding)
-    return _filmed(world, max(motions, key=lambda motion: weights.get(motion.title, (0.0, 0.0))))
+    operators = operators_of(grounding, label)
+    for operator in sorted(operators, key=lambda operator: weights[operator.name], reverse=True):
+        motions = operator_motions(world, grounding, (operator,), categorise, objects=objects, seed=seed)
+        if motions:
+            return _filmed(world, motions[0])
+    raise InvalidValue(f"Rehearsal sampled no object that the primitive {label} was tried on.")
 
 
 def operator_stills(

@@ -1,13 +1,14 @@
 """Pictures of the simulation, rendered without a screen, or a window that shows it live."""
 
 from collections.abc import Container
+from functools import cached_property
 
 import numpy as np
 
 from neurosym.arrays import Float
 from neurosym.sim.bullet import pybullet
 from neurosym.sim.config import TabletopConfig
-from neurosym.sim.ghosts import Colour, draw_ghosts
+from neurosym.sim.ghosts import Colour, Ghosts, draw_ghosts
 from neurosym.sim.lens import HEIGHT, WIDTH, lens_over
 from neurosym.sim.simulation import Simulation
 from neurosym.sim.window import Window, is_window
@@ -28,8 +29,10 @@ OBJECT_COLOURS: tuple[Colour, ...] = (
 BORDER_COLOUR: Colour = (0.62, 0.56, 0.48, 1.0)
 BORDER_WIDTH = 0.004
 """Of the line around the table, beyond which an object is lost [m]."""
+BORDER_HEIGHT, BORDER_PIECES = 0.0005, 12
+"""How far it lies above the table [m], and into how many pieces each of its sides is cut."""
 TABLE_COLOUR: Colour = (0.86, 0.82, 0.76, 1.0)
-DOT_RADIUS = 8.0
+DOT_RADIUS = WIDTH / 120
 BLANK: Frame = np.full((HEIGHT, WIDTH, 3), 255, dtype=np.uint8)
 """Stands for a picture that nobody wants to see."""
 
@@ -62,7 +65,12 @@ class Camera:
         _draw_border(client, simulation.config)
         shown = None if ghosts is None else (simulation.observe(), ghosts, colours, simulation.config.wall)
         self._window = Window(simulation, self._lens, shown) if is_window(client) else None
-        self._ghosts = draw_ghosts(*shown, self._lens) if shown and not self._window else None
+        self._shown = shown
+
+    @cached_property
+    def _ghosts(self) -> Ghosts | None:
+        """What shines through the pictures; drawn with the first that is wanted."""
+        return draw_ghosts(*self._shown, self._lens) if self._shown else None
 
     def mark(self, waypoints: Float[np.ndarray, "3 3"]) -> None:
         """Show the waypoints of an action as dots in the pictures to come.
@@ -92,17 +100,31 @@ class Camera:
 
 
 def _draw_border(client: int, config: TabletopConfig) -> None:
-    """Draw a line around the table, that can be seen and not touched."""
+    """Draw a line around the table, that can be seen and not touched.
+
+    The renderer looks at every pixel of the upright rectangle around a triangle. So a line that lies aslant
+    in the picture is drawn as many short pieces, of which one side is seen.
+    """
     (left, right), (near, far) = config.table_x, config.table_y
-    middle, across = (left + right) / 2, (near + far) / 2
-    half = BORDER_WIDTH / 2
-    lines = [((middle, y), ((right - left) / 2 + half, half)) for y in (near, far)]
-    lines += [((x, across), (half, (far - near) / 2 + half)) for x in (left, right)]
-    shape = pybullet.createVisualShapeArray(
-        shapeTypes=[pybullet.GEOM_BOX] * len(lines),
-        halfExtents=[[*sizes, 0.0005] for _, sizes in lines],
-        visualFramePositions=[[*place, 0.0] for place, _ in lines],
-        rgbaColors=[list(BORDER_COLOUR)] * len(lines),
+    corners = np.array([(left, near), (right, near), (right, far), (left, far)])
+    outwards = np.array([(-1, -1), (1, -1), (1, 1), (-1, 1)]) * BORDER_WIDTH / 2
+    shares = np.linspace(0, 1, BORDER_PIECES, endpoint=False)[:, None]
+    rims = [
+        np.concatenate(
+            [start + shares * (end - start) for start, end in zip(rim, np.roll(rim, -1, axis=0), strict=True)]
+        )
+        for rim in (corners - outwards, corners + outwards)
+    ]
+    inner, outer = (np.column_stack([rim, np.full(len(rim), BORDER_HEIGHT)]) for rim in rims)  # (P, 3)
+    here = np.arange(len(inner))
+    there, out = np.roll(here, -1), len(inner)
+    triangles = np.stack([here + out, there + out, there, here + out, there, here], axis=1)  # (P, 6)
+    shape = pybullet.createVisualShape(
+        pybullet.GEOM_MESH,
+        vertices=np.concatenate([inner, outer]).tolist(),
+        indices=triangles.ravel().tolist(),
+        normals=[(0.0, 0.0, 1.0)] * (2 * len(inner)),
+        rgbaColor=BORDER_COLOUR,
         physicsClientId=client,
     )
     pybullet.createMultiBody(0, -1, shape, (0, 0, 0), physicsClientId=client)

@@ -41,9 +41,11 @@ class Ghosts:
             frame: The picture.
             depths: Its depth buffer.
         """
-        seen = ((self.depths < 1) & (self.depths <= depths))[:, :, None]  # (height, width, 1)
-        blended = np.rint((1 - OPACITY) * frame + OPACITY * self.colours).astype(np.uint8)
-        return np.where(seen, blended, frame)
+        rows, columns = np.nonzero((self.depths < 1) & (self.depths <= depths))
+        behind = (1 - OPACITY) * frame[rows, columns]
+        blended = frame.copy()
+        blended[rows, columns] = np.rint(behind + OPACITY * self.colours[rows, columns])
+        return blended
 
 
 def draw_ghosts(

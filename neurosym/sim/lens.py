@@ -9,12 +9,14 @@ from neurosym.sim.bullet import pybullet
 from neurosym.sim.config import TabletopConfig
 from neurosym.world import Frame
 
-WIDTH, HEIGHT = 960, 720
+WIDTH, HEIGHT = 640, 480
 DISTANCE, YAW, PITCH = 1.3, 52.0, -30.0
 """The camera looks at the robot over the table, from its right [m, degrees, degrees]."""
 LOOKS_AT_HEIGHT = 0.12
 FIELD_OF_VIEW = 36.0
 LIGHT_FROM = (0.5, 0.7, 1.6)
+LIGHT_DISTANCE = 4.0
+"""Of the light from the origin [m]: near ones take longer to cast shadows, which are grown far too large."""
 
 Pixels = Float[np.ndarray, "N 2"]
 
@@ -58,6 +60,7 @@ class Lens:
             self.view,
             self.projection,
             lightDirection=LIGHT_FROM,
+            lightDistance=LIGHT_DISTANCE,
             shadow=1,
             renderer=pybullet.ER_TINY_RENDERER,
             flags=pybullet.ER_NO_SEGMENTATION_MASK,
