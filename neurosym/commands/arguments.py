@@ -9,6 +9,7 @@ import re
 from collections.abc import Callable, Sequence
 from functools import partial, wraps
 from itertools import pairwise
+from pathlib import Path
 from typing import Any
 
 from neurosym.commands.catalogue import ABOUT, SUMMARIES, Command, command_named
@@ -155,4 +156,16 @@ def _quoted(tokens: Sequence[str]) -> str:
 def _hint(name: str, arguments: Sequence[str]) -> str:
     goals = [word for word in arguments if re.fullmatch(r"[^-=]\S*=\S+", word)]
     repeat = "; --goal is given once for each object" if "--goal" in arguments and len(goals) > 1 else ""
-    return f"{repeat}; `neurosym {name}{' ' if name else ''}--help` says what there is."
+    known = _problems_of(arguments[1]) if name and len(arguments) == 2 else ""
+    return f"{known}{repeat}; `neurosym {name}{' ' if name else ''}--help` says what there is."
+
+
+def _problems_of(typed: str) -> str:
+    """List the problems of a domain folder or shipped domain, if one was typed; else nothing."""
+    from neurosym.shipped import shipped_domain
+    from neurosym.stages.folder import DomainFolder
+    from neurosym.stages.layout import PROBLEMS
+
+    folder = Path(typed) if Path(typed).is_dir() else shipped_domain(typed)
+    names = DomainFolder(folder).problem_names() if folder and (folder / PROBLEMS).is_dir() else ()
+    return f"; problems of {typed}: {', '.join(names)}" if names else ""

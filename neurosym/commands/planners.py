@@ -7,20 +7,31 @@ from neurosym.console import say, show_table
 def planners(json: Json = False) -> int:
     """List the planners: what each is, the encodings it takes, the usual first, and whether it is here."""
     from neurosym.planners import PLANNERS
+    from neurosym.planners.track_record import track_record
 
+    record = track_record()
     answer, rows = answer_in(json), []
     for planner in PLANNERS.values():
         others = ("places", "relational") if "stepwise" in planner.encodings else ()
         encodings = ", ".join((*planner.encodings, *others)) or "-"
         cell = planner.program.cell if planner.program else 0.0
         cells = f", cells from {cell * 1000:g} mm" if cell else ""
-        rows.append([planner.name, planner.about, encodings + cells, planner.missing() or "yes"])
-    show_table("Planners", ["planner", "what it is", "encodings", "installed"], rows)
+        solved = record.of(planner.name) or "-"
+        rows.append([planner.name, planner.about, encodings + cells, solved, planner.missing() or "yes"])
+    show_table("Planners", ["planner", "what it is", "encodings", "solved", "installed"], rows)
+    problems = " and ".join(record.problems)
+    say(f"solved: of {problems} of tabletop, whole, in {record.time_limit:g} s each; - is one of ours")
     say("where a domain has places, planners that take them try them first; so with relations")
     say("`pip install 'neurosym-pddl[planners]'` brings those that are not")
     answer(
         [
-            {"name": one.name, "about": one.about, "encodings": one.encodings, "missing": one.missing()}
+            {
+                "name": one.name,
+                "about": one.about,
+                "encodings": one.encodings,
+                "solved": record.solved.get(one.name, {}),
+                "missing": one.missing(),
+            }
             for one in PLANNERS.values()
         ]
     )

@@ -7,6 +7,8 @@ and its own time-outs leave processes behind. This module is also the program th
 
 import sys
 import time
+from collections.abc import Iterable, Sequence
+from itertools import islice, pairwise
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -27,9 +29,15 @@ from neurosym.related import is_relational
 
 if TYPE_CHECKING:
     from unified_planning.model import Problem as Task
-    from unified_planning.plans import SequentialPlan
+    from unified_planning.plans import ActionInstance, Plan
 
-_EXIT = {PlanStatus.SOLVED: 0, PlanStatus.UNSOLVABLE: 10, PlanStatus.TIMEOUT: 21, PlanStatus.FAILED: 3}
+_EXIT = {
+    PlanStatus.SOLVED: 0,
+    PlanStatus.FAILED: 3,
+    PlanStatus.UNSOLVABLE: 10,
+    PlanStatus.NOT_FOUND: 12,
+    PlanStatus.TIMEOUT: 21,
+}
 
 
 def to_unified_planning(problem: Problem, grounding: Grounding, encoding: Encoding | None = None) -> "Task":
@@ -56,13 +64,11 @@ def to_unified_planning(problem: Problem, grounding: Grounding, encoding: Encodi
     return PDDLReader().parse_problem_string(*texts)
 
 
-def from_unified_planning(
-    plan: "SequentialPlan", problem: Problem, grounding: Grounding
-) -> tuple[PlanStep, ...]:
+def from_unified_planning(plan: "Plan", problem: Problem, grounding: Grounding) -> tuple[PlanStep, ...]:
     """Return the steps of a plan that an engine of unified-planning made, as `execute` takes them.
 
     Args:
-        plan: The plan.
+        plan: The plan; one of partial order, or with times, if it leaves only one sequence.
         problem: The problem that `to_unified_planning` was given.
         grounding: The learned domain.
 
@@ -72,13 +78,40 @@ def from_unified_planning(
     """
     check_kind("problem", problem, Problem, "a Problem")
     check_kind("grounding", grounding, Grounding, "a Grounding")
-    if not hasattr(plan, "actions"):
-        raise InvalidValue(f"{plan!r} is no plan; valid: a SequentialPlan of unified-planning.")
-    return parse_plan(_text(plan), Path("the plan"), grounding, problem)
+    return parse_plan(_text(_sequence(plan)), Path("the plan"), grounding, problem)
 
 
-def _text(plan: "SequentialPlan") -> str:
-    lines = (" ".join((one.action.name, *map(str, one.actual_parameters))) for one in plan.actions)
+def _sequence(plan: "Plan") -> "Sequence[ActionInstance]":
+    """Return the actions of a plan one after another.
+
+    Raises:
+        InvalidValue: If it is no plan, or one that leaves open which action comes first.
+    """
+    from unified_planning.plans import PartialOrderPlan, SequentialPlan, TimeTriggeredPlan
+
+    if isinstance(plan, SequentialPlan):
+        return list(plan.actions)
+    if isinstance(plan, PartialOrderPlan):
+        first, *others = islice(plan.all_sequential_plans(), 2)
+        if others:
+            pairs = zip(first.actions, others[0].actions, strict=True)
+            one, other = next((one, other) for one, other in pairs if one != other)
+            raise InvalidValue(f"The plan leaves open whether {one} or {other} comes first; order them.")
+        return list(first.actions)
+    if isinstance(plan, TimeTriggeredPlan):
+        timed = sorted(plan.timed_actions, key=lambda row: row[0])
+        for (start, one, lasts), (then, other, _) in pairwise(timed):
+            if then < start + (lasts or 0) or then == start:
+                raise InvalidValue(f"{one} and {other} overlap in the plan; one hand does one after another.")
+        return [action for _, action, _ in timed]
+    raise InvalidValue(
+        f"A {type(plan).__name__} is no plan; valid: a SequentialPlan of unified-planning, or a "
+        "PartialOrderPlan or TimeTriggeredPlan that leaves only one sequence."
+    )
+
+
+def _text(actions: "Iterable[ActionInstance]") -> str:
+    lines = (" ".join((one.action.name, *map(str, one.actual_parameters))) for one in actions)
     return "".join(f"({line})\n" for line in lines)
 
 
@@ -126,10 +159,12 @@ def _main(domain: str, problem: str, plan: str, engine: str) -> tuple[PlanStatus
         result = planner.solve(task)
     said = f"{engine} through unified-planning says {result.status.name}"
     if result.plan is not None:
-        Path(plan).write_text(_text(result.plan))
+        Path(plan).write_text(_text(_sequence(result.plan)))
         return PlanStatus.SOLVED, said
-    if result.status in (Status.UNSOLVABLE_PROVEN, Status.UNSOLVABLE_INCOMPLETELY):
+    if result.status is Status.UNSOLVABLE_PROVEN:
         return PlanStatus.UNSOLVABLE, said
+    if result.status is Status.UNSOLVABLE_INCOMPLETELY:
+        return PlanStatus.NOT_FOUND, said
     return PlanStatus.TIMEOUT if result.status is Status.TIMEOUT else PlanStatus.FAILED, said
 
 

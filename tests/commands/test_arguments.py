@@ -219,3 +219,9 @@ def test_help_lists_the_choices_that_there_are(command, option, choices, capsys)
     assert neurosym(command.__name__, "--help") == 0
     said = capsys.readouterr().out
     assert all(choice in said for choice in choices)
+
+
+def test_problems_are_listed_where_none_is_named(capsys):
+    said = refusal(capsys, "plan", "tabletop")
+    assert "missing: PROBLEM; problems of tabletop: task-01, task-02, " in said
+    assert "problems of" not in refusal(capsys, "plan", "no-such-folder")

@@ -31,6 +31,7 @@ from neurosym.planners import PLANNERS, PlanStatus, plan
 from neurosym.planners.catalogue import COARSE, PROGRAMS
 from neurosym.planners.planner import PddlProgram
 from neurosym.planners.process import run_limited
+from neurosym.planners.track_record import FILE, TrackRecord
 from neurosym.planners.unified_planning import plan_unified_planning
 from neurosym.problems import Problem
 from neurosym.stages.folder import DomainFolder
@@ -237,6 +238,29 @@ def _write(
     }
     write_atomically(results / "planners.json", as_text(values))
     write_atomically(results / "planners.md", _page(values))
+    if results == RESULTS:
+        write_atomically(FILE, as_text(msgspec.to_builtins(record_of(values))))
+
+
+def record_of(values: Mapping[str, Any]) -> TrackRecord:
+    """Return what each planner solved of shipped problems, in the encodings that it takes.
+
+    Args:
+        values: What `planners.json` holds.
+    """
+    problems = tuple(name for name in values["problems"] if name.startswith("task-"))
+    solved = {
+        planner.name: {
+            encoding: sum(
+                values["cells"].get(f"{planner.name}.{encoding}.{name}", {}).get("status") == "solved"
+                for name in problems
+            )
+            for encoding in planner.encodings
+            if encoding in ENCODINGS
+        }
+        for planner in PROGRAMS
+    }
+    return TrackRecord(problems, values["time_limit"], solved)
 
 
 def _version(name: str) -> str:
