@@ -179,7 +179,8 @@ def _judge(finished: Finished) -> tuple[PlanStatus, str]:
     if finished.code == _INCOMPLETE:
         return PlanStatus.NOT_FOUND, "Fast Downward found no plan; its search does not look at everything"
     if finished.code in _OUT_OF_MEMORY:
-        return PlanStatus.NOT_FOUND, "Fast Downward ran out of memory"
+        remedy = "ask for fewer goals at a time, or for another planner"
+        return PlanStatus.NOT_FOUND, f"Fast Downward ran out of memory; {remedy}"
     return PlanStatus.FAILED, f"Fast Downward ended with code {finished.code}: {finished.last_words}"
 
 

@@ -71,8 +71,8 @@ class Arm:
                 raise InvalidArm(f"of {self.urdf} has the index {index!r}; valid: whole numbers")
         if len(self.fingers) != 2:
             raise InvalidArm(f"of {self.urdf} has {len(self.fingers)} fingers; valid: two")
-        if twice := next((index for index in given if given.count(index) > 1), None):
-            raise InvalidArm(f"of {self.urdf} has joint {twice} twice among its joints and fingers")
+        if twice := [index for index in given if given.count(index) > 1]:
+            raise InvalidArm(f"of {self.urdf} has joint {twice[0]} twice among its joints and fingers")
         if len(self.forces) != len(self.joints):
             raise InvalidArm(
                 f"of {self.urdf} has {len(self.forces)} forces for {len(self.joints)} joints; valid: one each"

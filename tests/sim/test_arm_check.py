@@ -228,6 +228,7 @@ def depth_first(urdf: str) -> str:
         ({"tool": 8}, r"no joint or link 8"),
         ({"fingers": (6, 6)}, r"joint 6 twice"),
         ({"fingers": (3, 6)}, r"joint 3 twice"),
+        ({"joints": (0, 1, 2, 0)}, r"joint 0 twice"),
         ({"joints": (0, 1, 2)}, r"4 forces for 3 joints"),
         ({"joints": (0, 1, 2), "forces": (60.0, 60.0, 60.0)}, r"j-turn \(3\), which moves the finger"),
         ({"joints": (0, 1, 2, 4)}, r"j-palm \(4\), which neither turns nor slides"),
