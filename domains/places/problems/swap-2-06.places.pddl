@@ -12,7 +12,7 @@
     item-01 - solid-low-10
     item-02 - solid-low-narrow-01
     start-item-01 start-item-02 goal-item-01 goal-item-02 park-01 park-02 - place
-    spot-6448-2139 spot-7024-m1156 - place
+    spot-7024-m1156 - place
     x000 x001 x002 x003 x004 x005 x006 x007 x008 x009 x010 x011 x012 x013 x014 x015 x016 x017 x018 x019 x020 x021 x022 x023 x024 x025 x026 x027 x028 x029 x030 x031 x032 x033 x034 x035 x036 x037 x038 x039 x040 x041 x042 x043 x044 x045 x046 x047 x048 x049 x050 x051 x052 x053 x054 x055 x056 x057 x058 x059 x060 x061 x062 x063 x064 x065 x066 x067 x068 x069 x070 x071 x072 x073 x074 x075 x076 x077 x078 x079 x080 x081 x082 x083 x084 x085 x086 x087 x088 x089 x090 x091 x092 x093 x094 x095 x096 x097 x098 x099 x100 x101 x102 x103 x104 x105 x106 x107 x108 x109 x110 x111 x112 x113 x114 x115 x116 x117 x118 x119 x120 - x-cell
     y000 y001 y002 y003 y004 y005 y006 y007 y008 y009 y010 y011 y012 y013 y014 y015 y016 y017 y018 y019 y020 y021 y022 y023 y024 y025 y026 y027 y028 y029 y030 y031 y032 y033 y034 y035 y036 y037 y038 y039 y040 y041 y042 y043 y044 y045 y046 y047 y048 y049 y050 y051 y052 y053 y054 y055 y056 y057 y058 y059 y060 y061 y062 y063 y064 y065 y066 y067 y068 y069 y070 y071 y072 y073 y074 y075 y076 y077 y078 y079 y080 y081 y082 y083 y084 y085 y086 y087 y088 y089 y090 y091 y092 y093 y094 y095 y096 y097 y098 y099 y100 y101 y102 y103 y104 y105 y106 y107 y108 y109 y110 y111 y112 y113 y114 y115 y116 y117 y118 y119 y120 - y-cell
     z000 z001 z002 z003 z004 z005 z006 z007 z008 z009 z010 z011 z012 z013 z014 z015 z016 z017 z018 z019 z020 z021 z022 z023 z024 z025 z026 z027 z028 z029 z030 z031 z032 z033 z034 z035 z036 z037 z038 z039 z040 z041 z042 z043 z044 z045 z046 z047 z048 z049 z050 z051 z052 z053 - z-cell
@@ -132,6 +132,6 @@
     (z-leads z-plus-40 z000 z040) (z-leads z-plus-40 z001 z041) (z-leads z-plus-40 z002 z042) (z-leads z-plus-40 z003 z043) (z-leads z-plus-40 z004 z044) (z-leads z-plus-40 z005 z045) (z-leads z-plus-40 z006 z046) (z-leads z-plus-40 z007 z047) (z-leads z-plus-40 z008 z048) (z-leads z-plus-40 z009 z049) (z-leads z-plus-40 z010 z050) (z-leads z-plus-40 z011 z051) (z-leads z-plus-40 z012 z052) (z-leads z-plus-40 z013 z053)
     (z-leads z-plus-46 z000 z046) (z-leads z-plus-46 z001 z047) (z-leads z-plus-46 z002 z048) (z-leads z-plus-46 z003 z049) (z-leads z-plus-46 z004 z050) (z-leads z-plus-46 z005 z051) (z-leads z-plus-46 z006 z052) (z-leads z-plus-46 z007 z053)
     ; For plans beside this problem, which the exact replay takes; others that use this, it must judge:
-    (free spot-6448-2139) (free spot-7024-m1156) (goal-place item-02 spot-6448-2139) (look-next item-02 spot-6448-2139 start-item-01 nowhere) (room item-02 spot-6448-2139 start-item-01) (room item-02 spot-7024-m1156 nowhere))
+    (free spot-7024-m1156) (room item-02 spot-7024-m1156 nowhere))
   (:goal (and (done item-01) (done item-02)))
   (:metric minimize (total-cost)))
