@@ -70,6 +70,7 @@ class Row:
         must: The most that it may take [CPU s, where numpy takes `REFERENCE`]; None if nothing was set down.
         goal: What it should take [the same].
         before: What is typed beforehand, and not measured.
+        once: Whether it is measured once, as the first of its kind: what it leaves makes the next one quick.
     """
 
     command: str
@@ -77,8 +78,10 @@ class Row:
     must: float | None = None
     goal: float | None = None
     before: tuple[str, ...] = ()
+    once: bool = False
 
 
+SCENES = ROOT / "tools/benchmarks/scenes"
 ROWS = (
     Row("--version", "python", 0.10, 0.05),
     Row("--help", "python", 0.20, 0.15),
@@ -95,6 +98,17 @@ ROWS = (
     ),
     Row("explain places", NUMPY, 0.5, 0.3),
     Row("check places", NUMPY, 0.35, 0.2),
+    Row("plan tabletop far-80", "planner", 2.0, 1.0, (f"new-problem tabletop --scene {SCENES}/far-80.json",)),
+    Row("report tabletop", NUMPY, 30.0, 15.0, ("report --help",), once=True),
+    Row("demo", NUMPY, 40.0, 25.0, ("demo --help",), once=True),
+    Row(
+        "execute places four-anywhere places/plans/four-anywhere.fast-downward.plan",
+        NUMPY,
+        60.0,
+        20.0,
+        (f"new-problem places --scene {SCENES}/four-anywhere.json", "plan places four-anywhere"),
+        once=True,
+    ),
 )
 """What is measured; a command more is a row more."""
 
@@ -132,10 +146,10 @@ def measured(row: Row, runs: int) -> dict[str, float]:
             shutil.copytree(
                 ROOT / "domains" / name, folder / name, ignore=shutil.ignore_patterns("plans", "runs")
             )
-        for words in (*row.before, row.command):
+        for words in (*row.before, *(() if row.once else (row.command,))):
             cpu_of(_neurosym(words), folder)
         found: dict[str, list[float]] = {"cpu_s": [], "bound_cpu_s": [], NUMPY: []}
-        for _ in range(runs):
+        for _ in range(1 if row.once else runs):
             found[NUMPY].append(cpu_of((sys.executable, "-c", STARTED[NUMPY]), folder))
             found["cpu_s"].append(cpu_of(_neurosym(row.command), folder))
             found["bound_cpu_s"].append(bound_of(row, folder))
