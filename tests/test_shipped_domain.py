@@ -7,14 +7,15 @@ from shipped import FOLDER, GROUNDING
 
 import neurosym
 from neurosym.operators import OperatorTable
-from neurosym.pddl import domain_text, problem_text
+from neurosym.pddl import domain_text
 from neurosym.pddl.determinisation import with_every_outcome
 from neurosym.pddl.validation import validate
 from neurosym.planners import PlanStatus, plan
 from neurosym.planners.fast_downward import plan_fast_downward
 from neurosym.reading import digest, read_json
 from neurosym.stages.folder import load_scene
-from neurosym.stages.plan_records import PlanRecord
+from neurosym.stages.plan_records import PlanRecord, recorded_plans
+from neurosym.stages.problem_printing import texts_of
 
 NAMES = FOLDER.problem_names()
 
@@ -53,9 +54,10 @@ def test_text_is_what_the_compiler_prints_from_the_table():
     assert (FOLDER / "domain-numeric.pddl").read_text() == domain_text(GROUNDING, "numeric")
     for name in NAMES:
         problem = load_scene(FOLDER / f"problems/{name}.scene.json")
-        for ending, encoding in ((".pddl", "stepwise"), (".numeric.pddl", "numeric")):
-            printed = problem_text(problem, GROUNDING, encoding)
-            assert (FOLDER / f"problems/{name}{ending}").read_text() == printed
+        printed = texts_of(problem, GROUNDING, recorded_plans(FOLDER, problem, GROUNDING))
+        assert len(printed) == 2
+        for file, text in printed.items():
+            assert (FOLDER / file).read_text() == text
 
 
 def test_grounding_holds_the_table_that_was_rehearsed():
