@@ -62,9 +62,14 @@ def _done(job: Job, connection: Connection) -> Any:
     try:
         return _WORK[type(job)](job, connection)
     except NeurosymError as error:
-        return Failed(str(error))
+        return Failed(_without_paths(str(error), job))
     except Exception as error:  # of a planner or a world of somebody's own: this job only is at its end
         return Failed(f"It failed: {told(error)}")
+
+
+def _without_paths(sentence: str, job: Job) -> str:
+    """Return a sentence without the folder of the page, which is nobody's business but the server's."""
+    return sentence.replace(str(job.folder / SETTING), "The scene").replace(f"{job.folder}/", "")
 
 
 def _make(job: Make, _: Connection) -> Any:

@@ -1,5 +1,6 @@
 """Jobs wait in line, show their place, are stopped, and a process that dies takes only its own with it."""
 
+import msgspec
 import pytest
 from studio_pages import shipped_library, toy_library, wait_for
 
@@ -45,6 +46,20 @@ def test_job_that_cannot_be_done_is_a_sentence_and_the_next_is_done(room):
         workers.submit(Make(room.path, problem), said.append)
         wait_for(lambda: len(said) == 2)
         assert not isinstance(said[1], Failed)
+    finally:
+        workers.close()
+
+
+def test_scene_that_cannot_be_is_told_without_the_folder_of_the_page(room):
+    problem = toy_library(room.path.parent / "again").first_problem()
+    name, (x, y, _) = next(iter(problem.goals.items()))
+    high = msgspec.structs.replace(problem, goals={name: (x, y, 0.6)})
+    workers, said = Workers(1), []
+    try:
+        workers.submit(Make(room.path, high), said.append)
+        wait_for(lambda: said)
+        assert said[0].sentence.startswith("The scene cannot be used: ")
+        assert str(room.path) not in said[0].sentence
     finally:
         workers.close()
 

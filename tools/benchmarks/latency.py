@@ -148,6 +148,7 @@ def measured(row: Row, runs: int) -> dict[str, float]:
             )
         for words in (*row.before, *(() if row.once else (row.command,))):
             cpu_of(_neurosym(words), folder)
+        cpu_of((sys.executable, "-c", STARTED[NUMPY]), folder)
         found: dict[str, list[float]] = {"cpu_s": [], "bound_cpu_s": [], NUMPY: []}
         for _ in range(1 if row.once else runs):
             found[NUMPY].append(cpu_of((sys.executable, "-c", STARTED[NUMPY]), folder))
