@@ -3,7 +3,7 @@
 import numpy as np
 from PIL import Image
 
-from neurosym.pictures.images import save_gif, save_strip
+from neurosym.pictures.images import STRIP_SIZE, save_gif, save_strip
 
 FRAMES = [np.full((480, 640, 3), shade, dtype=np.uint8) for shade in (0, 120, 250)]
 
@@ -20,7 +20,8 @@ def test_gif_shows_every_frame_and_pauses_on_the_last(tmp_path):
 def test_strip_sets_the_frames_side_by_side_with_captions(tmp_path):
     save_strip(tmp_path / "run.png", FRAMES, ["start", "one", "two"])
     with Image.open(tmp_path / "run.png") as image:
-        assert image.size[0] == 3 * 640
-        assert [image.getpixel((320 + 640 * k, 100))[0] for k in range(3)] == [0, 120, 250]
-        caption = np.asarray(image.convert("L"))[480:, :640]
+        width, height = STRIP_SIZE
+        assert image.size[0] == 3 * width
+        assert [image.getpixel((width // 2 + width * k, 100))[0] for k in range(3)] == [0, 120, 250]
+        caption = np.asarray(image.convert("L"))[height:, :width]
         assert caption.min() < 128 < caption.max()

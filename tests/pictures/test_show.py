@@ -9,6 +9,7 @@ from neurosym.data.interactions import Interactions
 from neurosym.errors import InvalidValue
 from neurosym.grounding import Grounding
 from neurosym.pictures.film import film_phases, telling
+from neurosym.pictures.images import STRIP_SIZE
 from neurosym.pictures.motions import recall_interaction, surest_carriers
 from neurosym.pictures.show import picture_problem
 from neurosym.sim.tabletop import Tabletop
@@ -29,8 +30,8 @@ def test_interaction_happens_again_to_the_byte(folder, capsys):
     assert f"wrote {folder / 'pictures/interaction-5.png'}" in said
     assert "next: neurosym show" in said
     width, height = size(folder / "pictures/interaction-5.png")
-    assert width == 3 * 640
-    assert height > 480
+    assert width == 3 * STRIP_SIZE[0]
+    assert height > STRIP_SIZE[1]
 
 
 def test_interaction_that_turns_out_otherwise_is_said_to(folder, capsys):
@@ -66,7 +67,7 @@ def test_primitive_is_shown_on_each_category_that_the_domain_promises_something_
     said = capsys.readouterr().out
     promised = [operator.name for operator in grounding.live if operator.primitive == symbol]
     assert all(name in said for name in promised)
-    rows = size(folder / f"pictures/primitive-{symbol}.png")[1] / 480
+    rows = size(folder / f"pictures/primitive-{symbol}.png")[1] / STRIP_SIZE[1]
     assert len(promised) < rows < 1.2 * len(promised)
 
 
@@ -102,7 +103,7 @@ def test_each_category_has_the_surest_carrier_if_most_of_its_objects_can_be_carr
 
 def test_problem_is_shown_with_its_goals(folder):
     assert neurosym("show", folder, "--problem", "task-02") == 0
-    assert size(folder / "pictures/problem-task-02.png")[0] == 640
+    assert size(folder / "pictures/problem-task-02.png")[0] == STRIP_SIZE[0]
 
 
 def test_same_command_writes_the_same_bytes(folder):

@@ -13,6 +13,7 @@ from neurosym.errors import InvalidValue
 from neurosym.execution.executor import execute
 from neurosym.grounding import Grounding
 from neurosym.pddl.plan_text import PlanStep
+from neurosym.pictures.images import STRIP_SIZE
 from neurosym.pictures.motions import surest_carriers
 from neurosym.pictures.stills import run_stills
 from neurosym.report.examples import Example, telling_examples
@@ -63,9 +64,11 @@ def test_figures_have_a_row_for_each_primitive_and_plan(folder, capsys):
     carriers = surest_carriers(grounding)
     assert carriers
     with Image.open(folder / "pictures/figure-3-primitives.png") as image:
-        assert image.height // (len(grounding.operators.symbols) + len(carriers)) in range(480, 600)
+        assert image.height // (len(grounding.operators.symbols) + len(carriers)) in range(
+            STRIP_SIZE[1], STRIP_SIZE[1] + 120
+        )
     with Image.open(folder / "pictures/figure-4-plans.png") as image:
-        assert image.width >= 2 * 640
+        assert image.width >= 2 * STRIP_SIZE[0]
     assert f"wrote {folder}/pictures/figure-4-plans.png" in said
 
 
