@@ -8,6 +8,7 @@ import pytest
 from neurosym.errors import InvalidValue
 from neurosym.sim.bullet import pybullet
 from neurosym.sim.config import TabletopConfig
+from neurosym.sim.lens import HEIGHT, WIDTH
 from neurosym.sim.tabletop import Tabletop
 from neurosym.world import Outcome, Scene
 
@@ -164,7 +165,7 @@ def test_pictures_show_the_motion():
         one_box(0.05, 0.05, 0.05, 0), np.array(LIFT), 0, on_frame=lambda frame, _phase: frames.append(frame)
     )
     assert len(frames) > 3
-    assert frames[0].shape == (720, 960, 3)
+    assert frames[0].shape == (HEIGHT, WIDTH, 3)
     assert (frames[0] != frames[-1]).any()
 
 
