@@ -120,7 +120,8 @@ def test_a_search_that_wants_more_memory_makes_way_for_the_next(tmp_path):
     file.write_text(sas_text(tables.problem(), tables.grounding(0.002), steps=1, margin=0))
     tight = Search(PORTFOLIO[0].configuration, memory=11 * 2**20)
     alone = plan_fast_downward(file, file, time_limit=60.0, searches=(tight,))
-    assert (alone.status, alone.reason) == (PlanStatus.NOT_FOUND, "Fast Downward ran out of memory")
+    assert alone.status is PlanStatus.NOT_FOUND
+    assert alone.reason.startswith("Fast Downward ran out of memory; ask for fewer goals")
     both = plan_fast_downward(file, file, time_limit=60.0, searches=(tight, PORTFOLIO[1]))
     assert both.status is PlanStatus.SOLVED
     assert alone.work is not None
