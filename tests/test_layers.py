@@ -20,20 +20,22 @@ LAYERS = {
     "exploration": "worlds data learning",
     "relations": "worlds data learning",
     "primitives": "worlds data learning",
-    "pddl": "",
-    "planners": "pddl",
-    "execution": "pddl planners",
-    "practice": "worlds data learning primitives pddl planners execution",
-    "pictures": "worlds data primitives pddl execution",
+    "tasks": "",
+    "pddl": "tasks",
+    "planners": "tasks pddl",
+    "execution": "tasks pddl planners",
+    "practice": "worlds data learning primitives tasks pddl planners execution",
+    "pictures": "worlds data primitives tasks pddl execution",
     "stages": (
-        "worlds data learning exploration relations primitives pddl planners execution practice pictures"
+        "worlds data learning exploration relations primitives tasks pddl planners execution practice "
+        "pictures"
     ),
-    "evaluation": "worlds data learning primitives pddl planners execution stages",
-    "explain": "worlds data pddl stages",
-    "report": "worlds data learning pddl execution pictures stages evaluation explain",
-    "studio": "worlds data learning pddl planners execution pictures stages explain",
+    "evaluation": "worlds data learning primitives tasks pddl planners execution stages",
+    "explain": "worlds data tasks pddl stages",
+    "report": "worlds data learning tasks pddl execution pictures stages evaluation explain",
+    "studio": "worlds data learning tasks pddl planners execution pictures stages explain",
     "commands": (
-        "worlds data learning pddl planners execution pictures stages evaluation explain report studio"
+        "worlds data learning tasks pddl planners execution pictures stages evaluation explain report studio"
     ),
 }
 """The folders in the order of the flow, each with those it may import besides the root.

@@ -19,7 +19,6 @@ from neurosym.errors import InvalidPlanner, InvalidValue, UnknownChoice
 from neurosym.execution.executor import execute
 from neurosym.execution.summary import Execution, summarise_run
 from neurosym.grounding import Grounding, is_lift
-from neurosym.pddl.places import with_places
 from neurosym.pddl.plan_text import PlanStep, Steps, named_steps, primitives
 from neurosym.pddl.validation import Validation, validate
 from neurosym.planners import PLANNERS, PlanResult, PlanStatus, plan, planner_named
@@ -27,6 +26,7 @@ from neurosym.planners.planner import PredictEffects
 from neurosym.planners.registry import Replanner
 from neurosym.problems import Problem
 from neurosym.related import is_reached, is_relational
+from neurosym.tasks.places import with_places
 from neurosym.world import World
 
 NOT_VALID = Literal["", "impossible", "elsewhere"]

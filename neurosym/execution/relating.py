@@ -18,15 +18,15 @@ from neurosym.grounding import Grounding
 from neurosym.operators import Vector, vector
 from neurosym.pair_sight import with_pairs
 from neurosym.pair_states import describe_pair, extent
-from neurosym.pddl.places import with_places
 from neurosym.pddl.plan_text import PlanStep
-from neurosym.pddl.relational import put_named
 from neurosym.pddl.relational_task import Task
 from neurosym.problems import Problem
 from neurosym.related import Contacts, bearers_of, is_relational, relating, with_contacts
 from neurosym.relation_goals import RelationGoal, pair_key
 from neurosym.relation_operators import PairState
 from neurosym.table import OtherObject, Place
+from neurosym.tasks.places import with_places
+from neurosym.tasks.puts import put_named
 from neurosym.world import Outcome, Scene
 
 GIVEN_UP, LAST_HOPE = 2, 4

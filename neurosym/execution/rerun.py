@@ -18,9 +18,9 @@ from neurosym.execution.record import Run, StepRecord, own_steps, record_refusal
 from neurosym.execution.relating import levelled, seen_now
 from neurosym.execution.watching import STOP, Moment, Watcher
 from neurosym.grounding import Grounding
-from neurosym.pddl.places import GOAL, PARK, with_places
 from neurosym.problems import Problem
 from neurosym.related import relating, touching, unmet_relations
+from neurosym.tasks.places import GOAL, PARK, with_places
 from neurosym.world import FrameSink, Scene, World
 
 ROUNDING = 1e-6

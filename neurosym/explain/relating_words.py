@@ -7,9 +7,9 @@ from neurosym.explain.explained import EffectRow, SymbolExplanation
 from neurosym.naming import names_of_features
 from neurosym.operators import Category
 from neurosym.pair_states import DESCRIPTION
-from neurosym.pddl.relational import left_out
 from neurosym.place_operators import Kept
 from neurosym.relation_operators import PairEnd, PairState, RelationOperator, RelationOperators
+from neurosym.tasks.puts import left_out
 
 _CARRIED_ELSEWHERE = "elsewhere"
 

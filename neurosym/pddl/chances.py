@@ -16,13 +16,13 @@ import numpy as np
 from neurosym.arrays import Float
 from neurosym.grounding import Grounding
 from neurosym.operators import Operator
-from neurosym.pddl.moves import chance
 from neurosym.pddl.plan_text import PlanStep
 from neurosym.pddl.relational_replay import chances_along
 from neurosym.pddl.validation import validate
 from neurosym.problems import Problem
 from neurosym.promises import promised
 from neurosym.related import is_relational, relating
+from neurosym.tasks.moves import chance
 
 POINTS = 1024
 """How many points stand for a normal distribution."""

@@ -12,11 +12,11 @@ from neurosym.grounding import FORMAT, FORMAT_WITH_PLACES, FORMAT_WITH_RELATIONS
 from neurosym.naming import counted_axes
 from neurosym.operators import OperatorTable
 from neurosym.pddl.determinisation import with_every_outcome
-from neurosym.pddl.grades import GRADES, USUAL
 from neurosym.place_operators import PlaceOperators
 from neurosym.problems import LEGAL_NAME
 from neurosym.relation_operators import RelationOperators
 from neurosym.table import Table
+from neurosym.tasks.grades import GRADES, USUAL
 
 MAX_CELLS = 5000
 RESERVED = tuple(f"{axis}-{kind}" for kind in ("cell", "step") for axis in "xyz")

@@ -20,8 +20,6 @@ from neurosym.pddl.moves import (
     PLACES,
     REACH_GOAL,
     Encoding,
-    Move,
-    moves_of,
     parts_of,
     shift_predicate,
     shifts_of,
@@ -40,6 +38,8 @@ from neurosym.pddl.printing import (
     opening,
 )
 from neurosym.pddl.relational_domain import relational_domain_text
+from neurosym.tasks.carriers import carriers_of
+from neurosym.tasks.moves import Move, moves_of
 
 Parts = tuple[tuple[str, tuple[int, ...]], ...]
 
@@ -75,7 +75,7 @@ def domain_text(grounding: Grounding, encoding: Encoding = "stepwise") -> str:
         return relational_domain_text(grounding, encoding)
     if encoding not in (*ENCODINGS, PLACES):
         raise UnknownChoice("encoding", encoding, ENCODINGS)
-    if encoding == PLACES and not (grounding.is_refined and place_domain.carriers_of(grounding)):
+    if encoding == PLACES and not (grounding.is_refined and carriers_of(grounding)):
         raise InvalidValue(f"Nothing in the domain {grounding.name} carries objects to places.")
     if encoding == "numeric":
         return numeric_domain_text(grounding)

@@ -15,16 +15,17 @@ from neurosym.errors import InvalidValue, UnknownChoice
 from neurosym.grounding import Grounding
 from neurosym.operators import Operator
 from neurosym.pddl.durations import carry_seconds
-from neurosym.pddl.footprints import footprints_apart
 from neurosym.pddl.moves import DURATIVE, domain_name
-from neurosym.pddl.occupants import occupants
-from neurosym.pddl.place_domain import NOWHERE, about_carrier, carriers_for, carriers_of
+from neurosym.pddl.place_domain import NOWHERE, about_carrier
 from neurosym.pddl.place_problem import START, carried_objects, led_objects
-from neurosym.pddl.places import GOAL, blockers, is_at, with_places
 from neurosym.pddl.printing import comment, guarantees, opening
 from neurosym.pddl.problem import check_object
 from neurosym.problems import Problem, SceneObject
 from neurosym.related import is_relational
+from neurosym.tasks.carriers import carriers_for, carriers_of
+from neurosym.tasks.footprints import footprints_apart
+from neurosym.tasks.occupants import occupants
+from neurosym.tasks.places import GOAL, blockers, is_at, with_places
 
 REQUIREMENTS = ":strips :typing :durative-actions"
 MOST_OVER = 3

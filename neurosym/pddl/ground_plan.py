@@ -21,20 +21,18 @@ from neurosym.pddl.moves import (
     REACH_GOAL,
     RELATIONAL,
     Encoding,
-    Move,
     move_constant,
-    moves_for,
-    moves_of,
     parts_of,
 )
 from neurosym.pddl.own_steps import step_name
 from neurosym.pddl.place_problem import PlaceNotes, place_facts
-from neurosym.pddl.places import with_places
 from neurosym.pddl.plan_text import PlanStep
 from neurosym.pddl.relational_replay import print_relational_plan
 from neurosym.problems import Problem
 from neurosym.related import is_relational, relating
 from neurosym.spots import spot_named
+from neurosym.tasks.moves import Move, moves_for, moves_of
+from neurosym.tasks.places import with_places
 
 
 @dataclass(frozen=True, slots=True)

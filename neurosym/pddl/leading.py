@@ -10,9 +10,10 @@ takes them time that grows with the square of the number of predicates.
 """
 
 from neurosym.pddl.grid import AXES
-from neurosym.pddl.moves import CARRIED, MOVE, Move, carried, carrier, cost_name, move_constant
+from neurosym.pddl.moves import CARRIED, MOVE, carried, carrier, cost_name, move_constant
 from neurosym.pddl.own_steps import has_cost
 from neurosym.pddl.printing import action_text, comment
+from neurosym.tasks.moves import Move
 
 
 def predicates() -> list[str]:

@@ -20,7 +20,7 @@ import msgspec
 from neurosym.grounding import Grounding
 from neurosym.pddl import own_numbers
 from neurosym.pddl.grid import AXES, best_levels, levels
-from neurosym.pddl.moves import NUMERIC, Move, domain_name, moves_of
+from neurosym.pddl.moves import NUMERIC, domain_name
 from neurosym.pddl.printing import (
     about_move,
     action_text,
@@ -32,6 +32,7 @@ from neurosym.pddl.printing import (
     opening,
 )
 from neurosym.problems import Problem, SceneObject
+from neurosym.tasks.moves import Move, moves_of
 
 UNIT = 0.0001
 """What positions are counted in [m]."""

@@ -9,10 +9,11 @@ from collections.abc import Iterable, Iterator
 
 from neurosym.grounding import Grounding
 from neurosym.pddl.grid import AXES
-from neurosym.pddl.moves import Move, as_moves, cost_name, own_name, step_cost
+from neurosym.pddl.moves import cost_name, own_name
 from neurosym.pddl.own_steps import about, has_cost, left_alone, reasons
 from neurosym.problems import SceneObject
 from neurosym.promises import promised, usable
+from neurosym.tasks.moves import Move, as_moves, step_cost
 
 _LEAST_SHIFT = 10_000
 

@@ -9,10 +9,11 @@ from collections.abc import Iterable
 
 from neurosym.grounding import Grounding, is_lift
 from neurosym.pddl.grid import AXES, Grid
-from neurosym.pddl.moves import Move, cost_name, move_constant, moves_for, moves_of, shifts_of, step_cost
+from neurosym.pddl.moves import cost_name, move_constant, shifts_of
 from neurosym.pddl.printing import comment
 from neurosym.problems import Problem, SceneObject
 from neurosym.promises import is_rehearsed, promised, why_unfit
+from neurosym.tasks.moves import Move, moves_for, moves_of, step_cost
 
 Step = tuple[int, int]
 """An axis, and how many cells further along it."""

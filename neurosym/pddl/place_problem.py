@@ -6,14 +6,16 @@ import numpy as np
 
 from neurosym.arrays import Float
 from neurosym.grounding import Grounding
-from neurosym.pddl.footprints import footprints_apart
-from neurosym.pddl.moves import MOVE, step_cost
-from neurosym.pddl.occupants import occupants
-from neurosym.pddl.place_domain import LEAVE, LOOK, NOWHERE, REACH, carriers_for, carriers_of
-from neurosym.pddl.places import blockers, is_at, with_places
+from neurosym.pddl.moves import MOVE
+from neurosym.pddl.place_domain import LEAVE, LOOK, NOWHERE, REACH
 from neurosym.pddl.printing import comment
 from neurosym.problems import Problem, SceneObject
 from neurosym.promises import promised
+from neurosym.tasks.carriers import carriers_for, carriers_of
+from neurosym.tasks.footprints import footprints_apart
+from neurosym.tasks.moves import step_cost
+from neurosym.tasks.occupants import occupants
+from neurosym.tasks.places import blockers, is_at, with_places
 
 START = "start-"
 """What the names of places begin with that objects stand at when a plan begins."""

@@ -7,18 +7,11 @@ from neurosym.errors import InvalidValue
 from neurosym.grounding import Grounding
 from neurosym.pddl.grid import AXES, Grid, grid_of
 from neurosym.pddl.ground_plan import led_actions
-from neurosym.pddl.moves import (
-    CARRIERS,
-    FINISH,
-    REACH_GOAL,
-    Encoding,
-    Move,
-    moves_for,
-    moves_of,
-)
+from neurosym.pddl.moves import CARRIERS, FINISH, REACH_GOAL, Encoding
 from neurosym.pddl.plan_lines import WrittenAction
 from neurosym.pddl.plan_text import PlanStep
 from neurosym.problems import Problem
+from neurosym.tasks.moves import Move, moves_for, moves_of
 
 Words = tuple[str, ...]
 """Name and arguments of a ground action."""

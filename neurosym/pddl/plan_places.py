@@ -10,11 +10,9 @@ from neurosym.errors import InvalidValue, UnknownChoice
 from neurosym.grounding import Grounding
 from neurosym.pair_sight import with_pairs
 from neurosym.pddl.durative import MOST_OVER
-from neurosym.pddl.footprints import footprints_apart
 from neurosym.pddl.place_domain import LEAVE as LEAVE_START
 from neurosym.pddl.place_domain import LOOK, NOWHERE
 from neurosym.pddl.place_problem import START
-from neurosym.pddl.places import blockers, with_places
 from neurosym.pddl.plan_cells import Words
 from neurosym.pddl.plan_lines import WrittenAction
 from neurosym.pddl.plan_text import PlanStep
@@ -25,6 +23,8 @@ from neurosym.problems import Problem
 from neurosym.related import is_relational, loads_of, relating
 from neurosym.relation_goals import pair_key
 from neurosym.relation_operators import RelationOperator
+from neurosym.tasks.footprints import footprints_apart
+from neurosym.tasks.places import blockers, with_places
 from neurosym.wording import counted
 
 

@@ -11,7 +11,7 @@ from pathlib import Path
 
 from neurosym.errors import InvalidPlan, shortened
 from neurosym.grounding import Grounding
-from neurosym.pddl.moves import CARRIERS, PUT_DOWN, REACH_GOAL, Encoding
+from neurosym.pddl.moves import CARRIERS, REACH_GOAL, Encoding
 from neurosym.pddl.place_domain import NOTES
 from neurosym.pddl.plan_cells import without_part
 from neurosym.pddl.plan_following import Misread, follow
@@ -23,6 +23,7 @@ from neurosym.pddl.written_plans import written_plan
 from neurosym.problems import Problem
 from neurosym.reading import MEGABYTE, read_text
 from neurosym.related import relating
+from neurosym.tasks.moves import PUT_DOWN
 
 MOST_PLAN = 16 * MEGABYTE
 """Greater files are no plans [bytes]."""

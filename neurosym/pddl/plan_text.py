@@ -8,7 +8,7 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
 from neurosym.checks import check_kind
-from neurosym.pddl.moves import PUT_DOWN
+from neurosym.tasks.moves import PUT_DOWN
 from neurosym.wording import counted
 
 

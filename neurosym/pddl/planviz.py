@@ -18,9 +18,9 @@ from neurosym.pddl.grid import check_on_table, grid_of
 from neurosym.pddl.moves import REACH_GOAL, carrier
 from neurosym.pddl.place_domain import NOTES
 from neurosym.pddl.place_problem import START
-from neurosym.pddl.places import with_places
 from neurosym.problems import Problem, SceneObject
 from neurosym.reading import read_text
+from neurosym.tasks.places import with_places
 
 SCRIPT = "planviz.js"
 """What the script is called; it lies in the folder of the domains."""

@@ -6,7 +6,8 @@ from functools import lru_cache
 
 from neurosym.grounding import Grounding
 from neurosym.operators import Effect, Operator
-from neurosym.pddl.moves import BY_RELATIONS, DURATIVE, PLACES, Encoding, Move, domain_name
+from neurosym.pddl.moves import BY_RELATIONS, DURATIVE, PLACES, Encoding, domain_name
+from neurosym.tasks.moves import Move
 
 TURNED = math.radians(15)
 """An object that is turned by more than this moves otherwise when the same is done again [rad]."""

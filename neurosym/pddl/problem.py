@@ -17,7 +17,6 @@ from neurosym.pddl.moves import (
     BY_RELATIONS,
     MOVE,
     PLACES,
-    PUT_DOWN,
     REACH_GOAL,
     Encoding,
     carrier,
@@ -27,13 +26,15 @@ from neurosym.pddl.moves import (
 )
 from neurosym.pddl.numeric import STEPS as NUMERIC_STEPS
 from neurosym.pddl.numeric import numeric_problem_text
-from neurosym.pddl.place_domain import NOTES, carriers_of
+from neurosym.pddl.place_domain import NOTES
 from neurosym.pddl.place_problem import declared, facts, led_objects
-from neurosym.pddl.places import with_places
 from neurosym.pddl.printing import comment
 from neurosym.pddl.relational_problem import relational_problem_text
 from neurosym.problems import Problem, SceneObject
 from neurosym.spots import SPOT
+from neurosym.tasks.carriers import carriers_of
+from neurosym.tasks.moves import PUT_DOWN
+from neurosym.tasks.places import with_places
 
 STEPS = 1
 """How many steps the rounding of is reckoned with, unless the caller says otherwise.

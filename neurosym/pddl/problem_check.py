@@ -11,9 +11,9 @@ from neurosym.grounding import Grounding
 from neurosym.object_limits import ObjectLimits
 from neurosym.pddl.grid import check_on_table
 from neurosym.pddl.place_check import check_places
-from neurosym.pddl.relational_check import check_relations
 from neurosym.problems import NEAR_TABLE, Problem, SceneObject, check_goals, goal_heights
 from neurosym.related import chain_below, known_bearers
+from neurosym.tasks.pair_goals import check_relations
 
 OFF_REST = 0.005
 """How far from the height it rests at an object's centre may be [m]; physics settles it within 0.1 mm."""

@@ -12,14 +12,14 @@ says `(not (exists ...))` instead. Both have types and action costs.
 from neurosym.errors import InvalidValue
 from neurosym.grounding import Grounding
 from neurosym.operators import Operator
-from neurosym.pddl.grades import GRADES, USUAL
 from neurosym.pddl.moves import LIFTED, RELATIONAL, Encoding
 from neurosym.pddl.place_domain import LOOK, NOWHERE, REACH, about_carrier
 from neurosym.pddl.printing import action_text, comment, guarantees, opening
-from neurosym.pddl.relational import Put, bearing_states, left_out_puts
-from neurosym.pddl.relational_actions import Actions, Carrier, actions_of
 from neurosym.pddl.relational_words import about_put, about_state, about_third
 from neurosym.relation_operators import PairState
+from neurosym.tasks.carriers import Actions, Carrier, actions_of
+from neurosym.tasks.grades import GRADES, USUAL
+from neurosym.tasks.puts import Put, bearing_states, left_out_puts
 
 LEAVE = "leave-"
 """What the names of the actions begin with that take an object from where it is."""

@@ -7,13 +7,9 @@ from itertools import pairwise, product
 from neurosym.grounding import Grounding
 from neurosym.operators import Operator
 from neurosym.pddl.moves import LIFTED, RELATIONAL, Encoding, domain_name
-from neurosym.pddl.occupants import occupants
 from neurosym.pddl.place_domain import NOWHERE
 from neurosym.pddl.place_problem import START
-from neurosym.pddl.places import is_at
 from neurosym.pddl.printing import comment
-from neurosym.pddl.relational import Put, bearing_states
-from neurosym.pddl.relational_actions import Actions, Carrier, actions_of
 from neurosym.pddl.relational_domain import (
     FROM_OBJECT,
     FROM_PLACE,
@@ -28,6 +24,10 @@ from neurosym.pddl.relational_task import Task, task_of
 from neurosym.problems import Problem
 from neurosym.promises import promised
 from neurosym.related import loads_of
+from neurosym.tasks.carriers import Actions, Carrier, actions_of
+from neurosym.tasks.occupants import occupants
+from neurosym.tasks.places import is_at
+from neurosym.tasks.puts import Put, bearing_states
 
 COUNTS = (NONE, ONE, *(f"count-{number}" for number in range(2, 100)))
 """How many objects another one bears."""

@@ -9,12 +9,9 @@ import numpy as np
 from neurosym.arrays import Float
 from neurosym.grounding import Grounding
 from neurosym.pair_states import extent
-from neurosym.pddl.footprints import overlapping
 from neurosym.pddl.moves import LIFTED, RELATIONAL, Encoding
 from neurosym.pddl.place_domain import LOOK, NOWHERE, REACH
 from neurosym.pddl.place_problem import START
-from neurosym.pddl.relational import Put, put_named
-from neurosym.pddl.relational_actions import Carrier, chance_of, relational_carriers
 from neurosym.pddl.relational_domain import FROM_OBJECT, FROM_PLACE, LADEN, LEAVE, LEAVE_PLACE
 from neurosym.pddl.relational_problem import COUNTS
 from neurosym.pddl.relational_task import task_of
@@ -22,6 +19,9 @@ from neurosym.problems import Problem
 from neurosym.promises import promised
 from neurosym.related import Borne, carried_along, chain_below, loads_of
 from neurosym.relation_goals import pair_key
+from neurosym.tasks.carriers import Carrier, chance_of, relational_carriers
+from neurosym.tasks.footprints import overlapping
+from neurosym.tasks.puts import Put, put_named
 from neurosym.wording import counted
 from neurosym.world import Scene
 

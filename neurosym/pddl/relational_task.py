@@ -1,30 +1,19 @@
 """A problem as the encoding `relational` sees it: what bears what, and what can be done with what."""
 
 from collections import Counter
-from collections.abc import Collection
 from functools import cached_property
 from itertools import permutations
 
-import msgspec
-import numpy as np
-
-from neurosym.arrays import Float
 from neurosym.grounding import Grounding
-from neurosym.operators import Vector
 from neurosym.pair_sight import with_pairs
-from neurosym.pair_states import extent
-from neurosym.pddl.grades import GRADES, USUAL
-from neurosym.pddl.place_domain import carriers_for
-from neurosym.pddl.places import blockers, with_places
-from neurosym.pddl.relational import Put, puts_of
-from neurosym.pddl.relational_actions import Actions, actions_of
-from neurosym.pddl.relational_check import puts_for
-from neurosym.problems import ROUNDED, Problem
-from neurosym.related import Borne, bearers_of, loads_of, relations_of
-
-MOST_BORNE = 2
-"""So many objects another one bears in a plan, unless a problem has or asks for more: each count is one more
-thing for planners to look at."""
+from neurosym.problems import Problem
+from neurosym.related import bearers_of, loads_of, relations_of
+from neurosym.tasks.carriers import Actions, actions_of, carriers_for
+from neurosym.tasks.grades import GRADES, USUAL
+from neurosym.tasks.pair_goals import puts_for
+from neurosym.tasks.places import blockers, with_places
+from neurosym.tasks.puts import Put, puts_of
+from neurosym.tasks.task import MOST_BORNE, flattened, footprints
 
 
 class Task:
@@ -49,7 +38,7 @@ class Task:
         self.bearers = bearers_of(problem, self.relations)
         self.problem = with_pairs(problem, self.relations)
         self.flat = with_places(flattened(problem, self.bearers), grounding)
-        self.apart = _footprints(problem, self.bearers)
+        self.apart = footprints(problem, self.bearers)
         carrying = {item.name: carriers_for(item, grounding, problem.tolerance) for item in self.flat.objects}
         self.carriers = {name: found[0].name for name, found in carrying.items() if found}
 
@@ -122,35 +111,3 @@ def task_of(problem: Problem, grounding: Grounding) -> Task:
     task = Task(problem, grounding)
     _latest[:] = [(problem, grounding, task)]
     return task
-
-
-def flattened(problem: Problem, bearers: dict[str, Borne]) -> Problem:
-    """Return a problem whose borne objects are as high as they are when they stand on the table.
-
-    Args:
-        problem: The problem.
-        bearers: What bears each object that another one bears.
-    """
-    scene = problem.scene()
-    objects = []
-    for row, item in enumerate(problem.objects):
-        if item.name in bearers:
-            x, y, _ = item.position
-            low: Vector = (x, y, float(extent(scene, row)[2]) / 2)
-            item = msgspec.structs.replace(item, position=low)
-        objects.append(item)
-    return msgspec.structs.replace(problem, objects=tuple(objects))
-
-
-def _footprints(problem: Problem, bearers: Collection[str]) -> Float[np.ndarray, "M M 2"]:
-    """Return how far apart the centres of two objects on the table must be on x or y [m].
-
-    Of two that stand on it and overlap at the start nothing is asked.
-    """
-    sizes = np.array([item.features[:2] for item in problem.objects], dtype=float)
-    apart = (sizes[:, None] + sizes) / 2 - ROUNDED
-    spots = problem.scene().positions[:, :2]
-    stands = np.array([name not in bearers for name in problem.object_names])
-    overlap = np.all(np.abs(spots[:, None] - spots) < apart, axis=-1)
-    apart[overlap & stands[:, None] & stands] = 0.0
-    return np.asarray(apart)

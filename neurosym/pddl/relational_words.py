@@ -1,9 +1,9 @@
 """What the comments of the encoding `relational` say: what rehearsals showed, and what follows from that."""
 
 from neurosym.grounding import Grounding
-from neurosym.pddl.relational import Put
 from neurosym.place_operators import Kept
 from neurosym.relation_operators import PairState
+from neurosym.tasks.puts import Put
 
 
 def about_state(state: PairState) -> list[str]:

@@ -12,9 +12,10 @@ from typing import NamedTuple
 
 from neurosym.grounding import Grounding
 from neurosym.pddl.grid import AXES, Grid, goal_region, grid_of
-from neurosym.pddl.moves import REACH_GOAL, Move, moves_for, parts_of
+from neurosym.pddl.moves import REACH_GOAL, parts_of
 from neurosym.pddl.problem import STEPS, check_object
 from neurosym.problems import Problem, SceneObject
+from neurosym.tasks.moves import Move, moves_for
 
 _FREE = "Atom ready()"
 _EMPTY = "Atom hand-empty()"

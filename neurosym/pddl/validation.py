@@ -8,15 +8,15 @@ import numpy as np
 from neurosym.arrays import Bool, Float
 from neurosym.grounding import Grounding, is_lift
 from neurosym.operators import Operator
-from neurosym.pddl.footprints import footprints_apart, overlapping
-from neurosym.pddl.place_domain import carriers_of
-from neurosym.pddl.places import with_places
 from neurosym.pddl.plan_text import PlanStep
-from neurosym.pddl.relational import put_named
 from neurosym.pddl.relational_replay import Following
 from neurosym.problems import Problem
 from neurosym.promises import promised
 from neurosym.related import is_relational, relating
+from neurosym.tasks.carriers import carriers_of
+from neurosym.tasks.footprints import footprints_apart, overlapping
+from neurosym.tasks.places import with_places
+from neurosym.tasks.puts import put_named
 from neurosym.wording import in_millimetres
 
 

@@ -11,11 +11,11 @@ from neurosym.data.interactions import Interactions
 from neurosym.errors import InvalidValue
 from neurosym.grounding import Grounding
 from neurosym.operators import TOLERANCE, Operator
-from neurosym.pddl.place_domain import carriers_of
 from neurosym.primitives.among_others import MARGIN
 from neurosym.primitives.rehearsal import rehearsal_sample
 from neurosym.symbols import Categorise, Symbol
 from neurosym.table import Reference
+from neurosym.tasks.carriers import carriers_of
 from neurosym.world import Outcome, Scene, World
 from neurosym.worlds.aimed import Aimed, AimedScene
 

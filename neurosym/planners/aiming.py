@@ -13,7 +13,6 @@ import msgspec
 from neurosym.grounding import Grounding, is_lift
 from neurosym.operators import Operator
 from neurosym.pddl.chances import expected_success
-from neurosym.pddl.moves import PUT_DOWN, step_cost
 from neurosym.pddl.plan_text import PlanStep
 from neurosym.pddl.validation import operator_for, validate
 from neurosym.planners.branching import branching_of
@@ -23,6 +22,7 @@ from neurosym.planners.joins import choices_of
 from neurosym.planners.ordering import ends_held
 from neurosym.problems import Problem
 from neurosym.promises import promised
+from neurosym.tasks.moves import PUT_DOWN, step_cost
 
 DEARER = 1.1
 """What a way may cost beside the plan's own."""

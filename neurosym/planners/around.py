@@ -16,8 +16,6 @@ import numpy as np
 from neurosym.arrays import Float
 from neurosym.grounding import Grounding
 from neurosym.pddl.chances import expected_success
-from neurosym.pddl.footprints import footprints_apart
-from neurosym.pddl.moves import PUT_DOWN
 from neurosym.pddl.plan_text import PlanStep
 from neurosym.pddl.validation import validate
 from neurosym.planners.branching import branching_of
@@ -28,6 +26,8 @@ from neurosym.planners.joins import choices_of
 from neurosym.planners.result import PlanResult, PlanStatus
 from neurosym.planners.ways import HeldEnd, IsEnd, Way, cheapest_way
 from neurosym.problems import Problem
+from neurosym.tasks.footprints import footprints_apart
+from neurosym.tasks.moves import PUT_DOWN
 
 WORK = 150_000
 """How many places are looked at in all."""

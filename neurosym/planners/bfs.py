@@ -19,14 +19,14 @@ from dataclasses import dataclass
 import numpy as np
 
 from neurosym.arrays import Bool, Float, Int
-from neurosym.pddl.footprints import footprints_apart, overlapping
-from neurosym.pddl.moves import PUT_DOWN
 from neurosym.pddl.plan_text import PlanStep
 from neurosym.planners.branching import Branching
 from neurosym.planners.effort import check_time, within
 from neurosym.planners.result import PlanResult, PlanStatus
 from neurosym.problems import Problem
 from neurosym.table import Table
+from neurosym.tasks.footprints import footprints_apart, overlapping
+from neurosym.tasks.moves import PUT_DOWN
 from neurosym.wording import counted
 
 DEPTH = 3

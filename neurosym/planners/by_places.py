@@ -4,14 +4,14 @@ import dataclasses
 from collections.abc import Callable
 
 from neurosym.grounding import Grounding
-from neurosym.pddl.place_domain import carriers_of
 from neurosym.pddl.place_problem import carried_objects
-from neurosym.pddl.places import PARK, with_places
 from neurosym.pddl.plan_text import PlanStep
 from neurosym.pddl.validation import validate
 from neurosym.planners.clearance import clearest_first
 from neurosym.planners.result import PlanResult, PlanStatus
 from neurosym.problems import Problem
+from neurosym.tasks.carriers import carriers_of
+from neurosym.tasks.places import PARK, with_places
 
 MOST_LED = 4
 """Objects that could be carried are led over cells, where no plan carries them, if there are no more.

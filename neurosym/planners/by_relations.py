@@ -14,7 +14,6 @@ from neurosym.pair_sight import with_pairs
 from neurosym.pddl.moves import BY_RELATIONS, RELATIONAL
 from neurosym.pddl.plan_reading import parse_plan
 from neurosym.pddl.problem import check_object
-from neurosym.pddl.relational_check import why_no_relation
 from neurosym.pddl.relational_problem import needed_texts
 from neurosym.pddl.relational_task import task_of
 from neurosym.pddl.validation import validate
@@ -26,6 +25,7 @@ from neurosym.planners.result import PlannerAnswer, PlanResult, PlanStatus
 from neurosym.planners.scratch import scratch_folder
 from neurosym.problems import Problem
 from neurosym.related import is_reached, is_relational, relations_of
+from neurosym.tasks.pair_goals import why_no_relation
 
 BREADTH_FIRST = ("bfs", "bfs-operators")
 """These search themselves: the first by what a network foresees of each pair, the other by what rehearsals

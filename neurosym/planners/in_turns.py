@@ -14,7 +14,6 @@ import msgspec
 from neurosym.grounding import Grounding
 from neurosym.operators import Vector, vector
 from neurosym.pddl.place_problem import carried_objects
-from neurosym.pddl.places import with_places
 from neurosym.pddl.plan_text import PlanStep
 from neurosym.pddl.validation import validate
 from neurosym.planners.by_places import MOST_LED
@@ -22,6 +21,7 @@ from neurosym.planners.making_way import Way
 from neurosym.planners.result import PlanResult, PlanStatus
 from neurosym.problems import Problem
 from neurosym.spots import spot_name
+from neurosym.tasks.places import with_places
 
 NEARER = 0.5
 """What is led is to come so near to its goal if others have no room else, as a share of the tolerance.

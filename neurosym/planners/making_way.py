@@ -8,10 +8,10 @@ import numpy as np
 
 from neurosym.arrays import Bool, Float
 from neurosym.operators import Vector
-from neurosym.pddl.footprints import footprints_apart, near_some
-from neurosym.pddl.places import GAP, LEAST_GAP
 from neurosym.problems import Problem
 from neurosym.table import Table
+from neurosym.tasks.footprints import footprints_apart, near_some
+from neurosym.tasks.places import GAP, LEAST_GAP
 
 BESIDE = 0.02
 """Room for the hand beside the way of what is led [m]."""

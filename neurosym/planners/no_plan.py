@@ -16,8 +16,6 @@ import numpy as np
 from neurosym.arrays import Float
 from neurosym.grounding import Grounding
 from neurosym.operators import Vector
-from neurosym.pddl.footprints import footprints_apart
-from neurosym.pddl.place_domain import carriers_for
 from neurosym.planners.branching import Branching, Names, branching_of
 from neurosym.planners.count_vectors import Choices, candidates, looked_at, nearest
 from neurosym.planners.counting import MOST_WORK
@@ -27,6 +25,8 @@ from neurosym.planners.joins import Join, choices_of
 from neurosym.planners.ordering import mend
 from neurosym.planners.result import PlanResult, PlanStatus
 from neurosym.problems import Problem
+from neurosym.tasks.carriers import carriers_for
+from neurosym.tasks.footprints import footprints_apart
 from neurosym.wording import in_millimetres
 
 DEPTH = 8

@@ -12,11 +12,11 @@ import numpy as np
 
 from neurosym.arrays import Bool, Float, Int
 from neurosym.grounding import Grounding, is_lift
-from neurosym.pddl.footprints import footprints_apart
 from neurosym.pddl.plan_text import PlanStep
 from neurosym.pddl.validation import Validation, operator_for, validate
 from neurosym.planners.effort import Effort
 from neurosym.problems import Problem
+from neurosym.tasks.footprints import footprints_apart
 
 MOST_STATES = 2_000
 """How many beginnings of plans are tried."""

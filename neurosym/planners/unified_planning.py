@@ -17,7 +17,6 @@ from neurosym.errors import InvalidValue
 from neurosym.grounding import Grounding
 from neurosym.pddl.domain import domain_text
 from neurosym.pddl.moves import PLACES, RELATIONAL, Encoding
-from neurosym.pddl.place_domain import carriers_of
 from neurosym.pddl.plan_reading import parse_plan
 from neurosym.pddl.plan_text import PlanStep
 from neurosym.pddl.problem import problem_text
@@ -26,6 +25,7 @@ from neurosym.planners.result import PlannerAnswer, PlanStatus
 from neurosym.planners.scratch import scratch_folder
 from neurosym.problems import Problem
 from neurosym.related import is_relational
+from neurosym.tasks.carriers import carriers_of
 
 if TYPE_CHECKING:
     from unified_planning.model import Problem as Task

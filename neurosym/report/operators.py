@@ -6,7 +6,7 @@ from neurosym.explain.action_words import displacement_in_words, spread_in_words
 from neurosym.explain.carrying_words import end_in_words
 from neurosym.grounding import Grounding
 from neurosym.operators import Mode, OperatorTable
-from neurosym.pddl.moves import cost
+from neurosym.tasks.moves import cost
 
 
 @dataclass(frozen=True, slots=True)

@@ -7,7 +7,6 @@ from neurosym.grounding import Grounding
 from neurosym.pddl import compile_domain, domain_text
 from neurosym.pddl.compiler import check_axes
 from neurosym.pddl.moves import LIFTED, PLACES, RELATIONAL
-from neurosym.pddl.relational import puts_of
 from neurosym.place_operators import PlaceOperators
 from neurosym.promises import fits_of
 from neurosym.relation_operators import RelationOperators
@@ -32,6 +31,7 @@ from neurosym.stages.other_tools import write_durative_domain, write_durative_pr
 from neurosym.stages.plan_records import recorded_plans
 from neurosym.stages.practising import operator_table
 from neurosym.stages.problem_printing import placed, texts_of
+from neurosym.tasks.puts import puts_of
 from neurosym.wording import quoted
 from neurosym.worlds.world_file import read_world
 

@@ -9,7 +9,6 @@ from neurosym.errors import InvalidFile, InvalidValue, NeurosymError
 from neurosym.files import write_atomically
 from neurosym.grounding import Grounding
 from neurosym.pddl.durative import durative_domain_text, durative_problem_text
-from neurosym.pddl.place_domain import carriers_of
 from neurosym.pddl.planviz import planviz_json, planviz_script, scenes_of
 from neurosym.problems import Problem
 from neurosym.reading import read_text
@@ -25,6 +24,7 @@ from neurosym.stages.layout import (
     durative_file,
     planviz_file,
 )
+from neurosym.tasks.carriers import carriers_of
 
 
 def write_new_problem(folder: DomainFolder, problem: Problem, grounding: Grounding) -> None:

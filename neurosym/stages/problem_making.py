@@ -11,7 +11,6 @@ from neurosym.choices import AnyTask
 from neurosym.files import make_folder
 from neurosym.grounding import Grounding
 from neurosym.pair_sight import with_pairs
-from neurosym.pddl.relational_check import check_relations, relations_meant
 from neurosym.problems import Problem
 from neurosym.relation_goals import RelationGoal
 from neurosym.stages.folder import DomainFolder, load_scene
@@ -30,6 +29,7 @@ from neurosym.stages.manifest import Stage
 from neurosym.stages.problem_printing import print_problem
 from neurosym.stages.remarks import remarks_on_number
 from neurosym.stages.task_drawing import draw_any_task, networks_of_pairs, sight_of_pairs
+from neurosym.tasks.pair_goals import check_relations, relations_meant
 from neurosym.worlds.relation_tasks import HEIGHT, RELATION_TASKS
 from neurosym.worlds.world_file import read_world
 

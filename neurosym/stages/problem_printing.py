@@ -11,8 +11,6 @@ from neurosym.pair_sight import with_pairs
 from neurosym.pddl import problem_text
 from neurosym.pddl.ground_plan import GroundPlan
 from neurosym.pddl.moves import BY_RELATIONS, NUMERIC, PLACES, Encoding
-from neurosym.pddl.place_domain import carriers_of
-from neurosym.pddl.places import with_places
 from neurosym.pddl.problem import check_object
 from neurosym.pddl.relational_task import Task
 from neurosym.problems import Problem
@@ -22,6 +20,8 @@ from neurosym.stages.folder import DomainFolder
 from neurosym.stages.layout import places_file, printed_file, problem_files, relation_files
 from neurosym.stages.other_tools import write_new_problem
 from neurosym.stages.plan_records import recorded_plans
+from neurosym.tasks.carriers import carriers_of
+from neurosym.tasks.places import with_places
 
 
 def print_problem(folder: DomainFolder, problem: Problem, grounding: Grounding) -> None:

@@ -6,14 +6,14 @@ import msgspec
 import numpy as np
 
 from neurosym.grounding import Grounding
-from neurosym.pddl.footprints import footprints_apart
 from neurosym.pddl.place_problem import carried_objects
-from neurosym.pddl.places import blockers
 from neurosym.problems import Problem
 from neurosym.promises import is_rehearsed, usable
 from neurosym.stages.folder import DomainFolder
 from neurosym.stages.layout import MODEL, WORLD, scene_file
 from neurosym.symbols import symbols_of
+from neurosym.tasks.footprints import footprints_apart
+from neurosym.tasks.places import blockers
 from neurosym.worlds.world_file import read_limits
 
 

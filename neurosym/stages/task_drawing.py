@@ -9,14 +9,14 @@ from neurosym.errors import InvalidValue, UnknownChoice
 from neurosym.grounding import Grounding
 from neurosym.operators import TOLERANCE
 from neurosym.pair_sight import PairSight, with_pairs
-from neurosym.pddl.relational import LEAST_SHARE, left_out
-from neurosym.pddl.relational_check import puts_for
 from neurosym.problems import Problem
 from neurosym.related import known_bearers
 from neurosym.relation_operators import PairStates, RelationOperators
 from neurosym.stages.folder import DomainFolder
 from neurosym.stages.layout import RELATION_CHANCES, RELATION_MODEL, RELATION_STATES
 from neurosym.symbols import Categorise
+from neurosym.tasks.pair_goals import puts_for
+from neurosym.tasks.puts import LEAST_SHARE, left_out
 from neurosym.world import World
 from neurosym.worlds.relation_tasks import HEIGHT, RELATION_TASKS, Way, Ways, draw_relation_task
 from neurosym.worlds.tasks import Fits, draw_task

@@ -10,7 +10,6 @@ from neurosym.arrays import Bool, Float
 from neurosym.errors import InvalidValue
 from neurosym.grounding import Grounding, is_lift
 from neurosym.operators import TOLERANCE, Vector
-from neurosym.pddl.place_domain import carriers_for
 from neurosym.problems import Problem, SceneObject
 from neurosym.promises import usable
 from neurosym.studio import setting
@@ -24,6 +23,7 @@ from neurosym.studio.relating import (
     why_not_related,
 )
 from neurosym.table import Table
+from neurosym.tasks.carriers import carriers_for
 
 REACH_CELL = 0.01
 """Edge of the cells that the reach of an object is drawn with [m]."""

@@ -12,12 +12,12 @@ from neurosym.errors import InvalidValue
 from neurosym.grounding import Grounding
 from neurosym.operators import Vector, vector
 from neurosym.pair_states import extent
-from neurosym.pddl.relational import Put
-from neurosym.pddl.relational_check import puts_for, valid_relations, why_no_relation, why_too_many
 from neurosym.problems import Problem
 from neurosym.related import Borne, bearers_of, relations_of
 from neurosym.relation_goals import RelationGoal
 from neurosym.studio import setting
+from neurosym.tasks.pair_goals import puts_for, valid_relations, why_no_relation, why_too_many
+from neurosym.tasks.puts import Put
 
 OFF_TABLE = 0.005
 """What is borne stands so far above the table at least, unless somebody saw what it touches [m]."""

@@ -8,10 +8,10 @@ import numpy as np
 from neurosym.arrays import Float
 from neurosym.grounding import is_lift
 from neurosym.operators import Operator, Vector
-from neurosym.pddl.moves import chance, step_cost
 from neurosym.problems import SceneObject
 from neurosym.promises import usable
 from neurosym.studio.library import Library
+from neurosym.tasks.moves import chance, step_cost
 
 SAFE, OTHERWISE = (42, 157, 92), (217, 83, 79)
 """Colours of rehearsals that ended as promised, and otherwise."""

@@ -12,14 +12,14 @@ from neurosym.execution.record import Replanning, Run, StepRecord
 from neurosym.explain.action_words import displacement_in_words
 from neurosym.grounding import Grounding
 from neurosym.pddl.chances import promise_of
-from neurosym.pddl.moves import chance, step_cost
 from neurosym.pddl.plan_text import PlanStep
-from neurosym.pddl.relational import put_named
 from neurosym.pddl.relational_replay import Following
 from neurosym.problems import Problem
 from neurosym.related import is_relational, relating
 from neurosym.relation_goals import RelationGoal
 from neurosym.stages.plan_records import PlanRecord
+from neurosym.tasks.moves import chance, step_cost
+from neurosym.tasks.puts import put_named
 from neurosym.wording import counted, harmless
 
 GOOD, BAD, DIM = "#2a9d5c", "#d9534f", "#8a8a8a"

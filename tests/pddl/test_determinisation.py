@@ -7,10 +7,10 @@ from tables import BOUNDS, grounding, item, mode, table
 from neurosym.operators import Operator
 from neurosym.pddl import compile_domain, domain_text
 from neurosym.pddl.determinisation import with_every_outcome
-from neurosym.pddl.moves import cost
 from neurosym.planners import PlanStatus, plan
 from neurosym.planners.branching import branching_of
 from neurosym.problems import Problem
+from neurosym.tasks.moves import cost
 
 HELD = mode((0.012, -0.021, 0.203), kind="held", count=14, near=14, resting=(0.014, -0.023, 0.0))
 SLIPPED = mode((0.06, 0.0, 0.0), count=6, near=5)

@@ -21,7 +21,6 @@ from neurosym.motion import way_seconds
 from neurosym.operators import Primitive
 from neurosym.pddl.durations import carry_seconds
 from neurosym.pddl.durative import MOST_OVER, durative_domain_text, durative_problem_text
-from neurosym.pddl.place_domain import carriers_of
 from neurosym.pddl.plan_reading import parse_plan
 from neurosym.pddl.plan_text import PlanStep
 from neurosym.pddl.problem import problem_text
@@ -29,6 +28,7 @@ from neurosym.problems import Problem
 from neurosym.sim.simulation import Simulation
 from neurosym.sim.tabletop import Tabletop
 from neurosym.table import Place
+from neurosym.tasks.carriers import carriers_of
 from neurosym.world import Scene
 
 PLAN = f"""0.000: ({NAME} item-02 start-item-02 park-01 nowhere nowhere nowhere) [6.100]

@@ -12,18 +12,18 @@ from toy_relations import PUT_IN, PUT_ON, REST, grounding, relations, scene, sor
 from neurosym.any_pair import for_any_pair, share_with_any
 from neurosym.errors import InvalidFile, InvalidValue
 from neurosym.pair_sight import PairSight, with_pairs
-from neurosym.pddl.grades import GRADES, USUAL, grade_of
 from neurosym.pddl.moves import RELATIONAL
 from neurosym.pddl.plan_text import PlanStep
 from neurosym.pddl.problem import problem_text
-from neurosym.pddl.relational import put_named
-from neurosym.pddl.relational_check import puts_for
 from neurosym.pddl.relational_replay import chances_along
 from neurosym.pddl.validation import validate
 from neurosym.place_operators import Kept
 from neurosym.planners import PlanStatus, plan
 from neurosym.problems import Problem
 from neurosym.relation_operators import PairEnd
+from neurosym.tasks.grades import GRADES, USUAL, grade_of
+from neurosym.tasks.pair_goals import puts_for
+from neurosym.tasks.puts import put_named
 
 ON_ANY, IN_ANY = "rests-on-001-by-01-any-pair", "lies-in-010-by-01-any-pair"
 

@@ -14,7 +14,7 @@ from neurosym.errors import InvalidValue
 from neurosym.grounding import Grounding
 from neurosym.pddl import domain_text, problem_text
 from neurosym.pddl.ground_plan import print_ground_plan
-from neurosym.pddl.moves import ENCODINGS, Encoding, moves_for
+from neurosym.pddl.moves import ENCODINGS, Encoding
 from neurosym.pddl.numeric import UNIT
 from neurosym.pddl.plan_reading import parse_plan
 from neurosym.pddl.plan_text import PlanStep
@@ -22,6 +22,7 @@ from neurosym.pddl.validation import operator_for, validate
 from neurosym.planners import PlanStatus, plan
 from neurosym.planners.fast_downward import plan_fast_downward
 from neurosym.problems import Problem
+from neurosym.tasks.moves import moves_for
 
 CELL = 0.02
 LIFT = "lift-010-block"

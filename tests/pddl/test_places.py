@@ -15,12 +15,10 @@ from neurosym.errors import InvalidPlan, InvalidValue, NeurosymError
 from neurosym.execution.executor import execute
 from neurosym.execution.rerun import compare_runs, rerun
 from neurosym.pddl import domain_text, problem_text
-from neurosym.pddl.footprints import footprints_apart, overlapping
 from neurosym.pddl.ground_plan import print_ground_plan
 from neurosym.pddl.moves import PLACES
 from neurosym.pddl.place_check import check_places
 from neurosym.pddl.place_problem import carried_objects, led_objects
-from neurosym.pddl.places import GOAL, PARK, with_places
 from neurosym.pddl.plan_reading import parse_plan
 from neurosym.pddl.plan_text import PlanStep, print_plan
 from neurosym.pddl.problem_check import check_problem
@@ -30,6 +28,8 @@ from neurosym.planners.fast_downward import plan_fast_downward
 from neurosym.planners.result import PlanResult
 from neurosym.problems import Problem, SceneObject
 from neurosym.table import Place
+from neurosym.tasks.footprints import footprints_apart, overlapping
+from neurosym.tasks.places import GOAL, PARK, with_places
 from neurosym.worlds.aimed import Aimed
 
 

@@ -11,13 +11,13 @@ from neurosym.errors import InvalidPlan
 from neurosym.grounding import Grounding
 from neurosym.pddl.ground_plan import print_ground_plan
 from neurosym.pddl.moves import FINISH, Encoding
-from neurosym.pddl.place_domain import carriers_of
 from neurosym.pddl.plan_forms import FORMS, PlanForm, nearest_form
 from neurosym.pddl.plan_reading import parse_plan
 from neurosym.pddl.plan_text import PlanStep
 from neurosym.pddl.written_plans import written_plan
 from neurosym.problems import Problem
 from neurosym.related import relating
+from neurosym.tasks.carriers import carriers_of
 from tools.benchmarks.strangers import PLANS, actions_of
 
 SHIPPED = sorted(PLANS.items())

@@ -28,8 +28,6 @@ from neurosym.pddl.ground_plan import print_ground_plan
 from neurosym.pddl.moves import BY_RELATIONS, LIFTED, RELATIONAL
 from neurosym.pddl.plan_reading import parse_plan
 from neurosym.pddl.plan_text import PlanStep, print_plan
-from neurosym.pddl.relational import left_out_puts, puts_of
-from neurosym.pddl.relational_check import puts_for
 from neurosym.pddl.relational_problem import needed_texts
 from neurosym.pddl.validation import validate
 from neurosym.planners import PlanStatus, plan
@@ -37,6 +35,8 @@ from neurosym.planners.planner import Planner
 from neurosym.planners.result import PlanResult
 from neurosym.problems import Problem
 from neurosym.related import bearers_of
+from neurosym.tasks.pair_goals import puts_for
+from neurosym.tasks.puts import left_out_puts, puts_of
 
 PROBLEMS = (tower(), tower_at_place(), sorting())
 

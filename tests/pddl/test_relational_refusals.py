@@ -13,9 +13,9 @@ from neurosym.pddl import domain_text
 from neurosym.pddl.moves import RELATIONAL
 from neurosym.pddl.plan_reading import parse_plan
 from neurosym.pddl.plan_text import PlanStep
-from neurosym.pddl.relational_check import check_relations, relations_meant
 from neurosym.pddl.validation import validate
 from neurosym.planners import PlanStatus, plan
+from neurosym.tasks.pair_goals import check_relations, relations_meant
 
 
 @pytest.mark.parametrize(

@@ -11,11 +11,11 @@ import toy_domain
 
 from neurosym.pddl.chances import expected_success
 from neurosym.pddl.domain import domain_text
-from neurosym.pddl.moves import cost
 from neurosym.pddl.plan_text import PlanStep
 from neurosym.pddl.validation import validate
 from neurosym.planners import PlanStatus, alternatives, plan
 from neurosym.problems import Problem
+from neurosym.tasks.moves import cost
 
 
 def task(tolerance: float = 0.05) -> Problem:

@@ -9,7 +9,6 @@ import tables
 import toy_domain
 
 from neurosym.grounding import Grounding
-from neurosym.pddl.moves import cost
 from neurosym.pddl.plan_text import PlanStep
 from neurosym.pddl.validation import validate
 from neurosym.planners import PlanStatus, fewest_steps, plan
@@ -18,6 +17,7 @@ from neurosym.planners.branching import branching_of
 from neurosym.planners.count_vectors import count_vector
 from neurosym.planners.ordering import mend
 from neurosym.problems import Problem, SceneObject
+from neurosym.tasks.moves import cost
 
 
 def random_task(seed: int, objects: int, tolerance: float = 0.05) -> Problem:

@@ -8,7 +8,6 @@ from toy_relations import LIE, PUT_IN, REST
 from neurosym.execution.executor import execute
 from neurosym.execution.record import Replanning, Run
 from neurosym.pddl.plan_text import named_steps
-from neurosym.pddl.relational import put_named
 from neurosym.planners import PlanStatus, plan
 from neurosym.reading import read_json, read_text
 from neurosym.stages.plan_records import PlanRecord
@@ -23,6 +22,7 @@ from neurosym.studio.words import (
     run_table,
     safe,
 )
+from neurosym.tasks.puts import put_named
 
 EVIL = '<img src=x onerror="alert(1)">'
 LIBRARY = shipped_library()

@@ -8,10 +8,10 @@ from places import SHIPPED
 
 from neurosym.errors import InvalidValue
 from neurosym.learning.effect_model import EffectModel
-from neurosym.pddl.footprints import footprints_apart, overlapping
 from neurosym.problems import Problem
 from neurosym.sim.tabletop import Tabletop
 from neurosym.table import Table
+from neurosym.tasks.footprints import footprints_apart, overlapping
 from neurosym.worlds.tasks import AWAY, CROWDED, ROW_GAP, draw_places, draw_task
 
 WORLD = Tabletop()

@@ -9,9 +9,9 @@ from places import ROOT
 from neurosym.evaluation.comparison import Attempt, TaskRecord
 from neurosym.execution.summary import Execution
 from neurosym.grounding import Grounding
-from neurosym.pddl.moves import cost
 from neurosym.planners import PlanStatus
 from neurosym.problems import Problem, SceneObject
+from neurosym.tasks.moves import cost
 from tools.benchmarks.planning import evaluate, jobs, measures, tally, tasks
 
 BOTH = ("bfs", "fast-downward")

@@ -17,12 +17,12 @@ from neurosym.grounding import Grounding, is_lift
 from neurosym.learning.effect_model import EffectModel
 from neurosym.markdown import markdown_table
 from neurosym.operators import TOLERANCE, Operator
-from neurosym.pddl.moves import chance
 from neurosym.primitives.performing import perform
 from neurosym.primitives.sampling import sample_by_category
 from neurosym.problems import SceneObject
 from neurosym.promises import promised
 from neurosym.stages.layout import GROUNDING, MODEL, WORLD
+from neurosym.tasks.moves import chance
 from neurosym.world import Outcome, Scene
 from neurosym.worlds.workers import Task
 from neurosym.worlds.world_file import read_world

@@ -16,12 +16,12 @@ import tyro
 from neurosym.grounding import Grounding
 from neurosym.operators import TOLERANCE
 from neurosym.pair_sight import PairSight, with_pairs
-from neurosym.pddl.relational import puts_of
 from neurosym.pddl.relational_task import Task
 from neurosym.problems import Problem, SceneObject
 from neurosym.relation_goals import RelationGoal
 from neurosym.stages.folder import DomainFolder
 from neurosym.stages.task_drawing import draw_any_task, sight_of_pairs, ways_of
+from neurosym.tasks.puts import puts_of
 from tools.benchmarks.carrying.bench import lattice_points, tell, timed
 from tools.benchmarks.options import Output
 from tools.benchmarks.planning.measures import bench_of

@@ -12,7 +12,7 @@ import numpy as np
 
 from neurosym.errors import InvalidValue
 from neurosym.operators import TOLERANCE
-from neurosym.pddl.place_domain import carriers_for
+from neurosym.tasks.carriers import carriers_for
 from neurosym.world import relative_to
 from neurosym.worlds.stacks import upright_items
 from tools.benchmarks.relations.tasks import Asked, Draw

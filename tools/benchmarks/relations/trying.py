@@ -15,12 +15,12 @@ from neurosym.execution.executor import execute
 from neurosym.execution.summary import failure
 from neurosym.operators import TOLERANCE
 from neurosym.pair_sight import PairSight, with_pairs
-from neurosym.pddl.relational_check import puts_for
 from neurosym.planners import PlanStatus
 from neurosym.problems import Problem
 from neurosym.related import with_contacts
 from neurosym.stages.folder import DomainFolder
 from neurosym.stages.task_drawing import sight_of_pairs
+from neurosym.tasks.pair_goals import puts_for
 from neurosym.world import Outcome, Scene, World
 from neurosym.worlds.aimed import Adapted
 from neurosym.worlds.stacks import standing, upright_items

@@ -5,16 +5,51 @@ Of what carries objects to places it matters here how it turns out where objects
 
 import math
 from dataclasses import dataclass
+from functools import lru_cache
 
 from neurosym.grounding import Grounding
 from neurosym.operators import Operator
-from neurosym.pddl.moves import step_cost
-from neurosym.pddl.place_domain import carriers_of
-from neurosym.pddl.relational import LEAST_SHARE, Put, puts_of, smoothed
 from neurosym.place_operators import Kept
+from neurosym.problems import SceneObject
+from neurosym.promises import LEAST_CHANCE, promised
 from neurosym.symbols import Symbol
+from neurosym.tasks.moves import step_cost
+from neurosym.tasks.puts import LEAST_SHARE, Put, puts_of, smoothed
 
-_NEVER = Kept("never", 0, 0)
+_UNTRIED = Kept("never", 0, 0)
+_NEVER = 0.01  # as how rare counts what was never seen
+
+
+@lru_cache(maxsize=8)
+def carriers_of(grounding: Grounding) -> tuple[Operator, ...]:
+    """List the operators of the domain that carry objects to places, by name.
+
+    Args:
+        grounding: The learned domain.
+    """
+    if grounding.places is None:
+        return ()
+    every = grounding.places.operators.operators
+    worthy = (one for one in every if grounding.why_left_out(one) is None)
+    return tuple(sorted(worthy, key=lambda one: one.name))
+
+
+def carriers_for(item: SceneObject, grounding: Grounding, tolerance: float) -> tuple[Operator, ...]:
+    """List the operators that carry an object to places, as they promise for it, the surest first.
+
+    How sure they are counts what rehearsals beside others showed, since a scene may hold others.
+
+    Args:
+        item: The object.
+        grounding: The learned domain.
+        tolerance: How near an outcome must come to the promise to have kept it [m].
+    """
+    of_item = promised(grounding, item, tolerance)
+    found = [of_item[one.name] for one in carriers_of(grounding) if one.category == item.category]
+    fit = [one for one in found if one.successes >= LEAST_CHANCE * one.trials and one.successes]
+    beside = {one.name: one.share for one in grounding.places.beside} if grounding.places else {}
+    costs = {one.name: step_cost(one, grounding) / (beside.get(one.name, 1.0) or _NEVER) for one in fit}
+    return tuple(sorted(fit, key=lambda one: (costs[one.name], one.name)))
 
 
 @dataclass(frozen=True, slots=True)
@@ -81,7 +116,7 @@ def relational_carriers(grounding: Grounding) -> tuple[Carrier, ...]:
         for table in (places.borne, places.laden)
     )
     return tuple(
-        Carrier(one, borne.get(one.name, _NEVER), laden.get(one.name, _NEVER))
+        Carrier(one, borne.get(one.name, _UNTRIED), laden.get(one.name, _UNTRIED))
         for one in carriers_of(grounding)
     )
 

@@ -9,8 +9,8 @@ from collections.abc import Sequence
 import numpy as np
 
 from neurosym.arrays import Float
-from neurosym.pddl.places import PARK, is_at, parks_wanted
 from neurosym.problems import ROUNDED, Problem
+from neurosym.tasks.places import PARK, is_at, parks_wanted
 
 
 def occupants(problem: Problem, carried: Sequence[str]) -> dict[str, tuple[str, ...]]:

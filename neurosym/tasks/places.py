@@ -8,10 +8,10 @@ import numpy as np
 
 from neurosym.arrays import Float
 from neurosym.grounding import Grounding
-from neurosym.pddl.footprints import near_some
-from neurosym.pddl.goal_spots import goal_spots
 from neurosym.problems import Problem
 from neurosym.table import Table
+from neurosym.tasks.footprints import near_some
+from neurosym.tasks.goal_spots import goal_spots
 
 GOAL, PARK = "goal-", "park-"
 """What the names of places begin with."""

@@ -7,12 +7,12 @@ from neurosym.any_pair import FAINT
 from neurosym.errors import InvalidValue
 from neurosym.grounding import Grounding
 from neurosym.pair_sight import with_pairs
-from neurosym.pddl.grades import USUAL
-from neurosym.pddl.relational import Put, bearing_states, puts_of
 from neurosym.problems import Problem
 from neurosym.related import relations_of, unmet_relations
 from neurosym.relation_goals import RelationGoal, pair_key
 from neurosym.relation_operators import RelationOperators
+from neurosym.tasks.grades import USUAL
+from neurosym.tasks.puts import Put, bearing_states, puts_of
 
 
 def relations_meant(goals: Sequence[RelationGoal], grounding: Grounding) -> tuple[RelationGoal, ...]:

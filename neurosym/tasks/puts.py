@@ -13,7 +13,6 @@ from functools import lru_cache
 from neurosym.any_pair import for_any_pair
 from neurosym.grounding import MIN_TRIALS, Grounding
 from neurosym.operators import Category
-from neurosym.pddl.grades import GRADES, USUAL, grade_of
 from neurosym.place_operators import Kept
 from neurosym.problems import Problem
 from neurosym.promises import LEAST_CHANCE
@@ -21,6 +20,7 @@ from neurosym.related import relating
 from neurosym.relation_goals import pair_key
 from neurosym.relation_operators import SELDOM, PairEnd, PairState, RelationOperator, RelationOperators
 from neurosym.symbols import Symbol
+from neurosym.tasks.grades import GRADES, USUAL, grade_of
 
 LEAST_SHARE = 0.5
 """Where a third object leaves less than this of what is usual, it is forbidden."""

@@ -1,0 +1,383 @@
+"""The problem that goes with the page: what is particular to the objects of a task, as facts and prices."""
+
+import math
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
+from functools import cached_property
+from itertools import pairwise
+
+import msgspec
+
+from neurosym.grounding import Grounding
+from neurosym.pddl.grid import goal_region, grid_of
+from neurosym.pddl.place_problem import START
+from neurosym.pddl.strips import (
+    COUNT,
+    FROM_PLACE,
+    FROM_THING,
+    MOTION,
+    NONE,
+    NOWHERE,
+    ONE,
+    PLACE,
+    PRICE,
+    WAY,
+    X_CELL,
+    X_STEP,
+    Y_CELL,
+    Y_STEP,
+)
+from neurosym.pddl.syntax import Atom, Facts, PddlProblem, Typed
+from neurosym.related import loads_of
+from neurosym.tasks.moves import Move
+from neurosym.tasks.places import is_at
+from neurosym.tasks.task import Pair, PutOption, Task
+
+COUNTS = (NONE, ONE, *(f"count-{number}" for number in range(2, 100)))
+"""How many objects another one bears."""
+STEPS = 1
+"""How many steps the rounding of is reckoned with, unless the caller says otherwise.
+
+More would be safer, but smaller goals make plans longer or impossible; a replay tells when it matters.
+"""
+COARSEST = 2
+"""So many of the domain's cells a cell of a problem is long at most."""
+CELLS_IN_TOLERANCE = 5
+"""So many cells the tolerance of goals holds at least, or as many as the domain's own cells allow."""
+_AXES = (("x", X_CELL, X_STEP), ("y", Y_CELL, Y_STEP))
+
+
+def printed_cell(task: Task) -> float:
+    """Return how long the cells of a printed problem are [m]: the coarser, the larger the tolerance.
+
+    Args:
+        task: The task.
+    """
+    own = task.grounding.cell
+    whole = math.floor(task.problem.tolerance / CELLS_IN_TOLERANCE / own + 1e-9)
+    return own * min(max(whole, 1), COARSEST)
+
+
+def motion_name(move: Move) -> str:
+    """Name a motion by its symbol, like `m-0110b`, whatever it does to which category."""
+    return f"m-{move.operator.label}"
+
+
+def step_name(axis: int, cells: int) -> str:
+    """Name a step along an axis, like `dx12` or `dx-3`."""
+    return f"d{'xy'[axis]}{cells}"
+
+
+def price_name(cost: int) -> str:
+    """Name a price, like `c12`."""
+    return f"c{cost}"
+
+
+class StripsProblem:
+    """What a problem is printed of.
+
+    Args:
+        task: The task.
+        led: The objects that are led over cells; those that cannot be carried to their goals, if not given.
+        grid: The learned domain with the cells, and the table, that objects are led over.
+        steps: How many steps the rounding of is taken off the goal regions.
+        margin: How many cells at either edge of the table no step may end in.
+        kept: Object and operator of what is told, though another one leads the object alike more cheaply.
+        every: Whether all such are told.
+    """
+
+    def __init__(
+        self,
+        task: Task,
+        *,
+        led: Sequence[str] | None = None,
+        grid: Grounding | None = None,
+        steps: int = STEPS,
+        margin: int = 0,
+        kept: Collection[tuple[str, str]] = (),
+        every: bool = False,
+    ):
+        self.task, self.steps, self.margin = task, steps, margin
+        self._kept, self._every = kept, every
+        self.led = tuple(task.led if led is None else led)
+        cells = grid or msgspec.structs.replace(task.grounding, cell=printed_cell(task))
+        self.cells, self.grid = cells, grid_of(cells)
+
+    def data(self, beside: Iterable[Atom] = (), spots: Iterable[str] = ()) -> PddlProblem:
+        """Return the problem as data.
+
+        Args:
+            beside: Facts that plans beside it need.
+            spots: Places that they need.
+        """
+        task, facts = self.task, [*self._facts()]
+        known = {atom for row in facts for atom in row.atoms}
+        if more := [atom for atom in dict.fromkeys(beside) if atom not in known]:
+            facts.append(Facts("for plans beside this problem, which the exact replay takes", tuple(more)))
+        return PddlProblem(
+            name=task.problem.name,
+            domain=task.grounding.name,
+            head=tuple(self._head()),
+            objects=(*self._objects(), *((name, PLACE) for name in spots)),
+            facts=tuple(facts),
+            costs={("cost", price_name(cost)): cost for cost in self._prices},
+            goals=tuple(self._goals()),
+        )
+
+    @cached_property
+    def moves(self) -> Mapping[str, tuple[Move, ...]]:
+        """What is done to each object that is led, the surest of what does the same, in cells."""
+        found = {name: self.task.moves_on(self.cells, name) for name in self.led}
+        if self._every:
+            return found
+        kept = {name: {operator for thing, operator in self._kept if thing == name} for name in found}
+        return {name: tuple(_surest(moves, kept[name])) for name, moves in found.items()}
+
+    def _head(self) -> Iterator[str]:
+        problem = self.task.problem
+        yield f"Problem {problem.name} of the learned domain {self.task.grounding.name}."
+        yield f"How it came about: {' '.join(problem.provenance.split())}."
+        if self.task.places:
+            yield "start-: where an object stands at first; goal-: meets a goal; park-: to wait at."
+        if self.led:
+            yield (
+                f"Cells of {1000 * self.grid.cell:g} mm. A goal is met within "
+                f"{1000 * problem.tolerance:g} mm; goal-cell leaves out what the rounding of {self.steps} "
+                "step(s) may take."
+            )
+
+    def _objects(self) -> Iterator[Typed]:
+        task = self.task
+        for item in task.problem.objects:
+            yield item.name, task.grounding.category(item.category).name
+        if task.places:
+            yield from ((f"{START}{name}", PLACE) for name in task.names if name not in task.supports)
+            yield from ((name, PLACE) for name in task.places)
+        if task.relates:
+            yield from ((name, COUNT) for name in COUNTS[2 : task.most_borne + 1])
+            yield from ((name, WAY) for name in self._ways.values())
+        if self.led:
+            motions = {motion_name(move) for moves in self.moves.values() for move in moves}
+            yield from ((name, MOTION) for name in sorted(motions))
+            for axis, (_, cell, step) in enumerate(_AXES):
+                yield from ((step_name(axis, cells), step) for cells in self._steps(axis))
+                yield from ((name, cell) for name in self.grid.cell_names(axis))
+        yield from ((price_name(cost), PRICE) for cost in self._prices)
+
+    def _facts(self) -> Iterator[Facts]:
+        task = self.task
+        yield Facts("", (("hand-empty",), ("ready",)))
+        if task.places or task.relates:
+            yield from self._starts()
+        if task.places:
+            yield from self._rooms()
+            yield Facts("what can be carried, from where, and its price", tuple(self._carrying()))
+        if task.relates:
+            yield from self._relations()
+        for name in self.led:
+            yield from self._leading(name)
+        if self.led:
+            yield Facts("where steps lead", tuple(self._sums()))
+
+    def _goals(self) -> Iterator[Atom]:
+        task = self.task
+        yield from (("done", name) for name in sorted(task.problem.goals))
+        for target, reference, state in task.problem.related:
+            yield "related", target, task.state_name(state), reference
+
+    @cached_property
+    def _prices(self) -> tuple[int, ...]:
+        """All that steps cost, in order."""
+        task = self.task
+        found = {move.cost for moves in self.moves.values() for move in moves if move.kind != "put-down"}
+        found |= {task.carry_cost(name, borne=borne) for name, borne in self._origins()}
+        found |= {cost for way in self._ways for *_, cost in way}
+        return tuple(sorted(found))
+
+    # Places
+
+    def _starts(self) -> Iterator[Facts]:
+        task, counted = self.task, bool(self.task.grounding.relations)
+        atoms = list[Atom]()
+        for name in task.names:
+            if borne := task.supports.get(name):
+                atoms.append(("related", name, borne.state.name, borne.by))
+            elif task.places:
+                place = f"{START}{name}"
+                atoms.append(("stands", name, place))
+                if name not in self.led:
+                    atoms += self._goal_at(name, place, task.flat.object_named(name).position[:2])
+            if counted:
+                atoms.append(("bears", name, COUNTS[len(loads_of(name, task.supports))]))
+            if name in self._takers:
+                atoms.append(("can-take", name))
+        yield Facts("where objects are at first", tuple(atoms))
+
+    @cached_property
+    def _takers(self) -> frozenset[str]:
+        """The objects that can be put somewhere once they are taken."""
+        task = self.task
+        return frozenset({*task.carried, *(target for target, _ in task.put_options)})
+
+    def _goal_at(self, name: str, place: str, spot: tuple[float, ...]) -> list[Atom]:
+        x, y = spot
+        is_there = name in self.task.problem.goals and is_at(name, (x, y), self.task.flat)
+        return [("goal-place", name, place)] if is_there else []
+
+    def _rooms(self) -> Iterator[Facts]:
+        for place, (x, y) in self.task.places.items():
+            atoms: list[Atom] = [("free", place)]
+            for name in self.task.occupants[place]:
+                atoms += self.room(name, place)
+            yield Facts(f"{place} lies at ({x:.4f}, {y:.4f}) m", tuple(atoms))
+
+    def room(self, name: str, place: str) -> list[Atom]:
+        """Say which places must be free, one after another, for an object to have room at a place.
+
+        Args:
+            name: The object.
+            place: The place, which may be a spot.
+        """
+        spot = self.task.flat.place_named(place)
+        chain = [*(f"{START}{other}" for other in self.task.blockers(name, spot)), NOWHERE]
+        links: list[Atom] = [("look-next", name, place, here, then) for here, then in pairwise(chain)]
+        return [*self._goal_at(name, place, spot), ("room", name, place, chain[0]), *links]
+
+    def _origins(self) -> Iterator[tuple[str, bool]]:
+        """List what can be carried to places, and whether from another object."""
+        for name in self.task.carried:
+            yield name, False
+            if self.task.relates and self.task.carrier_facts[self.task.carriers[name][0].name].takes_borne:
+                yield name, True
+
+    def _carrying(self) -> Iterator[Atom]:
+        for name, borne in self._origins():
+            origin = [FROM_THING if borne else FROM_PLACE] if self._has_origins else []
+            yield "can-carry", name, *origin, price_name(self.task.carry_cost(name, borne=borne))
+
+    @property
+    def _has_origins(self) -> bool:
+        """Whether the domain puts objects on others, so that it tells where they come from."""
+        return bool(self.task.grounding.relations)
+
+    # Relations
+
+    @cached_property
+    def _ways(self) -> Mapping[tuple[tuple[str, str, int], ...], str]:
+        """The different prices by origin and count, each with the name of the ways that have them."""
+        found = {way for options in self.task.put_options.values() for way in _by_state(options, self.counts)}
+        return {way: f"w{number}" for number, way in enumerate(sorted({row for _, _, row in found}), start=1)}
+
+    def way_of(self, pair: Pair, option: PutOption) -> str:
+        """Name the way that puts one object on or into another.
+
+        Args:
+            pair: Names of the two.
+            option: What is done.
+        """
+        rows = _by_state(self.task.put_options[pair], self.counts)
+        same = (option.state.name, option.laden)
+        return next(self._ways[row] for state, laden, row in rows if (state, laden) == same)
+
+    @property
+    def counts(self) -> tuple[str, ...]:
+        """How many objects another one can bear, from none up, before it bears one more."""
+        return COUNTS[: self.task.most_borne]
+
+    def _relations(self) -> Iterator[Facts]:
+        task = self.task
+        counts = COUNTS[: task.most_borne + 1]
+        yield Facts("counting", tuple(("next", less, more) for less, more in pairwise(counts)))
+        atoms = list[Atom]()
+        for (target, reference), options in task.put_options.items():
+            for state, laden, row in _by_state(options, self.counts):
+                name = "can-put-loaded" if laden else "can-put"
+                atoms.append((name, target, state, reference, self._ways[row]))
+        yield Facts("what puts one thing on or into another", tuple(atoms))
+        ways = (
+            ("way-price", name, *words, price_name(cost))
+            for row, name in self._ways.items()
+            for *words, cost in row
+        )
+        yield Facts("what that costs, by where the one is from, and what the other bears", tuple(ways))
+
+    # Cells
+
+    def _leading(self, name: str) -> Iterator[Facts]:
+        task = self.task
+        item, goal = task.problem.object_named(name), task.problem.goals.get(name)
+        x, y, _ = self.grid.anchor(item.position)
+        atoms: list[Atom] = [
+            ("led", name),
+            ("on-table", name),
+            ("at-x", name, self._cell(0, x)),
+            ("at-y", name, self._cell(1, y)),
+        ]
+        moves = self.moves[name]
+        for move in moves:
+            dx, dy, _ = move.cells
+            words = (name, motion_name(move), step_name(0, dx), step_name(1, dy))
+            if move.kind == "put-down":
+                atoms.append(("lowers", *words))
+            else:
+                verb = "lifts" if move.kind == "lift" else "pushes"
+                atoms.append((verb, *words, price_name(move.cost)))
+        position = ", ".join(f"{value:.4f}" for value in item.position)
+        yield Facts(f"{name} lies at ({position}) m at first", tuple(atoms))
+        if goal:
+            region = goal_region(item, goal, task.problem.tolerance, self.cells, steps=self.steps)
+            cells = [("goal-cell", name, self._cell(0, x), self._cell(1, y)) for x, y in region.xy]
+            heights: list[Atom] = [("goal-on-table", name)] if 0 in region.z else []
+            heights += [
+                ("goal-lifted", name, motion_name(move))
+                for move in moves
+                if move.kind == "lift" and move.cells[2] in region.z
+            ]
+            position = ", ".join(f"{value:.4f}" for value in goal)
+            yield Facts(f"and shall come to ({position}) m", (*heights, *cells))
+
+    def _cell(self, axis: int, index: int) -> str:
+        return self.grid.cell_name(axis, index)
+
+    def _steps(self, axis: int) -> list[int]:
+        """Return all steps along an axis, in order."""
+        return sorted({move.cells[axis] for moves in self.moves.values() for move in moves})
+
+    def _sums(self) -> Iterator[Atom]:
+        for axis, (letter, *_) in enumerate(_AXES):
+            for cells in self._steps(axis):
+                for here, then in self.grid.shifts(axis, cells, self.margin if cells else 0):
+                    yield (
+                        f"{letter}-sum",
+                        step_name(axis, cells),
+                        self._cell(axis, here),
+                        self._cell(axis, then),
+                    )
+
+
+def _surest(moves: Sequence[Move], kept: Collection[str]) -> Iterator[Move]:
+    """List moves, of those that lead an object alike only the cheapest and those of some operators.
+
+    Each lift is followed by its put-down.
+    """
+    downs = {move.operator.name: move for move in moves if move.kind == "put-down"}
+    best = dict[tuple[object, ...], Move]()
+    for move in moves:
+        if move.kind != "put-down":
+            down = downs.get(move.operator.name)
+            case = (move.cells, down and down.cells)
+            if case not in best or move.cost < best[case].cost:
+                best[case] = move
+    told = {move.operator.name for move in best.values()} | {*kept}
+    yield from (move for move in moves if move.operator.name in told)
+
+
+def _by_state(
+    options: Sequence[PutOption], counts: Sequence[str]
+) -> list[tuple[str, bool, tuple[tuple[str, str, int], ...]]]:
+    """List the states that a pair can be brought to, with or without a load, each with what it costs when."""
+    found = dict[tuple[str, bool], list[tuple[str, str, int]]]()
+    for option in options:
+        origin = FROM_THING if option.borne else FROM_PLACE
+        row = found.setdefault((option.state.name, option.laden), [])
+        row += [(origin, count, option.cost) for count in (counts[1:] if option.occupied else counts[:1])]
+    return [(state, laden, tuple(sorted(row))) for (state, laden), row in found.items()]

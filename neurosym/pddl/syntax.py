@@ -1,0 +1,265 @@
+"""PDDL as data: actions, domains and problems, with one printer, and what their plans do.
+
+Everything is positive STRIPS with types, and costs. An atom is its words, like `("stands", "?o", "?p")`.
+"""
+
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, field
+from itertools import groupby
+
+from neurosym.errors import InvalidValue, UnknownChoice
+from neurosym.wording import counted
+
+Atom = tuple[str, ...]
+"""A predicate or a function and its arguments."""
+Typed = tuple[str, str]
+"""A name, and its type."""
+OBJECT = "object"
+TOTAL_COST = "(total-cost)"
+
+
+@dataclass(frozen=True, slots=True)
+class Action:
+    """A lifted action.
+
+    Attributes:
+        name: What it is called.
+        about: What it does, in a sentence.
+        parameters: Its parameters, each with its type.
+        needs: What must hold.
+        adds: What holds afterwards.
+        deletes: What no longer holds.
+        cost: The function that says what it costs, if it costs anything.
+    """
+
+    name: str
+    about: str
+    parameters: tuple[Typed, ...]
+    needs: tuple[Atom, ...]
+    adds: tuple[Atom, ...]
+    deletes: tuple[Atom, ...] = ()
+    cost: Atom | None = None
+
+    def text(self, *, costs: bool) -> str:
+        """Print it.
+
+        Args:
+            costs: Whether what it costs is printed, too.
+        """
+        effects = [*(f"(not {words(atom)})" for atom in self.deletes), *map(words, self.adds)]
+        if costs and self.cost:
+            effects.append(f"(increase {TOTAL_COST} {words(self.cost)})")
+        return "\n".join(
+            [
+                f"  (:action {self.name} ; {self.about}",
+                f"    :parameters ({declared(self.parameters)})",
+                f"    :precondition (and {' '.join(map(words, self.needs))})",
+                f"    :effect (and {' '.join(effects)}))",
+            ]
+        )
+
+
+@dataclass(frozen=True, slots=True)
+class Predicate:
+    """A predicate.
+
+    Attributes:
+        name: What it is called.
+        parameters: Its parameters, each with its type.
+        about: What it says.
+    """
+
+    name: str
+    parameters: tuple[Typed, ...]
+    about: str
+
+    @property
+    def text(self) -> str:
+        """Print it, with what it says behind it."""
+        parameters = declared(self.parameters)
+        return f"    ({' '.join(filter(None, (self.name, parameters)))}) ; {self.about}"
+
+
+@dataclass(frozen=True, slots=True)
+class Domain:
+    """A domain.
+
+    Attributes:
+        name: What it is called.
+        head: What it begins with as comments, a line each.
+        types: The types, each with its parent; parents before children.
+        constants: The constants, each with its type.
+        predicates: The predicates.
+        functions: The functions beside the total cost.
+        actions: The actions.
+    """
+
+    name: str
+    head: tuple[str, ...]
+    types: tuple[Typed, ...]
+    constants: tuple[Typed, ...]
+    predicates: tuple[Predicate, ...]
+    functions: tuple[Predicate, ...]
+    actions: tuple[Action, ...]
+
+    def action(self, name: str) -> Action:
+        """Return the action of a name.
+
+        Raises:
+            UnknownChoice: If there is none.
+        """
+        found = next((action for action in self.actions if action.name == name), None)
+        if found is None:
+            raise UnknownChoice("action", name, [action.name for action in self.actions])
+        return found
+
+    def text(self, *, costs: bool = True) -> str:
+        """Print it.
+
+        Args:
+            costs: Whether what steps cost is printed, too.
+        """
+        requirements = ":strips :typing" + " :action-costs" * costs
+        blocks = [
+            "\n".join([*(f"; {line}".rstrip() for line in self.head), f"(define (domain {self.name})"]),
+            f"  (:requirements {requirements})",
+            _section("types", self.types),
+            *([_section("constants", self.constants)] if self.constants else []),
+            "\n".join(["  (:predicates", *(one.text for one in self.predicates), "  )"]),
+        ]
+        if costs:
+            functions = " ".join(f"({one.name} {declared(one.parameters)})" for one in self.functions)
+            blocks.append(f"  (:functions {' '.join(filter(None, (TOTAL_COST, functions)))} - number)")
+        blocks += [action.text(costs=costs) for action in self.actions]
+        return "\n".join(blocks) + ")\n"
+
+
+@dataclass(frozen=True, slots=True)
+class Facts:
+    """Facts of a problem that belong together.
+
+    Attributes:
+        about: What they say, as a comment; none if empty.
+        atoms: The facts.
+    """
+
+    about: str
+    atoms: tuple[Atom, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class PddlProblem:
+    """A problem.
+
+    Attributes:
+        name: What it is called.
+        domain: Name of its domain.
+        head: What it begins with as comments, a line each.
+        objects: The objects, each with its type.
+        facts: What holds at the start.
+        costs: The values of functions at the start.
+        goals: What shall hold.
+    """
+
+    name: str
+    domain: str
+    head: tuple[str, ...]
+    objects: tuple[Typed, ...]
+    facts: tuple[Facts, ...]
+    costs: Mapping[Atom, int]
+    goals: tuple[Atom, ...]
+
+    @property
+    def atoms(self) -> frozenset[Atom]:
+        """All facts that hold at the start."""
+        return frozenset(atom for facts in self.facts for atom in facts.atoms)
+
+    def text(self, *, costs: bool = True) -> str:
+        """Print it.
+
+        Args:
+            costs: Whether what steps cost is printed, too.
+        """
+        lines = [f"; {line}".rstrip() for line in self.head]
+        lines += [f"(define (problem {self.name})", f"  (:domain {self.domain})"]
+        lines += [_section("objects", self.objects), "  (:init"]
+        for facts in self.facts:
+            lines += [f"    ; {facts.about}"] if facts.about else []
+            for _, row in groupby(facts.atoms, key=lambda atom: atom[1:2]):
+                lines.append(f"    {' '.join(map(words, row))}")
+        if costs:
+            values = " ".join(f"(= {words(atom)} {value})" for atom, value in self.costs.items())
+            lines.append(f"    (= {TOTAL_COST} 0) {values}".rstrip())
+        lines += ["  )", f"  (:goal (and {' '.join(map(words, self.goals))}))"]
+        lines += [f"  (:metric minimize {TOTAL_COST})"] * costs
+        return "\n".join(lines) + ")\n"
+
+
+def words(atom: Atom) -> str:
+    """Print an atom."""
+    return f"({' '.join(atom)})"
+
+
+def declared(names: Iterable[Typed]) -> str:
+    """Print names with their types, those of one type that follow each other together."""
+    rows = groupby(names, key=lambda one: one[1])
+    return " ".join(f"{' '.join(name for name, _ in row)} - {kind}" for kind, row in rows)
+
+
+def _section(title: str, names: Sequence[Typed]) -> str:
+    rows = groupby(names, key=lambda one: one[1])
+    lines = [f"    {' '.join(name for name, _ in row)} - {kind}" for kind, row in rows]
+    return "\n".join([f"  (:{title}", *lines]) + ")"
+
+
+@dataclass(slots=True)
+class Course:
+    """What holds while the ground actions of a plan are taken, one after another.
+
+    Attributes:
+        domain: The domain.
+        holds: The facts that hold now.
+    """
+
+    domain: Domain
+    holds: set[Atom] = field(default_factory=set)
+
+    def take(self, name: str, arguments: Sequence[str]) -> None:
+        """Take a ground action.
+
+        Args:
+            name: Name of the action.
+            arguments: What its parameters stand for.
+
+        Raises:
+            UnknownChoice: If the domain has no such action.
+            InvalidValue: If it has more or fewer parameters, or something does not hold that it needs.
+        """
+        action = self.domain.action(name)
+        if len(arguments) != len(action.parameters):
+            wanted = " ".join([name, *(parameter for parameter, _ in action.parameters)])
+            told = counted(len(arguments), "argument")
+            raise InvalidValue(f"it has {told}; valid: ({wanted})")
+        given = {
+            parameter: argument for (parameter, _), argument in zip(action.parameters, arguments, strict=True)
+        }
+        missing = next((atom for atom in ground(action.needs, given) if atom not in self.holds), None)
+        if missing:
+            raise InvalidValue(f"{words(missing)} does not hold there{self._instead(missing)}")
+        self.holds.difference_update(ground(action.deletes, given))
+        self.holds.update(ground(action.adds, given))
+
+    def _instead(self, missing: Atom) -> str:
+        """Say what holds in the place of an atom, where one thing does."""
+        alike = sorted(atom for atom in self.holds if atom[:2] == missing[:2])
+        return f"; what holds is {words(alike[0])}" if len(alike) == 1 else ""
+
+
+def ground(atoms: Iterable[Atom], given: Mapping[str, str]) -> list[Atom]:
+    """Put arguments in the place of parameters.
+
+    Args:
+        atoms: The atoms.
+        given: The argument of each parameter.
+    """
+    return [tuple([given.get(word, word) for word in atom]) for atom in atoms]

@@ -1,0 +1,98 @@
+"""What is done to an object by itself: every live operator as a displacement, and what it costs."""
+
+import math
+from collections.abc import Iterable
+from dataclasses import dataclass
+from typing import Literal
+
+from neurosym.cells import Cells
+from neurosym.grounding import Grounding, is_lift
+from neurosym.operators import TOLERANCE, Operator
+from neurosym.problems import SceneObject
+from neurosym.promises import usable
+
+PUT_DOWN = "put-down-"
+"""What the name of an operator is preceded by where the object it lifted is put down again."""
+
+
+@dataclass(frozen=True, slots=True)
+class Move:
+    """One primitive on one category, or putting down what it lifted.
+
+    Attributes:
+        name: Name of the PDDL action.
+        category: PDDL type of the object.
+        cells: Displacement of the object.
+        cost: What the step costs.
+        kind: Whether the hand is empty before and after ("rest"), holds the object after ("lift"), or
+            held it before ("put-down").
+        operator: The operator it comes from.
+    """
+
+    name: str
+    category: str
+    cells: Cells
+    cost: int
+    kind: Literal["rest", "lift", "put-down"]
+    operator: Operator
+
+    @property
+    def axes(self) -> tuple[int, ...]:
+        """The axes that the object moves along."""
+        return tuple(axis for axis in range(3) if self.cells[axis])
+
+    @property
+    def all_axes(self) -> tuple[int, ...]:
+        """The axes that some object may move along: what is not lifted stays at its height."""
+        return (0, 1) if self.kind == "rest" else (0, 1, 2)
+
+
+def moves_of(grounding: Grounding) -> tuple[Move, ...]:
+    """List what the live operators do on average, by name, each lift followed by its put-down."""
+    return as_moves(grounding.live, grounding)
+
+
+def moves_for(item: SceneObject, grounding: Grounding, tolerance: float = TOLERANCE) -> tuple[Move, ...]:
+    """List what the operators of a domain promise for an object, by name, each lift followed by its put-down.
+
+    Args:
+        item: The object.
+        grounding: The learned domain.
+        tolerance: How near an outcome must come to the promise to have kept it [m].
+    """
+    ordered = sorted(usable(grounding, item, tolerance), key=lambda operator: operator.name)
+    return as_moves(ordered, grounding)
+
+
+def as_moves(operators: Iterable[Operator], grounding: Grounding) -> tuple[Move, ...]:
+    """Return what operators promise as moves, each lift followed by its put-down.
+
+    Args:
+        operators: The operators.
+        grounding: What they are counted in, in its cells.
+    """
+    moves: list[Move] = []
+    for operator in operators:
+        category = grounding.category(operator.category).name
+        kind: Literal["rest", "lift"] = "lift" if is_lift(operator) else "rest"
+        cells = grounding.cells(operator)
+        moves.append(Move(operator.name, category, cells, step_cost(operator, grounding), kind, operator))
+        if kind == "lift":
+            back = grounding.put_down_cells(operator)
+            moves.append(Move(PUT_DOWN + operator.name, category, back, 0, "put-down", operator))
+    return tuple(moves)
+
+
+def chance(operator: Operator) -> float:
+    """Return the chance that a step goes as promised: (k + 1) / (n + 2), k successes in n rehearsals."""
+    return (operator.successes + 1) / (operator.trials + 2)
+
+
+def cost(operator: Operator) -> int:
+    """Return what a step costs: 1 + round(-100 ln((k + 1) / (n + 2))), k successes in n rehearsals."""
+    return 1 + round(-100 * math.log(chance(operator)))
+
+
+def step_cost(operator: Operator, grounding: Grounding) -> int:
+    """Return what a step costs in a domain: as much as any other if the domain has unit costs."""
+    return 1 if grounding.unit_costs else cost(operator)
