@@ -7,7 +7,7 @@ PYTHON ?= $(shell for each in $(PYTHONS); do $$each -c '$(SUPPORTED)' 2>/dev/nul
 BIN := $(VENV)/bin
 comma := ,
 
-.PHONY: install demo test test-pythons lint fuzz evaluate evaluate-world evaluate-learning evaluate-planning evaluate-practice evaluate-places evaluate-relations evaluate-bits evaluate-planners evaluate-scale evaluate-studio faults tutorial architecture docs clean
+.PHONY: install demo test test-pythons lint fuzz evaluate evaluate-world evaluate-learning evaluate-planning evaluate-practice evaluate-places evaluate-relations evaluate-bits evaluate-planners evaluate-foreign evaluate-scale evaluate-studio faults tutorial architecture docs clean
 
 install: $(VENV)/.installed
 
@@ -119,6 +119,11 @@ architecture: install
 evaluate-planners: install
 	$(BIN)/pip install --quiet --constraint constraints.txt --editable '.[dev,planners]' up-tamer
 	$(BIN)/python -m tools.benchmarks.planning.planner_matrix
+
+# What ten planners of the package index make of the printed files, called without neurosym, into
+# docs/results/foreign.*; each is installed into an environment of its own, below ~/.cache/neurosym-foreign.
+evaluate-foreign: install
+	$(BIN)/python -m tools.benchmarks.foreign --features
 
 clean:
 	rm -rf $(VENV) demo

@@ -25,7 +25,6 @@ if TYPE_CHECKING:
     from neurosym.operators import OperatorTable as OperatorTable
     from neurosym.operators import Primitive as Primitive
     from neurosym.pddl.compiler import compile_domain as compile_domain
-    from neurosym.pddl.plan_text import PlanStep as PlanStep
     from neurosym.planners.planner import Planner as Planner
     from neurosym.planners.planner import Query as Query
     from neurosym.planners.refinement import pddl_planner as pddl_planner
@@ -46,6 +45,7 @@ if TYPE_CHECKING:
     from neurosym.table import OtherObject as OtherObject
     from neurosym.table import Place as Place
     from neurosym.table import Table as Table
+    from neurosym.tasks.steps import PlanStep as PlanStep
     from neurosym.world import Outcome as Outcome
     from neurosym.world import Scene as Scene
     from neurosym.world import World as World
@@ -64,7 +64,7 @@ _PLACES = {
     "neurosym.learning.training": ("Trained", "train"),
     "neurosym.operators": ("Category", "Operator", "OperatorTable", "Primitive"),
     "neurosym.pddl.compiler": ("compile_domain",),
-    "neurosym.pddl.plan_text": ("PlanStep",),
+    "neurosym.tasks.steps": ("PlanStep",),
     "neurosym.planners.planner": ("Planner", "Query"),
     "neurosym.planners.refinement": ("pddl_planner",),
     "neurosym.planners.registry": ("plan", "register_planner"),

@@ -10,10 +10,10 @@ from itertools import permutations
 import msgspec
 import numpy as np
 
-from neurosym.any_pair import FAINT, FAINTEST, LEAST, for_any_pair, share_with_any
 from neurosym.arrays import Float
 from neurosym.errors import InvalidValue
 from neurosym.operators import Category
+from neurosym.pooled_puts import FAINT, FAINTEST, LEAST, pooled, share_with_any
 from neurosym.problems import Problem
 from neurosym.relation_goals import pair_key
 from neurosym.relation_operators import PairStates, RelationOperators
@@ -104,7 +104,7 @@ def _foreseen(
     cases = [
         (row, operator, order.index(operator.promise.state))
         for row, kind in enumerate(kinds)
-        for operator in (*relations.operators, *for_any_pair(relations))
+        for operator in (*relations.operators, *pooled(relations))
         if operator.is_for(kind) and operator.promise and operator.promise.state in order
     ]
     found: list[dict[str, float]] = [{} for _ in kinds]

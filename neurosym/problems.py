@@ -13,7 +13,13 @@ from neurosym.errors import InvalidFile, InvalidValue, UnknownChoice
 from neurosym.files import write_json
 from neurosym.operators import TOLERANCE, Length, Share, Vector
 from neurosym.reading import read_json
-from neurosym.relation_goals import RelationGoal, check_pair_keys, check_relation_goals, pair_key
+from neurosym.relation_goals import (
+    FORMER_SUFFIX,
+    RelationGoal,
+    check_pair_keys,
+    check_relation_goals,
+    pair_key,
+)
 from neurosym.spots import spot_named
 from neurosym.symbols import Symbol
 from neurosym.table import Table
@@ -222,7 +228,13 @@ class Problem(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
                 check_pair_keys(what, told or (), problem.object_names)
             except InvalidValue as error:
                 raise InvalidFile(path, str(error).rstrip(".")) from error
-        return problem
+        foreseen = {pair: _renamed(shares) for pair, shares in (problem.foreseen or {}).items()}
+        return msgspec.structs.replace(problem, foreseen=foreseen) if foreseen else problem
+
+
+def _renamed(shares: dict[str, float]) -> dict[str, float]:
+    """Return what is foreseen of a pair by the names that operators have now."""
+    return {name.removesuffix(FORMER_SUFFIX): share for name, share in shares.items()}
 
 
 def goal_heights(problem: Problem, lift_height: float) -> tuple[float, float]:

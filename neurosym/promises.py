@@ -166,9 +166,12 @@ class _Promises(Mapping[str, Operator]):
 
     def __init__(self, operators: Mapping[str, Operator], refine: Callable[[Operator], Operator]):
         self._operators, self._refine = operators, refine
+        self._found: dict[str, Operator] = {}
 
     def __getitem__(self, name: str) -> Operator:
-        return self._refine(self._operators[name])
+        if name not in self._found:
+            self._found[name] = self._refine(self._operators[name])
+        return self._found[name]
 
     def __iter__(self) -> Iterator[str]:
         return iter(self._operators)

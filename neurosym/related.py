@@ -12,13 +12,13 @@ from itertools import combinations, permutations
 import msgspec
 import numpy as np
 
-from neurosym.any_pair import ANY_PAIR, for_any_pair
 from neurosym.errors import InvalidValue
 from neurosym.grounding import Grounding
 from neurosym.pair_sight import with_pairs
 from neurosym.pair_states import describe_pair, extent
+from neurosym.pooled_puts import pooled
 from neurosym.problems import Problem
-from neurosym.relation_goals import RelationGoal, pair_key
+from neurosym.relation_goals import FORMER_SUFFIX, RelationGoal, pair_key
 from neurosym.relation_operators import PairState, RelationOperator, RelationOperators
 from neurosym.symbols import Symbol
 from neurosym.world import Scene
@@ -108,7 +108,8 @@ def bearers_of(problem: Problem, relations: RelationOperators) -> dict[str, Born
     """Return what bears each object that another one bears.
 
     Of two objects that look as if each bore the other, as a box and the ring around it do, the one bears that
-    the goals say bears.
+    the goals say bears. What lies on the table beside another object is not borne by it, however alike that
+    looks to the encoder.
 
     Args:
         problem: The problem, with the objects as they stand now.
@@ -117,7 +118,9 @@ def bearers_of(problem: Problem, relations: RelationOperators) -> dict[str, Born
     known = _known_ends(relations)
     kinds = problem.pairs if isinstance(problem.pairs, dict) else {}
     asked = {(target, reference) for target, reference, _ in problem.related}
-    bears = {names: (state, off) for names, (state, off) in _seen(problem, relations).items() if state.bears}
+    seen = _seen(problem, relations).items()
+    beside = _beside(problem)
+    bears = {names: (state, off) for names, (state, off) in seen if state.bears and names not in beside}
     bearing = [
         ((kinds.get(pair_key(*names), ""), state.symbol) not in known, off, names, state)
         for names, (state, off) in bears.items()
@@ -128,6 +131,16 @@ def bearers_of(problem: Problem, relations: RelationOperators) -> dict[str, Born
         if target not in found and target not in chain_below(reference, found):
             found[target] = Borne(reference, state)
     return {name: found[name] for name in problem.object_names if name in found}
+
+
+def _beside(problem: Problem) -> set[tuple[str, str]]:
+    """List targets that lie on the table, each with the references that it does not overlap from above."""
+    scene, names = problem.scene(), problem.object_names
+    halves = np.array([extent(scene, index) / 2 for index in range(len(scene))])
+    lies = scene.positions[:, 2] - halves[:, 2] < TOUCHING
+    gaps = np.abs(scene.positions[:, None] - scene.positions) - (halves[:, None] + halves)
+    apart = (gaps[..., :2] > 0).any(-1)
+    return {(names[one], names[other]) for one, other in np.argwhere(lies[:, None] & apart)}
 
 
 def known_bearers(problem: Problem, relations: RelationOperators) -> dict[str, Borne]:
@@ -256,16 +269,26 @@ def relating(name: str, grounding: Grounding) -> RelationOperator | None:
     relations = grounding.relations
     if relations is None:
         return None
-    every = for_any_pair(relations) if name.endswith(ANY_PAIR) else relations.operators
-    return next((one for one in every if one.name == name), None)
+    bare = name.removesuffix(FORMER_SUFFIX)
+    return next((one for one in (*relations.operators, *pooled(relations)) if one.name == bare), None)
 
 
-def _seen(problem: Problem, relations: RelationOperators) -> dict[tuple[str, str], tuple[PairState, float]]:
-    """Return the state of each pair, and how far it is from what is typical of that."""
+_Seen = dict[tuple[str, str], tuple[PairState, float]]
+_REMEMBERED = 4
+_latest: list[tuple[Problem, RelationOperators, _Seen]] = []
+
+
+def _seen(problem: Problem, relations: RelationOperators) -> _Seen:
+    """Return the state of each pair, and how far it is from what is typical of that; kept for a while."""
+    for known, learned, seen in _latest:
+        if known is problem and learned is relations:
+            return seen
     scene, contacts, names = problem.scene(), touching(problem), problem.object_names
     found = {}
     for target, reference in permutations(range(len(scene)), 2):
         described = tuple(describe_pair(scene, target, reference, contacts).tolist())
         state = relations.state_of(described)
         found[names[target], names[reference]] = state, misfit(described, state, relations)
+    _latest.insert(0, (problem, relations, found))
+    del _latest[_REMEMBERED:]
     return found

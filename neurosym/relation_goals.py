@@ -7,6 +7,9 @@ from neurosym.errors import InvalidValue
 RelationGoal = tuple[str, str, str]
 """Names of the target and of the reference, and the name or symbol of the state of the pair."""
 
+FORMER_SUFFIX = "-any-pair"
+"""What operators for pairs of any kind were called with in earlier versions, whose files are still read."""
+
 
 def pair_key(target: str, reference: str) -> str:
     """Return what a pair of objects is called where their kinds are kept.

@@ -264,7 +264,7 @@ CALLS = [
     *each((("a",), (), ("a",) * 5, "abcd", None), "feature_names", lambda n: ns.tabulate(rehearse(), n)),
     *each((None, "toy", 3), "table", compile_domain),
     *each((None, 3), "name", lambda name: compile_domain(name=name)),
-    *each(("Toy", "", "movable", "9"), "", lambda name: compile_domain(name=name)),
+    *each(("Toy", "", "thing", "9"), "", lambda name: compile_domain(name=name)),
     *each((None, (0, 1)), "table_bounds", lambda bounds: compile_domain(table_bounds=bounds)),
     *each((1e-9, 99.0), "cell", lambda cell: compile_domain(cell=cell)),
     *each((None, 3, "one"), "problem", plan),

@@ -9,10 +9,9 @@ from places import SHIPPED
 from toy_domain import grounding, problem
 
 from neurosym.pddl import domain_text
-from neurosym.pddl.moves import LIFTED, PLACES, RELATIONAL, Encoding
 from neurosym.problems import Problem
 from neurosym.stages.folder import DomainFolder
-from neurosym.stages.layout import DOMAIN, LIFTED_DOMAIN, OPERATORS_DOMAIN, PLACES_DOMAIN, RELATIONAL_DOMAIN
+from neurosym.stages.layout import DOMAIN
 from neurosym.stages.problem_printing import print_problem
 from neurosym.studio.library import Library
 from neurosym.studio.session import Session
@@ -29,8 +28,7 @@ def toy_library(path: Path, goals: dict[str, tuple[float, float, float]] = AWAY)
     (path / "world.toml").write_text('world = "toy"\n')
     (path / "problems").mkdir(exist_ok=True)
     grounding().save(path / "grounding.json")
-    for file, encoding in ((DOMAIN, "stepwise"), (OPERATORS_DOMAIN, "operators")):
-        (path / file).write_text(domain_text(grounding(), encoding))
+    (path / DOMAIN).write_text(domain_text(grounding()))
     folder = DomainFolder(path)
     made = problem(goals)
     made.save(path / "problems" / f"{made.name}.scene.json")
@@ -45,15 +43,7 @@ def relations_library(path: Path, *problems: Problem) -> Library:
     (path / "problems").mkdir(exist_ok=True)
     learned = toy_relations.grounding()
     learned.save(path / "grounding.json")
-    printed: dict[str, Encoding] = {
-        DOMAIN: "stepwise",
-        OPERATORS_DOMAIN: "operators",
-        PLACES_DOMAIN: PLACES,
-        RELATIONAL_DOMAIN: RELATIONAL,
-        LIFTED_DOMAIN: LIFTED,
-    }
-    for file, encoding in printed.items():
-        (path / file).write_text(domain_text(learned, encoding))
+    (path / DOMAIN).write_text(domain_text(learned))
     for made in problems:
         made.save(path / "problems" / f"{made.name}.scene.json")
         print_problem(DomainFolder(path), made, learned)

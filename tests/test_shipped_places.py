@@ -7,7 +7,6 @@ from neurosym.execution.record import Run
 from neurosym.execution.rerun import compare_runs, rerun
 from neurosym.grounding import Grounding
 from neurosym.pddl import domain_text, problem_text
-from neurosym.pddl.moves import PLACES
 from neurosym.planners import PlanStatus
 from neurosym.planners.fast_downward import plan_fast_downward
 from neurosym.reading import digest, read_json
@@ -37,22 +36,22 @@ def test_problems_are_all_that_people_bring_with_one_to_eight_objects():
 
 
 def test_text_is_what_the_compiler_prints_from_the_table():
-    assert (FOLDER / "domain-places.pddl").read_text() == domain_text(GROUNDING, PLACES)
+    assert (FOLDER / "domain.pddl").read_text() == domain_text(GROUNDING)
     for name in NAMES[:4]:
-        printed = problem_text(PROBLEMS[name], GROUNDING, PLACES)
-        assert (FOLDER / f"problems/{name}.places.pddl").read_text() == printed, name
+        printed = problem_text(PROBLEMS[name], GROUNDING)
+        assert (FOLDER / f"problems/{name}.pddl").read_text() == printed, name
 
 
 def test_most_plans_carry():
     plans = [path.read_text() for path in (FOLDER / "plans").glob("*.plan")]
-    assert sum("(carry-to-" in plan for plan in plans) >= 18
+    assert sum("(put-at " in plan for plan in plans) >= 18
 
 
 def test_fast_downward_takes_the_files_unchanged():
-    task = FOLDER / f"problems/{SWAP}.places.pddl"
-    answer = plan_fast_downward(FOLDER / "domain-places.pddl", task, time_limit=60.0)
+    task = FOLDER / f"problems/{SWAP}.pddl"
+    answer = plan_fast_downward(FOLDER / "domain.pddl", task, time_limit=60.0)
     assert answer.status is PlanStatus.SOLVED
-    assert answer.text.count("carry-to") >= 3, "one waits while the other is carried"
+    assert answer.text.count("put-at") >= 3, "one waits while the other is carried"
 
 
 @pytest.mark.parametrize("name", [NAMES[0], SWAP])

@@ -7,7 +7,6 @@ from neurosym.execution.record import Run
 from neurosym.execution.rerun import compare_runs, rerun
 from neurosym.grounding import Grounding
 from neurosym.pddl import domain_text, problem_text
-from neurosym.pddl.moves import RELATIONAL
 from neurosym.planners import PlanStatus, plan
 from neurosym.planners.fast_downward import plan_fast_downward
 from neurosym.reading import digest, read_json
@@ -54,10 +53,10 @@ def test_problems_are_of_two_to_eight_objects():
 
 
 def test_text_is_what_the_compiler_prints_from_the_table():
-    assert (FOLDER / "domain-relational.pddl").read_text() == domain_text(GROUNDING, RELATIONAL)
+    assert (FOLDER / "domain.pddl").read_text() == domain_text(GROUNDING)
     for name in OF_RELATIONS[:3]:
-        printed = problem_text(PROBLEMS[name], GROUNDING, RELATIONAL)
-        assert (FOLDER / f"problems/{name}.relational.pddl").read_text() == printed, name
+        printed = problem_text(PROBLEMS[name], GROUNDING)
+        assert (FOLDER / f"problems/{name}.pddl").read_text() == printed, name
 
 
 def test_nothing_asked_for_is_so_at_the_start():
@@ -65,8 +64,8 @@ def test_nothing_asked_for_is_so_at_the_start():
 
 
 def test_fast_downward_takes_the_files_unchanged():
-    task = FOLDER / f"problems/{OF_RELATIONS[0]}.relational.pddl"
-    answer = plan_fast_downward(FOLDER / "domain-relational.pddl", task, time_limit=60.0)
+    task = FOLDER / f"problems/{OF_RELATIONS[0]}.pddl"
+    answer = plan_fast_downward(FOLDER / "domain.pddl", task, time_limit=60.0)
     assert answer.status is PlanStatus.SOLVED
 
 

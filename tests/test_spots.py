@@ -11,14 +11,14 @@ from neurosym.execution.executor import execute
 from neurosym.execution.rerun import rerun
 from neurosym.pddl.place_check import check_places
 from neurosym.pddl.plan_reading import read_plan
-from neurosym.pddl.plan_text import PlanStep, print_plan
-from neurosym.pddl.validation import validate
 from neurosym.planners import PlanStatus
 from neurosym.planners.custom import solve_checked
 from neurosym.planners.planner import Planner, Query
 from neurosym.planners.result import PlanResult
 from neurosym.problems import Problem
 from neurosym.spots import spot_name, spot_named
+from neurosym.tasks.steps import PlanStep, print_plan
+from neurosym.tasks.transition import validate
 
 
 def test_names_tell_where_spots_lie():

@@ -117,3 +117,24 @@ def sorting() -> Problem:
     )
     goals = (("item-01", "item-04", LIE), ("item-02", "item-05", LIE))
     return Problem("sorting", objects, {}, 0.02, relations=goals)
+
+
+def relearned(name: str, learned: Grounding | None = None, **changes: int) -> Grounding:
+    """Return the domain after other rehearsals of one operator, given as how many of 10 were kept."""
+    learned = learned or grounding()
+    assert learned.relations is not None
+    operators = tuple(
+        msgspec.structs.replace(
+            one,
+            **{
+                case: msgspec.structs.replace(getattr(one, case), trials=10, kept=kept)
+                for case, kept in changes.items()
+            },
+        )
+        if one.name == name
+        else one
+        for one in learned.relations.operators
+    )
+    return msgspec.structs.replace(
+        learned, relations=msgspec.structs.replace(learned.relations, operators=operators)
+    )

@@ -59,7 +59,8 @@ def _text(node: ast.expr) -> str:
 
 
 def _comments(text: str) -> list[str]:
-    """Return the comments of a domain; lines of one comment are one text."""
+    """Return the comments of a domain; lines of one comment are one text, and rows of tables are none."""
+    text = re.sub(r"^;   .*\n", "", text, flags=re.M)
     found = re.findall(r"(?:^[ ]*;.*\n)+", text, flags=re.M)
     return [" ".join(line.strip().lstrip("; ") for line in block.splitlines()) for block in found]
 

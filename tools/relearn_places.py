@@ -87,8 +87,8 @@ def sections(folder: DomainFolder) -> list[str]:
         "## What carries",
         "What each action that is aimed at a place did to the objects of each category when it was "
         "rehearsed. The effect is where the object stands, seen from the place; the hand aims beside it by "
-        "as much. *As promised*: within 50 mm of that. What pushes and lifts stands in "
-        "[domain-operators.pddl](domain-operators.pddl), and `neurosym explain` tells it in words.",
+        "as much. *As promised*: within 50 mm of that. "
+        "`neurosym explain` tells in words what pushes and lifts.",
         operators_table(grounding.places.operators.operators, grounding),
         "## Problems",
         f"Problem number i is drawn with seed {SEED} + i. In *anywhere*, goals lie all over the table, at "

@@ -102,7 +102,7 @@ def sections(folder: DomainFolder, bits: tuple[int, int]) -> list[str]:
         "## Action symbols",
         "What each primitive did to the objects of each category when it was rehearsed. Forward is away from "
         "the robot (+x), left is +y. *As promised*: in the promised mode, within 50 mm of its mean. The "
-        "distilled parameters stand above each action in [domain-operators.pddl](domain-operators.pddl).",
+        "page that planners read is [domain.pddl](domain.pddl).",
         operators_table(table.operators, grounding),
         "## Problems",
         f"Problem number i is drawn with seed {SEED} + i, from 1 object and 1 random action up to 8 objects "

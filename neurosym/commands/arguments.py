@@ -120,7 +120,12 @@ def _refuse(event: Any) -> None:
 
     if isinstance(event, events.InvalidChoice):
         choices = [choice for choice in event.choices if choice != "None"]  # which is no word of ours
-        raise UnknownChoice(_called(event.argument).removeprefix("--"), event.value, choices)
+        option = _called(event.argument).removeprefix("--")
+        if option == "encoding":
+            from neurosym.pddl.domain import check_former
+
+            check_former(event.value)
+        raise UnknownChoice(option, event.value, choices)
     said = None
     if isinstance(event, events.MissingArgs):
         said = f"missing: {', '.join(_called(missing.arg) for missing in event.missing_arguments)}"

@@ -20,14 +20,15 @@ def compile_domain(
     durative: Annotated[
         bool, arg(help="Also what carries objects to places with durations, for PlanSys2.")
     ] = False,
+    plain: Annotated[bool, arg(help="Also all of it without costs, for planners that take none.")] = False,
 ) -> int:
     """Compile the PDDL domain: `primitives.json` -> `domain.pddl` and its like, and `grounding.json`.
 
-    All domains say the same. `domain.pddl` moves one axis at a time and stays small on fine grids;
-    `domain-operators.pddl` has one action for each operator, reads best, and takes the same problems;
-    `domain-numeric.pddl` has numbers instead of a grid, and takes the problems NAME.numeric.pddl.
-    With `--durative` there is `domain-durative.pddl`, too: it carries objects to places by actions that
-    take time, and takes the problems NAME.durative.pddl. From then on it is kept up to date.
+    `domain.pddl` is a page that holds all that was learned, and takes the problems NAME.pddl.
+    `domain-numeric.pddl` has numbers instead of cells and places, and takes NAME.numeric.pddl.
+    With `--plain` there are `domain-plain.pddl` and NAME.plain.pddl, the page without costs. With
+    `--durative` there is `domain-durative.pddl`: it carries objects to places by an action that takes time,
+    and takes NAME.durative.pddl. From then on they are kept up to date.
     """
     from neurosym.commands.tables import show_verdict
     from neurosym.grounding import Grounding
@@ -35,7 +36,7 @@ def compile_domain(
     from neurosym.stages.verdict import judge_domain
 
     domain = opened(folder)
-    domain.perform(compile_stage(domain, cell=cell, name=name, durative=durative), again=True)
+    domain.perform(compile_stage(domain, cell=cell, name=name, durative=durative, plain=plain), again=True)
     grounding = Grounding.load(domain / GROUNDING)
     say(f"{len(grounding.live)} operators in {folder / 'domain.pddl'}; left out: {len(grounding.left_out)}")
     for name, reason in grounding.left_out.items():

@@ -40,7 +40,7 @@ def demo(
         return code
     _say_command("execute", folder, PROBLEM, plan_file, "--gif", gif, "--strip", strip)
     code = execute(folder, PROBLEM, plan_file, gif=gif, strip=strip)
-    say(f"look at {gif} and {strip}, and read {folder / 'domain-operators.pddl'}")
+    say(f"look at {gif} and {strip}, and read {folder / 'domain.pddl'}")
     say_next(f"neurosym report {quoted(folder)}")
     return code
 

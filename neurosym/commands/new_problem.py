@@ -9,7 +9,7 @@ from neurosym.commands.options import AnyTaskOption, Folder, Seed, opened
 from neurosym.console import say, say_next
 from neurosym.errors import InvalidFile, InvalidValue
 from neurosym.stages.folder import DomainFolder
-from neurosym.stages.layout import GROUNDING, problem_files, relation_files, scene_file
+from neurosym.stages.layout import GROUNDING, problem_files, scene_file
 from neurosym.wording import quoted
 
 
@@ -119,8 +119,7 @@ def _say_made(domain: DomainFolder, folder: Path, name: str, verb: str) -> None:
     from neurosym.related import is_reached
 
     problem = Problem.load(domain / scene_file(name))
-    files = (*problem_files(name)[:1], *relation_files(name))
-    printed = next((file for file in files if (folder / file).exists()), files[0])
+    printed = problem_files(name)[0]
     say(f"{verb} {folder / printed} and its scene")
     if is_reached(problem, Grounding.load(domain / GROUNDING)):
         say(f"note: it is met at the start, within {1000 * problem.tolerance:g} mm")

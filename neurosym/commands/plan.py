@@ -28,12 +28,8 @@ def plan(
     ] = "fast-downward",
     time_limit: TimeLimit = None,
     encoding: Annotated[
-        Literal["sas", "stepwise", "operators", "numeric", "places", "relational", "relational-lifted"]
-        | None,
-        arg(
-            help="For PDDL planners: sas, stepwise, operators, numeric, places, relational or "
-            "relational-lifted, instead of the usual."
-        ),
+        Optional[Literal["strips", "numeric", "sas"]],
+        arg(help="For PDDL planners: strips, numeric or sas, instead of the usual."),
     ] = None,
     whole: Annotated[bool, arg(help="For PDDL planners: all objects at once instead of one by one.")] = False,
     unit_costs: Annotated[

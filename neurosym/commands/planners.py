@@ -12,8 +12,7 @@ def planners(json: Json = False) -> int:
     record = track_record()
     answer, rows = answer_in(json), []
     for planner in PLANNERS.values():
-        others = ("places", "relational") if "stepwise" in planner.encodings else ()
-        encodings = ", ".join((*planner.encodings, *others)) or "-"
+        encodings = ", ".join(planner.encodings) or "-"
         cell = planner.program.cell if planner.program else 0.0
         cells = f", cells from {cell * 1000:g} mm" if cell else ""
         solved = record.of(planner.name) or "-"
@@ -21,7 +20,7 @@ def planners(json: Json = False) -> int:
     show_table("Planners", ["planner", "what it is", "encodings", "solved", "installed"], rows)
     problems = " and ".join(record.problems)
     say(f"solved: of {problems} of tabletop, whole, in {record.time_limit:g} s each; - is one of ours")
-    say("where a domain has places, planners that take them try them first; so with relations")
+    say("strips is the page, domain.pddl; sas is what Fast Downward makes of objects that are led over cells")
     say("`pip install 'neurosym-pddl[planners]'` brings those that are not")
     answer(
         [

@@ -13,10 +13,10 @@ from neurosym.execution.record import Run
 from neurosym.learning.report import TrainingReport, empty_codes, error_table
 from neurosym.naming import NO_EFFECT, name_axes, names_of_features
 from neurosym.operators import CONVERGED, Effect, Operator, OperatorTable
-from neurosym.pddl.plan_text import PlanStep, primitives
 from neurosym.reading import read_json
 from neurosym.relation_operators import RelationOperators
 from neurosym.stages.verdict import Verdict, judge_training
+from neurosym.tasks.steps import PlanStep, primitives
 from neurosym.wording import counted, listed_briefly
 
 

@@ -19,14 +19,14 @@ from neurosym.errors import InvalidPlanner, InvalidValue, UnknownChoice
 from neurosym.execution.executor import execute
 from neurosym.execution.summary import Execution, summarise_run
 from neurosym.grounding import Grounding, is_lift
-from neurosym.pddl.plan_text import PlanStep, Steps, named_steps, primitives
-from neurosym.pddl.validation import Validation, validate
 from neurosym.planners import PLANNERS, PlanResult, PlanStatus, plan, planner_named
 from neurosym.planners.planner import PredictEffects
 from neurosym.planners.registry import Replanner
 from neurosym.problems import Problem
 from neurosym.related import is_reached, is_relational
 from neurosym.tasks.places import with_places
+from neurosym.tasks.steps import PlanStep, Steps, named_steps, primitives
+from neurosym.tasks.transition import Replay, validate
 from neurosym.world import World
 
 NOT_VALID = Literal["", "impossible", "elsewhere"]
@@ -228,7 +228,7 @@ def _worst(problem: Problem, positions: Float[np.ndarray, "M 3"]) -> float:
     return round(max(problem.distances(positions).values(), default=0.0), 6)
 
 
-def _invalid(replayed: Validation) -> NOT_VALID:
+def _invalid(replayed: Replay) -> NOT_VALID:
     if replayed.valid:
         return ""
     return "elsewhere" if replayed.possible else "impossible"

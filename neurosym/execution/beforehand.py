@@ -6,10 +6,10 @@ from neurosym.checks import check_all, check_callable, check_count, check_kind, 
 from neurosym.errors import InvalidValue, UnknownChoice
 from neurosym.grounding import Grounding
 from neurosym.object_limits import limits_of
-from neurosym.pddl.plan_text import PlanStep
 from neurosym.planners.registry import Replanner
 from neurosym.problems import Problem
 from neurosym.related import relating
+from neurosym.tasks.steps import PlanStep
 from neurosym.world import World
 
 

@@ -30,8 +30,6 @@ from neurosym.execution.replanning import (
 from neurosym.execution.watching import STOP, Moment, Watcher
 from neurosym.grounding import Grounding
 from neurosym.guarded import guarded, placed
-from neurosym.pddl.plan_text import PlanStep, Steps, named_steps, primitives
-from neurosym.pddl.validation import validate
 from neurosym.planners.effort import Effort
 from neurosym.planners.planner import Tell
 from neurosym.planners.registry import Replanner
@@ -39,6 +37,8 @@ from neurosym.problems import Problem
 from neurosym.promises import promised
 from neurosym.related import Contacts, touching, unmet_relations
 from neurosym.table import OtherObject, Reference
+from neurosym.tasks.steps import PlanStep, Steps, named_steps, primitives
+from neurosym.tasks.transition import validate
 from neurosym.world import FrameSink, Outcome, Scene, World
 
 FAR = 0.1

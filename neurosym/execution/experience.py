@@ -20,12 +20,12 @@ from neurosym.execution.relating import PairExperience
 from neurosym.execution.weighing import REPEATS, combined, mean_of, miss_of
 from neurosym.grounding import Grounding
 from neurosym.operators import TOLERANCE, Category, Mode, Operator, OperatorTable
-from neurosym.pddl.plan_text import PlanStep
 from neurosym.problems import Problem, SceneObject
 from neurosym.promises import LEAST_CHANCE, promised
 from neurosym.related import relating
 from neurosym.symbols import Symbol
 from neurosym.tasks.moves import PUT_DOWN
+from neurosym.tasks.steps import PlanStep
 from neurosym.world import Outcome, OutcomeKind
 
 KNOWN_BEFORE, KNOWN_IN_A_CROWD = 0.5, 2.0

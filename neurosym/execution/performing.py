@@ -7,10 +7,10 @@ from neurosym.execution.record import StepRecord, record_step
 from neurosym.execution.relating import record_put, with_relations
 from neurosym.grounding import Grounding, is_lift
 from neurosym.operators import Primitive
-from neurosym.pddl.plan_text import PlanStep
 from neurosym.problems import Problem
 from neurosym.related import relating
 from neurosym.table import Reference
+from neurosym.tasks.steps import PlanStep
 from neurosym.world import FrameSink, Outcome, Scene, World, relative_to
 
 

@@ -10,11 +10,11 @@ from neurosym.execution.appearance import as_it_shows
 from neurosym.execution.machine import Machine
 from neurosym.grounding import Grounding
 from neurosym.operators import TOLERANCE, Length, Operator, Vector, vector
-from neurosym.pddl.plan_text import PlanStep, Steps, primitives
 from neurosym.problems import Problem
 from neurosym.promises import promised
 from neurosym.relation_goals import RelationGoal
 from neurosym.table import OtherObject, Place, Reference
+from neurosym.tasks.steps import PlanStep, Steps, primitives
 from neurosym.wording import counted
 from neurosym.world import Disturbance, Outcome, OutcomeKind, Scene
 

@@ -16,17 +16,15 @@ import numpy as np
 from neurosym.execution.record import StepRecord, named_positions
 from neurosym.grounding import Grounding
 from neurosym.operators import Vector, vector
-from neurosym.pair_sight import with_pairs
 from neurosym.pair_states import describe_pair, extent
-from neurosym.pddl.plan_text import PlanStep
-from neurosym.pddl.relational_task import Task
 from neurosym.problems import Problem
 from neurosym.related import Contacts, bearers_of, is_relational, relating, with_contacts
 from neurosym.relation_goals import RelationGoal, pair_key
 from neurosym.relation_operators import PairState
 from neurosym.table import OtherObject, Place
-from neurosym.tasks.places import with_places
 from neurosym.tasks.puts import put_named
+from neurosym.tasks.steps import PlanStep
+from neurosym.tasks.task import understand
 from neurosym.world import Outcome, Scene
 
 GIVEN_UP, LAST_HOPE = 2, 4
@@ -86,9 +84,7 @@ def prepared(problem: Problem, grounding: Grounding) -> Problem:
         problem: The problem, with the objects as they stand now.
         grounding: The learned domain.
     """
-    if not is_about_relations(problem, grounding):
-        return with_places(with_pairs(problem, grounding.relations), grounding)
-    task = Task(with_pairs(problem, grounding.relations), grounding)
+    task = understand(problem, grounding)
     return msgspec.structs.replace(task.problem, places=task.flat.places)
 
 

@@ -7,14 +7,14 @@ from dataclasses import dataclass
 import msgspec
 
 from neurosym.execution.experience import Experience, believed_name, learned_name
-from neurosym.pddl.place_problem import carried_objects
-from neurosym.pddl.plan_text import PlanStep, primitives
-from neurosym.pddl.validation import Validation, validate
 from neurosym.planners.effort import UNTOLD, Effort
 from neurosym.planners.registry import Replanner
 from neurosym.planners.result import PlanStatus
 from neurosym.problems import Problem
 from neurosym.related import is_reached, is_relational
+from neurosym.tasks.steps import PlanStep, primitives
+from neurosym.tasks.task import understand
+from neurosym.tasks.transition import Replay, validate
 
 PATIENCE = 10
 """After how many new plans in a row that come no nearer to the goal a run stops."""
@@ -91,7 +91,7 @@ def why_not_go_on(left: Sequence[PlanStep], seen: Problem, experience: Experienc
     return f"{step.operator} {step.object}: {why}"
 
 
-def _can_wait(left: Sequence[PlanStep], checked: Validation, problem: Problem) -> bool:
+def _can_wait(left: Sequence[PlanStep], checked: Replay, problem: Problem) -> bool:
     """Say whether a plan that would miss its goals by little is to be gone on with for now.
 
     Long plans mostly miss somewhat, each step another way; it is early enough to plan anew near the end of
@@ -171,7 +171,7 @@ def _for_fewer(problem: Problem, experience: Experience) -> Iterator[Problem]:
     believed, grounding = experience.believed(problem)
     if is_relational(believed, grounding):
         return
-    carried = [name for name in carried_objects(believed, grounding) if name in problem.goals]
+    carried = [name for name in understand(believed, grounding).carried if name in problem.goals]
     missed = sorted(problem.unmet, key=lambda name: (name not in carried, name))
     met = problem.goals.keys() - set(missed)
     every = {*met, *carried}

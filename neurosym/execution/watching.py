@@ -4,7 +4,7 @@ from dataclasses import dataclass
 from typing import Literal, Protocol
 
 from neurosym.execution.record import Nudge, Replanning
-from neurosym.pddl.plan_text import PlanStep
+from neurosym.tasks.steps import PlanStep
 from neurosym.world import Scene
 
 Answer = Nudge | Literal["stop"] | None

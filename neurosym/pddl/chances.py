@@ -16,13 +16,12 @@ import numpy as np
 from neurosym.arrays import Float
 from neurosym.grounding import Grounding
 from neurosym.operators import Operator
-from neurosym.pddl.plan_text import PlanStep
-from neurosym.pddl.relational_replay import chances_along
-from neurosym.pddl.validation import validate
 from neurosym.problems import Problem
 from neurosym.promises import promised
-from neurosym.related import is_relational, relating
-from neurosym.tasks.moves import chance
+from neurosym.related import relating
+from neurosym.tasks.steps import PlanStep
+from neurosym.tasks.task import understand
+from neurosym.tasks.transition import apply, chance, start, validate
 
 POINTS = 1024
 """How many points stand for a normal distribution."""
@@ -85,9 +84,13 @@ def expected_within(steps: Sequence[PlanStep], problem: Problem, grounding: Grou
 
 def _chances(steps: Sequence[PlanStep], problem: Problem, grounding: Grounding) -> tuple[float, ...]:
     """Return the chance of each step but put-downs to go as promised."""
-    if is_relational(problem, grounding) or any(relating(step.base, grounding) for step in steps):
-        return chances_along([(one.operator, one.object, one.place) for one in steps], problem, grounding)
-    return tuple(chance(promise_of(step, problem, grounding)) for step in steps if not step.puts_down)
+    task = understand(problem, grounding)
+    now, found = start(task), list[float]()
+    for step in steps:
+        if not step.puts_down:
+            found.append(chance(task, now, step))
+        now = apply(task, now, step)
+    return tuple(found)
 
 
 def promise_of(step: PlanStep, problem: Problem, grounding: Grounding) -> Operator:

@@ -12,22 +12,15 @@ from neurosym.grounding import FORMAT, FORMAT_WITH_PLACES, FORMAT_WITH_RELATIONS
 from neurosym.naming import counted_axes
 from neurosym.operators import OperatorTable
 from neurosym.pddl.determinisation import with_every_outcome
+from neurosym.pddl.strips import WORDS
 from neurosym.place_operators import PlaceOperators
 from neurosym.problems import LEGAL_NAME
 from neurosym.relation_operators import RelationOperators
 from neurosym.table import Table
-from neurosym.tasks.grades import GRADES, USUAL
 
 MAX_CELLS = 5000
-RESERVED = tuple(f"{axis}-{kind}" for kind in ("cell", "step") for axis in "xyz")
-WORDS_OF_RELATIONS = (
-    *("place", "count", "origin", "none", "one", "from-place", "from-object", "nowhere", "stands", "free"),
-    *("taken", "room", "bears", "next", "done", "hand-empty", "total-cost", "can-be-taken", "rests-with"),
-    *("goal-place", "may-stand", "overlaps", "look-next", "reach-place", "grade", USUAL, *GRADES),
-)
-"""What the encoding `relational` calls types, constants, predicates and actions."""
-RESERVED_FOR_RELATIONS = ("leave-", "look-", "can-", "cost-of-", "count-")
 RESERVED_PREFIXES = ("finish-", "put-down-", "reach-", "move-", "a-")
+"""What no operator's name begins with: steps and plans of earlier versions use it otherwise."""
 
 
 def compile_domain(
@@ -68,8 +61,9 @@ def compile_domain(
     categories = [category.name for category in table.categories]
     operators = [operator.name for operator in expanded.operators]
     carriers = [operator.name for operator in places.operators.operators] if places else []
-    related = names_of_relations(relations) if relations else []
-    _check_names([name, "movable", "object", *RESERVED, *categories, *operators, *carriers, *related])
+    related = [one.name for one in relations.states] if relations else []
+    related += [one.name for one in relations.operators] if relations else []
+    _check_names([name, *WORDS, *categories, *operators, *carriers, *related])
     if taken := [operator for operator in operators if operator.startswith(RESERVED_PREFIXES)]:
         raise InvalidValue(
             f"No operator can be called {taken[0]}; {', '.join(RESERVED_PREFIXES)} are reserved."
@@ -84,23 +78,6 @@ def compile_domain(
         places=_with_objects(places) if places else None,
         relations=relations,
     )
-
-
-def names_of_relations(relations: RelationOperators) -> list[str]:
-    """List what a domain calls states and kinds of pairs and what operates on them, with its own words.
-
-    Args:
-        relations: What was learned of pairs.
-
-    Raises:
-        InvalidValue: If a name begins as the domain's own actions and predicates do.
-    """
-    names = [one.name for table in (relations.states, relations.pairs, relations.operators) for one in table]
-    if taken := [name for name in names if name.startswith(RESERVED_FOR_RELATIONS)]:
-        raise InvalidValue(
-            f"No relation can be called {taken[0]}; {', '.join(RESERVED_FOR_RELATIONS)} are reserved."
-        )
-    return [*WORDS_OF_RELATIONS, *names]
 
 
 def _with_objects(places: PlaceOperators) -> PlaceOperators:

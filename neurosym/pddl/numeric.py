@@ -1,38 +1,38 @@
-"""Printing domain and problem in the `numeric` encoding: PDDL 2.1 with numeric fluents, and no grid.
+"""The page in numbers: PDDL 2.1 with numeric fluents, for planners that take these.
 
 Where an object is, is three whole numbers of 0.1 mm: x and y count from the table's lowest corner, so none is
-negative, and z from where the object rests. A step adds its displacement. So the text is small, nothing has
-to be grounded cell by cell, and hardly anything is rounded.
+negative, and z from where the object rests. A motion adds its displacement. So nothing has to be grounded
+cell by cell, and hardly anything is rounded.
 
 An object's goal is a prism inside the ball around it: an interval of z, as on a grid, and for x and y an
-octagon in the disc that is left of the ball. All conditions are linear with
-whole coefficients. Each step errs by at most half a unit on each axis, so the disc is shrunk by sqrt(1/2)
-units a step, and the table by half a unit a step: plans of no more than `STEPS` steps an object are true.
-Where operators promise something of its own to each object, the problem says what (see `own_numbers`).
+octagon in the disc that is left of the ball. All conditions are linear with whole coefficients. Each step
+errs by at most half a unit on each axis, so the disc is shrunk by sqrt(1/2) units a step, and the table by
+half a unit a step: plans of no more than `STEPS` steps an object are true.
+
+PDDL of most readers has no negative numbers, so a displacement is printed with a shift, which the domain
+takes off again. Positions are assigned, not increased, for LPG takes it that what is increased becomes more.
+Every function of a motion has a value, for readers ask for it; so each object has motions of its own.
 """
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from functools import lru_cache
 
 import msgspec
 
+from neurosym.errors import InvalidValue
 from neurosym.grounding import Grounding
-from neurosym.pddl import own_numbers
 from neurosym.pddl.grid import AXES, best_levels, levels
 from neurosym.pddl.moves import NUMERIC, domain_name
-from neurosym.pddl.printing import (
-    about_move,
-    action_text,
-    hand_after,
-    hand_before,
-    header,
-    held_predicates,
-    left_out,
-    opening,
-)
-from neurosym.problems import Problem, SceneObject
-from neurosym.tasks.moves import Move, moves_of
+from neurosym.pddl.strips import LIFT, MOTION, PUSH, PUT_DOWN, THING, action, common_head, predicate
+from neurosym.pddl.strips_plan import Misread
+from neurosym.pddl.strips_problem import motion_name
+from neurosym.pddl.symbol_table import symbol_table
+from neurosym.pddl.syntax import OBJECT, Atom, Domain, Facts, PddlProblem
+from neurosym.problems import SceneObject
+from neurosym.tasks.moves import Move
+from neurosym.tasks.steps import PlanStep
+from neurosym.tasks.task import Task
 
 UNIT = 0.0001
 """What positions are counted in [m]."""
@@ -42,61 +42,233 @@ _MARGIN = math.ceil((STEPS + 1) / 2)  # what so many steps and the start can err
 _NORMALS = ((1, 0), (1, 1), (0, 1), (-1, 1), (-1, 0), (-1, -1), (0, -1), (1, -1))
 _WIDEST = math.pi / 8  # half the widest angle between neighbouring normals
 _EPSILON = 1e-6
+_LEAST_SHIFT = 10_000
+_ALONG = ("along-x", "along-y", "along-z")
 
 
-def numeric_domain_text(grounding: Grounding) -> str:
-    """Print the domain.
+def numeric_domain(grounding: Grounding) -> Domain:
+    """Return the page in numbers.
 
     Args:
         grounding: The learned domain; its cells do not matter, but for which operators are in the domain.
     """
-    moves = _moves(grounding)
-    names = sorted(category.name for category in grounding.operators.categories)
-    predicates = ["(hand-empty)", *held_predicates(moves)]
-    functions = [*(f"({axis} ?o - movable) - number" for axis in AXES), "(total-cost) - number"]
-    if grounding.is_refined:
-        predicates += own_numbers.predicates(moves)
-        functions += own_numbers.functions(moves)
-    blocks = [
-        _domain_header(grounding),
-        opening(grounding, NUMERIC, ":strips :typing :numeric-fluents :action-costs"),
-        f"  (:types\n    movable - object\n    {' '.join(names)} - movable)",
-        "  (:predicates\n" + "\n".join(f"    {line}" for line in predicates) + ")",
-        "  (:functions\n" + "\n".join(f"    {line}" for line in functions) + ")",
-        *(f"{about_move(move, grounding)}\n{_action(move, grounding)}" for move in moves),
-        left_out(grounding),
-    ]
-    return "\n\n".join(blocks) + ")\n"
+    shift, last = shift_of(grounding), _last(grounding)
+    ends = [f"(+ ({axis} ?o) ({along} ?m))" for axis, along in zip(AXES, _ALONG, strict=True)]
+    stays = tuple(
+        test
+        for end, most in zip(ends, last, strict=False)
+        for test in (f"(>= {end} {_MARGIN + shift})", f"(<= {end} {most + shift})")
+    )
+    moved = tuple(f"(assign ({axis} ?o) (- {end} {shift}))" for axis, end in zip(AXES, ends, strict=True))
+    categories = sorted(category.name for category in grounding.operators.categories)
+    return Domain(
+        name=domain_name(grounding, NUMERIC),
+        head=(
+            *common_head(grounding),
+            "Positions are whole numbers of 0.1 mm: x and y from the table's lowest corner, z from where an",
+            f"object rests. A motion ?m adds its way along each axis, which is printed with {shift} added.",
+            f"Steps end {_MARGIN} inside the edges of the table, since {STEPS} steps may err by that.",
+            *symbol_table(grounding, with_others=False),
+        ),
+        types=((THING, OBJECT), (MOTION, OBJECT), *((name, THING) for name in categories)),
+        constants=(),
+        predicates=(
+            predicate("(hand-empty)", "the hand holds nothing"),
+            predicate("(pushes ?o ?m)", "?m pushes ?o"),
+            predicate("(lifts ?o ?m)", "?m lifts ?o"),
+            predicate("(lowers ?m ?up)", "?m puts down what ?up lifted"),
+            predicate("(lifted ?o ?m)", "?m lifted ?o, and the hand holds it"),
+        ),
+        costs=(predicate("(cost ?m)", ""),),
+        actions=(
+            action(
+                PUSH,
+                "push ?o",
+                "?o ?m",
+                needs="(hand-empty) (pushes ?o ?m)",
+                adds="",
+                cost="(cost ?m)",
+                tests=stays,
+                changes=moved,
+            ),
+            action(
+                LIFT,
+                "lift ?o; with a full hand only put-down applies",
+                "?o ?m",
+                needs="(hand-empty) (lifts ?o ?m)",
+                adds="(lifted ?o ?m)",
+                deletes="(hand-empty)",
+                cost="(cost ?m)",
+                tests=stays,
+                changes=moved,
+            ),
+            action(
+                PUT_DOWN,
+                "put down what ?up lifted",
+                "?o ?m ?up",
+                needs="(lifted ?o ?up) (lowers ?m ?up)",
+                adds="(hand-empty)",
+                deletes="(lifted ?o ?up)",
+                tests=stays,
+                changes=moved,
+            ),
+        ),
+        functions=(
+            *(predicate(f"({axis} ?o)", "") for axis in AXES),
+            *(predicate(f"({along} ?m)", "") for along in _ALONG),
+        ),
+    )
 
 
-def numeric_problem_text(problem: Problem, grounding: Grounding, *, steps: int = STEPS) -> str:
-    """Print a problem whose objects are known to be of the domain and on the table.
+def numeric_problem(task: Task, *, steps: int = STEPS) -> PddlProblem:
+    """Return the problem of a task in numbers.
 
     Args:
-        problem: The problem.
-        grounding: The learned domain.
+        task: The task, of objects that stand on the table.
         steps: How many steps with an object the rounding of is taken off the goal regions.
+
+    Raises:
+        InvalidValue: If the task is one of relations.
     """
-    things = [f"{item.name} - {grounding.category(item.category).name}" for item in problem.objects]
-    sections = [
-        f"; Problem {problem.name} of the learned domain {grounding.name}, for its encoding numeric.",
-        f"; How it came about: {' '.join(problem.provenance.split())}.",
-        f"; A goal is met within {problem.tolerance * 1000:g} mm; what is asked for here lies inside that",
-        f"; by as much as {steps} step(s) with an object can err by rounding to 0.1 mm.",
-        f"(define (problem {problem.name})\n  (:domain {domain_name(grounding, NUMERIC)})",
-        "  (:objects\n" + "\n".join(f"    {line}" for line in things) + ")",
-        "  (:init\n    (hand-empty) (= (total-cost) 0)",
-        "\n".join(_start(item, grounding, problem.tolerance) for item in problem.objects) + ")",
-        "  (:goal (and",
-        *(_goal(problem, name, grounding, steps) for name in sorted(problem.goals)),
-    ]
-    return "\n".join(sections) + "))\n  (:metric minimize (total-cost)))\n"
+    problem, grounding = task.problem, task.grounding
+    if task.relates:
+        raise InvalidValue(
+            f"The problem {problem.name} is one of relations, which the encoding numeric lacks."
+        )
+    shift, units = shift_of(grounding), _in_units(grounding)
+    facts, values, costs = [Facts("", (("hand-empty",),))], dict[Atom, int](), dict[Atom, int]()
+    motions = []
+    for item in problem.objects:
+        atoms = list[Atom]()
+        where = (*_anchor(item, grounding), 0)
+        values |= {(axis, item.name): value for axis, value in zip(AXES, where, strict=True)}
+        for move in _moves(task, units, item.name):
+            name = _motion(move, item.name)
+            motions.append((name, MOTION))
+            atoms.append(_role(move, item.name))
+            values |= {(along, name): by + shift for along, by in zip(_ALONG, move.cells, strict=True)}
+            costs[("cost", name)] = move.cost
+        position = ", ".join(f"{value:.4f}" for value in item.position)
+        facts.append(Facts(f"{item.name} lies at ({position}) m at first", tuple(atoms)))
+    things = [(item.name, grounding.category(item.category).name) for item in problem.objects]
+    return PddlProblem(
+        name=problem.name,
+        domain=domain_name(grounding, NUMERIC),
+        head=(
+            f"Problem {problem.name} of the learned domain {grounding.name}, in numbers.",
+            f"How it came about: {' '.join(problem.provenance.split())}.",
+            f"A goal is met within {1000 * problem.tolerance:g} mm; what is asked for lies inside that by as",
+            f"much as {steps} step(s) with an object can err by rounding to 0.1 mm.",
+        ),
+        objects=(*things, *motions),
+        facts=tuple(facts),
+        costs=costs,
+        goals=(),
+        values=values,
+        tests=tuple(test for name in sorted(problem.goals) for test in _goal(task, name, steps)),
+    )
 
 
-def _moves(grounding: Grounding) -> tuple[Move, ...]:
-    """List what the operators of the domain do, in units."""
-    live = {operator.name for operator in grounding.live}
-    return tuple(move for move in moves_of(_in_units(grounding)) if move.operator.name in live)
+def write_numeric(steps: Sequence[PlanStep], task: Task) -> list[Atom]:
+    """Write a plan as ground actions of the page in numbers.
+
+    Args:
+        steps: The plan.
+        task: The task.
+
+    Raises:
+        InvalidValue: If a step is nothing that the problem offers.
+    """
+    units, found = _in_units(task.grounding), list[Atom]()
+    for step in steps:
+        moves = {move.name: move for move in _moves(task, units, step.object)}
+        if step.place or step.operator not in moves:
+            raise InvalidValue(f"{step.operator} is not in the domain in numbers for {step.object}.")
+        move = moves[step.operator]
+        verb = {"rest": PUSH, "lift": LIFT, "put-down": PUT_DOWN}[move.kind]
+        lift = [_lifted_by(move, step.object)] if move.kind == "put-down" else []
+        found.append((verb, step.object, _motion(move, step.object), *lift))
+    return found
+
+
+def read_numeric(actions: Sequence[Atom], task: Task) -> tuple[PlanStep, ...]:
+    """Read ground actions of the page in numbers as steps; what they do is for the exact replay to judge.
+
+    Args:
+        actions: The ground actions.
+        task: The task.
+
+    Raises:
+        Misread: If an action is nothing that the problem offers.
+    """
+    units, steps = _in_units(task.grounding), list[PlanStep]()
+    for number, (name, *arguments) in enumerate(actions):
+        thing = arguments[0] if arguments and arguments[0] in task.names else ""
+        moves = _moves(task, units, thing) if thing else ()
+        offered = {
+            words: move.name for move in moves for words in write_numeric([PlanStep(move.name, thing)], task)
+        }
+        if (name, *arguments) not in offered:
+            raise Misread(f"({' '.join((name, *arguments))}) is nothing that the problem offers", number)
+        steps.append(PlanStep(offered[name, *arguments], thing))
+    return tuple(steps)
+
+
+def is_numeric(actions: Sequence[Atom]) -> bool:
+    """Say whether ground actions are of the page in numbers, whose motions are each for one object."""
+    begun = next((words for words in actions if words[0] in (PUSH, LIFT)), ())
+    return len(begun) == 3 and begun[2].endswith(f"-{begun[1]}")
+
+
+def shift_of(grounding: Grounding) -> int:
+    """Return what is added to all displacements: a power of ten, and more than any that was seen.
+
+    Args:
+        grounding: The learned domain.
+    """
+    farthest = 0.0
+    for operator in grounding.live:
+        seen = [(one.effect, one.resting_effect) for one in operator.rehearsals]
+        seen += [(one.effect, one.resting_effect) for one in operator.modes]
+        farthest = max([farthest, *(abs(part) for effects in seen for effect in effects for part in effect)])
+    shift = _LEAST_SHIFT
+    while shift <= 2 * farthest / UNIT:  # putting down can take back what a lift did
+        shift *= 10
+    return shift
+
+
+def _moves(task: Task, units: Grounding, name: str) -> tuple[Move, ...]:
+    """List what is done to an object, in units."""
+    live = {operator.name for operator in task.grounding.live}
+    return tuple(move for move in task.moves_on(units, name) if move.operator.name in live)
+
+
+def _motion(move: Move, thing: str) -> str:
+    """Name a motion of an object."""
+    down = "-down" if move.kind == "put-down" else ""
+    return f"{_promising(move)}{down}-{thing}"
+
+
+def _lifted_by(move: Move, thing: str) -> str:
+    """Name the lift that a motion puts down from."""
+    return f"{_promising(move)}-{thing}"
+
+
+def _promising(move: Move) -> str:
+    """Name a motion by its symbol, and by what it promises if that is not what it mostly does.
+
+    One motion may have two operators, one that lifts and one that pushes.
+    """
+    less = {"resting": "-push", "held": "-lift"}.get(move.operator.promised or "", "")
+    return motion_name(move) + less
+
+
+def _role(move: Move, thing: str) -> Atom:
+    """Say what a motion is."""
+    name = _motion(move, thing)
+    if move.kind == "put-down":
+        return "lowers", name, _lifted_by(move, thing)
+    return "lifts" if move.kind == "lift" else "pushes", thing, name
 
 
 @lru_cache(maxsize=8)
@@ -104,67 +276,11 @@ def _in_units(grounding: Grounding) -> Grounding:
     return msgspec.structs.replace(grounding, cell=UNIT)
 
 
-def _domain_header(grounding: Grounding) -> str:
-    x, y = (round(size / UNIT) for size in _size(grounding))
-    about = [
-        "Positions are whole numbers of 0.1 mm: x and y from the table's lowest corner, z from where an "
-        "object rests.",
-        f"The table reaches to x = {x}, y = {y}; steps end {_MARGIN} inside its edges, for what "
-        f"{STEPS} steps with an object can err by rounding.",
-    ]
-    if grounding.is_refined:
-        shift = own_numbers.shift_of(_in_units(grounding))
-        about += [
-            f"By how much an operator moves an object stands in the problem, with {shift} added, for no "
-            "number may be negative."
-        ]
-    return header(grounding, "numeric", about)
-
-
-def _size(grounding: Grounding) -> tuple[float, float]:
-    (x_low, x_high), (y_low, y_high) = grounding.table.x, grounding.table.y
-    return x_high - x_low, y_high - y_low
-
-
-def _action(move: Move, grounding: Grounding) -> str:
-    before, gone = hand_before(move)
-    parameters = f"?o - {move.category}"
-    if grounding.is_refined:
-        shift = own_numbers.shift_of(_in_units(grounding))
-        before += own_numbers.asked(move, _MARGIN, _last(grounding), shift)
-        after = [*gone, *hand_after(move), *own_numbers.changes(move, shift)]
-        return action_text(move.name, parameters, before, after)
-    before = [*before, *_bounds(move, grounding)]
-    verbs = ((AXES[axis], move.cells[axis]) for axis in move.axes)
-    moved = [f"({'increase' if by > 0 else 'decrease'} ({axis} ?o) {abs(by)})" for axis, by in verbs]
-    after = [*gone, *hand_after(move), *moved, f"(increase (total-cost) {move.cost})"]
-    return action_text(move.name, parameters, before, after)
-
-
-def _bounds(move: Move, grounding: Grounding) -> Iterator[str]:
-    """List what keeps a move on the table: only the edge that it leads towards matters."""
-    for axis, last in enumerate(_last(grounding)):
-        by = move.cells[axis]
-        if by > 0:
-            yield _at_most((f"({AXES[axis]} ?o)",), last - by)
-        elif by < 0:
-            yield f"(>= ({AXES[axis]} ?o) {_MARGIN - by})"
-
-
 def _last(grounding: Grounding) -> tuple[int, int]:
     """Return the greatest x and y that a step may end at."""
-    x, y = (math.floor(size / UNIT + _EPSILON) - _MARGIN for size in _size(grounding))
+    (x_low, x_high), (y_low, y_high) = grounding.table.x, grounding.table.y
+    x, y = (math.floor(size / UNIT + _EPSILON) - _MARGIN for size in (x_high - x_low, y_high - y_low))
     return x, y
-
-
-def _start(item: SceneObject, grounding: Grounding, tolerance: float) -> str:
-    position = ", ".join(f"{value:.4f}" for value in item.position)
-    values = zip(AXES, (*_anchor(item, grounding), 0), strict=True)
-    facts = " ".join(f"(= ({axis} {item.name}) {value})" for axis, value in values)
-    lines = [f"; {item.name} starts at ({position}) m", facts]
-    if grounding.is_refined:
-        lines += own_numbers.values_of(item, grounding, _in_units(grounding), tolerance)
-    return "\n".join(f"    {line}" for line in lines)
 
 
 def _anchor(item: SceneObject, grounding: Grounding) -> tuple[int, int]:
@@ -174,19 +290,16 @@ def _anchor(item: SceneObject, grounding: Grounding) -> tuple[int, int]:
     return x, y
 
 
-def _goal(problem: Problem, name: str, grounding: Grounding, steps: int) -> str:
+def _goal(task: Task, name: str, steps: int) -> Iterator[str]:
+    problem, grounding = task.problem, task.grounding
     item, goal = problem.object_named(name), problem.goals[name]
-    position = ", ".join(f"{value:.4f}" for value in goal)
-    away = math.dist(goal, item.position) * 1000
     dx, dy, height = ((end - start) / UNIT for end, start in zip(goal, item.position, strict=True))
     tolerance = problem.tolerance / UNIT
     (low, high), off = _heights(item, height, tolerance, grounding)
     radius = math.sqrt(max(tolerance**2 - off**2, 0.0)) - steps * math.sqrt(0.5)
     start_x, start_y = _anchor(item, grounding)
-    lines = [f"; {name} shall come to ({position}) m, {away:.0f} mm from where it starts"]
-    lines += _polygon(name, (start_x + dx, start_y + dy), max(radius, 0.0))
-    lines.append(f"(>= (z {name}) {low}) (<= (z {name}) {high})")
-    return "\n".join(f"    {line}" for line in lines)
+    yield from _polygon(name, (start_x + dx, start_y + dy), max(radius, 0.0))
+    yield f"(>= (z {name}) {low}) (<= (z {name}) {high})"
 
 
 def _heights(

@@ -8,14 +8,13 @@ import numpy as np
 
 from neurosym.errors import InvalidValue
 from neurosym.grounding import Grounding
-from neurosym.pddl.place_domain import NOWHERE
-from neurosym.pddl.place_problem import START
 from neurosym.pddl.problem import is_taken
+from neurosym.pddl.strips import NOWHERE
 from neurosym.problems import Problem, check_names
 from neurosym.spots import SPOT
 from neurosym.tasks.carriers import carriers_of
 from neurosym.tasks.footprints import footprints_apart
-from neurosym.tasks.places import GOAL, PARK, is_at
+from neurosym.tasks.places import GOAL, PARK, START, is_at
 
 _TAKEN = rf"{NOWHERE}|{START}.*|{SPOT.pattern}"
 

@@ -168,7 +168,7 @@ FORMS = (
     PlanForm("several actions in a line", "({words})", between=" "),
     PlanForm("an action over several lines", "({lines})"),
     PlanForm("commas between arguments", "({name}, {arguments})"),
-    PlanForm("times and durations in short", ".{number}:({words})[1e-3]"),
+    PlanForm("times and durations in short", ".{number:03}:({words})[1e-3]"),
 )
 """Every form that is read; for other forms see `written_plans`."""
 

@@ -1,36 +1,45 @@
 """Reading plans: what a written plan means in a domain and a problem, as steps.
 
-A step is one primitive on one object. Planners write ground actions with cells or places as further
-arguments, and in most encodings several for one step; reading folds them into steps (`plan_following`), and
-checks that each argument is what is true there when the plan is followed from the start.
+A step is one primitive on one object. Planners write ground actions of the printed domain, several for one
+step; they are followed from the start, and each must be possible where it stands (`strips_plan`). Plans in
+short, and those of earlier versions, name operators instead (`step_words`).
 """
 
 import dataclasses
 import re
+from collections.abc import Callable
 from pathlib import Path
 
 from neurosym.errors import InvalidPlan, shortened
 from neurosym.grounding import Grounding
-from neurosym.pddl.moves import CARRIERS, REACH_GOAL, Encoding
-from neurosym.pddl.place_domain import NOTES
-from neurosym.pddl.plan_cells import without_part
-from neurosym.pddl.plan_following import Misread, follow
+from neurosym.pddl import strips
+from neurosym.pddl.durative import CARRY, read_durative
+from neurosym.pddl.numeric import is_numeric, read_numeric
 from neurosym.pddl.plan_forms import FORMS
 from neurosym.pddl.plan_lines import Line, WrittenAction, unread
-from neurosym.pddl.plan_text import PlanStep
-from neurosym.pddl.relational_domain import LADEN, LEAVE
+from neurosym.pddl.step_words import FORMER_NOTES, Misnamed, is_step_word, read_steps
+from neurosym.pddl.strips import page
+from neurosym.pddl.strips_plan import Misread, led_in, read
+from neurosym.pddl.strips_problem import StripsProblem
 from neurosym.pddl.written_plans import written_plan
 from neurosym.problems import Problem
 from neurosym.reading import MEGABYTE, read_text
-from neurosym.related import relating
 from neurosym.tasks.moves import PUT_DOWN
+from neurosym.tasks.steps import PlanStep
+from neurosym.tasks.task import Task, understand
 
 MOST_PLAN = 16 * MEGABYTE
 """Greater files are no plans [bytes]."""
 LONGEST_ACTION = 200
 """So much of a ground action is quoted."""
-_CELLS_OF: tuple[Encoding, ...] = ("stepwise", "operators")
-"""The encodings whose ways of naming cells are tried in turn; each is that of others, too."""
+_REACHED = "reach-goal"
+_ALIKE = frozenset(FORMER_NOTES) | {strips.LEAVE}
+"""Actions of the page that earlier versions had, too."""
+_NO_STEPS = {
+    *FORMER_NOTES,
+    *(strips.MOVE_X, strips.MOVE_Y, strips.REACH_CELL, strips.REACH_LIFTED, strips.TAKE, strips.TAKE_OFF),
+    *(strips.NOTE_CLEAR, strips.LEAVE),
+}
 
 
 def read_plan(path: Path, grounding: Grounding, problem: Problem) -> tuple[PlanStep, ...]:
@@ -69,14 +78,33 @@ def parse_plan(text: str, path: Path, grounding: Grounding, problem: Problem) ->
     Args:
         text: The text.
         path: What errors name as its origin.
-        grounding: The learned domain, on the grid that cells in the text are of.
+        grounding: The learned domain.
         problem: The problem that the plan is for.
 
     Raises:
         InvalidPlan: If a line cannot be read, names what does not exist, says what is not so when the plan
             is followed from the start, lacks what belongs to a step, or has no steps and does not say so.
     """
-    plan, known = written_plan(text, path), _Names(grounding)
+    return read_answer(text, path, understand(problem, grounding))
+
+
+def read_answer(
+    text: str, path: Path, task: Task, printed: Callable[[tuple[str, ...]], StripsProblem] | None = None
+) -> tuple[PlanStep, ...]:
+    """Read the text of a plan of a task, as it was printed.
+
+    Args:
+        text: The text.
+        path: What errors name as its origin.
+        task: The task.
+        printed: Returns the problem with some objects led over cells, with all motions; as it is printed
+            into a folder if not given.
+
+    Raises:
+        InvalidPlan: See `parse_plan`.
+    """
+    plan, grounding = written_plan(text, path), task.grounding
+    known = _Names(grounding)
     for line in plan.passed:
         if name := known.named_in(line.text):
             said = f"{shortened(line.text.strip())!r} names {name} and is no step in a form that is read"
@@ -87,23 +115,43 @@ def parse_plan(text: str, path: Path, grounding: Grounding, problem: Problem) ->
     for action in actions:
         if action.is_plain and not known.is_action(action.name):
             raise unread(Line(action.line, action.text), path)
-    return _followed(actions, path, grounding, problem)
+    rows = [(one.name, *one.arguments) for one in actions]
+    while rows and rows[-1] == (_REACHED,):  # which some planners add
+        rows.pop()
+    try:
+        return _steps(rows, task, printed)
+    except (Misread, Misnamed) as error:
+        action = actions[error.number]
+        written = shortened(action.text, LONGEST_ACTION)
+        step = _number_of(rows, error.number)
+        raise InvalidPlan(path, action.line, f"{error} (step {step}, `{written}`)") from error
 
 
-def _followed(
-    actions: tuple[WrittenAction, ...], path: Path, grounding: Grounding, problem: Problem
+def _steps(
+    rows: list[tuple[str, ...]],
+    task: Task,
+    printed: Callable[[tuple[str, ...]], StripsProblem] | None,
 ) -> tuple[PlanStep, ...]:
-    """Follow the actions in each way of naming cells, until one goes through; or tell why none does."""
-    failures = list[Misread]()
-    for encoding in _CELLS_OF:
-        try:
-            return follow(actions, problem, grounding, encoding)
-        except Misread as error:
-            failures.append(error)
-    farthest = max(failures, key=lambda one: one.reached)  # the first of equals
-    action = actions[farthest.reached[0]]
-    written = shortened(action.text, LONGEST_ACTION)
-    raise InvalidPlan(path, action.line, f"{farthest} (step {farthest.step}, `{written}`)") from farthest
+    """Read ground actions, of whichever encoding they are."""
+    names = {action.name for action in page(task.grounding).actions}
+    if rows and all(words[0] == CARRY for words in rows):
+        return read_durative(rows, task)
+    if rows and all(words[0] in names for words in rows):
+        if is_numeric(rows):
+            return read_numeric(rows, task)
+        led = led_in(rows, task)
+        return read(rows, printed(led) if printed else StripsProblem(task, led=led, every=True))
+    stray = next((number for number, words in enumerate(rows) if words[0] in names - _ALIKE), None)
+    if stray is not None:
+        name = rows[stray][0]
+        raise Misread(f"{name} is an action of the page, and others of the plan are not", stray)
+    return tuple(step for _, step in read_steps(rows, task.flat, task.grounding))
+
+
+def _number_of(rows: list[tuple[str, ...]], at: int) -> int:
+    """Return the number of the step that an action belongs to, from 1; putting down belongs to its lift."""
+    begun = [words[0] for words in rows[: at + 1] if words[0] not in _NO_STEPS]
+    return max(1, sum(not name.startswith(PUT_DOWN) and name != strips.PUT_DOWN for name in begun))
 
 
 def _listed() -> str:
@@ -119,16 +167,11 @@ class _Names:
 
     def __init__(self, grounding: Grounding):
         self._grounding = grounding
-        self._operators = {one.name for one in grounding.every_operator}
+        self._page = {action.name for action in page(grounding).actions}
 
     def is_action(self, name: str) -> bool:
         """Say whether something in the domain has that name."""
-        if name in (REACH_GOAL, *NOTES, *CARRIERS) or (self._grounding.relations and name.startswith(LEAVE)):
-            return True
-        bare = without_part(name).removeprefix(PUT_DOWN)
-        if bare in self._operators or relating(name, self._grounding):
-            return True
-        return relating(name.removesuffix(LADEN), self._grounding) is not None
+        return name == CARRY or name in self._page or is_step_word(name, self._grounding)
 
     def named_in(self, text: str) -> str | None:
         """Return the first word of a text that names an action, if one does."""

@@ -3,8 +3,8 @@
 // Below stands the robot, x leads away from it, and y to its left.
 module.exports = (function (data) {
     "use strict";
-    const MARGIN = 0.03, NOTES = new Set(["look-on", "reach-place", "leave-start", "reach-goal"]);
-    const LATER = /^(finish-.*|move-[xyz])$/;
+    const MARGIN = 0.03, NOTES = new Set(["note-clear", "leave", "reach-cell", "reach-lifted", "reach-place"]);
+    const PARTS = new Set(["move-x", "move-y"]), TAKES = new Set(["take", "take-off"]);
     const COLOURS = ["#4477aa", "#ee6677", "#228833", "#ccbb44", "#66ccee", "#aa3377", "#997700", "#555555"];
 
     /** Returns text as HTML. */
@@ -22,14 +22,15 @@ module.exports = (function (data) {
     function stateOf(scene, facts) {
         const state = {};
         for (const name of Object.keys(scene.objects)) {
-            state[name] = { at: scene.objects[name].at.slice(), z: 0 };
+            state[name] = { at: scene.objects[name].at.slice(), held: false, on: null };
         }
         for (const led of [false, true]) { // cells say more than the place where something started
             for (const fact of facts) {
                 const words = fact.variableName.toLowerCase().split(" ");
                 if (fact.value === false || words.length !== 3 || !state[words[1]]) { continue; }
                 if (!led && words[0] === "stands") { moveToPlace(state, scene, words[1], words[2]); }
-                if (led && /^at-[xyz]$/.test(words[0])) { moveToCell(state, scene, words[1], words[2]); }
+                if (!led && words[0] === "lifted") { state[words[1]].held = true; }
+                if (led && /^at-[xy]$/.test(words[0])) { moveToCell(state, scene, words[1], words[2]); }
             }
         }
         return state;
@@ -42,37 +43,39 @@ module.exports = (function (data) {
         return spot && spot.slice(1).map(word => Number(word.replace("m", "-")) / 10000);
     }
 
+    /** Returns the object that a perch is on or in, by the end of its name, or undefined. */
+    function bearerOf(scene, place) {
+        return Object.keys(scene.objects).find(name => place.endsWith("-" + name));
+    }
+
     function moveToPlace(state, scene, name, place) {
-        const at = placeNamed(scene, place);
-        if (at) { state[name] = { at: at, z: 0 }; }
-        return at !== null;
+        const at = placeNamed(scene, place), bearer = at ? null : bearerOf(scene, place);
+        if (at) { state[name] = { at: at, held: false, on: null }; }
+        if (bearer && bearer !== name) { state[name] = { at: state[name].at, held: false, on: bearer }; }
+        return Boolean(at || bearer);
     }
 
     /** Moves an object along an axis, as far from where it started as its cell is from the one it started in. */
     function moveToCell(state, scene, name, cell) {
-        const axis = "xyz".indexOf(cell[0]), index = Number(cell.slice(1));
-        if (axis === 2) {
-            state[name].z = index;
-        } else {
-            const object = scene.objects[name];
-            state[name].at[axis] = object.at[axis] + (index - object.cell[axis]) * data.cell;
-        }
+        const axis = "xy".indexOf(cell[0]), object = scene.objects[name];
+        state[name].at[axis] = object.at[axis] + (Number(cell.slice(1)) - object.cell[axis]) * scene.cell;
     }
 
     /** Does a step of a plan; returns what to write below the picture, or "" if it belongs to the step before. */
     function act(state, scene, words) {
         const name = words.slice(1).find(word => Object.hasOwn(scene.objects, word));
-        if (name === undefined || NOTES.has(words[0])) { return ""; }
+        if (name === undefined || NOTES.has(words[0]) || TAKES.has(words[0])) { return ""; }
         const after = words.slice(words.indexOf(name) + 1);
         for (const place of [after[1], after[0]]) { // from one place to another, or only where to
             if (place !== undefined && moveToPlace(state, scene, name, place)) {
                 return [words[0], name, place].join(" ");
             }
         }
+        state[name].held = words[0] === "lift" || state[name].held && words[0] !== "put-down";
         for (const word of words) {
-            if (/^[xyz]\d+$/.test(word)) { moveToCell(state, scene, name, word); }
+            if (/^[xy]\d+$/.test(word)) { moveToCell(state, scene, name, word); }
         }
-        return LATER.test(words[0]) ? "" : words[0] + " " + name;
+        return PARTS.has(words[0]) ? "" : [words[0], name, ...after.filter(word => word.startsWith("m-"))].join(" ");
     }
 
     /** Returns the states of a plan, with what led to each. */
@@ -90,6 +93,24 @@ module.exports = (function (data) {
 
     function copied(state) {
         return JSON.parse(JSON.stringify(state));
+    }
+
+    /** Returns the objects with how many bear each, those that bear before what they bear. */
+    function stacked(state) {
+        const depth = name => {
+            let found = 0;
+            for (let below = state[name].on; below && found < 99; below = state[below].on) { found += 1; }
+            return found;
+        };
+        return Object.keys(state).map((name, row) => ({ name, row, depth: depth(name) }))
+            .sort((one, other) => one.depth - other.depth || one.row - other.row);
+    }
+
+    /** Returns where an object is seen from above: over what bears it. */
+    function spotOf(state, name) {
+        let below = name;
+        for (let count = 0; state[below].on && count < 99; count += 1) { below = state[below].on; }
+        return state[below].at;
     }
 
     /** Returns the picture of a state, some pixels wide. */
@@ -121,14 +142,15 @@ module.exports = (function (data) {
                     `class="goal" fill="none" stroke="${colour}" stroke-dasharray="4 3"`));
             }
         });
-        Object.keys(scene.objects).forEach((name, row) => {
-            const colour = COLOURS[row % COLOURS.length], object = scene.objects[name], { at, z } = state[name];
-            const turn = object.turn ? ` transform="rotate(${number(-object.turn)} ${number(across(at[1]))} ` +
-                `${number(down(at[0]))})"` : "";
-            parts.push(box(at, object.size, `class="object" fill="${colour}" fill-opacity="${z > 0 ? 0.3 : 0.75}" ` +
+        for (const { name, row, depth } of stacked(state)) {
+            const colour = COLOURS[row % COLOURS.length], object = scene.objects[name], held = state[name].held;
+            const at = spotOf(state, name), where = `${number(across(at[1]))} ${number(down(at[0]))}`;
+            const turn = object.turn ? ` transform="rotate(${number(-object.turn)} ${where})"` : "";
+            parts.push(box(at, object.size, `class="object" fill="${colour}" fill-opacity="${held ? 0.3 : 0.75}" ` +
                 `stroke="${colour}"${turn}`));
-            parts.push(words(at, name + (z > 0 ? " (held)" : ""), `fill="#000000"`));
-        });
+            const line = [at[0] - depth * width / 24 / scale, at[1]]; // one below the other
+            parts.push(words(line, name + (held ? " (held)" : ""), `fill="#000000"`));
+        }
         return `<svg xmlns="http://www.w3.org/2000/svg" width="${number(width)}" height="${number(height)}" ` +
             `viewBox="0 0 ${number(width)} ${number(height)}">${parts.join("")}</svg>`;
     }

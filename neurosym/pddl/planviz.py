@@ -14,13 +14,13 @@ import msgspec
 
 from neurosym.errors import NeurosymError
 from neurosym.grounding import Grounding
+from neurosym.pddl import strips
 from neurosym.pddl.grid import check_on_table, grid_of
-from neurosym.pddl.moves import REACH_GOAL, carrier
-from neurosym.pddl.place_domain import NOTES
-from neurosym.pddl.place_problem import START
+from neurosym.pddl.strips_problem import printed_cell
 from neurosym.problems import Problem, SceneObject
 from neurosym.reading import read_text
-from neurosym.tasks.places import with_places
+from neurosym.tasks.places import START
+from neurosym.tasks.task import understand
 
 SCRIPT = "planviz.js"
 """What the script is called; it lies in the folder of the domains."""
@@ -36,10 +36,11 @@ def planviz_json() -> str:
 
     It also hides steps that only note something, and the cells and places among the rows of the time line.
     """
-    hidden = [*NOTES, REACH_GOAL, *(carrier(axis) for axis in range(3))]
+    hidden = [strips.MOVE_X, strips.MOVE_Y, strips.REACH_CELL, strips.REACH_LIFTED, strips.REACH_PLACE]
+    hidden += [strips.NOTE_CLEAR, strips.LEAVE]
     configuration = {
         "customVisualization": SCRIPT,
-        "excludeActions": ["^finish-", *(f"^{name}$" for name in sorted(hidden))],
+        "excludeActions": [*(f"^{name}$" for name in sorted(hidden))],
         "ignoreActionParameters": [{"action": ".+", "parameterPattern": "^(?!o$)"}],
     }
     return msgspec.json.format(msgspec.json.encode(configuration), indent=2).decode() + "\n"
@@ -62,7 +63,7 @@ def planviz_script(
         except NeurosymError:
             scenes.pop(problem.name, None)
     table = {"x": _millimetres(grounding.table.x), "y": _millimetres(grounding.table.y)}
-    data = {"table": table, "cell": grounding.cell, "problems": scenes}
+    data = {"table": table, "problems": scenes}
     text = msgspec.json.encode(data, order="deterministic").decode()
     before, after = _program()
     return f"{before}({text}){after}"
@@ -95,14 +96,15 @@ def _program() -> tuple[str, str]:
 
 
 def _scene(problem: Problem, grounding: Grounding) -> PlanvizScene:
-    """Return how large objects are, and where all is: lengths in metres, angles in degrees."""
-    placed = with_places(problem, grounding)
-    places = placed.places if isinstance(placed.places, dict) else {}
+    """Return how large objects and cells are, and where all is: lengths in metres, angles in degrees."""
+    task = understand(problem, grounding)
+    cells = msgspec.structs.replace(grounding, cell=printed_cell(task))
     starts = {f"{START}{item.name}": item.position[:2] for item in problem.objects}
     return {
-        "objects": {item.name: _object(item, grounding) for item in problem.objects},
+        "cell": cells.cell,
+        "objects": {item.name: _object(item, cells) for item in problem.objects},
         "goals": {name: _millimetres(goal[:2]) for name, goal in problem.goals.items()},
-        "places": {name: _millimetres(spot) for name, spot in {**starts, **places}.items()},
+        "places": {name: _millimetres(spot) for name, spot in {**starts, **task.places}.items()},
     }
 
 

@@ -1,7 +1,7 @@
 """The page: one lifted domain for all that was learned, as positive STRIPS with types and costs.
 
 What can be done stands in the domain, once. Which motion does what to which object, how far, between which
-pairs and how surely, are facts of a problem. Prices are objects: `(= (cost c12) 12)`.
+pairs and how surely, are facts of a problem. Prices are objects: `(= (cost cost12) 12)`.
 
 An object that can be carried stands at places, and is taken from one and put at another. One that can only
 be pushed is led over cells: the action of its motion says how far, and `move-x` and `move-y` lead it there.
@@ -10,7 +10,10 @@ rests on an object, so it counts what does.
 """
 
 import re
+import textwrap
+from collections.abc import Iterable
 from dataclasses import dataclass
+from functools import lru_cache
 
 from neurosym.grounding import Grounding
 from neurosym.pddl.symbol_table import symbol_table
@@ -18,30 +21,41 @@ from neurosym.pddl.syntax import OBJECT, Action, Atom, Domain, Predicate, Typed
 from neurosym.tasks.carriers import carriers_of
 from neurosym.tasks.puts import bearing_states, puts_of
 
-THING, PLACE, PRICE = "thing", "place", "price"
-MOTION, RELATION, ORIGIN, COUNT, WAY = "motion", "relation", "origin", "count", "way"
-X_CELL, Y_CELL, X_STEP, Y_STEP = "x-cell", "y-cell", "x-step", "y-step"
-NOWHERE, NONE, ONE = "nowhere", "none", "one"
-FROM_PLACE, FROM_THING = "from-place", "from-thing"
+WIDTH = 108
+"""So many columns lines of comments have behind their semicolon, at most."""
+THING, PLACE, SPOT, PERCH, PRICE = "thing", "place", "spot", "perch", "price"
+MOTION, ORIGIN, COUNT, WAY = "motion", "origin", "count", "way"
+X_CELL, Y_CELL, X_SHIFT, Y_SHIFT = "x-cell", "y-cell", "x-shift", "y-shift"
+NOWHERE, NONE = "nowhere", "n0"
+FROM_SPOT, FROM_PERCH = "from-spot", "from-perch"
 PUSH, LIFT, PUT_DOWN, MOVE_X, MOVE_Y = "push", "lift", "put-down", "move-x", "move-y"
 REACH_CELL, REACH_LIFTED, REACH_PLACE = "reach-cell", "reach-lifted", "reach-place"
 TAKE, TAKE_OFF, PUT_AT, PUT, PUT_LOADED = "take", "take-off", "put-at", "put", "put-loaded"
-LOOK, LEAVE = "look", "leave"
+NOTE_CLEAR, LEAVE = "note-clear", "leave"
 _TYPES = {
     **dict.fromkeys(("?o", "?b"), THING),
-    **dict.fromkeys(("?p", "?here", "?next"), PLACE),
+    **dict.fromkeys(("?p", "?here", "?next"), SPOT),
     **dict.fromkeys(("?n", "?more", "?load", "?less"), COUNT),
     **dict.fromkeys(("?x", "?to-x"), X_CELL),
     **dict.fromkeys(("?y", "?to-y"), Y_CELL),
     "?c": PRICE,
     "?m": MOTION,
-    "?dx": X_STEP,
-    "?dy": Y_STEP,
-    "?s": RELATION,
+    "?up": MOTION,
+    "?dx": X_SHIFT,
+    "?dy": Y_SHIFT,
+    "?at": PLACE,
+    "?q": PERCH,
     "?from": ORIGIN,
     "?w": WAY,
 }
 """Every variable has the same type wherever it stands."""
+WORDS = (
+    *("object", THING, PLACE, SPOT, PERCH, PRICE, MOTION, ORIGIN, COUNT, WAY),
+    *(X_CELL, Y_CELL, X_SHIFT, Y_SHIFT, NOWHERE, NONE, FROM_SPOT, FROM_PERCH),
+    *(PUSH, LIFT, PUT_DOWN, MOVE_X, MOVE_Y, TAKE, TAKE_OFF, PUT_AT, PUT, PUT_LOADED),
+    *(NOTE_CLEAR, LEAVE, REACH_CELL, REACH_LIFTED, REACH_PLACE),
+)
+"""What every page may call its types, constants and actions."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -49,27 +63,30 @@ class _Part:
     """A part of the page, which is there if what it is about was learned.
 
     Attributes:
-        about: What readers must know of it.
+        about: What readers must know of it, as one paragraph.
         types: Its types, beside things.
         constants: Its constants.
         predicates: Its predicates.
         actions: Its actions.
+        places: Its types of places.
     """
 
-    about: tuple[str, ...]
+    about: str
     types: tuple[str, ...]
     constants: tuple[Typed, ...] = ()
     predicates: tuple[Predicate, ...] = ()
     actions: tuple[Action, ...] = ()
+    places: tuple[str, ...] = ()
 
 
+@lru_cache(maxsize=8)
 def page(grounding: Grounding) -> Domain:
     """Return the page of a learned domain.
 
     Args:
         grounding: The learned domain.
     """
-    parts = [_common(grounding), *([_leading()] if grounding.live else [])]
+    parts = [_common(), *([_leading()] if grounding.live else [])]
     if puts_of(grounding):
         parts += [_carrying(grounding, "?from"), _relating(grounding)]
     elif carriers_of(grounding):
@@ -78,83 +95,124 @@ def page(grounding: Grounding) -> Domain:
     kinds = [kind for part in parts for kind in part.types]
     return Domain(
         name=grounding.name,
-        head=(*(line for part in parts for line in part.about), *symbol_table(grounding)),
-        types=(*((kind, OBJECT) for kind in (THING, *kinds)), *((name, THING) for name in categories)),
+        head=(
+            *common_head(grounding),
+            *wrapped(part.about for part in parts),
+            *_guarantees(has_cells=bool(grounding.live), has_places=len(parts) > 2 or not grounding.live),
+            *symbol_table(grounding),
+        ),
+        types=(
+            *((kind, OBJECT) for kind in (THING, *kinds)),
+            *((kind, PLACE) for part in parts for kind in part.places),
+            *((name, THING) for name in categories),
+        ),
         constants=tuple(one for part in parts for one in part.constants),
         predicates=tuple(one for part in parts for one in part.predicates),
-        functions=(_predicate("(cost ?c)", ""),),
+        costs=(predicate("(cost ?c)", ""),),
         actions=tuple(one for part in parts for one in part.actions),
     )
 
 
-def _common(grounding: Grounding) -> _Part:
-    cost = (
-        "Every step costs 1"
-        if grounding.unit_costs
-        else "A step that goes as promised with chance p costs 1 + round(-100 ln p)"
-    )
+def _common() -> _Part:
     return _Part(
-        about=(
-            f"Learned domain {grounding.name}. Printed by neurosym; do not edit.",
-            "Subtypes of thing are the categories of objects that a network learned from trying actions.",
-            f"{cost}; ?c is its price.",
-        ),
+        about="",
         types=(PRICE,),
         predicates=(
-            _predicate("(hand-empty)", "the hand holds nothing"),
-            _predicate("(ready)", "no step is under way"),
-            _predicate("(done ?o)", "?o was seen at its goal, and not moved since"),
+            predicate("(hand-empty)", "the hand holds nothing"),
+            predicate("(ready)", "no motion is under way"),
+            predicate("(done ?o)", "?o was noted at its goal, and not moved since"),
         ),
     )
+
+
+def common_head(grounding: Grounding) -> tuple[str, ...]:
+    """Return what every printed domain begins with.
+
+    Args:
+        grounding: The learned domain.
+    """
+    cost = (
+        "Every motion costs 1; the other actions are free."
+        if grounding.unit_costs
+        else "What goes as promised with chance p costs 1 + round(-100 ln p); the other actions are free."
+    )
+    data = "Pushes and lifts were not rehearsed: what they do are averages over rows of the data."
+    paragraphs = (
+        f"Learned domain {grounding.name}. Printed by neurosym; do not edit.",
+        "Subtypes of thing are the categories of objects that a network learned from trying actions; they "
+        "limit no action. Bits in names are learned symbols; a letter behind them tells parameters for one "
+        "symbol apart.",
+        cost,
+        data * (grounding.operators.measured == "data"),
+    )
+    return wrapped(paragraphs)
+
+
+def wrapped(paragraphs: Iterable[str]) -> tuple[str, ...]:
+    """Break paragraphs into lines of comments.
+
+    Args:
+        paragraphs: The paragraphs; empty ones are left out.
+    """
+    return tuple(line for text in paragraphs for line in textwrap.wrap(text, WIDTH, break_on_hyphens=False))
+
+
+def _guarantees(*, has_cells: bool, has_places: bool) -> tuple[str, ...]:
+    """Say what a valid plan guarantees, and what only its replay sees."""
+    carried = ", and carries only to places that are free" * has_places
+    collide = (
+        " What moves by cells may collide on its way and at its end: `neurosym validate` replays plans and "
+        "finds that."
+    )
+    valid = f"A valid plan asks a full hand for nothing but to put down{carried}."
+    return wrapped([valid + collide * has_cells])
 
 
 def _leading() -> _Part:
     due = "(due-x ?o ?dx) (due-y ?o ?dy)"
     here = "(at-x ?o ?x) (at-y ?o ?y) (goal-cell ?o ?x ?y)"
     return _Part(
-        about=(
-            "What can only be pushed is led over cells. A motion ?m, named by its learned symbol, leads ?o",
-            "by ?dx and ?dy cells: push or lift begin that, and move-x and move-y do it.",
-        ),
-        types=(MOTION, X_CELL, Y_CELL, X_STEP, Y_STEP),
+        about="What is not carried is moved cell by cell: push, lift or put-down starts a motion ?m, named "
+        "by its symbol, which shifts ?o by ?dx and ?dy cells; move-x and then move-y carry it out.",
+        types=(MOTION, X_CELL, Y_CELL, X_SHIFT, Y_SHIFT),
         predicates=(
-            _predicate("(led ?o)", "?o is led over cells, and not carried"),
-            _predicate("(at-x ?o ?x)", "the centre of ?o is in that column of cells"),
-            _predicate("(at-y ?o ?y)", "and in that row"),
-            _predicate("(pushes ?o ?m ?dx ?dy ?c)", "?m pushes ?o so far"),
-            _predicate("(lifts ?o ?m ?dx ?dy ?c)", "?m lifts ?o, so far aside"),
-            _predicate("(lowers ?o ?m ?dx ?dy)", "to put down what ?m lifted leads it so far"),
-            _predicate("(on-table ?o)", "?o is not lifted"),
-            _predicate("(lifted ?o ?m)", "?m lifted ?o, and the hand holds it"),
-            _predicate("(due-x ?o ?dx)", "?o is on its way, to go so far along x"),
-            _predicate("(due-y ?o ?dy)", "and so far along y"),
-            _predicate("(went-x ?o)", "?o went along x already"),
-            _predicate("(x-sum ?dx ?x ?to-x)", "?dx leads from ?x to ?to-x"),
-            _predicate("(y-sum ?dy ?y ?to-y)", "?dy leads from ?y to ?to-y"),
-            _predicate("(goal-cell ?o ?x ?y)", "over that cell ?o meets its goal"),
-            _predicate("(goal-on-table ?o)", "the goal of ?o is on the table"),
-            _predicate("(goal-lifted ?o ?m)", "the goal of ?o is as high as ?m lifts it"),
+            predicate("(by-cells ?o)", "?o is moved cell by cell, until it is taken"),
+            predicate("(at-x ?o ?x)", "the centre of ?o is in that column of cells"),
+            predicate("(at-y ?o ?y)", "and in that row"),
+            predicate("(pushes ?o ?m ?dx ?dy ?c)", "?m pushes ?o by ?dx and ?dy"),
+            predicate("(lifts ?o ?m ?dx ?dy ?c)", "?m lifts ?o, and shifts it so"),
+            predicate("(lowers ?o ?m ?dx ?dy)", "putting down what ?m lifted shifts it so far"),
+            predicate("(on-table ?o)", "?o, moved by cells, is not lifted"),
+            predicate("(lifted ?o ?m)", "?m lifted ?o, and the hand holds it"),
+            predicate("(due-x ?o ?dx)", "?o is under way, and has to go so far along x"),
+            predicate("(due-y ?o ?dy)", "and so far along y"),
+            predicate("(went-x ?o)", "?o went along x already"),
+            predicate("(x-sum ?dx ?x ?to-x)", "from ?x, ?dx leads to ?to-x"),
+            predicate("(y-sum ?dy ?y ?to-y)", "from ?y, ?dy leads to ?to-y"),
+            predicate("(goal-cell ?o ?x ?y)", "over that cell ?o meets its goal"),
+            predicate("(goal-on-table ?o)", "the goal of ?o is on the table"),
+            predicate("(goal-lifted ?o ?m)", "the goal of ?o is as high as ?m lifts it"),
         ),
         actions=(
-            _action(
+            action(
                 PUSH,
                 "begin to push ?o",
                 "?o ?m ?dx ?dy ?c",
-                needs="(ready) (hand-empty) (led ?o) (pushes ?o ?m ?dx ?dy ?c)",
+                needs="(ready) (hand-empty) (by-cells ?o) (pushes ?o ?m ?dx ?dy ?c)",
                 adds=due,
                 deletes="(ready) (done ?o)",
                 cost="(cost ?c)",
             ),
-            _action(
+            action(
                 LIFT,
-                "begin to lift ?o; with a full hand only put-down applies",
+                "begin to lift ?o, which stays over cells; put-down sets it down",
                 "?o ?m ?dx ?dy ?c",
-                needs="(ready) (hand-empty) (led ?o) (on-table ?o) (lifts ?o ?m ?dx ?dy ?c)",
+                needs="(ready) (hand-empty) (by-cells ?o) (on-table ?o) (lifts ?o ?m ?dx ?dy ?c)",
                 adds=f"{due} (lifted ?o ?m)",
                 deletes="(ready) (hand-empty) (on-table ?o) (done ?o)",
                 cost="(cost ?c)",
             ),
-            _action(
+            action(
                 PUT_DOWN,
                 "begin to put down what ?m lifted",
                 "?o ?m ?dx ?dy",
@@ -162,30 +220,30 @@ def _leading() -> _Part:
                 adds=f"{due} (hand-empty) (on-table ?o)",
                 deletes="(ready) (lifted ?o ?m) (done ?o)",
             ),
-            _action(
+            action(
                 MOVE_X,
-                "lead ?o along x",
+                "shift ?o along x",
                 "?o ?dx ?x ?to-x",
                 needs="(due-x ?o ?dx) (at-x ?o ?x) (x-sum ?dx ?x ?to-x)",
                 adds="(went-x ?o) (at-x ?o ?to-x)",
                 deletes="(due-x ?o ?dx) (at-x ?o ?x)",
             ),
-            _action(
+            action(
                 MOVE_Y,
-                "and along y, which ends the step",
+                "and along y, which ends the motion",
                 "?o ?dy ?y ?to-y",
                 needs="(went-x ?o) (due-y ?o ?dy) (at-y ?o ?y) (y-sum ?dy ?y ?to-y)",
                 adds="(ready) (at-y ?o ?to-y)",
                 deletes="(went-x ?o) (due-y ?o ?dy) (at-y ?o ?y)",
             ),
-            _action(
+            action(
                 REACH_CELL,
                 "note that ?o lies where its goal is",
                 "?o ?x ?y",
                 needs=f"(ready) (on-table ?o) (goal-on-table ?o) {here}",
                 adds="(done ?o)",
             ),
-            _action(
+            action(
                 REACH_LIFTED,
                 "note that ?o is held where its goal is",
                 "?o ?m ?x ?y",
@@ -203,64 +261,64 @@ def _carrying(grounding: Grounding, origin: str = "") -> _Part:
         grounding: The learned domain.
         origin: The variable for where an object in the hand is from, where it can be from another object.
     """
-    bare = "(bears ?o none)" * bool(origin)
-    leave = _action(
+    bare = "(bears ?o n0)" * bool(origin)
+    leave = action(
         LEAVE,
-        "note that ?o, led to its goal, has left where it stood",
+        "note that ?o, moved by cells to its goal, has left its spot",
         "?o ?p",
-        needs="(ready) (done ?o) (led ?o) (stands ?o ?p)",
+        needs="(ready) (done ?o) (by-cells ?o) (stands ?o ?p)",
         adds="(free ?p)",
         deletes="(stands ?o ?p)",
     )
     return _Part(
-        about=(
-            "What can be carried stands at places. It is taken from one, and put at another that is free; of",
-            "each thing that stood over that place at first, look must note that it has left.",
-        ),
+        about="Things stand at spots. What can be carried is taken from one, and put at another that is "
+        "free. Where it would overlap spots of the start there, note-clear goes through them until nowhere "
+        "is left.",
         types=(PLACE, *([ORIGIN] if origin else [])),
+        places=(SPOT, *([PERCH] if origin else [])),
         constants=(
-            (NOWHERE, PLACE),
-            *(((FROM_PLACE, ORIGIN), (FROM_THING, ORIGIN)) if origin else ()),
+            (NOWHERE, SPOT),
+            *(((FROM_SPOT, ORIGIN), (FROM_PERCH, ORIGIN)) if origin else ()),
         ),
         predicates=(
-            _predicate("(stands ?o ?p)", "?o stands at that place"),
-            _predicate("(free ?p)", "nothing stands there"),
-            _predicate("(can-take ?o)", "once ?o is taken, something can be done with it"),
-            _predicate(
-                f"(taken ?o {origin})", "the hand has ?o" + ", from a place or from a thing" * bool(origin)
+            predicate("(stands ?o ?at)", "?o stands there, or was not noted to have left"),
+            predicate("(free ?p)", "nothing stands there"),
+            predicate("(can-take ?o)", "?o can be put somewhere, once it is taken"),
+            predicate(
+                f"(taken ?o {origin})", "the hand has ?o" + ", from a spot or from a perch" * bool(origin)
             ),
-            _predicate(f"(can-carry ?o {origin} ?c)", "?o can be put at places, at that price"),
-            _predicate("(room ?o ?p ?here)", "?o has room at ?p, but for what stands at ?here"),
-            _predicate("(look-next ?o ?p ?here ?next)", "and then for what stands at ?next"),
-            _predicate("(goal-place ?o ?p)", "at that place ?o meets its goal"),
+            predicate(f"(can-carry ?o {origin} ?c)", "?o can be put at spots, at that price"),
+            predicate("(check ?o ?p ?here)", "for ?o to be put at ?p, ?here must be free"),
+            predicate("(then ?o ?p ?here ?next)", "and after that ?next, if it is not nowhere"),
+            predicate("(goal-place ?o ?p)", "at that spot ?o meets its goal"),
         ),
         actions=(
-            _action(
+            action(
                 TAKE,
-                "take ?o from a place",
+                "take ?o from a spot",
                 "?o ?p",
                 needs=f"(ready) (hand-empty) (can-take ?o) (stands ?o ?p) {_unloaded(grounding)}",
-                adds=f"(taken ?o {FROM_PLACE * bool(origin)}) (free ?p)",
-                deletes=f"(hand-empty) (stands ?o ?p) {'(led ?o)' * bool(grounding.live)} (done ?o)",
+                adds=f"(taken ?o {FROM_SPOT * bool(origin)}) (free ?p)",
+                deletes=f"(hand-empty) (stands ?o ?p) {'(by-cells ?o)' * bool(grounding.live)} (done ?o)",
             ),
-            _action(
+            action(
                 PUT_AT,
-                "put ?o, which was taken, at a place",
+                "put ?o, which was taken, at a spot",
                 f"?o ?p {origin} ?c",
                 needs=f"(taken ?o {origin}) {bare} (can-carry ?o {origin} ?c) (free ?p) "
-                f"(room ?o ?p {NOWHERE})",
+                f"(check ?o ?p {NOWHERE})",
                 adds="(hand-empty) (stands ?o ?p)",
                 deletes=f"(taken ?o {origin}) (free ?p)",
                 cost="(cost ?c)",
             ),
-            _action(
-                LOOK,
-                "note that a place is free which ?p overlaps",
+            action(
+                NOTE_CLEAR,
+                "note that ?here, which ?o at ?p would overlap, is free",
                 "?o ?p ?here ?next",
-                needs="(room ?o ?p ?here) (free ?here) (look-next ?o ?p ?here ?next)",
-                adds="(room ?o ?p ?next)",
+                needs="(check ?o ?p ?here) (free ?here) (then ?o ?p ?here ?next)",
+                adds="(check ?o ?p ?next)",
             ),
-            _action(
+            action(
                 REACH_PLACE,
                 "note that ?o stands where its goal is",
                 "?o ?p",
@@ -273,50 +331,49 @@ def _carrying(grounding: Grounding, origin: str = "") -> _Part:
 
 
 def _relating(grounding: Grounding) -> _Part:
-    states = tuple((state.name, RELATION) for state in bearing_states(grounding))
-    put = "(bears ?b ?n) (next ?n ?more) (way-price ?w ?from ?n ?c)"
-    put_loaded = _action(
+    put = "(bears ?b ?n) (next ?n ?more) (fee ?w ?from ?n ?c)"
+    put_loaded = action(
         PUT_LOADED,
-        "the same with what rests on ?o",
-        "?o ?s ?b ?from ?p ?less ?load ?n ?more ?w ?c",
+        "the same with what rests on it, if ?b stands at a spot",
+        "?o ?q ?b ?from ?p ?less ?load ?n ?more ?w ?c",
         needs="(taken ?o ?from) (bears ?o ?load) (next ?less ?load) (stands ?b ?p) "
-        f"(can-put-loaded ?o ?s ?b ?w) {put}",
-        adds="(hand-empty) (related ?o ?s ?b) (bears ?b ?more)",
+        f"(can-put-loaded ?o ?q ?w) (on ?q ?b) {put}",
+        adds="(hand-empty) (stands ?o ?q) (bears ?b ?more)",
         deletes="(taken ?o ?from) (bears ?b ?n)",
         cost="(cost ?c)",
     )
     loads = _takes_loads(grounding)
+    relations = ", ".join(state.name for state in bearing_states(grounding))
     return _Part(
-        about=(
-            "Things also bear each other, in relations ?s that were learned from pairs. A way ?w to put one",
-            "on or into another has its price by where it is from, and by how many that bears already.",
-        ),
-        types=(RELATION, COUNT, WAY),
-        constants=(*states, (NONE, COUNT), (ONE, COUNT)),
+        about="Things also bear each other. A perch ?q is room for things on or in a thing ?b, one for each "
+        f"relation: {relations}. A way ?w puts something there, at a price by where it is from, and by how "
+        "many things ?b bears. Goals by relation are (stands ?o ?q), others (done ?o).",
+        types=(COUNT, WAY),
+        constants=((NONE, COUNT),),
         predicates=(
-            _predicate("(related ?o ?s ?b)", "?b bears ?o, in that relation"),
-            _predicate("(bears ?o ?n)", "so many things rest on or in ?o themselves"),
-            _predicate("(next ?n ?more)", "?more is one more than ?n"),
-            _predicate("(can-put ?o ?s ?b ?w)", "?w puts ?o so on or into ?b"),
-            *([_predicate("(can-put-loaded ?o ?s ?b ?w)", "and what rests on ?o with it")] if loads else []),
-            _predicate("(way-price ?w ?from ?n ?c)", "what ?w costs from there, onto what bears so many"),
+            predicate("(on ?q ?b)", "?q is a perch of ?b; this never changes"),
+            predicate("(bears ?o ?n)", "so many things rest directly on or in ?o"),
+            predicate("(next ?n ?more)", "?more is one more than ?n"),
+            predicate("(can-put ?o ?q ?w)", "?w puts ?o there"),
+            *([predicate("(can-put-loaded ?o ?q ?w)", "and its load with it")] if loads else []),
+            predicate("(fee ?w ?from ?n ?c)", "what ?w costs from there, onto what bears so many"),
         ),
         actions=(
-            _action(
+            action(
                 TAKE_OFF,
                 "take ?o from a thing that bears it",
-                "?o ?s ?b ?less ?n",
-                needs="(ready) (hand-empty) (can-take ?o) (related ?o ?s ?b) (bears ?b ?n) (next ?less ?n) "
-                + _unloaded(grounding),
-                adds=f"(taken ?o {FROM_THING}) (bears ?b ?less)",
-                deletes="(hand-empty) (related ?o ?s ?b) (bears ?b ?n) (done ?o)",
+                "?o ?q ?b ?less ?n",
+                needs="(ready) (hand-empty) (can-take ?o) (stands ?o ?q) (on ?q ?b) (bears ?b ?n) "
+                f"(next ?less ?n) {_unloaded(grounding)}",
+                adds=f"(taken ?o {FROM_PERCH}) (bears ?b ?less)",
+                deletes="(hand-empty) (stands ?o ?q) (bears ?b ?n) (done ?o)",
             ),
-            _action(
+            action(
                 PUT,
                 "put ?o, which was taken, on or into another thing",
-                "?o ?s ?b ?from ?n ?more ?w ?c",
-                needs=f"(taken ?o ?from) (bears ?o none) (can-put ?o ?s ?b ?w) {put}",
-                adds="(hand-empty) (related ?o ?s ?b) (bears ?b ?more)",
+                "?o ?q ?b ?from ?n ?more ?w ?c",
+                needs=f"(taken ?o ?from) (bears ?o n0) (can-put ?o ?q ?w) (on ?q ?b) {put}",
+                adds="(hand-empty) (stands ?o ?q) (bears ?b ?more)",
                 deletes="(taken ?o ?from) (bears ?b ?n)",
                 cost="(cost ?c)",
             ),
@@ -332,18 +389,28 @@ def _takes_loads(grounding: Grounding) -> bool:
 
 def _unloaded(grounding: Grounding) -> str:
     """Return what is asked of an object that is taken: nothing rests on it, unless that may go along."""
-    return "(bears ?o none)" if puts_of(grounding) and not _takes_loads(grounding) else ""
+    return "(bears ?o n0)" if puts_of(grounding) and not _takes_loads(grounding) else ""
 
 
-def _action(
-    name: str, about: str, parameters: str, *, needs: str, adds: str, deletes: str = "", cost: str = ""
+def action(
+    name: str,
+    about: str,
+    parameters: str,
+    *,
+    needs: str,
+    adds: str,
+    deletes: str = "",
+    cost: str = "",
+    tests: tuple[str, ...] = (),
+    changes: tuple[str, ...] = (),
 ) -> Action:
-    """Return an action, given as PDDL prints it."""
+    """Return an action, given as PDDL prints it; see `Action`."""
     (price,) = _atoms(cost) or (None,)
-    return Action(name, about, _typed(parameters), _atoms(needs), _atoms(adds), _atoms(deletes), price)
+    atoms = (_atoms(needs), _atoms(adds), _atoms(deletes))
+    return Action(name, about, _typed(parameters), *atoms, price, tests, changes)
 
 
-def _predicate(text: str, about: str) -> Predicate:
+def predicate(text: str, about: str) -> Predicate:
     """Return a predicate, given as PDDL prints it."""
     ((name, *parameters),) = _atoms(text)
     return Predicate(name, _typed(" ".join(parameters)), about)

@@ -4,14 +4,15 @@ from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
 
 from neurosym.errors import InvalidValue, UnknownChoice
+from neurosym.grounding import Grounding, is_lift
 from neurosym.pddl import strips
-from neurosym.pddl.place_problem import START
-from neurosym.pddl.plan_text import PlanStep
 from neurosym.pddl.strips_problem import COUNTS, StripsProblem, motion_name, price_name, step_name
 from neurosym.pddl.syntax import Atom, Course
 from neurosym.related import Borne, loads_of, relating
 from neurosym.spots import spot_named
-from neurosym.tasks.moves import Move
+from neurosym.tasks.moves import PUT_DOWN, Move
+from neurosym.tasks.places import START, check_place
+from neurosym.tasks.steps import PlanStep
 from neurosym.tasks.task import PutOption, Task
 
 Words = tuple[str, ...]
@@ -59,6 +60,24 @@ def led_by(steps: Iterable[PlanStep], task: Task) -> tuple[str, ...]:
     """
     pushed = {step.object for step in steps if not step.place}
     return tuple(name for name in task.names if name in pushed or name in task.led)
+
+
+def action_for(operator: str, grounding: Grounding) -> str:
+    """Name the action of the page that a step with an operator is an instance of.
+
+    Args:
+        operator: Name of the operator of a step.
+        grounding: The learned domain.
+
+    Raises:
+        UnknownChoice: If there is no such operator.
+    """
+    if operator.startswith(PUT_DOWN):
+        return strips.PUT_DOWN
+    if relating(operator, grounding):
+        return strips.PUT
+    found = grounding.operator_named(operator)
+    return strips.PUT_AT if grounding.carries(found) else strips.LIFT if is_lift(found) else strips.PUSH
 
 
 class _Writer:
@@ -118,7 +137,7 @@ class _Writer:
 
     def _lead(self, step: PlanStep) -> None:
         name, task = step.object, self._task
-        every = {move.name: move for move in task.moves_on(self._printed.cells, name)}
+        every = {move.name: move for move in task.every_move_on(self._printed.cells, name)}
         move = every.get(step.operator)
         if move is None or name not in self._cells:
             raise InvalidValue(
@@ -166,10 +185,17 @@ class _Writer:
         has_origins = bool(self._task.grounding.relations)
         if borne := self._supports.pop(name, None):
             count = len(loads_of(borne.by, self._supports))
-            self._say(strips.TAKE_OFF, name, borne.state.name, borne.by, COUNTS[count], COUNTS[count + 1])
-            return (strips.FROM_THING,)
+            self._say(
+                strips.TAKE_OFF,
+                name,
+                self._printed.perch(borne.state, borne.by),
+                borne.by,
+                COUNTS[count],
+                COUNTS[count + 1],
+            )
+            return (strips.FROM_PERCH,)
         self._say(strips.TAKE, name, self._stands.pop(name))
-        return (strips.FROM_PLACE,) if has_origins else ()
+        return (strips.FROM_SPOT,) if has_origins else ()
 
     def _carry(self, step: PlanStep) -> None:
         name, place, task = step.object, step.place, self._task
@@ -177,10 +203,10 @@ class _Writer:
             raise InvalidValue(f"nothing carries {name} to places, so the plan cannot be printed.")
         origin = self._take(name)
         row = self._printed.room(name, place)
-        chain = [words[3:] for words in row if words[0] == "look-next"]
+        chain = [words[3:] for words in row if words[0] == "then"]
         for here, then in chain:
-            self._say(strips.LOOK, name, place, here, then)
-        cost = price_name(task.carry_cost(name, borne=origin == (strips.FROM_THING,)))
+            self._say(strips.NOTE_CLEAR, name, place, here, then)
+        cost = price_name(task.carry_cost(name, borne=origin == (strips.FROM_PERCH,)))
         self._say(strips.PUT_AT, name, place, *origin, cost)
         if spot_named(place) and place not in task.places:
             self._found.spots.append(place)
@@ -197,7 +223,7 @@ class _Writer:
         count = len(loads_of(other, self._supports))
         way = self._printed.way_of((name, other), option)
         counts = (COUNTS[count], COUNTS[count + 1])
-        words = [name, option.state.name, other, origin]
+        words = [name, self._printed.perch(option.state, other), other, origin]
         if laden:
             if other not in self._stands:
                 raise InvalidValue(f"{name} bears something, and {other} stands at no place.")
@@ -275,16 +301,19 @@ class _Reader:
         return tuple(self._steps)
 
     def _granted(self) -> Iterator[Atom]:
-        """List what is for the replay to judge: goals over cells, and room at spots."""
+        """List what is for the replay to judge: goals over cells, and room at spots of the table."""
         for name, *words in self._actions:
             if name == strips.REACH_CELL and len(words) == 3:
                 yield from (("goal-on-table", words[0]), ("goal-cell", *words))
             elif name == strips.REACH_LIFTED and len(words) == 4:
                 thing, motion, x, y = words
                 yield from (("goal-lifted", thing, motion), ("goal-cell", thing, x, y))
-            elif name == strips.PUT_AT and len(words) > 1 and spot_named(words[1]):
-                yield ("free", words[1])
-                yield from self._printed.room(words[0], words[1]) if words[0] in self._task.names else ()
+            elif name == strips.PUT_AT and len(words) > 1 and words[0] in self._task.names:
+                thing, place = words[:2]
+                if place in self._task.places or spot_named(place):
+                    yield from self._printed.room(thing, place)
+                if place not in self._task.places:
+                    yield ("free", place)
 
     def _step(self, name: str, arguments: Sequence[str], before: frozenset[Atom]) -> Iterator[PlanStep]:
         """Yield the step that an action begins, if it begins one."""
@@ -296,12 +325,17 @@ class _Reader:
             move = next(one for one in moves if (motion_name(one), one.kind) == (motion, kind))
             yield PlanStep(move.name, thing)
         elif name == strips.PUT_AT:
+            check_place(arguments[1], task.flat, task.grounding)
             yield PlanStep(task.carriers[arguments[0]][0].name, arguments[0], arguments[1])
         elif name in (strips.PUT, strips.PUT_LOADED):
-            thing, state, other, origin = arguments[:4]
+            thing, perch, other, origin = arguments[:4]
             count = next(atom[2] for atom in before if atom[:2] == ("bears", other))
-            case = (state, origin == strips.FROM_THING, count != COUNTS[0], name == strips.PUT_LOADED)
-            option = next(one for one in task.put_options[thing, other] if one.case == case)
+            case = (origin == strips.FROM_PERCH, count != COUNTS[0], name == strips.PUT_LOADED)
+            option = next(
+                one
+                for one in task.put_options[thing, other]
+                if self._printed.perch(one.state, other) == perch and one.case[1:] == case
+            )
             yield PlanStep(option.put.name, thing, other)
 
     def _lacking(self) -> str:

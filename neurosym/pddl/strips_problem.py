@@ -9,30 +9,32 @@ import msgspec
 
 from neurosym.grounding import Grounding
 from neurosym.pddl.grid import goal_region, grid_of
-from neurosym.pddl.place_problem import START
 from neurosym.pddl.strips import (
     COUNT,
-    FROM_PLACE,
-    FROM_THING,
+    FROM_PERCH,
+    FROM_SPOT,
     MOTION,
     NONE,
     NOWHERE,
-    ONE,
-    PLACE,
+    PERCH,
     PRICE,
+    SPOT,
     WAY,
     X_CELL,
-    X_STEP,
+    X_SHIFT,
     Y_CELL,
-    Y_STEP,
+    Y_SHIFT,
 )
 from neurosym.pddl.syntax import Atom, Facts, PddlProblem, Typed
 from neurosym.related import loads_of
+from neurosym.relation_operators import PairState
 from neurosym.tasks.moves import Move
-from neurosym.tasks.places import is_at
+from neurosym.tasks.places import START, is_at
+from neurosym.tasks.puts import bearing_states
 from neurosym.tasks.task import Pair, PutOption, Task
+from neurosym.wording import counted
 
-COUNTS = (NONE, ONE, *(f"count-{number}" for number in range(2, 100)))
+COUNTS = (NONE, *(f"n{number}" for number in range(1, 100)))
 """How many objects another one bears."""
 STEPS = 1
 """How many steps the rounding of is reckoned with, unless the caller says otherwise.
@@ -43,7 +45,7 @@ COARSEST = 2
 """So many of the domain's cells a cell of a problem is long at most."""
 CELLS_IN_TOLERANCE = 5
 """So many cells the tolerance of goals holds at least, or as many as the domain's own cells allow."""
-_AXES = (("x", X_CELL, X_STEP), ("y", Y_CELL, Y_STEP))
+_AXES = (("x", X_CELL, X_SHIFT), ("y", Y_CELL, Y_SHIFT))
 
 
 def printed_cell(task: Task) -> float:
@@ -68,8 +70,25 @@ def step_name(axis: int, cells: int) -> str:
 
 
 def price_name(cost: int) -> str:
-    """Name a price, like `c12`."""
-    return f"c{cost}"
+    """Name a price, like `cost12`."""
+    return f"cost{cost}"
+
+
+def perch_name(state: PairState, thing: str, grounding: Grounding) -> str:
+    """Name a relation to a thing that bears something in it, like `rests-on-item-06`.
+
+    Args:
+        state: The relation.
+        thing: The thing.
+        grounding: The learned domain; its bits are named, too, if it has another relation of that name.
+    """
+    plain = _plain(state)
+    is_only = sum(_plain(one) == plain for one in bearing_states(grounding)) < 2
+    return f"{plain if is_only else state.name}-{thing}"
+
+
+def _plain(state: PairState) -> str:
+    return state.name.removesuffix(f"-{state.symbol}")
 
 
 class StripsProblem:
@@ -117,7 +136,7 @@ class StripsProblem:
             name=task.problem.name,
             domain=task.grounding.name,
             head=tuple(self._head()),
-            objects=(*self._objects(), *((name, PLACE) for name in spots)),
+            objects=(*self._objects(), *((name, SPOT) for name in dict.fromkeys(spots))),
             facts=tuple(facts),
             costs={("cost", price_name(cost)): cost for cost in self._prices},
             goals=tuple(self._goals()),
@@ -126,11 +145,15 @@ class StripsProblem:
     @cached_property
     def moves(self) -> Mapping[str, tuple[Move, ...]]:
         """What is done to each object that is led, the surest of what does the same, in cells."""
-        found = {name: self.task.moves_on(self.cells, name) for name in self.led}
+        every = {name: self.task.every_move_on(self.cells, name) for name in self.led}
         if self._every:
-            return found
-        kept = {name: {operator for thing, operator in self._kept if thing == name} for name in found}
-        return {name: tuple(_surest(moves, kept[name])) for name, moves in found.items()}
+            return every
+        told = {(name, one) for name in self.led for one in _surest(self.task.moves_on(self.cells, name))}
+        told |= {*self._kept}
+        return {
+            name: tuple(move for move in moves if (name, move.operator.name) in told)
+            for name, moves in every.items()
+        }
 
     def _head(self) -> Iterator[str]:
         problem = self.task.problem
@@ -141,8 +164,8 @@ class StripsProblem:
         if self.led:
             yield (
                 f"Cells of {1000 * self.grid.cell:g} mm. A goal is met within "
-                f"{1000 * problem.tolerance:g} mm; goal-cell leaves out what the rounding of {self.steps} "
-                "step(s) may take."
+                f"{1000 * problem.tolerance:g} mm; goal cells keep inside by what the rounding of "
+                f"{counted(self.steps, 'motion')} may take."
             )
 
     def _objects(self) -> Iterator[Typed]:
@@ -150,10 +173,11 @@ class StripsProblem:
         for item in task.problem.objects:
             yield item.name, task.grounding.category(item.category).name
         if task.places:
-            yield from ((f"{START}{name}", PLACE) for name in task.names if name not in task.supports)
-            yield from ((name, PLACE) for name in task.places)
+            yield from ((f"{START}{name}", SPOT) for name in task.names if name not in task.supports)
+            yield from ((name, SPOT) for name in task.places)
         if task.relates:
-            yield from ((name, COUNT) for name in COUNTS[2 : task.most_borne + 1])
+            yield from ((name, PERCH) for name in self._perches)
+            yield from ((name, COUNT) for name in COUNTS[1 : task.most_borne + 1])
             yield from ((name, WAY) for name in self._ways.values())
         if self.led:
             motions = {motion_name(move) for moves in self.moves.values() for move in moves}
@@ -182,7 +206,7 @@ class StripsProblem:
         task = self.task
         yield from (("done", name) for name in sorted(task.problem.goals))
         for target, reference, state in task.problem.related:
-            yield "related", target, task.state_name(state), reference
+            yield "stands", target, self.perch(task.state_named(state), reference)
 
     @cached_property
     def _prices(self) -> tuple[int, ...]:
@@ -200,7 +224,7 @@ class StripsProblem:
         atoms = list[Atom]()
         for name in task.names:
             if borne := task.supports.get(name):
-                atoms.append(("related", name, borne.state.name, borne.by))
+                atoms.append(("stands", name, self.perch(borne.state, borne.by)))
             elif task.places:
                 place = f"{START}{name}"
                 atoms.append(("stands", name, place))
@@ -239,8 +263,8 @@ class StripsProblem:
         """
         spot = self.task.flat.place_named(place)
         chain = [*(f"{START}{other}" for other in self.task.blockers(name, spot)), NOWHERE]
-        links: list[Atom] = [("look-next", name, place, here, then) for here, then in pairwise(chain)]
-        return [*self._goal_at(name, place, spot), ("room", name, place, chain[0]), *links]
+        links: list[Atom] = [("then", name, place, here, then) for here, then in pairwise(chain)]
+        return [*self._goal_at(name, place, spot), ("check", name, place, chain[0]), *links]
 
     def _origins(self) -> Iterator[tuple[str, bool]]:
         """List what can be carried to places, and whether from another object."""
@@ -251,7 +275,7 @@ class StripsProblem:
 
     def _carrying(self) -> Iterator[Atom]:
         for name, borne in self._origins():
-            origin = [FROM_THING if borne else FROM_PLACE] if self._has_origins else []
+            origin = [FROM_PERCH if borne else FROM_SPOT] if self._has_origins else []
             yield "can-carry", name, *origin, price_name(self.task.carry_cost(name, borne=borne))
 
     @property
@@ -262,10 +286,26 @@ class StripsProblem:
     # Relations
 
     @cached_property
+    def _perches(self) -> Mapping[str, str]:
+        """The relations in which things bear, or may come to bear something, each with the thing."""
+        task = self.task
+        found = [(borne.state, borne.by) for borne in task.supports.values()]
+        found += [(task.state_named(state), other) for _, other, state in task.problem.related]
+        found += [(one.state, other) for (_, other), row in task.put_options.items() for one in row]
+        named = {self.perch(state, name): name for state, name in found}
+        return dict(sorted(named.items(), key=lambda one: one[::-1]))
+
+    def perch(self, state: PairState, thing: str) -> str:
+        """Name a relation to a thing that bears something in it; see `perch_name`."""
+        return perch_name(state, thing, self.task.grounding)
+
+    @cached_property
     def _ways(self) -> Mapping[tuple[tuple[str, str, int], ...], str]:
         """The different prices by origin and count, each with the name of the ways that have them."""
         found = {way for options in self.task.put_options.values() for way in _by_state(options, self.counts)}
-        return {way: f"w{number}" for number, way in enumerate(sorted({row for _, _, row in found}), start=1)}
+        return {
+            way: f"way{number}" for number, way in enumerate(sorted({row for _, _, row in found}), start=1)
+        }
 
     def way_of(self, pair: Pair, option: PutOption) -> str:
         """Name the way that puts one object on or into another.
@@ -275,7 +315,7 @@ class StripsProblem:
             option: What is done.
         """
         rows = _by_state(self.task.put_options[pair], self.counts)
-        same = (option.state.name, option.laden)
+        same = (option.state, option.laden)
         return next(self._ways[row] for state, laden, row in rows if (state, laden) == same)
 
     @property
@@ -291,10 +331,11 @@ class StripsProblem:
         for (target, reference), options in task.put_options.items():
             for state, laden, row in _by_state(options, self.counts):
                 name = "can-put-loaded" if laden else "can-put"
-                atoms.append((name, target, state, reference, self._ways[row]))
+                atoms.append((name, target, self.perch(state, reference), self._ways[row]))
+        yield Facts("on or in what", tuple(("on", perch, name) for perch, name in self._perches.items()))
         yield Facts("what puts one thing on or into another", tuple(atoms))
         ways = (
-            ("way-price", name, *words, price_name(cost))
+            ("fee", name, *words, price_name(cost))
             for row, name in self._ways.items()
             for *words, cost in row
         )
@@ -307,7 +348,7 @@ class StripsProblem:
         item, goal = task.problem.object_named(name), task.problem.goals.get(name)
         x, y, _ = self.grid.anchor(item.position)
         atoms: list[Atom] = [
-            ("led", name),
+            ("by-cells", name),
             ("on-table", name),
             ("at-x", name, self._cell(0, x)),
             ("at-y", name, self._cell(1, y)),
@@ -354,11 +395,8 @@ class StripsProblem:
                     )
 
 
-def _surest(moves: Sequence[Move], kept: Collection[str]) -> Iterator[Move]:
-    """List moves, of those that lead an object alike only the cheapest and those of some operators.
-
-    Each lift is followed by its put-down.
-    """
+def _surest(moves: Sequence[Move]) -> set[str]:
+    """Name the operators of moves, of those that lead an object alike only the cheapest."""
     downs = {move.operator.name: move for move in moves if move.kind == "put-down"}
     best = dict[tuple[object, ...], Move]()
     for move in moves:
@@ -367,17 +405,16 @@ def _surest(moves: Sequence[Move], kept: Collection[str]) -> Iterator[Move]:
             case = (move.cells, down and down.cells)
             if case not in best or move.cost < best[case].cost:
                 best[case] = move
-    told = {move.operator.name for move in best.values()} | {*kept}
-    yield from (move for move in moves if move.operator.name in told)
+    return {move.operator.name for move in best.values()}
 
 
 def _by_state(
     options: Sequence[PutOption], counts: Sequence[str]
-) -> list[tuple[str, bool, tuple[tuple[str, str, int], ...]]]:
+) -> list[tuple[PairState, bool, tuple[tuple[str, str, int], ...]]]:
     """List the states that a pair can be brought to, with or without a load, each with what it costs when."""
-    found = dict[tuple[str, bool], list[tuple[str, str, int]]]()
+    found = dict[tuple[PairState, bool], list[tuple[str, str, int]]]()
     for option in options:
-        origin = FROM_THING if option.borne else FROM_PLACE
-        row = found.setdefault((option.state.name, option.laden), [])
+        origin = FROM_PERCH if option.borne else FROM_SPOT
+        row = found.setdefault((option.state, option.laden), [])
         row += [(origin, count, option.cost) for count in (counts[1:] if option.occupied else counts[:1])]
     return [(state, laden, tuple(sorted(row))) for (state, laden), row in found.items()]

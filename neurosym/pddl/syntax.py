@@ -30,6 +30,8 @@ class Action:
         adds: What holds afterwards.
         deletes: What no longer holds.
         cost: The function that says what it costs, if it costs anything.
+        tests: What must hold of numbers, as PDDL prints it.
+        changes: What becomes of numbers, as PDDL prints it.
     """
 
     name: str
@@ -39,6 +41,8 @@ class Action:
     adds: tuple[Atom, ...]
     deletes: tuple[Atom, ...] = ()
     cost: Atom | None = None
+    tests: tuple[str, ...] = ()
+    changes: tuple[str, ...] = ()
 
     def text(self, *, costs: bool) -> str:
         """Print it.
@@ -46,14 +50,14 @@ class Action:
         Args:
             costs: Whether what it costs is printed, too.
         """
-        effects = [*(f"(not {words(atom)})" for atom in self.deletes), *map(words, self.adds)]
+        effects = [*(f"(not {words(atom)})" for atom in self.deletes), *map(words, self.adds), *self.changes]
         if costs and self.cost:
             effects.append(f"(increase {TOTAL_COST} {words(self.cost)})")
         return "\n".join(
             [
                 f"  (:action {self.name} ; {self.about}",
                 f"    :parameters ({declared(self.parameters)})",
-                f"    :precondition (and {' '.join(map(words, self.needs))})",
+                f"    :precondition (and {' '.join([*map(words, self.needs), *self.tests])})",
                 f"    :effect (and {' '.join(effects)}))",
             ]
         )
@@ -90,8 +94,9 @@ class Domain:
         types: The types, each with its parent; parents before children.
         constants: The constants, each with its type.
         predicates: The predicates.
-        functions: The functions beside the total cost.
+        costs: The functions that say what steps cost.
         actions: The actions.
+        functions: Other functions.
     """
 
     name: str
@@ -99,8 +104,9 @@ class Domain:
     types: tuple[Typed, ...]
     constants: tuple[Typed, ...]
     predicates: tuple[Predicate, ...]
-    functions: tuple[Predicate, ...]
+    costs: tuple[Predicate, ...]
     actions: tuple[Action, ...]
+    functions: tuple[Predicate, ...] = ()
 
     def action(self, name: str) -> Action:
         """Return the action of a name.
@@ -119,17 +125,19 @@ class Domain:
         Args:
             costs: Whether what steps cost is printed, too.
         """
-        requirements = ":strips :typing" + " :action-costs" * costs
+        requirements = ":strips :typing" + " :numeric-fluents" * bool(self.functions)
+        requirements += " :action-costs" * costs
         blocks = [
             "\n".join([*(f"; {line}".rstrip() for line in self.head), f"(define (domain {self.name})"]),
             f"  (:requirements {requirements})",
             _section("types", self.types),
-            *([_section("constants", self.constants)] if self.constants else []),
+            *([f"  (:constants {declared(self.constants)})"] if self.constants else []),
             "\n".join(["  (:predicates", *(one.text for one in self.predicates), "  )"]),
         ]
-        if costs:
-            functions = " ".join(f"({one.name} {declared(one.parameters)})" for one in self.functions)
-            blocks.append(f"  (:functions {' '.join(filter(None, (TOTAL_COST, functions)))} - number)")
+        functions = [*self.functions, *(self.costs if costs else ())]
+        printed = [f"({one.name} {declared(one.parameters)}) - number" for one in functions]
+        if printed := [*([f"{TOTAL_COST} - number"] if costs else []), *printed]:
+            blocks.append(f"  (:functions {' '.join(printed)})")
         blocks += [action.text(costs=costs) for action in self.actions]
         return "\n".join(blocks) + ")\n"
 
@@ -157,8 +165,10 @@ class PddlProblem:
         head: What it begins with as comments, a line each.
         objects: The objects, each with its type.
         facts: What holds at the start.
-        costs: The values of functions at the start.
+        costs: What steps cost.
         goals: What shall hold.
+        values: The values of other functions at the start.
+        tests: What shall hold of numbers, as PDDL prints it.
     """
 
     name: str
@@ -168,6 +178,8 @@ class PddlProblem:
     facts: tuple[Facts, ...]
     costs: Mapping[Atom, int]
     goals: tuple[Atom, ...]
+    values: Mapping[Atom, int] = field(default_factory=dict)
+    tests: tuple[str, ...] = ()
 
     @property
     def atoms(self) -> frozenset[Atom]:
@@ -187,12 +199,18 @@ class PddlProblem:
             lines += [f"    ; {facts.about}"] if facts.about else []
             for _, row in groupby(facts.atoms, key=lambda atom: atom[1:2]):
                 lines.append(f"    {' '.join(map(words, row))}")
+        for _, valued in groupby(self.values.items(), key=lambda one: one[0][1]):
+            lines.append("    " + " ".join(_equal(atom, value) for atom, value in valued))
         if costs:
-            values = " ".join(f"(= {words(atom)} {value})" for atom, value in self.costs.items())
-            lines.append(f"    (= {TOTAL_COST} 0) {values}".rstrip())
-        lines += ["  )", f"  (:goal (and {' '.join(map(words, self.goals))}))"]
+            values = [f"(= {TOTAL_COST} 0)", *(_equal(atom, value) for atom, value in self.costs.items())]
+            lines.append("    " + " ".join(values))
+        lines += ["  )", f"  (:goal (and {' '.join([*map(words, self.goals), *self.tests])}))"]
         lines += [f"  (:metric minimize {TOTAL_COST})"] * costs
         return "\n".join(lines) + ")\n"
+
+
+def _equal(atom: Atom, value: int) -> str:
+    return f"(= {words(atom)} {value})"
 
 
 def words(atom: Atom) -> str:

@@ -13,8 +13,6 @@ import msgspec
 from neurosym.grounding import Grounding, is_lift
 from neurosym.operators import Operator
 from neurosym.pddl.chances import expected_success
-from neurosym.pddl.plan_text import PlanStep
-from neurosym.pddl.validation import operator_for, validate
 from neurosym.planners.branching import branching_of
 from neurosym.planners.count_vectors import Candidate, candidates
 from neurosym.planners.effort import Effort
@@ -23,6 +21,8 @@ from neurosym.planners.ordering import ends_held
 from neurosym.problems import Problem
 from neurosym.promises import promised
 from neurosym.tasks.moves import PUT_DOWN, step_cost
+from neurosym.tasks.steps import PlanStep
+from neurosym.tasks.transition import operator_for, validate
 
 DEARER = 1.1
 """What a way may cost beside the plan's own."""

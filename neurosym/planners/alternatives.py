@@ -5,12 +5,12 @@ from collections.abc import Sequence
 from itertools import takewhile
 
 from neurosym.grounding import Grounding
-from neurosym.pddl.plan_text import PlanStep
 from neurosym.planners.count_vectors import Candidate, Choices, candidates
 from neurosym.planners.effort import Effort
 from neurosym.planners.joins import Join
 from neurosym.planners.ordering import mend
 from neurosym.problems import Problem
+from neurosym.tasks.steps import PlanStep
 
 LONGER = 2
 """How many primitives more than the fewest an alternative may need for an object."""

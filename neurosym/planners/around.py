@@ -16,8 +16,6 @@ import numpy as np
 from neurosym.arrays import Float
 from neurosym.grounding import Grounding
 from neurosym.pddl.chances import expected_success
-from neurosym.pddl.plan_text import PlanStep
-from neurosym.pddl.validation import validate
 from neurosym.planners.branching import branching_of
 from neurosym.planners.cost_to_go import CostToGo, cost_to_go
 from neurosym.planners.count_vectors import Choices
@@ -28,6 +26,8 @@ from neurosym.planners.ways import HeldEnd, IsEnd, Way, cheapest_way
 from neurosym.problems import Problem
 from neurosym.tasks.footprints import footprints_apart
 from neurosym.tasks.moves import PUT_DOWN
+from neurosym.tasks.steps import PlanStep
+from neurosym.tasks.transition import validate
 
 WORK = 150_000
 """How many places are looked at in all."""

@@ -19,7 +19,6 @@ from dataclasses import dataclass
 import numpy as np
 
 from neurosym.arrays import Bool, Float, Int
-from neurosym.pddl.plan_text import PlanStep
 from neurosym.planners.branching import Branching
 from neurosym.planners.effort import check_time, within
 from neurosym.planners.result import PlanResult, PlanStatus
@@ -27,6 +26,7 @@ from neurosym.problems import Problem
 from neurosym.table import Table
 from neurosym.tasks.footprints import footprints_apart, overlapping
 from neurosym.tasks.moves import PUT_DOWN
+from neurosym.tasks.steps import PlanStep
 from neurosym.wording import counted
 
 DEPTH = 3

@@ -4,14 +4,14 @@ import dataclasses
 from collections.abc import Callable
 
 from neurosym.grounding import Grounding
-from neurosym.pddl.place_problem import carried_objects
-from neurosym.pddl.plan_text import PlanStep
-from neurosym.pddl.validation import validate
 from neurosym.planners.clearance import clearest_first
 from neurosym.planners.result import PlanResult, PlanStatus
 from neurosym.problems import Problem
 from neurosym.tasks.carriers import carriers_of
-from neurosym.tasks.places import PARK, with_places
+from neurosym.tasks.places import PARK
+from neurosym.tasks.steps import PlanStep
+from neurosym.tasks.task import understand
+from neurosym.tasks.transition import validate
 
 MOST_LED = 4
 """Objects that could be carried are led over cells, where no plan carries them, if there are no more.
@@ -29,7 +29,7 @@ def is_by_places(problem: Problem, grounding: Grounding) -> bool:
     """
     if not (grounding.is_refined and carriers_of(grounding)):
         return False
-    return any(name in problem.goals for name in carried_objects(problem, grounding))
+    return any(name in problem.goals for name in understand(problem, grounding).carried)
 
 
 def plan_by_places(
@@ -42,7 +42,7 @@ def plan_by_places(
         grounding: The learned domain.
         solve: Gives it to a planner, in the encoding `places`.
     """
-    problem = with_places(problem, grounding)
+    problem = understand(problem, grounding).flat
     result = solve(problem)
     if result.status is PlanStatus.UNSOLVABLE:
         return dataclasses.replace(result, status=PlanStatus.NOT_FOUND, reason=_why_none(problem))

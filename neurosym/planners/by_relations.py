@@ -11,14 +11,11 @@ import msgspec
 from neurosym.drafts import naming
 from neurosym.errors import InvalidPlan, InvalidValue
 from neurosym.pair_sight import with_pairs
-from neurosym.pddl.moves import BY_RELATIONS, RELATIONAL
+from neurosym.pddl.domain import domain_text
+from neurosym.pddl.moves import STRIPS
 from neurosym.pddl.plan_reading import parse_plan
-from neurosym.pddl.problem import check_object
-from neurosym.pddl.relational_problem import needed_texts
-from neurosym.pddl.relational_task import task_of
-from neurosym.pddl.validation import validate
+from neurosym.pddl.problem import problem_text
 from neurosym.planners.effort import UNTOLD, check_time, within
-from neurosym.planners.fast_downward import RELATIONS_SUFFIX
 from neurosym.planners.planner import PddlProgram, Planner, Query
 from neurosym.planners.relational_bfs import plan_relational_bfs
 from neurosym.planners.result import PlannerAnswer, PlanResult, PlanStatus
@@ -26,6 +23,8 @@ from neurosym.planners.scratch import scratch_folder
 from neurosym.problems import Problem
 from neurosym.related import is_reached, is_relational, relations_of
 from neurosym.tasks.pair_goals import why_no_relation
+from neurosym.tasks.task import understand
+from neurosym.tasks.transition import validate
 
 BREADTH_FIRST = ("bfs", "bfs-operators")
 """These search themselves: the first by what a network foresees of each pair, the other by what rehearsals
@@ -45,14 +44,13 @@ def by_relations(planner: Planner, query: Query, takers: tuple[str, ...], *, is_
         InvalidValue: If it does not take relations, or the encoding does not.
     """
     problem, grounding = query.problem, query.grounding
-    is_asked = query.encoding in BY_RELATIONS
-    if not (is_asked or is_relational(problem, grounding)):
+    if not is_relational(problem, grounding):
         return planner
     relations_of(grounding, problem)
-    if query.encoding is not None and not is_asked:
+    if query.encoding not in (None, STRIPS):
         raise InvalidValue(
             f"The problem {problem.name} is one of relations, which the encoding {query.encoding} cannot "
-            f"say; valid: {', '.join(BY_RELATIONS)}."
+            f"say; valid: {STRIPS}."
         )
     if planner.name in takers:
         assert planner.program is not None
@@ -104,13 +102,13 @@ def _told_at_once(problem: Problem, query: Query) -> PlanResult | None:
 
 def _search(query: Query, problem: Problem, program: PddlProgram, deadline: float) -> PlanResult:
     """Print domain and problem, and call the planner."""
-    grounding, encoding = query.grounding, query.encoding or RELATIONAL
+    grounding = query.grounding
     check_time(deadline)
-    for item in problem.objects:
-        check_object(item, grounding)
+    costs = program.costs
+    texts = domain_text(grounding, costs=costs), problem_text(problem, grounding, costs=costs)
     with scratch_folder() as folder:
-        domain, task = folder / "domain.pddl", folder / f"problem{RELATIONS_SUFFIX}"
-        for file, text in zip((domain, task), needed_texts(problem, grounding, encoding), strict=True):
+        domain, task = folder / "domain.pddl", folder / "problem.pddl"
+        for file, text in zip((domain, task), texts, strict=True):
             with naming(file):
                 file.write_text(text)
         answer = program.call(domain, task, time_limit=deadline - time.perf_counter())
@@ -139,7 +137,7 @@ def _judged(answer: PlannerAnswer, problem: Problem, query: Query) -> PlanResult
 
 def _why(problem: Problem, query: Query) -> str:
     """Name the objects with a goal on the table that nothing carries there."""
-    task = task_of(problem, query.grounding)
+    task = understand(problem, query.grounding)
     fixed = [name for name in problem.unmet if name not in task.carriers]
     if not fixed:
         return ""

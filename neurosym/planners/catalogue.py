@@ -16,7 +16,7 @@ from neurosym.planners.external import (
     plan_program,
 )
 from neurosym.planners.fast_downward import LAMA_FIRST, Search, plan_fast_downward
-from neurosym.planners.planner import GRID, Planner
+from neurosym.planners.planner import ON_PAGE, Planner
 from neurosym.planners.refinement import pddl_planner
 from neurosym.planners.searches import SEARCHES
 from neurosym.planners.unified_planning import plan_unified_planning
@@ -35,17 +35,18 @@ def _fast_downward(name: str, about: str, search: str | None = None) -> Planner:
     call = partial(plan_fast_downward, searches=(Search(search),)) if search else plan_fast_downward
     missing = partial(_missing, "up_fast_downward")
     aims = search is None
-    return pddl_planner(name, about, call, (SAS, *GRID), missing=missing, ceiling=math.inf, aims=aims)
+    return pddl_planner(name, about, call, (SAS, *ON_PAGE), missing=missing, ceiling=math.inf, aims=aims)
 
 
-def _unified(name: str, about: str, engine: str, package: str, cell: float = 0.0) -> Planner:
+def _unified(name: str, about: str, engine: str, package: str, *, costs: bool = True) -> Planner:
     call = partial(plan_unified_planning, engine=engine)
-    return pddl_planner(name, about, call, cell=cell, missing=partial(_missing, package))
+    missing = partial(_missing, package)
+    return pddl_planner(name, about, call, cell=COARSE, missing=missing, costs=costs)
 
 
 def _program(name: str, about: str, program: Program, *encodings: Encoding, cell: float = 0.0) -> Planner:
     call = partial(plan_program, program=program)
-    return pddl_planner(name, about, call, encodings or GRID, cell, program.missing)
+    return pddl_planner(name, about, call, encodings or ON_PAGE, cell, program.missing)
 
 
 PROGRAMS = (
@@ -59,23 +60,23 @@ PROGRAMS = (
         "Fast Downward through unified-planning, several times slower",
         "fast-downward",
         "up_fast_downward",
-        COARSE,
     ),
     _unified(
         "up-fast-downward-opt",
         "Fast Downward through unified-planning, A* with landmark cuts",
         "fast-downward-opt",
         "up_fast_downward",
-        COARSE,
     ),
-    _program("kairos", "Kairos, on numbers or on a grid", KAIROS, "numeric", *GRID),
-    _program("enhsp", "ENHSP, on numbers (needs Java)", ENHSP, "numeric", *GRID),
-    _program("lpg", "LPG-td, local search on numbers: soon there, with longer plans", LPG, "numeric", *GRID),
+    _program("kairos", "Kairos, on numbers or on a grid", KAIROS, "numeric", *ON_PAGE),
+    _program("enhsp", "ENHSP, on numbers (needs Java)", ENHSP, "numeric", *ON_PAGE),
+    _program(
+        "lpg", "LPG-td, local search on numbers: soon there, with longer plans", LPG, "numeric", *ON_PAGE
+    ),
     _program("symk", "SymK, symbolic search: the cheapest plan on its grid", SYMK, cell=COARSE),
     _program("kstar", "K*, top-k planning: the cheapest plan on its grid", KSTAR, cell=COARSE),
     _program("forbid-iterative", "Forbid-Iterative, top-k planning", FORBID_ITERATIVE, cell=COARSE),
-    _unified("pyperplan", "pyperplan, written for teaching", "pyperplan", "up_pyperplan", COARSE),
-    _unified("aries", "Aries, by constraint solving", "aries", "up_aries", COARSE),
+    _unified("pyperplan", "pyperplan, written for teaching", "pyperplan", "up_pyperplan", costs=False),
+    _unified("aries", "Aries, by constraint solving", "aries", "up_aries", costs=False),
 )
 PLANNERS: dict[str, Planner] = {planner.name: planner for planner in (*SEARCHES, *PROGRAMS)}
 """The planners, by the name that the command line knows them by; `register_planner` adds one."""

@@ -5,9 +5,9 @@ from collections.abc import Sequence
 import numpy as np
 
 from neurosym.arrays import Float
-from neurosym.pddl.plan_text import PlanStep
 from neurosym.problems import Problem
 from neurosym.tasks.footprints import footprints_apart, overlapping
+from neurosym.tasks.steps import PlanStep
 
 ENOUGH = 0.08
 """Room beside an object along y, along which the fingers open, beyond which more makes no difference [m]."""

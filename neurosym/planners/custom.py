@@ -10,13 +10,13 @@ from pathlib import Path
 
 from neurosym.errors import InvalidPlanner, InvalidValue, shortened
 from neurosym.factories import admit, load_factory, one_line, told
-from neurosym.pddl.plan_text import PlanStep
-from neurosym.pddl.validation import validate
 from neurosym.planners.planner import Planner, PlannerMissing, Query
 from neurosym.planners.result import LONGEST_REASON, PlanResult, PlanStatus
 from neurosym.related import relating
 from neurosym.spots import spot_named
 from neurosym.tasks.places import with_places
+from neurosym.tasks.steps import PlanStep
+from neurosym.tasks.transition import validate
 
 
 def load_planner(name: str, domain_folder: Path | None, taken: Container[str]) -> Planner:

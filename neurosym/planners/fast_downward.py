@@ -20,6 +20,7 @@ from neurosym.planners.planner import PlannerMissing
 from neurosym.planners.process import MEMORY, Finished, read_text, run_limited
 from neurosym.planners.result import PlannerAnswer, PlanStatus
 from neurosym.planners.scratch import scratch_folder
+from neurosym.reading import read_bytes
 
 LAMA_FIRST = (
     "let(hlm,eval_modify_costs(landmark_sum(lm_factory=lm_reasonable_orders_hps(lm_rhw()),pref=false),"
@@ -77,19 +78,17 @@ PORTFOLIO = (Search("astar(blind())", memory=256 * 1024**2, weight=1), Search(LA
 
 FOR_PLACES = (
     Search("astar(blind())", memory=16 * 1024**2, weight=1),
+    Search("astar(lmcut())", memory=11 * 1024**2, for_task=7),
     Search(LAMA_FIRST, memory=16 * 1024**2, for_task=12),
 )
 """With places there are few steps in a plan, and so many orders of them that more memory seldom helps.
 
 Relations are as places. Four objects fit. With eight, twice the memory took three times as long and was as
-seldom enough. The second search finds plans for thirty objects in hardly more memory than reading them takes,
-seven bytes for each of the task; or else it would go on for minutes in vain.
+seldom enough. Landmark cuts find the cheapest plan with relations, where plans have few steps; states take
+them long, so they get little memory. The last search finds plans for thirty objects in hardly more memory
+than reading them takes, seven bytes for each of the task; or else it would go on for minutes in vain.
 """
 
-RELATIONS_SUFFIX = ".relational.pddl"
-"""What files of problems in the encodings of relations end with."""
-PLACES_SUFFIX = ".places.pddl"
-"""What files of problems in the encoding `places` end with."""
 SAS_SUFFIX = ".sas"
 _UNSOLVABLE = (10, 11)
 _INCOMPLETE = 12
@@ -113,7 +112,7 @@ def plan_fast_downward(
     """
     begin = time.perf_counter()
     programs = _programs()
-    searches = searches or usual_searches(problem.name)
+    searches = searches or usual_searches(problem)
     with scratch_folder() as folder:
         status, reason, text, task, work = PlanStatus.SOLVED, "", "", problem.resolve(), 0
         if problem.suffix != SAS_SUFFIX:
@@ -127,13 +126,14 @@ def plan_fast_downward(
     return PlannerAnswer(status, text, time.perf_counter() - begin, reason, work)
 
 
-def usual_searches(file: str) -> Sequence[Search]:
-    """Return what is tried one after another, by what the encoding of a problem needs.
+def usual_searches(problem: Path) -> Sequence[Search]:
+    """Return what is tried one after another, by what a problem needs.
 
     Args:
-        file: Name of the problem's file.
+        problem: File of the problem.
     """
-    return FOR_PLACES if file.endswith((PLACES_SUFFIX, RELATIONS_SUFFIX)) else PORTFOLIO
+    has_places = problem.suffix != SAS_SUFFIX and b" - spot" in read_bytes(problem)
+    return FOR_PLACES if has_places else PORTFOLIO
 
 
 def _translate(

@@ -13,15 +13,15 @@ import msgspec
 
 from neurosym.grounding import Grounding
 from neurosym.operators import Vector, vector
-from neurosym.pddl.place_problem import carried_objects
-from neurosym.pddl.plan_text import PlanStep
-from neurosym.pddl.validation import validate
 from neurosym.planners.by_places import MOST_LED
 from neurosym.planners.making_way import Way
 from neurosym.planners.result import PlanResult, PlanStatus
 from neurosym.problems import Problem
 from neurosym.spots import spot_name
 from neurosym.tasks.places import with_places
+from neurosym.tasks.steps import PlanStep
+from neurosym.tasks.task import understand
+from neurosym.tasks.transition import validate
 
 NEARER = 0.5
 """What is led is to come so near to its goal if others have no room else, as a share of the tolerance.
@@ -50,7 +50,7 @@ def plan_in_turns(problem: Problem, grounding: Grounding, carry: _Solve, lead: _
         carry: Plans for objects that can be carried.
         lead: Plans for others.
     """
-    can_be = carried_objects(problem, grounding)
+    can_be = understand(problem, grounding).carried
     carried = {name: goal for name, goal in problem.goals.items() if name in can_be}
     led = {name: goal for name, goal in problem.goals.items() if name not in can_be}
     result = PlanResult(PlanStatus.FAILED, (), 0.0, "everything that has a goal can be carried")

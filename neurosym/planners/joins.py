@@ -13,7 +13,6 @@ from itertools import count
 import numpy as np
 
 from neurosym.grounding import Grounding
-from neurosym.pddl.plan_text import PlanStep
 from neurosym.planners.branching import Branching, Names, branching_of
 from neurosym.planners.count_vectors import Candidate, Choices, candidates, looked_at, nearest
 from neurosym.planners.effort import Effort
@@ -21,6 +20,7 @@ from neurosym.problems import Problem
 from neurosym.promises import promised
 from neurosym.tasks.footprints import footprints_apart, overlapping
 from neurosym.tasks.moves import PUT_DOWN, step_cost
+from neurosym.tasks.steps import PlanStep
 
 Listing = Callable[[Choices, str, bool], Iterable[Candidate]]
 """Lists candidates: what can be done to an object, its name, and whether it may not end held."""

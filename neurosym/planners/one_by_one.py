@@ -19,8 +19,6 @@ import numpy as np
 from neurosym.arrays import Float
 from neurosym.grounding import Grounding
 from neurosym.operators import Vector, vector
-from neurosym.pddl.plan_text import PlanStep
-from neurosym.pddl.validation import operator_for, validate
 from neurosym.planners.around import plan_around
 from neurosym.planners.counting import plan_counting
 from neurosym.planners.effort import PLACE, Effort
@@ -30,6 +28,8 @@ from neurosym.planners.parallel import plan_together
 from neurosym.planners.result import PlanResult, PlanStatus
 from neurosym.problems import Problem, SceneObject
 from neurosym.tasks.footprints import footprints_apart, overlapping
+from neurosym.tasks.steps import PlanStep
+from neurosym.tasks.transition import operator_for, validate
 
 NARROWER = (3, 6)
 """By how much the goal of an object in conflict is narrowed, the first time and then."""

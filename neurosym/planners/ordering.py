@@ -12,11 +12,11 @@ import numpy as np
 
 from neurosym.arrays import Bool, Float, Int
 from neurosym.grounding import Grounding, is_lift
-from neurosym.pddl.plan_text import PlanStep
-from neurosym.pddl.validation import Validation, operator_for, validate
 from neurosym.planners.effort import Effort
 from neurosym.problems import Problem
 from neurosym.tasks.footprints import footprints_apart
+from neurosym.tasks.steps import PlanStep
+from neurosym.tasks.transition import Replay, operator_for, validate
 
 MOST_STATES = 2_000
 """How many beginnings of plans are tried."""
@@ -34,7 +34,7 @@ _Order = tuple[int, ...]
 
 def mend(
     steps: Sequence[PlanStep], problem: Problem, grounding: Grounding, effort: Effort | None = None
-) -> tuple[tuple[PlanStep, ...], Validation]:
+) -> tuple[tuple[PlanStep, ...], Replay]:
     """Find an order of the steps in which all are possible, beginning with the one given.
 
     Args:

@@ -15,7 +15,8 @@ from neurosym.arrays import Float
 from neurosym.checks import check_kind
 from neurosym.errors import InvalidPlanner, InvalidValue, NeurosymError
 from neurosym.grounding import Grounding
-from neurosym.pddl.moves import BY_RELATIONS, ENCODINGS, PLACES, SAS, Encoding
+from neurosym.pddl.domain import check_former
+from neurosym.pddl.moves import ENCODINGS, SAS, STRIPS, Encoding
 from neurosym.planners.result import PlannerAnswer, PlanResult
 from neurosym.problems import LEGAL_NAME, Problem
 
@@ -26,7 +27,7 @@ Tell = Callable[[str], None]
 """Is told in a few words what a planner goes on with."""
 CEILING = 60.0
 """When planners give up that count no work, if the user sets no limit [s]."""
-GRID: tuple[Encoding, ...] = ("stepwise", "operators")
+ON_PAGE: tuple[Encoding, ...] = (STRIPS,)
 
 
 def _say_nothing(text: str) -> None:
@@ -89,12 +90,14 @@ class PddlProgram:
             when replayed is sought again on a finer grid.
         aims: Whether its plans keep from the edges of the table, and give way to those that cost little more
             and are likelier to come true.
+        costs: Whether it is told what steps cost; some programs read no prices.
     """
 
     call: PddlCall
-    encodings: tuple[Encoding, ...] = GRID
+    encodings: tuple[Encoding, ...] = ON_PAGE
     cell: float = 0.0
     aims: bool = False
+    costs: bool = True
 
     def encoding_for(self, planner: str, asked: Encoding | None) -> Encoding:
         """Return the encoding asked for, or the one that the planner does best with.
@@ -106,9 +109,9 @@ class PddlProgram:
         Raises:
             InvalidValue: If the planner does not take it.
         """
-        known = (*self.encodings, *((PLACES, *BY_RELATIONS) if "stepwise" in self.encodings else ()))
-        if asked is not None and asked not in known:
-            valid = ", ".join(sorted(known))
+        if asked is not None and asked not in self.encodings:
+            check_former(asked)
+            valid = ", ".join(sorted(self.encodings))
             raise InvalidValue(f"{planner} does not take the encoding {asked!r}; valid: {valid}.")
         return asked or self.encodings[0]
 

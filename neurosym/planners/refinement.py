@@ -23,25 +23,29 @@ from neurosym.errors import InvalidPlan, InvalidPlanner
 from neurosym.factories import one_line
 from neurosym.grounding import Grounding
 from neurosym.pddl.domain import domain_text
-from neurosym.pddl.moves import PLACES, SAS, Encoding
-from neurosym.pddl.plan_reading import parse_plan
-from neurosym.pddl.problem import STEPS, problem_text
+from neurosym.pddl.moves import SAS, STRIPS, Encoding
+from neurosym.pddl.numeric import STEPS as NUMERIC_STEPS
+from neurosym.pddl.numeric import numeric_problem
+from neurosym.pddl.plan_reading import read_answer
 from neurosym.pddl.sas import sas_text
+from neurosym.pddl.strips_problem import STEPS, StripsProblem, printed_cell
 from neurosym.planners.aiming import aim
 from neurosym.planners.around import plan_around, plan_likeliest
 from neurosym.planners.by_places import MOST_LED, is_by_places, not_found, not_proved, plan_by_places
 from neurosym.planners.edges import away_from_edges
 from neurosym.planners.effort import UNTOLD, Effort, TimeIsUp, WorkIsUp, all_spent, within
-from neurosym.planners.fast_downward import PLACES_SUFFIX, SAS_SUFFIX
+from neurosym.planners.fast_downward import SAS_SUFFIX
 from neurosym.planners.in_turns import plan_in_turns
 from neurosym.planners.no_plan import Explanation, explain_clash, explain_no_plan
 from neurosym.planners.one_by_one import plan_one_by_one
 from neurosym.planners.ordering import mend
-from neurosym.planners.planner import CEILING, GRID, Option, PddlCall, PddlProgram, Planner, Query
+from neurosym.planners.planner import CEILING, ON_PAGE, Option, PddlCall, PddlProgram, Planner, Query
 from neurosym.planners.result import LONGEST_REASON, PlannerAnswer, PlanResult, PlanStatus
 from neurosym.planners.scratch import scratch_folder
 from neurosym.problems import Problem
 from neurosym.table import Table
+from neurosym.tasks.steps import PlanStep
+from neurosym.tasks.task import understand
 
 ATTEMPTS = 4
 """How often a problem is solved before its replay must be right; the later half on a finer grid."""
@@ -72,11 +76,12 @@ def pddl_planner(
     name: str,
     about: str,
     call: PddlCall,
-    encodings: Sequence[Encoding] = GRID,
+    encodings: Sequence[Encoding] = ON_PAGE,
     cell: float = 0.0,
     missing: Callable[[], str] = str,
     ceiling: float = CEILING,
     aims: bool = False,
+    costs: bool = True,
 ) -> Planner:
     """Return a planner that gives files of PDDL to a program, and believes only plans that come true.
 
@@ -90,6 +95,7 @@ def pddl_planner(
         ceiling: When it gives up if the user sets no limit [s]; infinite if its budget counts work instead.
         aims: Whether its plans keep from the edges of the table, and give way to those that cost little more
             and are likelier to come true.
+        costs: Whether it is told what steps cost; without, it reads the plain page.
 
     Raises:
         InvalidPlanner: If the name is not legal, or there is no such encoding.
@@ -100,7 +106,7 @@ def pddl_planner(
         raise InvalidPlanner(name, f"has cell = {cell!r}; valid: a length of at least 0 m")
     if isinstance(encodings, str) or not isinstance(encodings, Sequence):
         raise InvalidPlanner(name, f"has encodings = {encodings!r}; valid: a tuple of their names")
-    program = PddlProgram(partial(_answer, name, call), tuple(encodings), cell, aims)
+    program = PddlProgram(partial(_answer, name, call), tuple(encodings), cell, aims, costs)
     takes: frozenset[Option] = frozenset({"encoding", "whole", "unit-costs"})
     solve = partial(plan_pddl, name=name, program=program)
     return Planner(name, about, solve, takes=takes, program=program, missing=missing, ceiling=ceiling)
@@ -167,17 +173,24 @@ class _Asked:
     def _any_way(self, effort: Effort) -> PlanResult:
         """Carry what can be carried, or lead everything over cells."""
         query, problem, grounding = self.query, self.query.problem, self.query.grounding
-        takes_places = "stepwise" in self.program.encodings and query.encoding in (None, PLACES)
+        takes_places = STRIPS in self.program.encodings and query.encoding in (None, STRIPS)
         if not (takes_places and is_by_places(problem, grounding)):
             return self._over_cells(problem, effort)
-        carry = partial(self._solve, grounding=grounding, effort=effort, encoding=PLACES, slack=_Slack(STEPS))
+        carry = partial(
+            self._solve,
+            grounding=grounding,
+            effort=effort,
+            encoding=STRIPS,
+            slack=_Slack(STEPS),
+            carries=True,
+        )
         for way in (self._in_turns, self._at_once) if query.encoding is None else (self._at_once,):
             result = way(carry, effort)
             if result.status is PlanStatus.SOLVED:
                 return result
             if result.status is PlanStatus.UNSOLVABLE:
                 return not_proved(result)
-        if query.encoding == PLACES:
+        if query.encoding == STRIPS:
             return result
         if len(problem.objects) > MOST_LED:
             return not_found(result)
@@ -242,31 +255,91 @@ class _Asked:
         return plan_one_by_one(problem, grounding, believed, effort)
 
     def _solve(
-        self, problem: Problem, grounding: Grounding, effort: Effort, encoding: Encoding, slack: _Slack
+        self,
+        problem: Problem,
+        grounding: Grounding,
+        effort: Effort,
+        encoding: Encoding,
+        slack: _Slack,
+        *,
+        carries: bool = False,
     ) -> PlanResult:
         """Print domain and problem, in one file if in SAS+, call the planner, and read what it wrote."""
         if problem.is_met(problem.scene().positions):
             return PlanResult(PlanStatus.SOLVED, (), 0.0)
         effort.check()
-        narrowed = _fitted(grounding, problem, max(grounding.cell, self.program.cell) / slack.finer)
+        printed = _Printed(problem, grounding, encoding, slack, self.program, leads_all=not carries)
         with scratch_folder() as folder:
-            domain = folder / "domain.pddl"
-            task = folder / f"problem{PLACES_SUFFIX if encoding == PLACES else '.pddl'}"
-            if encoding == SAS:
-                domain = task = folder / f"problem{SAS_SUFFIX}"
-                _write(task, sas_text(problem, narrowed, steps=slack.steps, margin=slack.margin))
-            else:
-                _write(domain, domain_text(narrowed, encoding))
-                text = problem_text(problem, narrowed, encoding, steps=slack.steps, margin=slack.margin)
-                _write(task, text)
+            domain, task = printed.write(folder)
             answer = self.program.call(domain, task, time_limit=effort.deadline - time.perf_counter())
         effort.spend(UNTOLD if answer.work is None else answer.work)
         try:
-            steps = parse_plan(answer.text, Path("its plan"), narrowed, problem)
+            steps = printed.read(answer.text)
         except InvalidPlan as error:
             reason = f"what the planner wrote cannot be read: {textwrap.shorten(str(error), 200)}"
             return PlanResult(PlanStatus.FAILED, (), answer.seconds, reason)
         return PlanResult(answer.status, steps, answer.seconds, answer.reason)
+
+
+class _Printed:
+    """What a program is given of a problem, and how its answer is read.
+
+    Args:
+        problem: The problem.
+        grounding: What is believed of the domain.
+        encoding: The encoding.
+        slack: How far plans must keep from the edge of what is allowed.
+        program: The program.
+        leads_all: Whether every object with a goal is led over cells, even if it could be carried.
+    """
+
+    def __init__(
+        self,
+        problem: Problem,
+        grounding: Grounding,
+        encoding: Encoding,
+        slack: _Slack,
+        program: PddlProgram,
+        *,
+        leads_all: bool,
+    ):
+        self._task, self._encoding, self._slack = understand(problem, grounding), encoding, slack
+        self._costs = program.costs
+        self._led = tuple(name for name in self._task.names if name in problem.goals and leads_all)
+        self._led = self._led or self._task.led
+        usual = printed_cell(self._task) if encoding == STRIPS else grounding.cell
+        self._grid = _fitted(grounding, problem, max(usual, program.cell) / slack.finer)
+
+    def write(self, folder: Path) -> tuple[Path, Path]:
+        """Print domain and problem into a folder, in one file if in SAS+, and return the two."""
+        slack, problem = self._slack, self._task.problem
+        if self._encoding == SAS:
+            both = folder / f"problem{SAS_SUFFIX}"
+            _write(both, sas_text(problem, self._grid, steps=slack.steps, margin=slack.margin))
+            return both, both
+        domain, task = folder / "domain.pddl", folder / "problem.pddl"
+        if self._encoding == STRIPS:
+            learned, data = self._task.grounding, self._on_page(self._led, every=False).data()
+        else:
+            learned = self._grid
+            data = numeric_problem(understand(problem, learned), steps=NUMERIC_STEPS * slack.steps)
+        _write(domain, domain_text(learned, self._encoding, costs=self._costs))
+        _write(task, data.text(costs=self._costs))
+        return domain, task
+
+    def read(self, text: str) -> tuple[PlanStep, ...]:
+        """Read what a program wrote.
+
+        Raises:
+            InvalidPlan: If it is no plan of what was printed.
+        """
+        return read_answer(text, Path("its plan"), self._task, partial(self._on_page, every=True))
+
+    def _on_page(self, led: Sequence[str], *, every: bool) -> StripsProblem:
+        slack = self._slack
+        return StripsProblem(
+            self._task, led=led, grid=self._grid, steps=slack.steps, margin=slack.margin, every=every
+        )
 
 
 def _believed(

@@ -12,7 +12,7 @@ from neurosym.errors import InvalidPlanner, InvalidValue, UnknownChoice
 from neurosym.factories import is_factory
 from neurosym.grounding import Grounding
 from neurosym.pddl.grid import check_on_table
-from neurosym.pddl.moves import Encoding
+from neurosym.pddl.moves import STRIPS, Encoding
 from neurosym.planners.by_relations import by_relations
 from neurosym.planners.catalogue import PLANNERS
 from neurosym.planners.custom import check_installed, check_planner, load_planner, solve_checked
@@ -101,7 +101,7 @@ def reads_relations(planner: Planner) -> bool:
     Args:
         planner: The planner.
     """
-    return planner.program is not None and "stepwise" in planner.program.encodings
+    return planner.program is not None and STRIPS in planner.program.encodings
 
 
 def _unexplained(planner: Planner, status: PlanStatus) -> str:

@@ -10,17 +10,19 @@ import math
 from collections.abc import Hashable
 
 from neurosym.grounding import Grounding
-from neurosym.pddl.plan_text import PlanStep
-from neurosym.pddl.relational_replay import Following, Words
 from neurosym.planners.effort import check_time, within
 from neurosym.planners.result import PlanResult, PlanStatus
 from neurosym.problems import Problem
+from neurosym.tasks.steps import PlanStep
+from neurosym.tasks.task import Task, understand
+from neurosym.tasks.transition import State, apply, missed, refusal, start
 from neurosym.wording import counted
 
 MOST_STEPS = 60_000
 """How many steps are looked at."""
 
-_Begun = tuple[tuple[Words, ...], Following]  # steps, and how the objects stand after them
+_Begun = tuple[tuple[PlanStep, ...], State]
+"""Steps, and how the objects are after them."""
 
 
 def plan_relational_bfs(
@@ -34,28 +36,27 @@ def plan_relational_bfs(
         time_limit: The user's ceiling [s].
         most_steps: How many steps are looked at.
     """
-    start = Following(problem, grounding)
-    steps = _steps(start)
+    task = understand(problem, grounding)
+    first, steps = start(task), _steps(task)
 
     def search(deadline: float) -> PlanResult:
-        level: list[_Begun] = [((), start)]
-        met, looked, depth = {_key(start)}, 0, 0
+        level: list[_Begun] = [((), first)]
+        met, looked, depth = {_key(first)}, 0, 0
         while level:
             found, depth = list[_Begun](), depth + 1
             for before, now in level:
                 check_time(deadline)
                 for step in steps:
                     looked += 1
-                    if now.why_impossible(step):
+                    if refusal(task, now, step):
                         continue
-                    then = now.after(step)
+                    then = apply(task, now, step)
                     if _key(then) in met:
                         continue
                     met.add(_key(then))
                     found.append(((*before, step), then))
-                    if then.is_reached():
-                        plan = tuple(PlanStep(*words) for words in found[-1][0])
-                        return PlanResult(PlanStatus.SOLVED, plan, 0.0)
+                    if missed(task, then) is None:
+                        return PlanResult(PlanStatus.SOLVED, found[-1][0], 0.0)
                 if looked > most_steps:
                     reason = f"{counted(most_steps, 'step')} were looked at, {depth - 1} deep"
                     return PlanResult(PlanStatus.NOT_FOUND, (), 0.0, reason, depth - 1)
@@ -66,20 +67,19 @@ def plan_relational_bfs(
     return within(time_limit, search)
 
 
-def _steps(start: Following) -> tuple[Words, ...]:
+def _steps(task: Task) -> tuple[PlanStep, ...]:
     """List all steps there are: onto other objects first, in the order of the objects."""
-    task = start.task
-    puts = [(put.name, *pair) for pair, found in task.puts.items() for put in found]
+    puts = [PlanStep(put.name, *pair) for pair, found in task.puts.items() for put in found]
     carried = [
-        (task.carriers[name], name, place)
-        for name in task.problem.object_names
+        PlanStep(task.carriers[name][0].name, name, place)
+        for name in task.names
         if name in task.carriers
         for place in task.places
     ]
     return (*puts, *carried)
 
 
-def _key(now: Following) -> Hashable:
+def _key(now: State) -> Hashable:
     """Say what tells two ends apart: what bears what, and what stands at which place."""
-    borne = ((name, one.by, one.state.symbol) for name, one in now.bearers.items())
+    borne = ((name, one.by, one.state.symbol) for name, one in now.supports.items())
     return frozenset(borne), frozenset(now.stands.items())

@@ -3,7 +3,7 @@
 from dataclasses import dataclass
 from enum import Enum
 
-from neurosym.pddl.plan_text import PlanStep
+from neurosym.tasks.steps import PlanStep
 
 LONGEST_REASON = 400
 """How many characters of a reason that somebody else's planner gives are kept."""

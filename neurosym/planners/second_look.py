@@ -6,7 +6,6 @@ import math
 from neurosym.errors import InvalidValue
 from neurosym.grounding import Grounding
 from neurosym.pddl.moves import Encoding
-from neurosym.pddl.plan_text import PlanStep, primitives
 from neurosym.planners.alternatives import alternatives
 from neurosym.planners.counting import plan_counting
 from neurosym.planners.no_plan import plan_nearest
@@ -15,6 +14,7 @@ from neurosym.planners.registry import plan
 from neurosym.planners.result import PlanResult, PlanStatus
 from neurosym.problems import Problem
 from neurosym.related import is_relational
+from neurosym.tasks.steps import PlanStep, primitives
 from neurosym.wording import counted
 
 WORK_TO_COUNT = 40_000

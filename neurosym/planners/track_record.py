@@ -9,6 +9,7 @@ from pathlib import Path
 
 import msgspec
 
+from neurosym.pddl.moves import FORMER
 from neurosym.reading import read_json
 
 FILE = Path(__file__).with_suffix(".json")
@@ -35,5 +36,10 @@ class TrackRecord(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
 
 @cache
 def track_record() -> TrackRecord:
-    """Read what planners solved."""
-    return read_json(FILE, TrackRecord)
+    """Read what planners solved, in the encodings that there are: earlier versions measured others, too."""
+    read = read_json(FILE, TrackRecord)
+    solved = {
+        planner: {encoding: count for encoding, count in counts.items() if encoding not in FORMER}
+        for planner, counts in read.solved.items()
+    }
+    return msgspec.structs.replace(read, solved=solved)

@@ -16,16 +16,14 @@ from neurosym.checks import check_kind
 from neurosym.errors import InvalidValue
 from neurosym.grounding import Grounding
 from neurosym.pddl.domain import domain_text
-from neurosym.pddl.moves import PLACES, RELATIONAL, Encoding
+from neurosym.pddl.moves import STRIPS, Encoding
 from neurosym.pddl.plan_reading import parse_plan
-from neurosym.pddl.plan_text import PlanStep
 from neurosym.pddl.problem import problem_text
 from neurosym.planners.process import Finished, read_text, run_limited
 from neurosym.planners.result import PlannerAnswer, PlanStatus
 from neurosym.planners.scratch import scratch_folder
 from neurosym.problems import Problem
-from neurosym.related import is_relational
-from neurosym.tasks.carriers import carriers_of
+from neurosym.tasks.steps import PlanStep
 
 if TYPE_CHECKING:
     from unified_planning.model import Problem as Task
@@ -46,8 +44,7 @@ def to_unified_planning(problem: Problem, grounding: Grounding, encoding: Encodi
     Args:
         problem: The problem.
         grounding: The learned domain.
-        encoding: How it is encoded; `relational` if it is one of relations, `places` if anything can be
-            carried to places, else `stepwise`.
+        encoding: How it is encoded; by default as on the page.
 
     Raises:
         InvalidValue: If something is not what it should be.
@@ -57,9 +54,7 @@ def to_unified_planning(problem: Problem, grounding: Grounding, encoding: Encodi
 
     check_kind("problem", problem, Problem, "a Problem")
     check_kind("grounding", grounding, Grounding, "a Grounding")
-    usual: Encoding = PLACES if grounding.is_refined and carriers_of(grounding) else "stepwise"
-    usual = RELATIONAL if is_relational(problem, grounding) else usual
-    chosen = encoding or usual
+    chosen = encoding or STRIPS
     texts = domain_text(grounding, chosen), problem_text(problem, grounding, chosen)
     return PDDLReader().parse_problem_string(*texts)
 

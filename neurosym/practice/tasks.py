@@ -7,10 +7,10 @@ from neurosym.errors import InvalidValue, InvalidWorld
 from neurosym.execution.executor import execute
 from neurosym.execution.record import StepRecord
 from neurosym.grounding import Grounding
-from neurosym.pddl.plan_text import PlanStep
 from neurosym.planners import PlanStatus, plan
 from neurosym.practice.competence import NEAR
 from neurosym.symbols import Categorise
+from neurosym.tasks.steps import PlanStep
 from neurosym.world import World
 from neurosym.worlds.problem_drawing import draw_problem
 

@@ -1,37 +1,41 @@
 """The stage that compiles a domain: it prints the domain as PDDL, and its problems anew."""
 
 from neurosym.errors import InvalidFile, InvalidValue
-from neurosym.files import write_atomically
+from neurosym.files import remove, write_atomically
 from neurosym.fits import save_fits
 from neurosym.grounding import Grounding
 from neurosym.pddl import compile_domain, domain_text
 from neurosym.pddl.compiler import check_axes
-from neurosym.pddl.moves import LIFTED, PLACES, RELATIONAL
+from neurosym.pddl.moves import NUMERIC
 from neurosym.place_operators import PlaceOperators
 from neurosym.promises import fits_of
 from neurosym.relation_operators import RelationOperators
 from neurosym.stages.folder import DomainFolder, load_scene
 from neurosym.stages.layout import (
     DOMAIN,
+    FORMER,
+    FORMER_DOMAINS,
     GROUNDING,
-    LIFTED_DOMAIN,
     NUMERIC_DOMAIN,
-    OPERATORS_DOMAIN,
     PLACE_OPERATORS,
-    PLACES_DOMAIN,
     PROBLEMS,
     RELATION_OPERATORS,
-    RELATIONAL_DOMAIN,
     SCENE,
     TABLE_FILES,
     WORLD,
+    planviz_file,
 )
 from neurosym.stages.manifest import Claim, Stage
-from neurosym.stages.other_tools import write_durative_domain, write_durative_problem, write_pictures
+from neurosym.stages.other_tools import (
+    write_durative_domain,
+    write_durative_problem,
+    write_pictures,
+    write_plain_domain,
+    write_plain_problem,
+)
 from neurosym.stages.plan_records import recorded_plans
 from neurosym.stages.practising import operator_table
 from neurosym.stages.problem_printing import placed, texts_of
-from neurosym.tasks.puts import puts_of
 from neurosym.wording import quoted
 from neurosym.worlds.world_file import read_world
 
@@ -44,14 +48,15 @@ def compile_stage(
     with_places: bool | None = None,
     with_relations: bool | None = None,
     durative: bool = False,
+    plain: bool = False,
 ) -> Stage:
-    """Compile the domain: `primitives.json` -> a domain in each encoding, and `grounding.json`.
+    """Compile the domain: `primitives.json` -> `domain.pddl`, the same in numbers, and `grounding.json`.
 
     After practice, the operators are those in `practice.json`. What carries objects to places stands in
     `places/operators.json`, if it was learned, or will be by then; what puts them on and into one another in
     `relations/operators.json`.
     Problems that are there already are printed again, so that they fit the new domain.
-    If asked, what carries objects to places is printed with durations, too.
+    If asked, what carries objects to places is printed with durations, too, and all of it without costs.
 
     Args:
         folder: The domain folder.
@@ -60,6 +65,7 @@ def compile_stage(
         with_places: Whether places are learned by then; by what is there if not given.
         with_relations: The same for relations.
         durative: Whether to print it with durations.
+        plain: Whether to print it without costs, too.
     """
 
     def work() -> None:
@@ -80,14 +86,10 @@ def compile_stage(
             places=PlaceOperators.load(folder / PLACE_OPERATORS) if has_places else None,
             relations=RelationOperators.load(folder / RELATION_OPERATORS) if has_relations else None,
         )
-        write_atomically(folder / DOMAIN, domain_text(grounding, "stepwise"))
-        write_atomically(folder / OPERATORS_DOMAIN, domain_text(grounding, "operators"))
-        write_atomically(folder / NUMERIC_DOMAIN, domain_text(grounding, "numeric"))
-        if has_places:
-            write_atomically(folder / PLACES_DOMAIN, domain_text(grounding, PLACES))
-        if puts_of(grounding):
-            write_atomically(folder / RELATIONAL_DOMAIN, domain_text(grounding, RELATIONAL))
-            write_atomically(folder / LIFTED_DOMAIN, domain_text(grounding, LIFTED))
+        write_atomically(folder / DOMAIN, domain_text(grounding))
+        write_atomically(folder / NUMERIC_DOMAIN, domain_text(grounding, NUMERIC))
+        _remove_former(folder)
+        write_plain_domain(folder, grounding, is_wanted=plain)
         write_durative_domain(folder, grounding, is_wanted=durative)
         grounding.save(folder / GROUNDING)
         save_fits(folder / GROUNDING, fits_of(grounding))
@@ -97,6 +99,7 @@ def compile_stage(
             plans = recorded_plans(folder, problem, grounding)
             for file, text in texts_of(problem, grounding, plans).items():
                 write_atomically(folder / file, text)
+            write_plain_problem(folder, problem, grounding, is_wanted=plain)
             write_durative_problem(folder, problem, grounding, is_wanted=durative)
             problems.append(problem)
         write_pictures(folder, grounding, problems, durative=durative)
@@ -105,10 +108,18 @@ def compile_stage(
     has_relations = (folder / RELATION_OPERATORS).exists() if with_relations is None else with_relations
     inputs = (WORLD, *TABLE_FILES, *([PLACE_OPERATORS] if has_places else []))
     inputs += (RELATION_OPERATORS,) if has_relations else ()
-    outputs = (DOMAIN, OPERATORS_DOMAIN, NUMERIC_DOMAIN, GROUNDING, *([PLACES_DOMAIN] if has_places else []))
-    outputs += (RELATIONAL_DOMAIN, LIFTED_DOMAIN) if has_relations else ()
+    outputs = (DOMAIN, NUMERIC_DOMAIN, GROUNDING)
     options = {"cell": cell} | ({"name": name} if name else {})
     return Stage("compile-domain", inputs, outputs, work, options, Claim.ALONE)
+
+
+def _remove_former(folder: DomainFolder) -> None:
+    """Remove what earlier versions printed, and is on the page now."""
+    files = [folder / name for name in FORMER_DOMAINS]
+    files += [folder / planviz_file(name) for name in FORMER_DOMAINS]
+    files += [file for ending in FORMER for file in (folder / PROBLEMS).glob(f"*{ending}")]
+    for file in files:
+        remove(file)
 
 
 def _former_name(folder: DomainFolder) -> str:

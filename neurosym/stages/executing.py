@@ -17,7 +17,6 @@ from neurosym.execution.watching import Watcher
 from neurosym.files import make_folder, write_json
 from neurosym.grounding import Grounding
 from neurosym.pddl.plan_reading import read_plan
-from neurosym.pddl.validation import hand_problem
 from neurosym.planners import Planner, PlanResult, PlanStatus, plan, planner_named
 from neurosym.planners.planner import Tell
 from neurosym.planners.registry import Replanner
@@ -30,6 +29,7 @@ from neurosym.stages.manifest import Stage
 from neurosym.stages.plan_records import planned_tolerance, record_beside
 from neurosym.stages.planning import load_problem
 from neurosym.stages.remarks import remarks_on_own_scene
+from neurosym.tasks.transition import hand_problem
 from neurosym.world import FrameSink, World
 from neurosym.worlds.world_file import read_world
 

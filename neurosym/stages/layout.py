@@ -47,27 +47,14 @@ PRACTICE = "practice.json"
 TABLE_FILES = (PRIMITIVES, PRACTICE)
 """What decides which operators there are."""
 DOMAIN = "domain.pddl"
-"""`compile-domain`: the domain, one axis at a time."""
-OPERATORS_DOMAIN = "domain-operators.pddl"
-"""`compile-domain`: the same with an action for each operator."""
+"""`compile-domain`: the page, all that was learned in one domain."""
 NUMERIC_DOMAIN = "domain-numeric.pddl"
 """`compile-domain`: the same in numbers (PDDL 2.1)."""
-PLACES_DOMAIN = "domain-places.pddl"
-"""`compile-domain`: the same with places that objects are carried to, if that was learned."""
-RELATIONAL_DOMAIN = "domain-relational.pddl"
-"""`compile-domain`: objects stand at places or bear one another, if that was learned."""
-LIFTED_DOMAIN = "domain-relational-lifted.pddl"
-"""`compile-domain`: the same with `not` and `exists`, for planners that take these."""
+PLAIN_DOMAIN = "domain-plain.pddl"
+"""`compile-domain --plain`: the page without costs, for planners that take none; no command reads it."""
 DURATIVE_DOMAIN = "domain-durative.pddl"
 """`compile-domain --durative`: what can be carried, by actions that take time; no command reads it."""
-DOMAIN_FILES = {
-    "stepwise": DOMAIN,
-    "places": PLACES_DOMAIN,
-    "relational": RELATIONAL_DOMAIN,
-    "relational-lifted": LIFTED_DOMAIN,
-    "operators": OPERATORS_DOMAIN,
-    "numeric": NUMERIC_DOMAIN,
-}
+DOMAIN_FILES = {"strips": DOMAIN, "numeric": NUMERIC_DOMAIN}
 """The file of a domain by its encoding."""
 GROUNDING = "grounding.json"
 """`compile-domain`: what planning and execution need to know; no network is needed from here on."""
@@ -110,7 +97,6 @@ COMMANDS = {
     RELATION_STATES: "train",
     RELATION_OPERATORS: "distill",
     DOMAIN: "compile-domain",
-    OPERATORS_DOMAIN: "compile-domain",
     NUMERIC_DOMAIN: "compile-domain",
     GROUNDING: "compile-domain",
 }
@@ -119,11 +105,15 @@ COMMANDS = {
 SCENE = ".scene.json"
 """What the file of a problem as we read it ends with."""
 NUMERIC = ".numeric.pddl"
-"""What the file of a problem in the numeric encoding ends with; the one on a grid is NAME.pddl."""
-BY_PLACES = ".places.pddl"
-"""What the file of a problem in the encoding `places` ends with."""
-BY_RELATIONS, LIFTED = ".relational.pddl", ".relational-lifted.pddl"
-"""What the files of a problem in the encodings of relations end with."""
+"""What the file of a problem in numbers ends with; the one for the page is NAME.pddl."""
+PLAIN = ".plain.pddl"
+"""What the file of a problem without costs ends with."""
+FORMER = (".places.pddl", ".relational.pddl", ".relational-lifted.pddl")
+"""What files of problems ended with that earlier versions printed, and no longer are."""
+FORMER_DOMAINS = tuple(
+    f"domain-{encoding}.pddl" for encoding in ("operators", "places", "relational", "relational-lifted")
+)
+"""The domains that earlier versions printed, and no longer are."""
 DURATIVE = ".durative.pddl"
 """What the file of a problem with durative actions ends with."""
 PLANVIZ = ".planviz.json"
@@ -143,18 +133,13 @@ def scene_file(problem: str) -> str:
 
 
 def problem_files(problem: str) -> tuple[str, str]:
-    """Name a problem's files for other planners, on a grid and in numbers."""
+    """Name a problem's files for other planners, for the page and in numbers."""
     return f"{PROBLEMS}/{problem}.pddl", f"{PROBLEMS}/{problem}{NUMERIC}"
 
 
-def places_file(problem: str) -> str:
-    """Name a problem's file for other planners in the encoding `places`."""
-    return f"{PROBLEMS}/{problem}{BY_PLACES}"
-
-
-def relation_files(problem: str) -> tuple[str, str]:
-    """Name a problem's files for other planners in the encodings of relations."""
-    return f"{PROBLEMS}/{problem}{BY_RELATIONS}", f"{PROBLEMS}/{problem}{LIFTED}"
+def plain_file(problem: str) -> str:
+    """Name a problem's file for planners that take no costs."""
+    return f"{PROBLEMS}/{problem}{PLAIN}"
 
 
 def durative_file(problem: str) -> str:
@@ -190,13 +175,7 @@ def run_name(problem: str, plan_file: Path) -> str:
 
 def printed_file(problem: str, encoding: str) -> str:
     """Name the file that holds a problem in an encoding of the domain."""
-    endings = {
-        "numeric": NUMERIC,
-        "places": BY_PLACES,
-        "relational": BY_RELATIONS,
-        "relational-lifted": LIFTED,
-    }
-    return f"{PROBLEMS}/{problem}{endings.get(encoding, '.pddl')}"
+    return f"{PROBLEMS}/{problem}{NUMERIC if encoding == 'numeric' else '.pddl'}"
 
 
 def problem_of(file: str) -> str:
@@ -205,6 +184,6 @@ def problem_of(file: str) -> str:
     Args:
         file: Name of the file.
     """
-    for ending in (SCENE, NUMERIC, BY_PLACES, BY_RELATIONS, LIFTED, DURATIVE):
+    for ending in (SCENE, NUMERIC, PLAIN, DURATIVE, *FORMER):
         file = file.removesuffix(ending)
     return file.removesuffix(".pddl")

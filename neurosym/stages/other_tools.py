@@ -8,6 +8,7 @@ from collections.abc import Iterable, Iterator
 from neurosym.errors import InvalidFile, InvalidValue, NeurosymError
 from neurosym.files import write_atomically
 from neurosym.grounding import Grounding
+from neurosym.pddl import domain_text, problem_text
 from neurosym.pddl.durative import durative_domain_text, durative_problem_text
 from neurosym.pddl.planviz import planviz_json, planviz_script, scenes_of
 from neurosym.problems import Problem
@@ -16,12 +17,12 @@ from neurosym.stages.folder import DomainFolder, load_scene
 from neurosym.stages.layout import (
     DOMAIN,
     DURATIVE_DOMAIN,
-    OPERATORS_DOMAIN,
-    PLACES_DOMAIN,
+    PLAIN_DOMAIN,
     PLANVIZ_SCRIPT,
     PROBLEMS,
     SCENE,
     durative_file,
+    plain_file,
     planviz_file,
 )
 from neurosym.tasks.carriers import carriers_of
@@ -35,12 +36,13 @@ def write_new_problem(folder: DomainFolder, problem: Problem, grounding: Groundi
         problem: The problem, whose scene may not be in its place yet.
         grounding: The learned domain.
     """
+    write_plain_problem(folder, problem, grounding)
     write_durative_problem(folder, problem, grounding)
     found = scenes_of(_former_script(folder))
     there = {scene.name: scene for scene in _scenes(folder)} | {problem.name: problem}
     known = {name: scene for name, scene in found.items() if name in there}
     unknown = [scene for name, scene in there.items() if name not in known or name == problem.name]
-    _write_pictures(folder, grounding, planviz_script(grounding, unknown, known))
+    _write_pictures(folder, planviz_script(grounding, unknown, known))
 
 
 def write_pictures(
@@ -54,16 +56,13 @@ def write_pictures(
         problems: All problems of the folder.
         durative: Whether the domain with durative actions is about to be there.
     """
-    _write_pictures(folder, grounding, planviz_script(grounding, problems), durative=durative)
+    _write_pictures(folder, planviz_script(grounding, problems), durative=durative)
 
 
-def _write_pictures(
-    folder: DomainFolder, grounding: Grounding, script: str, *, durative: bool = False
-) -> None:
+def _write_pictures(folder: DomainFolder, script: str, *, durative: bool = False) -> None:
     write_atomically(folder / PLANVIZ_SCRIPT, script)
     has_durative = durative or (folder / DURATIVE_DOMAIN).exists()
-    domains = [DOMAIN, OPERATORS_DOMAIN, *([PLACES_DOMAIN] if carriers_of(grounding) else [])]
-    for domain in [*domains, *([DURATIVE_DOMAIN] if has_durative else [])]:
+    for domain in [DOMAIN, *([DURATIVE_DOMAIN] if has_durative else [])]:
         write_atomically(folder / planviz_file(domain), planviz_json())
 
 
@@ -120,3 +119,30 @@ def write_durative_problem(
         file.unlink(missing_ok=True)
         return
     write_atomically(file, text)
+
+
+def write_plain_domain(folder: DomainFolder, grounding: Grounding, *, is_wanted: bool) -> None:
+    """Write the page without costs, if it is wanted, or was before.
+
+    Args:
+        folder: The domain folder.
+        grounding: The learned domain.
+        is_wanted: Whether it is asked for now.
+    """
+    if is_wanted or (folder / PLAIN_DOMAIN).exists():
+        write_atomically(folder / PLAIN_DOMAIN, domain_text(grounding, costs=False))
+
+
+def write_plain_problem(
+    folder: DomainFolder, problem: Problem, grounding: Grounding, *, is_wanted: bool = False
+) -> None:
+    """Write a problem for the page without costs, where there is such a domain.
+
+    Args:
+        folder: The domain folder.
+        problem: The problem.
+        grounding: The learned domain.
+        is_wanted: Whether the domain is about to be there.
+    """
+    if is_wanted or (folder / PLAIN_DOMAIN).exists():
+        write_atomically(folder / plain_file(problem.name), problem_text(problem, grounding, costs=False))

@@ -13,15 +13,15 @@ from neurosym.files import make_folder, remove, write_atomically, write_json
 from neurosym.grounding import Grounding
 from neurosym.pddl.chances import expected_success, expected_within
 from neurosym.pddl.ground_plan import GroundPlan, ground_plan
-from neurosym.pddl.moves import Encoding
-from neurosym.pddl.plan_text import PlanStep, Steps, named_steps, primitives, print_plan
-from neurosym.pddl.validation import validate
+from neurosym.pddl.moves import NUMERIC, STRIPS, Encoding
 from neurosym.planners import PlanStatus
 from neurosym.planners.second_look import Planned
 from neurosym.problems import Problem
 from neurosym.reading import digest, read_json
 from neurosym.stages.folder import DomainFolder
 from neurosym.stages.layout import PLAN, PLANS, plan_files, steps_file
+from neurosym.tasks.steps import PlanStep, Steps, named_steps, primitives, print_plan
+from neurosym.tasks.transition import validate
 
 MORE_MOTIONS = 2
 """How many motions more than a plan has primitives are told the chance of."""
@@ -60,7 +60,7 @@ class PlanRecord(msgspec.Struct, frozen=True, forbid_unknown_fields=True, omit_d
         chance_replanned: The chance that the goal is reached with at most `MORE_MOTIONS` motions more than
             primitives, planned anew on the way; None without a plan, and if the plan is known to miss.
         misses: Where the plan goes wrong by what was rehearsed; empty if it leads to the goal.
-        encoding: The encoding that the plan is printed for.
+        encoding: The encoding that the plan is printed for; earlier versions had others.
         unprinted: Why the steps are no plan of the printed domain and problem; empty if they are one.
         digest: SHA-256 of the file with the steps; empty if there is none, and in earlier versions.
     """
@@ -76,7 +76,7 @@ class PlanRecord(msgspec.Struct, frozen=True, forbid_unknown_fields=True, omit_d
     tolerance: float | None = None
     chance_replanned: float | None = None
     misses: str = ""
-    encoding: Encoding = "stepwise"
+    encoding: str = STRIPS
     unprinted: str = ""
     digest: str = ""
 
@@ -236,7 +236,10 @@ def recorded_plans(
             record = read_json(path, PlanRecord)
             there = [steps for file, steps in record.every_plan if (folder / file).is_file()]
             plans = (tuple(PlanStep(*step) for step in steps) for steps in there)
-            found += [_printed(steps, problem, grounding, record.encoding) for steps in plans]
+            found += [
+                _printed(steps, problem, grounding, NUMERIC if record.encoding == NUMERIC else STRIPS)
+                for steps in plans
+            ]
         except (InvalidFile, InvalidValue, UnknownChoice):
             continue  # of another time, or of somebody else: it does not matter what is printed for it
     return tuple(plan for plan in found if isinstance(plan, GroundPlan))

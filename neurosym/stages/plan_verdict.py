@@ -11,10 +11,8 @@ from neurosym.pddl import problem_text
 from neurosym.pddl.chances import expected_success
 from neurosym.pddl.excerpt import Action, parameters_of, tree_of
 from neurosym.pddl.ground_plan import ground_plan
-from neurosym.pddl.moves import BY_RELATIONS, NUMERIC, PLACES, Encoding
+from neurosym.pddl.moves import NUMERIC, STRIPS, Encoding
 from neurosym.pddl.plan_reading import read_actions, read_plan
-from neurosym.pddl.plan_text import PlanStep, Steps, named_steps
-from neurosym.pddl.validation import validate
 from neurosym.planners.plan_validator import PddlVerdict, validate_pddl
 from neurosym.problems import Problem
 from neurosym.reading import read_text
@@ -22,8 +20,10 @@ from neurosym.stages.folder import DomainFolder
 from neurosym.stages.layout import DOMAIN_FILES, GROUNDING, printed_file
 from neurosym.stages.plan_records import planned_tolerance
 from neurosym.stages.planning import load_problem
+from neurosym.tasks.steps import PlanStep, Steps, named_steps
+from neurosym.tasks.transition import validate
 
-_PRINTED: tuple[Encoding, ...] = ("stepwise", PLACES, *BY_RELATIONS, "operators", NUMERIC)
+_PRINTED: tuple[Encoding, ...] = (STRIPS, NUMERIC)
 """The encodings, those first that plans are mostly printed for."""
 
 
@@ -129,15 +129,17 @@ def _verdicts(
     steps: Sequence[PlanStep],
 ) -> Iterator[_Judged]:
     """Judge a plan by each printed domain that has its actions, until one takes it."""
+    is_judged = False
     for encoding, domain in _domains(folder):
         if _has(domain, actions):
+            is_judged = True
             found = _Judged(
                 DOMAIN_FILES[encoding], _judged(domain, folder, problem, grounding, encoding, actions)
             )
             yield found
             if found.verdict.valid:
                 return
-    if steps and tuple(actions) == named_steps(steps):
+    if steps and not is_judged:
         try:
             plan = ground_plan(steps, problem, grounding)
         except InvalidValue as error:

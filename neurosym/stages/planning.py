@@ -10,7 +10,7 @@ from neurosym.grounding import Grounding
 from neurosym.object_limits import limits_of
 from neurosym.pair_sight import with_pairs
 from neurosym.pddl.grid import check_on_table
-from neurosym.pddl.moves import BY_RELATIONS, NUMERIC, PLACES, SAS, Encoding
+from neurosym.pddl.moves import ENCODINGS, SAS, STRIPS, Encoding
 from neurosym.pddl.problem_check import check_problem
 from neurosym.planners import planner_named
 from neurosym.planners.planner import PredictEffects
@@ -36,6 +36,7 @@ from neurosym.stages.remarks import (
     remarks_on_own_scene,
     remarks_on_places,
 )
+from neurosym.tasks.task import understand
 from neurosym.wording import quoted
 from neurosym.world import World
 from neurosym.worlds.world_file import read_limits
@@ -129,7 +130,7 @@ def plan_stage(
     stage, made_by = f"plan {name} {chosen.name}", planner if is_factory(planner) else ""
     if made_by and (folder / plan_file).exists():
         _refuse_namesake(folder, stage, made_by, plan_file)
-    printed_again = tuple(printed_file(name, each) for each in ("stepwise", NUMERIC, PLACES, *BY_RELATIONS))
+    printed_again = tuple(printed_file(name, each) for each in ENCODINGS)
     inputs = (scene_file(name), GROUNDING, *((MODEL,) if chosen.reads == "network" else ()))
 
     def work() -> None:
@@ -159,8 +160,8 @@ def plan_stage(
             nearest=nearest,
             more=more,
         )
-        printed = chosen.program.encoding_for(chosen.name, encoding) if chosen.program else "stepwise"
-        printed = "stepwise" if printed == SAS else printed
+        printed = chosen.program.encoding_for(chosen.name, encoding) if chosen.program else STRIPS
+        printed = STRIPS if printed == SAS or understand(own, grounding).relates else printed
         plans = write_plans(folder, chosen.name, own, problem, grounding, planned, printed)
         print_beside(folder, own, grounding, printed, plans, chosen.name)
 

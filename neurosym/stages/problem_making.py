@@ -17,12 +17,9 @@ from neurosym.stages.folder import DomainFolder, load_scene
 from neurosym.stages.layout import (
     GROUNDING,
     MODEL,
-    PLACES_DOMAIN,
     PROBLEMS,
     WORLD,
-    places_file,
     problem_files,
-    relation_files,
     scene_file,
 )
 from neurosym.stages.manifest import Stage
@@ -80,7 +77,7 @@ class Asked:
 def problem_stage(folder: DomainFolder, name: str, asked: Asked) -> Stage:
     """Make a problem: world, model and grounding -> `problems/NAME.pddl`, `.numeric.pddl`, `.scene.json`.
 
-    What is asked of relations is printed as `NAME.relational.pddl`.
+    What is asked of relations is not printed in numbers.
 
     Args:
         folder: The domain folder.
@@ -98,8 +95,7 @@ def problem_stage(folder: DomainFolder, name: str, asked: Asked) -> Stage:
         print_problem(folder, problem, grounding)
         problem.save(folder / scene)
 
-    by_places = [places_file(name)] if (folder / PLACES_DOMAIN).exists() else []
-    printed_as = relation_files(name) if asked.is_relational else (*problem_files(name), *by_places)
+    printed_as = problem_files(name)[:1] if asked.is_relational else problem_files(name)
     inputs = (WORLD, MODEL, GROUNDING, *networks_of_pairs(folder))
     return Stage(f"new-problem {name}", inputs, (*printed_as, scene), work, asked.options())
 

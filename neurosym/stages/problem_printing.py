@@ -10,18 +10,16 @@ from neurosym.grounding import Grounding
 from neurosym.pair_sight import with_pairs
 from neurosym.pddl import problem_text
 from neurosym.pddl.ground_plan import GroundPlan
-from neurosym.pddl.moves import BY_RELATIONS, NUMERIC, PLACES, Encoding
+from neurosym.pddl.moves import NUMERIC, STRIPS, Encoding
 from neurosym.pddl.problem import check_object
-from neurosym.pddl.relational_task import Task
 from neurosym.problems import Problem
 from neurosym.reading import read_text
 from neurosym.related import is_relational
 from neurosym.stages.folder import DomainFolder
-from neurosym.stages.layout import places_file, printed_file, problem_files, relation_files
+from neurosym.stages.layout import FORMER, PROBLEMS, printed_file, problem_files
 from neurosym.stages.other_tools import write_new_problem
 from neurosym.stages.plan_records import recorded_plans
-from neurosym.tasks.carriers import carriers_of
-from neurosym.tasks.places import with_places
+from neurosym.tasks.task import understand
 
 
 def print_problem(folder: DomainFolder, problem: Problem, grounding: Grounding) -> None:
@@ -96,22 +94,18 @@ def placed(problem: Problem, grounding: Grounding) -> Problem:
     """
     for item in problem.objects:
         check_object(item, grounding)
-    if is_relational(problem, grounding):
-        return msgspec.structs.replace(problem, places=Task(problem, grounding).flat.places)
-    return with_places(problem, grounding)
+    return msgspec.structs.replace(problem, places=understand(problem, grounding).flat.places)
 
 
 def texts_of(problem: Problem, grounding: Grounding, plans: Sequence[GroundPlan] = ()) -> dict[str, str]:
-    """Print a problem in each way, by file; one of relations in no other.
+    """Print a problem in each way, by file; one of relations has none in numbers.
 
     Args:
         problem: The problem, with its places.
         grounding: The learned domain.
         plans: The plans that stand beside it.
     """
-    encodings: list[Encoding] = ["stepwise", NUMERIC, *([PLACES] if carriers_of(grounding) else [])]
-    if is_relational(problem, grounding):
-        encodings = [*BY_RELATIONS]
+    encodings = [STRIPS, *([] if understand(problem, grounding).relates else [NUMERIC])]
     files = {printed_file(problem.name, each): each for each in encodings}
     return {
         file: problem_text(problem, grounding, each, plans=_beside(file, problem, plans))
@@ -121,6 +115,6 @@ def texts_of(problem: Problem, grounding: Grounding, plans: Sequence[GroundPlan]
 
 def _remove_stale(folder: DomainFolder, name: str, printed: Collection[str]) -> None:
     """Remove what a former problem of that name was printed as, and this one is not."""
-    for file in (*problem_files(name), places_file(name), *relation_files(name)):
+    for file in (*problem_files(name), *(f"{PROBLEMS}/{name}{ending}" for ending in FORMER)):
         if file not in printed and (folder / file).exists():
             remove(folder / file)

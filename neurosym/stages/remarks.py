@@ -6,7 +6,6 @@ import msgspec
 import numpy as np
 
 from neurosym.grounding import Grounding
-from neurosym.pddl.place_problem import carried_objects
 from neurosym.problems import Problem
 from neurosym.promises import is_rehearsed, usable
 from neurosym.stages.folder import DomainFolder
@@ -14,6 +13,7 @@ from neurosym.stages.layout import MODEL, WORLD, scene_file
 from neurosym.symbols import symbols_of
 from neurosym.tasks.footprints import footprints_apart
 from neurosym.tasks.places import blockers
+from neurosym.tasks.task import understand
 from neurosym.worlds.world_file import read_limits
 
 
@@ -26,8 +26,8 @@ def remarks_on_places(problem: Problem, grounding: Grounding) -> Iterator[str]:
     """
     if problem.places is msgspec.UNSET:
         return
-    here = carried_objects(problem, grounding)
-    anywhere = carried_objects(msgspec.structs.replace(problem, places=msgspec.UNSET), grounding)
+    here = understand(problem, grounding).carried
+    anywhere = understand(msgspec.structs.replace(problem, places=msgspec.UNSET), grounding).carried
     lacking = [name for name in anywhere if name in problem.goals and name not in here]
     if lacking:
         yield (
@@ -45,7 +45,7 @@ def remarks_on_blocked(problem: Problem, grounding: Grounding) -> Iterator[str]:
     """
     if not isinstance(problem.places, dict):
         return
-    carried, apart = carried_objects(problem, grounding), footprints_apart(problem)
+    carried, apart = understand(problem, grounding).carried, footprints_apart(problem)
     fixed = [
         item.name
         for item in problem.objects

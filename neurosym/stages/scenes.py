@@ -12,7 +12,7 @@ from neurosym.pddl.grid import check_on_table
 from neurosym.problems import Problem
 from neurosym.reading import digest
 from neurosym.stages.folder import DomainFolder
-from neurosym.stages.layout import GROUNDING, PROBLEMS, WORLD, problem_files, relation_files, scene_file
+from neurosym.stages.layout import GROUNDING, PROBLEMS, WORLD, problem_files, scene_file
 from neurosym.stages.manifest import Stage
 from neurosym.stages.planning import check_scene
 from neurosym.stages.problem_printing import print_problem
@@ -58,6 +58,6 @@ def scene_stage(folder: DomainFolder, file: Path, *, name: str, tolerance: float
         problem.save(folder / scene)
 
     options = {"scene": digest(file)} | ({} if tolerance is None else {"tolerance": tolerance})
-    outputs = (*problem_files(name), *relation_files(name), scene)
+    outputs = (*problem_files(name), scene)
     inputs = (WORLD, GROUNDING, *networks_of_pairs(folder))
     return Stage(f"new-problem {name}", inputs, outputs, work, options)

@@ -3,20 +3,18 @@
 from typing import Any
 
 from neurosym.errors import NeurosymError
-from neurosym.pddl.moves import BY_RELATIONS
-from neurosym.pddl.plan_text import PlanStep
-from neurosym.pddl.validation import validate
+from neurosym.pddl.strips_plan import action_for
 from neurosym.planners import PLANNERS, PlanStatus
-from neurosym.planners.registry import reads_relations
 from neurosym.reading import read_text
-from neurosym.related import is_relational
-from neurosym.stages.layout import OPERATORS_DOMAIN, PLACES_DOMAIN, RELATIONAL_DOMAIN
+from neurosym.stages.layout import DOMAIN
 from neurosym.studio.asking import planners_here, usual_planner
 from neurosym.studio.messages import Planned
 from neurosym.studio.panel import Panel, by_user, set_content, set_options
 from neurosym.studio.session import Topic
 from neurosym.studio.view import COLOURS
 from neurosym.studio.words import action_of, paragraph, pddl, plan_summary, plan_table, safe
+from neurosym.tasks.steps import PlanStep
+from neurosym.tasks.transition import validate
 
 NOBODY, USUAL = "(nobody)", "usual"
 
@@ -87,10 +85,7 @@ class PlanPanel(Panel):
 
     def _offer_encodings(self, name: str) -> None:
         planner = PLANNERS[name]
-        more: tuple[str, ...] = ("places",) if "stepwise" in planner.encodings else ()
-        if self.session.library.grounding.relations and reads_relations(planner):
-            more += BY_RELATIONS
-        set_options(self._encoding, (USUAL, *planner.encodings, *more), USUAL)
+        set_options(self._encoding, (USUAL, *planner.encodings), USUAL)
 
     def _show_choice(self) -> None:
         session = self.session
@@ -113,17 +108,14 @@ class PlanPanel(Panel):
         set_content(self._pddl, pddl(self._action(name)))
 
     def _action(self, name: str) -> str:
-        """Return the text of an action, from the domains that are for people to read."""
-        session, files = self.session, [OPERATORS_DOMAIN, PLACES_DOMAIN]
-        if session.problem and is_relational(session.problem, session.library.grounding):
-            files = [RELATIONAL_DOMAIN]
-        for file in files:
-            try:
-                if text := action_of(read_text(session.room.path / file), name):
-                    return text
-            except NeurosymError:
-                continue
-        return f"; no domain of the folder has an action {name}"
+        """Return the text of the action on the page that a step is an instance of."""
+        try:
+            text = action_of(
+                read_text(self.session.room.path / DOMAIN), action_for(name, self.session.library.grounding)
+            )
+        except NeurosymError:
+            text = ""
+        return text or f"; {DOMAIN} has no action for {name}"
 
     def _draw_paths(self) -> None:
         """Draw where the plan takes everything, while that is what is done or is to be done."""

@@ -14,8 +14,6 @@ from neurosym.choices import AnyTask
 from neurosym.errors import InvalidValue
 from neurosym.operators import vector
 from neurosym.pddl.moves import Encoding
-from neurosym.pddl.plan_text import PlanStep
-from neurosym.pddl.validation import validate
 from neurosym.problems import Problem
 from neurosym.reading import decode_json
 from neurosym.related import is_relational
@@ -30,6 +28,8 @@ from neurosym.studio.saying import Word, told
 from neurosym.studio.setting import has_goals
 from neurosym.studio.telling import plan_word
 from neurosym.studio.workers import Ticket, Workers
+from neurosym.tasks.steps import PlanStep
+from neurosym.tasks.transition import validate
 from neurosym.wording import counted
 
 MOST_FILE = 1_000_000

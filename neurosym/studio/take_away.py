@@ -15,15 +15,9 @@ from neurosym.reading import decode_json, read_bytes
 from neurosym.stages.folder import DomainFolder
 from neurosym.stages.layout import (
     DOMAIN,
-    LIFTED_DOMAIN,
     NUMERIC_DOMAIN,
-    OPERATORS_DOMAIN,
-    PLACES_DOMAIN,
-    RELATIONAL_DOMAIN,
-    places_file,
     plan_files,
     problem_files,
-    relation_files,
     scene_file,
     steps_file,
 )
@@ -53,8 +47,8 @@ def zip_of(session: "Session") -> bytes:
     folder, file = DomainFolder(room), room / "taken.json"
     problem.save(file)
     folder.perform(scene_stage(folder, file, name=problem.name), again=True)
-    names = [DOMAIN, OPERATORS_DOMAIN, NUMERIC_DOMAIN, PLACES_DOMAIN, RELATIONAL_DOMAIN, LIFTED_DOMAIN]
-    names += [*problem_files(problem.name), places_file(problem.name), *relation_files(problem.name)]
+    names = [DOMAIN, NUMERIC_DOMAIN]
+    names += [*problem_files(problem.name)]
     names += [scene_file(problem.name)]
     for planner in session.plans:
         plan_file, record_file = plan_files(problem.name, planner)

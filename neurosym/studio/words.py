@@ -12,14 +12,13 @@ from neurosym.execution.record import Replanning, Run, StepRecord
 from neurosym.explain.action_words import displacement_in_words
 from neurosym.grounding import Grounding
 from neurosym.pddl.chances import promise_of
-from neurosym.pddl.plan_text import PlanStep
-from neurosym.pddl.relational_replay import Following
 from neurosym.problems import Problem
-from neurosym.related import is_relational, relating
 from neurosym.relation_goals import RelationGoal
 from neurosym.stages.plan_records import PlanRecord
-from neurosym.tasks.moves import chance, step_cost
 from neurosym.tasks.puts import put_named
+from neurosym.tasks.steps import PlanStep
+from neurosym.tasks.task import understand
+from neurosym.tasks.transition import apply, chance, cost, start
 from neurosym.wording import counted, harmless
 
 GOOD, BAD, DIM = "#2a9d5c", "#d9534f", "#8a8a8a"
@@ -76,8 +75,7 @@ def plan_table(record: PlanRecord, problem: Problem, grounding: Grounding, at: i
         at: Number of the step at hand, counted from 0.
     """
     steps = [PlanStep(*parts) for parts in record.steps]
-    about_pairs = is_relational(problem, grounding) or any(relating(one.base, grounding) for one in steps)
-    told = _steps_on_pairs(steps, problem, grounding) if about_pairs else _steps(steps, problem, grounding)
+    told = _steps(steps, problem, grounding)
     rows = [
         (
             str(number),
@@ -93,36 +91,21 @@ def plan_table(record: PlanRecord, problem: Problem, grounding: Grounding, at: i
 
 
 def _steps(steps: Iterable[PlanStep], problem: Problem, grounding: Grounding) -> Iterator[_Told]:
-    """Tell what each step of a plan does: in words, its bits, its cost and its chance."""
+    """Tell what each step of a plan does: in words, its bits, and its cost and chance by then."""
+    task = understand(problem, grounding)
+    now = start(task)
     for step in steps:
-        operator = promise_of(step, problem, grounding)
-        bits = f"{problem.object_named(step.object).category} · {operator.primitive}"
-        promise = operator.promise
-        moves = displacement_in_words(promise.outcome) if promise else "nothing"
-        if step.puts_down:
-            yield "puts it down", bits, "", ""
-            continue
-        moves = f"carries it to {step.place}" if step.place else moves
-        yield moves, bits, str(step_cost(operator, grounding)), f"{chance(operator):.0%}"
-
-
-def _steps_on_pairs(steps: Iterable[PlanStep], problem: Problem, grounding: Grounding) -> Iterator[_Told]:
-    """Tell the same of a plan with relations, by what bears what before each step."""
-    now = Following(problem, grounding)
-    for step in steps:
-        words = (step.operator, step.object, step.place)
-        price, surety = str(now.cost(words)), f"{now.chance(words):.0%}"
+        price, surety = str(cost(task, now, step)), f"{chance(task, now, step):.0%}"
         if put := put_named(step.operator, grounding):
-            bits, moves = (
-                f"{put.operator.pair or 'any'} · {put.operator.label}",
-                f"puts it {put.state.name} {step.place}",
-            )
+            bits = f"{put.operator.pair or 'any'} · {put.operator.label}"
+            moves = f"puts it {put.state.name} {step.place}"
         else:
             operator = promise_of(step, problem, grounding)
             bits = f"{problem.object_named(step.object).category} · {operator.primitive}"
-            moves = f"carries it to {step.place}"
-        yield moves, bits, price, surety
-        now.do(words)
+            moves = displacement_in_words(operator.promise.outcome) if operator.promise else "nothing"
+            moves = f"carries it to {step.place}" if step.place else moves
+        yield ("puts it down", bits, "", "") if step.puts_down else (moves, bits, price, surety)
+        now = apply(task, now, step)
 
 
 def plan_summary(record: PlanRecord) -> str:
@@ -234,9 +217,10 @@ def action_of(domain: str, operator: str) -> str:
         domain: The text of a domain.
         operator: Name of the action.
     """
-    start = domain.find(f"(:action {operator}\n")
-    if start < 0:
+    found = re.search(rf"\(:action {re.escape(operator)}\s", domain)
+    if found is None:
         return ""
+    start = found.start()
     lines = domain[:start].split("\n")[:-1]
     comment: list[str] = []
     while lines and lines[-1].lstrip().startswith(";"):

@@ -41,11 +41,6 @@ class Move:
         """The axes that the object moves along."""
         return tuple(axis for axis in range(3) if self.cells[axis])
 
-    @property
-    def all_axes(self) -> tuple[int, ...]:
-        """The axes that some object may move along: what is not lifted stays at its height."""
-        return (0, 1) if self.kind == "rest" else (0, 1, 2)
-
 
 def moves_of(grounding: Grounding) -> tuple[Move, ...]:
     """List what the live operators do on average, by name, each lift followed by its put-down."""

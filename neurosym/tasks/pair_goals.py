@@ -3,15 +3,14 @@
 from collections import Counter
 from collections.abc import Mapping, Sequence
 
-from neurosym.any_pair import FAINT
 from neurosym.errors import InvalidValue
 from neurosym.grounding import Grounding
 from neurosym.pair_sight import with_pairs
+from neurosym.pooled_puts import FAINT
 from neurosym.problems import Problem
 from neurosym.related import relations_of, unmet_relations
 from neurosym.relation_goals import RelationGoal, pair_key
 from neurosym.relation_operators import RelationOperators
-from neurosym.tasks.grades import USUAL
 from neurosym.tasks.puts import Put, bearing_states, puts_of
 
 
@@ -120,7 +119,7 @@ def puts_for(problem: Problem, grounding: Grounding, target: str, reference: str
     at_hand = [
         put
         for put in fitting
-        if put.kind or (put.grade != USUAL and put.chance() > own.get(put.state.name, 0.0))
+        if put.kind or (put.foreseen is not None and put.chance() > own.get(put.state.name, 0.0))
     ]
     likely = [put for put in at_hand if put.is_likely]
     likely += _faint(at_hand, likely, problem, target, reference)

@@ -13,7 +13,7 @@ from neurosym.table import Table
 from neurosym.tasks.footprints import near_some
 from neurosym.tasks.goal_spots import goal_spots
 
-GOAL, PARK = "goal-", "park-"
+START, GOAL, PARK = "start-", "goal-", "park-"
 """What the names of places begin with."""
 GAP, LEAST_GAP = 0.05, 0.01
 """Room that is left around places to park on, for the hand; less, if else there are few [m]."""
@@ -48,6 +48,21 @@ def with_places(problem: Problem, grounding: Grounding) -> Problem:
     parks = _parks(problem, grounding.table, goals)
     found = {f"{PARK}{number:02d}": spot for number, spot in enumerate(parks, start=1)}
     return msgspec.structs.replace(problem, places={**goals, **found})
+
+
+def check_place(name: str, problem: Problem, grounding: Grounding) -> None:
+    """Raise an error unless a problem has a place of a name, and it lies on the table.
+
+    Args:
+        name: The name; spots say themselves where they lie.
+        problem: The problem, with its places.
+        grounding: The learned domain.
+
+    Raises:
+        InvalidValue: If no name is given, or it lies off the table.
+        UnknownChoice: If there is none of that name.
+    """
+    grounding.table.check(name, *problem.place_named(name))
 
 
 def _parks(

@@ -10,20 +10,22 @@ from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from functools import lru_cache
 
-from neurosym.any_pair import for_any_pair
 from neurosym.grounding import MIN_TRIALS, Grounding
 from neurosym.operators import Category
 from neurosym.place_operators import Kept
+from neurosym.pooled_puts import pooled
 from neurosym.problems import Problem
 from neurosym.promises import LEAST_CHANCE
 from neurosym.related import relating
 from neurosym.relation_goals import pair_key
 from neurosym.relation_operators import SELDOM, PairEnd, PairState, RelationOperator, RelationOperators
 from neurosym.symbols import Symbol
-from neurosym.tasks.grades import GRADES, USUAL, grade_of
 
 LEAST_SHARE = 0.5
 """Where a third object leaves less than this of what is usual, it is forbidden."""
+SHARES = (0.1, 0.3, 0.5, 0.7, 0.9)
+"""What is foreseen of a pair counts as the nearest of these: networks tell no finer, and so there are few
+prices."""
 ALIKE = 4
 """So many operators for the same are in the domain at most: which does it most surely depends on the pair."""
 
@@ -37,14 +39,15 @@ class Put:
         end: How it promises to turn out.
         state: The state that the pair ends in.
         kind: The kind of pairs that it is for; None if it is for any of which something is foreseen.
-        grade: How surely it is foreseen to keep its promise with the pair at hand.
+        foreseen: In which share of the cases it is foreseen to keep its promise with the pair at hand, one of
+            `SHARES`; None where nothing is foreseen, and it does as with others of their kind.
     """
 
     operator: RelationOperator
     end: PairEnd
     state: PairState
     kind: Category | None
-    grade: str = USUAL
+    foreseen: float | None = None
 
     @property
     def name(self) -> str:
@@ -81,7 +84,7 @@ class Put:
     @property
     def share(self) -> float:
         """In which share of the cases it is foreseen to keep its promise."""
-        return GRADES.get(self.grade, self.end.share)
+        return self.end.share if self.foreseen is None else self.foreseen
 
     @property
     def is_likely(self) -> bool:
@@ -98,7 +101,7 @@ class Put:
         """
         foreseen = problem.foreseen if isinstance(problem.foreseen, dict) else {}
         share = foreseen.get(pair_key(target, reference), {}).get(self.name)
-        return self if share is None else replace(self, grade=grade_of(share))
+        return self if share is None else replace(self, foreseen=nearest_share(share))
 
     def chance(self, *, borne: bool = False, occupied: bool = False, laden: bool = False) -> float:
         """Return the chance that a step goes as promised, by what rehearsals with third objects showed.
@@ -110,7 +113,7 @@ class Put:
         """
         trials = self.operator.trials
         usual = smoothed(self.end.count, trials)
-        found = GRADES.get(self.grade, usual)
+        found = usual if self.foreseen is None else self.foreseen
         cases = ((borne, self.operator.borne), (occupied, self.operator.occupied))
         for is_so, kept in (*cases, (laden, self.operator.laden)):
             if is_so and kept.trials:
@@ -171,7 +174,7 @@ def bearing_states(grounding: Grounding) -> tuple[PairState, ...]:
 @lru_cache(maxsize=8)
 def _puts(table: RelationOperators) -> tuple[Put, ...]:
     kept = [one for one in table.operators if one.name not in left_out(table)]
-    kept += for_any_pair(table)
+    kept += pooled(table)
     return tuple(_put(one, table) for one in sorted(kept, key=lambda one: one.name))
 
 
@@ -225,3 +228,12 @@ def smoothed(kept: int, trials: int) -> float:
         trials: Of how many cases.
     """
     return (kept + 1) / (trials + 2)
+
+
+def nearest_share(share: float) -> float:
+    """Return the nearest of `SHARES`.
+
+    Args:
+        share: In which share of the cases a promise is foreseen to be kept.
+    """
+    return min(SHARES, key=lambda one: abs(one - share))

@@ -19,10 +19,11 @@ from neurosym.operators import Operator, Vector
 from neurosym.pair_sight import PairSight, with_pairs
 from neurosym.pair_states import extent
 from neurosym.problems import ROUNDED, Problem
-from neurosym.related import Borne, bearers_of, loads_of
+from neurosym.promises import usable
+from neurosym.related import Borne, bearers_of, loads_of, relations_of
 from neurosym.relation_operators import PairState
 from neurosym.tasks.carriers import Carrier, carriers_for, relational_carriers
-from neurosym.tasks.moves import Move, moves_for, step_cost
+from neurosym.tasks.moves import Move, as_moves, moves_for, step_cost
 from neurosym.tasks.occupants import occupants
 from neurosym.tasks.pair_goals import puts_for
 from neurosym.tasks.places import blockers, is_at, with_places
@@ -70,16 +71,24 @@ class Task:
     """A problem and a learned domain together; see `understand`.
 
     Attributes:
-        problem: The problem; with the kinds of its pairs, if it is about any.
-        flat: The same with every object on the table, and with its places.
+        problem: The problem; with the kinds of its pairs, if the domain knows any.
         grounding: The learned domain.
         supports: What bears each object that another one bears at the start.
     """
 
     problem: Problem
-    flat: Problem
     grounding: Grounding
     supports: Mapping[str, Borne]
+
+    @cached_property
+    def flat(self) -> Problem:
+        """The problem with every object on the table, and with its places."""
+        return with_places(flattened(self.problem, self.supports), self.grounding)
+
+    @cached_property
+    def room(self) -> Float[np.ndarray, "2 M 2"]:
+        """The least and greatest x and y that each object's centre may have in a plan [m]."""
+        return self.problem.room(self.grounding.table)
 
     @cached_property
     def relates(self) -> bool:
@@ -104,6 +113,13 @@ class Task:
     def moves_on(self, grounding: Grounding, name: str) -> tuple[Move, ...]:
         """Return what is done to an object by itself, in the cells of a grounding that has others."""
         return moves_for(self.problem.object_named(name), grounding, self.problem.tolerance)
+
+    def every_move_on(self, grounding: Grounding, name: str) -> tuple[Move, ...]:
+        """Return the same, with all that the domain itself tells apart, though those cells may not."""
+        item, tolerance = self.problem.object_named(name), self.problem.tolerance
+        told = (*usable(self.grounding, item, tolerance), *usable(grounding, item, tolerance))
+        found = {operator.name: operator for operator in told}
+        return as_moves([operator for _, operator in sorted(found.items())], grounding)
 
     @cached_property
     def carriers(self) -> Mapping[str, tuple[Operator, ...]]:
@@ -170,7 +186,7 @@ class Task:
     @cached_property
     def puts(self) -> Mapping[Pair, tuple[Put, ...]]:
         """What is likely to put each object on or into each other one."""
-        if not self.relates:
+        if self.grounding.relations is None:
             return {}
         pairs = permutations(sorted(self.names), 2)
         return {pair: puts_for(self.problem, self.grounding, *pair) for pair in pairs}
@@ -189,26 +205,36 @@ class Task:
         takes_more = any(put.takes_occupied for put in puts_of(self.grounding))
         return max([MOST_BORNE if takes_more else 1, *wanted.values(), *at_first])
 
-    def state_name(self, state: str) -> str:
-        """Return the name of a state that a goal names by its name or symbol."""
+    def state_named(self, state: str) -> PairState:
+        """Return the state that a goal names by its name or symbol."""
         assert self.grounding.relations is not None, "only then are there goals by relation"
-        return self.grounding.relations.state_named(state).name
+        return self.grounding.relations.state_named(state)
+
+
+_REMEMBERED = 4
+_latest: list[tuple[Problem, Grounding, PairSight | None, Task]] = []
 
 
 def understand(problem: Problem, grounding: Grounding, sight: PairSight | None = None) -> Task:
-    """Work out what a problem and a learned domain mean together.
+    """Work out what a problem and a learned domain mean together; the same again for the same two.
 
     Args:
         problem: The problem, with the objects as they stand now.
         grounding: The learned domain.
         sight: What networks say of pairs; what the problem says itself goes before.
+
+    Raises:
+        InvalidValue: If the problem asks for relations, and the domain knows none.
     """
-    relations = grounding.relations
-    supports = bearers_of(problem, relations) if relations else {}
-    if relations and (supports or problem.related):
-        problem = with_pairs(problem, relations, sight)
-        supports = bearers_of(problem, relations)
-    return Task(problem, with_places(flattened(problem, supports), grounding), grounding, supports)
+    for known, learned, looked, task in _latest:
+        if learned is grounding and looked is sight and (known is problem or known == problem):
+            return task
+    relations = relations_of(grounding, problem) if problem.related else grounding.relations
+    known = with_pairs(problem, relations, sight)
+    task = Task(known, grounding, bearers_of(known, relations) if relations else {})
+    _latest.insert(0, (problem, grounding, sight, task))
+    del _latest[_REMEMBERED:]
+    return task
 
 
 def _surest(puts: tuple[Put, ...], grounding: Grounding) -> tuple[PutOption, ...]:
@@ -226,7 +252,7 @@ def _surest(puts: tuple[Put, ...], grounding: Grounding) -> tuple[PutOption, ...
     return tuple(option for _, option in found.values())
 
 
-def flattened(problem: Problem, bearers: dict[str, Borne]) -> Problem:
+def flattened(problem: Problem, bearers: Mapping[str, Borne]) -> Problem:
     """Return a problem whose borne objects are as high as they are when they stand on the table.
 
     Args:

@@ -14,7 +14,7 @@ from neurosym.commands.plan import plan
 from neurosym.commands.run import run
 from neurosym.commands.train import train
 from neurosym.learning.training_config import REGIMES
-from neurosym.pddl.moves import BY_RELATIONS, ENCODINGS, PLACES, SAS
+from neurosym.pddl.moves import ENCODINGS, SAS
 from neurosym.planners import PlanStatus
 from neurosym.planners.fast_downward import plan_fast_downward
 from neurosym.primitives.audition import CHOICES
@@ -35,10 +35,10 @@ from neurosym.strategies import STRATEGIES
             ["plan", "task-01", "--planner", "magic"],
             "no planner 'magic'; valid: aries, bfs, bfs-operators, counting",
         ),
+        (["plan", "task-01", "--encoding", "runes"], "no encoding 'runes'; valid: numeric, sas, strips"),
         (
-            ["plan", "task-01", "--encoding", "runes"],
-            "no encoding 'runes'; valid: numeric, operators, places, relational, relational-lifted, sas, "
-            "stepwise",
+            ["plan", "task-01", "--encoding", "stepwise"],
+            "The encoding stepwise is gone: one page, 'strips', says what it said; valid: strips, numeric",
         ),
         (["plan", "task-99"], "no problem 'task-99'; valid: task-01, task-02"),
         (["plan", "task-01", "--time-limit", "-1"], "time-limit"),
@@ -207,7 +207,7 @@ def test_init_refuses_an_unknown_world_and_leaves_no_folder(tmp_path, capsys):
         (explore, "regime", {*REGIMES}),
         (train, "regime", {*REGIMES}),
         (distill, "choice", {*CHOICES}),
-        (plan, "encoding", {*ENCODINGS, PLACES, SAS, *BY_RELATIONS}),
+        (plan, "encoding", {*ENCODINGS, SAS}),
     ],
 )
 def test_help_lists_the_choices_that_there_are(command, option, choices, capsys):

@@ -22,7 +22,7 @@ def test_run_leaves_every_file_of_the_design(toy_folder):
         "training.json",
         "primitives.json",
         "domain.pddl",
-        "domain-operators.pddl",
+        "domain-numeric.pddl",
         "grounding.json",
         "manifest.json",
         "problems/task-01.pddl",

@@ -13,11 +13,11 @@ import pytest
 import toy_domain
 from command_line import neurosym, refusal
 
-from neurosym.pddl.plan_text import PlanStep
 from neurosym.pddl.problem import problem_text
 from neurosym.planners import PlanResult, PlanStatus, second_look
 from neurosym.problems import Problem
 from neurosym.stages import planning
+from neurosym.tasks.steps import PlanStep
 
 
 @pytest.fixture
@@ -153,7 +153,7 @@ def test_planner_whose_plans_do_not_come_true_is_told_of_one_that_does(bare, cap
 @pytest.mark.parametrize(
     ("planner", "options"),
     [
-        ("bfs", ["--encoding", "stepwise"]),
+        ("bfs", ["--encoding", "strips"]),
         ("counting", ["--encoding", "sas"]),
         ("counting", ["--whole"]),
         ("bfs", ["--whole"]),

@@ -77,7 +77,7 @@ def test_foreign_json_is_refused(folder, file, capsys):
     [
         ("(fly item-01)", "no operator 'fly'"),
         ("(OPERATOR item-09)", "no object 'item-09'; valid: item-01"),
-        ("push it", "not of the form"),
+        ("shove it", "not of the form"),
     ],
 )
 def test_plan_that_cannot_be_read_is_refused_with_its_line(folder, line, message, capsys):

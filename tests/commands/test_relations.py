@@ -21,7 +21,6 @@ from toy_relations import (
     tower_at_place,
 )
 
-from neurosym.pddl.moves import BY_RELATIONS
 from neurosym.pddl.problem import problem_text
 from neurosym.problems import Problem
 
@@ -51,10 +50,8 @@ def test_scene_by_hand_is_planned_executed_and_replayed(bare, problem, capsys):
     assert f"goal: {target} {state} {other}" in said
     stored = Problem.load(bare / f"problems/{name}.scene.json")
     assert isinstance(stored.pairs, dict)
-    for encoding in BY_RELATIONS:
-        printed = (bare / f"problems/{name}.{encoding}.pddl").read_text()
-        assert printed == problem_text(stored, grounding(), encoding)
-    assert not (bare / f"problems/{name}.pddl").exists()
+    assert (bare / f"problems/{name}.pddl").read_text() == problem_text(stored, grounding())
+    assert not (bare / f"problems/{name}.numeric.pddl").exists()
     assert neurosym("plan", bare, name) == 0
     plan_file = bare / f"plans/{name}.fast-downward.plan"
     assert "likely to go as promised" in capsys.readouterr().out
@@ -72,9 +69,9 @@ def test_chance_of_a_plan_is_that_of_its_steps_by_what_rests_where(bare, capsys)
 
 def test_encoding_can_be_asked_for_and_what_cannot_say_relations_is_refused(bare, capsys):
     made(bare, tower())
-    assert neurosym("plan", bare, "tower", "--encoding", "relational-lifted") == 0
-    said = refusal(capsys, "plan", bare, "tower", "--encoding", "stepwise")
-    assert "is one of relations, which the encoding stepwise cannot say; valid: relational, " in said
+    assert neurosym("plan", bare, "tower", "--encoding", "strips") == 0
+    said = refusal(capsys, "plan", bare, "tower", "--encoding", "sas")
+    assert "is one of relations, which the encoding sas cannot say; valid: strips" in said
     said = refusal(capsys, "plan", bare, "tower", "--planner", "counting")
     assert "is one of relations, which counting does not take; valid: " in said
     for option in (("--nearest",), ("--alternatives", "2")):
@@ -144,17 +141,21 @@ def test_relations_that_cannot_be_read_are_refused(bare, words, said, capsys):
     assert said in refusal(capsys, "new-problem", bare, "--relation", *words)
 
 
-def test_compiled_domain_has_files_for_relations(bare):
+def test_compiled_page_holds_relations_and_files_of_earlier_versions_are_removed(bare):
     (bare / "relations").mkdir()
     (bare / "relations/operators.json").write_bytes(msgspec.json.encode(relations()))
     (bare / "primitives.json").write_bytes(msgspec.json.encode(grounding().operators))
     (bare / "places").mkdir()
     (bare / "places/operators.json").write_bytes(msgspec.json.encode(grounding().places))
-    assert neurosym("compile-domain", bare, "--cell", "0.02") == 0
-    for encoding in BY_RELATIONS:
-        assert (bare / f"domain-{encoding}.pddl").is_file()
     made(bare, tower())
+    former = ("domain-operators.pddl", "domain-places.planviz.json", "problems/tower.relational.pddl")
+    for file in former:
+        (bare / file).write_text("of an earlier version")
     assert neurosym("compile-domain", bare, "--cell", "0.02") == 0
+    assert not any((bare / file).exists() for file in former)
+    assert sorted(file.name for file in bare.glob("*.pddl")) == ["domain-numeric.pddl", "domain.pddl"]
+    assert REST.removesuffix("-001") + "-item-02" in (bare / "problems/tower.pddl").read_text()
+    assert "(:action put ;" in (bare / "domain.pddl").read_text()
     assert neurosym("plan", bare, "tower") == 0
 
 

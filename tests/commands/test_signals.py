@@ -34,7 +34,7 @@ def make():
         return (sys.executable, "-c", SCRIPT, domain, problem, __file__ + ".started")
 
     call = partial(plan_program, program=Program("Hanging", "neurosym", "neurosym", arguments))
-    return pddl_planner("hanging", "a planner that hangs", call, ("operators",))
+    return pddl_planner("hanging", "a planner that hangs", call, ("strips",))
 """
 PLANNER = "hanging:make"
 COMMANDS: dict[str, Callable[[Path], tuple[str, ...]]] = {

@@ -10,7 +10,7 @@ from command_line import neurosym, refusal
 
 from neurosym.pddl import domain_text
 from neurosym.pddl.ground_plan import print_ground_plan
-from neurosym.pddl.plan_text import PlanStep
+from neurosym.tasks.steps import PlanStep
 
 LEFT, FORWARD = PlanStep("push-left-001-cube", "item-01"), PlanStep("push-forward-010-cube", "item-01")
 GOAL = {"item-01": (0.6, 0.16, 0.025)}
@@ -60,24 +60,24 @@ def test_plan_is_judged_by_both(folder, capsys):
 def test_plan_that_misses_says_so_twice(folder, capsys):
     code, said = judged(folder, written(folder, LEFT), capsys)
     assert code == 3
-    assert said["pddl_failed"] == 2
-    assert said["pddl_reason"].startswith("(goal-xy item-01 ")
+    assert said["pddl_failed"] == 4
+    assert said["pddl_reason"].startswith("(goal-cell item-01 ")
     assert said["replay_reason"] == "item-01 ends 80 mm from its goal, 50 mm are allowed"
 
 
 def test_plan_that_says_what_is_not_so_is_judged_and_not_refused(folder, capsys):
     plan = written(folder, LEFT, LEFT)
-    plan.write_text(plan.read_text().replace("y060", "y061", 1))
+    plan.write_text(plan.read_text().replace("y38", "y39", 1))
     code, said = judged(folder, plan, capsys)
     assert code == 3
-    assert said["pddl_failed"] == 1
-    assert "y061" in said["replay_reason"]
+    assert said["pddl_failed"] == 3
+    assert "(y-sum dy8 y30 y39) does not hold there" in said["replay_reason"]
     assert said["steps"] == []
     assert said["chance"] is None
 
 
 def test_actions_of_no_printed_domain_are_told(folder, capsys):
-    (folder / "sas.plan").write_text("(push-left-001-cube item-01 y060)\n")
+    (folder / "sas.plan").write_text("(fly item-01 y060)\n")
     code, said = judged(folder, folder / "sas.plan", capsys)
     assert code == 3
     assert said["pddl_reason"] == "no printed domain has all of its actions"

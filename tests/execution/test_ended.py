@@ -10,10 +10,10 @@ from neurosym.execution.experience import Experience
 from neurosym.execution.replanning import PATIENCE, Progress, new_plan, usual_replans, usual_work
 from neurosym.execution.summary import failure
 from neurosym.grounding import Grounding
-from neurosym.pddl.plan_text import PlanStep
 from neurosym.planners import PlanResult, PlanStatus, plan
 from neurosym.planners.effort import Effort
 from neurosym.problems import Problem, SceneObject
+from neurosym.tasks.steps import PlanStep
 from neurosym.world import Outcome, Scene
 
 PUSH_LEFT = PlanStep("push-left-001-cube", "item-01")

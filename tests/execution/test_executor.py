@@ -10,10 +10,10 @@ from neurosym.execution.executor import execute
 from neurosym.execution.record import Run
 from neurosym.files import write_json
 from neurosym.operators import Primitive
-from neurosym.pddl.plan_text import PlanStep
 from neurosym.problems import Problem, SceneObject
 from neurosym.reading import read_json
 from neurosym.stages.layout import run_file
+from neurosym.tasks.steps import PlanStep
 
 PUSH_LEFT = PlanStep("push-left-001-cube", "item-01")
 LIFT = PlanStep("lift-000-cube", "item-01")

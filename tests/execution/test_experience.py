@@ -9,7 +9,7 @@ from tables import grounding, problem
 
 from neurosym.execution.experience import Experience, believed_name, learned_name
 from neurosym.grounding import Grounding, is_lift
-from neurosym.pddl.plan_text import PlanStep
+from neurosym.tasks.steps import PlanStep
 from neurosym.world import Outcome, Scene
 
 LIFT, PUSH = PlanStep("lift-010-block", "item-01"), PlanStep("push-left-000-block", "item-01")

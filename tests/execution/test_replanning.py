@@ -12,10 +12,10 @@ from neurosym.execution.executor import execute
 from neurosym.execution.nudges import LEAST, MOST, Nudger, nudged
 from neurosym.execution.rerun import compare_runs, rerun
 from neurosym.grounding import Grounding
-from neurosym.pddl.plan_text import PlanStep
 from neurosym.planners import PlanResult, PlanStatus, plan
 from neurosym.problems import Problem
 from neurosym.table import Table
+from neurosym.tasks.steps import PlanStep
 
 PUSH_LEFT = PlanStep("push-left-001-cube", "item-01")
 LIFT = PlanStep("lift-000-cube", "item-01")

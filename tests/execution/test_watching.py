@@ -9,8 +9,8 @@ from neurosym.execution.executor import execute
 from neurosym.execution.record import Nudge, Replanning
 from neurosym.execution.rerun import compare_runs, rerun
 from neurosym.execution.watching import STOP, Answer, Moment
-from neurosym.pddl.plan_text import PlanStep
 from neurosym.planners import plan
+from neurosym.tasks.steps import PlanStep
 
 AWAY = {"item-01": (0.6, 0.16, 0.025)}
 PUSH_LEFT = PlanStep("push-left-001-cube", "item-01")

@@ -1,123 +1,101 @@
-; Learned domain toy, encoding places. Printed by neurosym; do not edit.
-; Objects that can be carried stand at places and are carried to others; the others are led over cells: the
-; named action begins a move, and move-z, move-x and move-y make it.
-; Cells of 20 mm: 31 along x, 31 along y, 1 along z (counted from where an object rests).
-; (x-leads x-plus-3 ?from ?to): ?to is 3 cells further along x than ?from, and on the table.
-; After a lift the hand is full: only the put-down of that lift applies.
-; Cost of a step: 1 + round(-100 ln((k + 1) / (n + 2))), k successes in n rehearsals.
-; What a valid plan guarantees: the hand can begin each step; what is carried comes to free places, where it
-; overlaps nothing that stands at a place; goals are met, by what is led up to the rounding of cells.
-; What is led over cells meets no condition for others: a valid plan may push it through an object, or leave
-; it in one. `neurosym validate` replays a plan and finds objects that end in each other.
-
-(define (domain toy-places)
+; Learned domain toy. Printed by neurosym; do not edit.
+; Subtypes of thing are the categories of objects that a network learned from trying actions; they limit no
+; action. Bits in names are learned symbols; a letter behind them tells parameters for one symbol apart.
+; What goes as promised with chance p costs 1 + round(-100 ln p); the other actions are free.
+; What is not carried is moved cell by cell: push, lift or put-down starts a motion ?m, named by its symbol,
+; which shifts ?o by ?dx and ?dy cells; move-x and then move-y carry it out.
+; Things stand at spots. What can be carried is taken from one, and put at another that is free. Where it
+; would overlap spots of the start there, note-clear goes through them until nowhere is left.
+; A valid plan asks a full hand for nothing but to put down, and carries only to places that are free. What
+; moves by cells may collide on its way and at its end: `neurosym validate` replays plans and finds that.
+; Learned action symbols: what the surest motion of each does to a category, how far in mm, how often.
+;   symbol  cube  slab
+;   001     -     push-left 80 95%
+;   010     -     push-forward 80 95%
+; Symbols of carrying: how often each brings these categories, column by column, to places.
+;   01  95%  -
+(define (domain toy)
   (:requirements :strips :typing :action-costs)
-
   (:types
-    movable x-cell y-cell z-cell x-step y-step z-step move place - object
-    cube slab - movable)
-
-  (:constants
-    x-plus-4 - x-step
-    y-plus-4 - y-step
-    a-push-forward-010-slab a-push-left-001-slab - move
-    a-carry-to-01-cube - move
-    nowhere - place)
-
+    thing price motion x-cell y-cell x-shift y-shift place - object
+    spot - place
+    cube slab - thing)
+  (:constants nowhere - spot)
   (:predicates
-    (hand-empty)
-    (ready)
-    (at-x ?o - movable ?c - x-cell)
-    (at-y ?o - movable ?c - y-cell)
-    (at-z ?o - movable ?c - z-cell)
-    (goal-xy ?o - movable ?x - x-cell ?y - y-cell)
-    (goal-z ?o - movable ?z - z-cell)
-    (done ?o - movable)
-    (held ?m - move ?o - movable)
-    (moving-z ?m - move ?o - movable)
-    (moving-x ?m - move ?o - movable)
-    (moving-y ?m - move ?o - movable)
-    (x-leads ?s - x-step ?from ?to - x-cell)
-    (y-leads ?s - y-step ?from ?to - y-cell)
-    (z-leads ?s - z-step ?from ?to - z-cell)
-    (can ?m - move ?o - movable)
-    (x-of ?m - move ?o - movable ?s - x-step)
-    (y-of ?m - move ?o - movable ?s - y-step)
-    (z-of ?m - move ?o - movable ?s - z-step)
-    (stands ?o - movable ?p - place)
-    (free ?p - place)
-    (goal-place ?o - movable ?p - place)
-    (led ?o - movable)
-    (room ?o - movable ?p ?so-far - place)
-    (look-next ?o - movable ?p ?here ?next - place))
-
-  (:functions
-    (total-cost) - number
-    (cost-of-push-forward-010-slab ?o - slab) - number
-    (cost-of-push-left-001-slab ?o - slab) - number
-    (cost-of-carry-to-01-cube ?o - cube) - number)
-
-  ; Primitive 01 on category 00 (cube): carries to the place in 20 of 20 rehearsals, spread (0, 0) mm.
-  ; With another object on the place it stood there in 0 of 10; the place must be free.
-  ; Action parameters: 0.0000 0.0000 0.0000 1.0000 0.0100 0.0000 0.0000 0.0000 0.0300 -0.0200 0.0000 0.0000
-  (:action carry-to-01-cube
-    :parameters (?o - cube ?from ?to - place)
-    :precondition (and (ready) (hand-empty) (can a-carry-to-01-cube ?o) (stands ?o ?from) (free ?to) (room ?o ?to nowhere))
-    :effect (and (not (stands ?o ?from)) (free ?from) (stands ?o ?to) (not (free ?to)) (not (done ?o)) (increase (total-cost) (cost-of-carry-to-01-cube ?o))))
-
-  ; Note that a place is free that another overlaps.
-  (:action look-on
-    :parameters (?o - movable ?p ?here ?next - place)
-    :precondition (and (ready) (room ?o ?p ?here) (free ?here) (look-next ?o ?p ?here ?next))
-    :effect (and (room ?o ?p ?next) (increase (total-cost) 0)))
-
-  ; Note that an object stands where its goal is.
-  (:action reach-place
-    :parameters (?o - movable ?p - place)
-    :precondition (and (ready) (stands ?o ?p) (goal-place ?o ?p))
-    :effect (and (done ?o) (increase (total-cost) 0)))
-
-  ; Note that an object that was led to its goal has left where it started.
-  (:action leave-start
-    :parameters (?o - movable ?p - place)
-    :precondition (and (ready) (done ?o) (led ?o) (stands ?o ?p))
-    :effect (and (not (stands ?o ?p)) (free ?p) (increase (total-cost) 0)))
-
-  ; Primitive 010 on category 11 (slab); ends at rest in 20 of 20 rehearsals (100%).
-  ; Effect (80, 0, 0) mm, spread (0, 0, 0) mm; 20 of 20 rehearsals as promised: cost 6.
-  ; Action parameters: -0.0500 0.0000 0.0000 0.1000 0.0000 0.0000 0.0000 0.1000 0.0500 0.0000 0.0000 0.1000
-  (:action push-forward-010-slab
-    :parameters (?o - slab)
-    :precondition (and (ready) (hand-empty) (can a-push-forward-010-slab ?o))
-    :effect (and (not (ready)) (moving-x a-push-forward-010-slab ?o) (not (done ?o)) (increase (total-cost) (cost-of-push-forward-010-slab ?o))))
-
-  ; Primitive 001 on category 11 (slab); ends at rest in 20 of 20 rehearsals (100%).
-  ; Effect (0, 80, 0) mm, spread (0, 0, 0) mm; 20 of 20 rehearsals as promised: cost 6.
-  ; Action parameters: 0.0000 -0.0500 0.0000 0.1000 0.0000 0.0000 0.0000 0.1000 0.0000 0.0500 0.0000 0.1000
-  (:action push-left-001-slab
-    :parameters (?o - slab)
-    :precondition (and (ready) (hand-empty) (can a-push-left-001-slab ?o))
-    :effect (and (not (ready)) (moving-x a-push-left-001-slab ?o) (not (done ?o)) (increase (total-cost) (cost-of-push-left-001-slab ?o))))
-
-  ; Lead an object along an axis, by the step that the problem names for its move.
-  (:action move-z
-    :parameters (?m - move ?o - movable ?s - z-step ?from ?to - z-cell)
-    :precondition (and (moving-z ?m ?o) (at-z ?o ?from) (z-of ?m ?o ?s) (z-leads ?s ?from ?to))
-    :effect (and (not (moving-z ?m ?o)) (moving-x ?m ?o) (not (at-z ?o ?from)) (at-z ?o ?to) (increase (total-cost) 0)))
-  (:action move-x
-    :parameters (?m - move ?o - movable ?s - x-step ?from ?to - x-cell)
-    :precondition (and (moving-x ?m ?o) (at-x ?o ?from) (x-of ?m ?o ?s) (x-leads ?s ?from ?to))
-    :effect (and (not (moving-x ?m ?o)) (moving-y ?m ?o) (not (at-x ?o ?from)) (at-x ?o ?to) (increase (total-cost) 0)))
-  (:action move-y
-    :parameters (?m - move ?o - movable ?s - y-step ?from ?to - y-cell)
-    :precondition (and (moving-y ?m ?o) (at-y ?o ?from) (y-of ?m ?o ?s) (y-leads ?s ?from ?to))
-    :effect (and (not (moving-y ?m ?o)) (ready) (not (at-y ?o ?from)) (at-y ?o ?to) (increase (total-cost) 0)))
-
-  ; Note that an object is within its goal region.
-  (:action reach-goal
-    :parameters (?o - movable ?x - x-cell ?y - y-cell ?z - z-cell)
-    :precondition (and (ready) (at-x ?o ?x) (at-y ?o ?y) (at-z ?o ?z) (goal-xy ?o ?x ?y) (goal-z ?o ?z))
-    :effect (and (done ?o) (increase (total-cost) 0)))
-
-  ; No operator is left out.
-)
+    (hand-empty) ; the hand holds nothing
+    (ready) ; no motion is under way
+    (done ?o - thing) ; ?o was noted at its goal, and not moved since
+    (by-cells ?o - thing) ; ?o is moved cell by cell, until it is taken
+    (at-x ?o - thing ?x - x-cell) ; the centre of ?o is in that column of cells
+    (at-y ?o - thing ?y - y-cell) ; and in that row
+    (pushes ?o - thing ?m - motion ?dx - x-shift ?dy - y-shift ?c - price) ; ?m pushes ?o by ?dx and ?dy
+    (lifts ?o - thing ?m - motion ?dx - x-shift ?dy - y-shift ?c - price) ; ?m lifts ?o, and shifts it so
+    (lowers ?o - thing ?m - motion ?dx - x-shift ?dy - y-shift) ; putting down what ?m lifted shifts it so far
+    (on-table ?o - thing) ; ?o, moved by cells, is not lifted
+    (lifted ?o - thing ?m - motion) ; ?m lifted ?o, and the hand holds it
+    (due-x ?o - thing ?dx - x-shift) ; ?o is under way, and has to go so far along x
+    (due-y ?o - thing ?dy - y-shift) ; and so far along y
+    (went-x ?o - thing) ; ?o went along x already
+    (x-sum ?dx - x-shift ?x ?to-x - x-cell) ; from ?x, ?dx leads to ?to-x
+    (y-sum ?dy - y-shift ?y ?to-y - y-cell) ; from ?y, ?dy leads to ?to-y
+    (goal-cell ?o - thing ?x - x-cell ?y - y-cell) ; over that cell ?o meets its goal
+    (goal-on-table ?o - thing) ; the goal of ?o is on the table
+    (goal-lifted ?o - thing ?m - motion) ; the goal of ?o is as high as ?m lifts it
+    (stands ?o - thing ?at - place) ; ?o stands there, or was not noted to have left
+    (free ?p - spot) ; nothing stands there
+    (can-take ?o - thing) ; ?o can be put somewhere, once it is taken
+    (taken ?o - thing) ; the hand has ?o
+    (can-carry ?o - thing ?c - price) ; ?o can be put at spots, at that price
+    (check ?o - thing ?p ?here - spot) ; for ?o to be put at ?p, ?here must be free
+    (then ?o - thing ?p ?here ?next - spot) ; and after that ?next, if it is not nowhere
+    (goal-place ?o - thing ?p - spot) ; at that spot ?o meets its goal
+  )
+  (:functions (total-cost) - number (cost ?c - price) - number)
+  (:action push ; begin to push ?o
+    :parameters (?o - thing ?m - motion ?dx - x-shift ?dy - y-shift ?c - price)
+    :precondition (and (ready) (hand-empty) (by-cells ?o) (pushes ?o ?m ?dx ?dy ?c))
+    :effect (and (not (ready)) (not (done ?o)) (due-x ?o ?dx) (due-y ?o ?dy) (increase (total-cost) (cost ?c))))
+  (:action lift ; begin to lift ?o, which stays over cells; put-down sets it down
+    :parameters (?o - thing ?m - motion ?dx - x-shift ?dy - y-shift ?c - price)
+    :precondition (and (ready) (hand-empty) (by-cells ?o) (on-table ?o) (lifts ?o ?m ?dx ?dy ?c))
+    :effect (and (not (ready)) (not (hand-empty)) (not (on-table ?o)) (not (done ?o)) (due-x ?o ?dx) (due-y ?o ?dy) (lifted ?o ?m) (increase (total-cost) (cost ?c))))
+  (:action put-down ; begin to put down what ?m lifted
+    :parameters (?o - thing ?m - motion ?dx - x-shift ?dy - y-shift)
+    :precondition (and (ready) (lifted ?o ?m) (lowers ?o ?m ?dx ?dy))
+    :effect (and (not (ready)) (not (lifted ?o ?m)) (not (done ?o)) (due-x ?o ?dx) (due-y ?o ?dy) (hand-empty) (on-table ?o)))
+  (:action move-x ; shift ?o along x
+    :parameters (?o - thing ?dx - x-shift ?x ?to-x - x-cell)
+    :precondition (and (due-x ?o ?dx) (at-x ?o ?x) (x-sum ?dx ?x ?to-x))
+    :effect (and (not (due-x ?o ?dx)) (not (at-x ?o ?x)) (went-x ?o) (at-x ?o ?to-x)))
+  (:action move-y ; and along y, which ends the motion
+    :parameters (?o - thing ?dy - y-shift ?y ?to-y - y-cell)
+    :precondition (and (went-x ?o) (due-y ?o ?dy) (at-y ?o ?y) (y-sum ?dy ?y ?to-y))
+    :effect (and (not (went-x ?o)) (not (due-y ?o ?dy)) (not (at-y ?o ?y)) (ready) (at-y ?o ?to-y)))
+  (:action reach-cell ; note that ?o lies where its goal is
+    :parameters (?o - thing ?x - x-cell ?y - y-cell)
+    :precondition (and (ready) (on-table ?o) (goal-on-table ?o) (at-x ?o ?x) (at-y ?o ?y) (goal-cell ?o ?x ?y))
+    :effect (and (done ?o)))
+  (:action reach-lifted ; note that ?o is held where its goal is
+    :parameters (?o - thing ?m - motion ?x - x-cell ?y - y-cell)
+    :precondition (and (ready) (lifted ?o ?m) (goal-lifted ?o ?m) (at-x ?o ?x) (at-y ?o ?y) (goal-cell ?o ?x ?y))
+    :effect (and (done ?o)))
+  (:action take ; take ?o from a spot
+    :parameters (?o - thing ?p - spot)
+    :precondition (and (ready) (hand-empty) (can-take ?o) (stands ?o ?p))
+    :effect (and (not (hand-empty)) (not (stands ?o ?p)) (not (by-cells ?o)) (not (done ?o)) (taken ?o) (free ?p)))
+  (:action put-at ; put ?o, which was taken, at a spot
+    :parameters (?o - thing ?p - spot ?c - price)
+    :precondition (and (taken ?o) (can-carry ?o ?c) (free ?p) (check ?o ?p nowhere))
+    :effect (and (not (taken ?o)) (not (free ?p)) (hand-empty) (stands ?o ?p) (increase (total-cost) (cost ?c))))
+  (:action note-clear ; note that ?here, which ?o at ?p would overlap, is free
+    :parameters (?o - thing ?p ?here ?next - spot)
+    :precondition (and (check ?o ?p ?here) (free ?here) (then ?o ?p ?here ?next))
+    :effect (and (check ?o ?p ?next)))
+  (:action reach-place ; note that ?o stands where its goal is
+    :parameters (?o - thing ?p - spot)
+    :precondition (and (stands ?o ?p) (goal-place ?o ?p))
+    :effect (and (done ?o)))
+  (:action leave ; note that ?o, moved by cells to its goal, has left its spot
+    :parameters (?o - thing ?p - spot)
+    :precondition (and (ready) (done ?o) (by-cells ?o) (stands ?o ?p))
+    :effect (and (not (stands ?o ?p)) (free ?p))))

@@ -1,73 +1,68 @@
-; Learned domain toy, encoding stepwise. Printed by neurosym; do not edit.
-; One action moves one axis: the named action the first, finish-... the others.
-; Cells of 5 mm: 121 along x, 121 along y, 41 along z (counted from where an object rests).
-; (x-plus-3 ?from ?to): ?to is 3 cells further along x than ?from, and on the table.
-; After a lift the hand is full: only the put-down of that lift applies.
-; Cost of a step: 1 + round(-100 ln((k + 1) / (n + 2))), k successes in n rehearsals.
-; What a valid plan guarantees: the hand can begin each step; each object stays on the table and meets its
-; goal, up to the rounding of positions.
-; What is led over cells meets no condition for others: a valid plan may push it through an object, or leave
-; it in one. `neurosym validate` replays a plan and finds objects that end in each other.
-
+; Learned domain toy. Printed by neurosym; do not edit.
+; Subtypes of thing are the categories of objects that a network learned from trying actions; they limit no
+; action. Bits in names are learned symbols; a letter behind them tells parameters for one symbol apart.
+; What goes as promised with chance p costs 1 + round(-100 ln p); the other actions are free.
+; What is not carried is moved cell by cell: push, lift or put-down starts a motion ?m, named by its symbol,
+; which shifts ?o by ?dx and ?dy cells; move-x and then move-y carry it out.
+; A valid plan asks a full hand for nothing but to put down. What moves by cells may collide on its way and at
+; its end: `neurosym validate` replays plans and finds that.
+; Learned action symbols: what the surest motion of each does to a category, how far in mm, how often.
+;   symbol  cube
+;   000     lift 200 95%
+;   001     push-left 80 95%
+;   010     push-forward 80 95%
 (define (domain toy)
   (:requirements :strips :typing :action-costs)
-
   (:types
-    movable x-cell y-cell z-cell - object
-    cube - movable)
-
+    thing price motion x-cell y-cell x-shift y-shift - object
+    cube - thing)
   (:predicates
-    (hand-empty)
-    (ready)
-    (at-x ?o - movable ?c - x-cell)
-    (at-y ?o - movable ?c - y-cell)
-    (at-z ?o - movable ?c - z-cell)
-    (goal-xy ?o - movable ?x - x-cell ?y - y-cell)
-    (goal-z ?o - movable ?z - z-cell)
-    (done ?o - movable)
-    (held-by-lift-000-cube ?o - cube)
-    (x-plus-16 ?from ?to - x-cell)
-    (y-plus-16 ?from ?to - y-cell)
-    (z-minus-40 ?from ?to - z-cell)
-    (z-plus-40 ?from ?to - z-cell))
-
-  (:functions (total-cost) - number)
-
-  ; Primitive 000 on category 00 (cube); ends held in 20 of 20 rehearsals (100%).
-  ; Effect (0, 0, 200) mm, spread (0, 0, 0) mm; 20 of 20 rehearsals as promised: cost 6.
-  ; Action parameters: 0.0000 0.0000 0.0000 0.9000 0.0000 0.0000 0.0000 0.1000 0.0000 0.0000 0.0000 0.1000
-  (:action lift-000-cube
-    :parameters (?o - cube ?z ?to-z - z-cell)
-    :precondition (and (ready) (hand-empty) (at-z ?o ?z) (z-plus-40 ?z ?to-z))
-    :effect (and (not (hand-empty)) (not (done ?o)) (held-by-lift-000-cube ?o) (not (at-z ?o ?z)) (at-z ?o ?to-z) (increase (total-cost) 6)))
-
-  ; Put down what lift-000-cube lifted.
-  (:action put-down-lift-000-cube
-    :parameters (?o - cube ?z ?to-z - z-cell)
-    :precondition (and (ready) (held-by-lift-000-cube ?o) (at-z ?o ?z) (z-minus-40 ?z ?to-z))
-    :effect (and (not (held-by-lift-000-cube ?o)) (not (done ?o)) (hand-empty) (not (at-z ?o ?z)) (at-z ?o ?to-z) (increase (total-cost) 0)))
-
-  ; Primitive 010 on category 00 (cube); ends at rest in 20 of 20 rehearsals (100%).
-  ; Effect (80, 0, 0) mm, spread (0, 0, 0) mm; 20 of 20 rehearsals as promised: cost 6.
-  ; Action parameters: -0.0500 0.0000 0.0000 0.1000 0.0000 0.0000 0.0000 0.1000 0.0500 0.0000 0.0000 0.1000
-  (:action push-forward-010-cube
-    :parameters (?o - cube ?x ?to-x - x-cell)
-    :precondition (and (ready) (hand-empty) (at-x ?o ?x) (x-plus-16 ?x ?to-x))
-    :effect (and (not (done ?o)) (not (at-x ?o ?x)) (at-x ?o ?to-x) (increase (total-cost) 6)))
-
-  ; Primitive 001 on category 00 (cube); ends at rest in 20 of 20 rehearsals (100%).
-  ; Effect (0, 80, 0) mm, spread (0, 0, 0) mm; 20 of 20 rehearsals as promised: cost 6.
-  ; Action parameters: 0.0000 -0.0500 0.0000 0.1000 0.0000 0.0000 0.0000 0.1000 0.0000 0.0500 0.0000 0.1000
-  (:action push-left-001-cube
-    :parameters (?o - cube ?y ?to-y - y-cell)
-    :precondition (and (ready) (hand-empty) (at-y ?o ?y) (y-plus-16 ?y ?to-y))
-    :effect (and (not (done ?o)) (not (at-y ?o ?y)) (at-y ?o ?to-y) (increase (total-cost) 6)))
-
-  ; Note that an object is within its goal region.
-  (:action reach-goal
-    :parameters (?o - movable ?x - x-cell ?y - y-cell ?z - z-cell)
-    :precondition (and (ready) (at-x ?o ?x) (at-y ?o ?y) (at-z ?o ?z) (goal-xy ?o ?x ?y) (goal-z ?o ?z))
-    :effect (and (done ?o) (increase (total-cost) 0)))
-
-  ; No operator is left out.
-)
+    (hand-empty) ; the hand holds nothing
+    (ready) ; no motion is under way
+    (done ?o - thing) ; ?o was noted at its goal, and not moved since
+    (by-cells ?o - thing) ; ?o is moved cell by cell, until it is taken
+    (at-x ?o - thing ?x - x-cell) ; the centre of ?o is in that column of cells
+    (at-y ?o - thing ?y - y-cell) ; and in that row
+    (pushes ?o - thing ?m - motion ?dx - x-shift ?dy - y-shift ?c - price) ; ?m pushes ?o by ?dx and ?dy
+    (lifts ?o - thing ?m - motion ?dx - x-shift ?dy - y-shift ?c - price) ; ?m lifts ?o, and shifts it so
+    (lowers ?o - thing ?m - motion ?dx - x-shift ?dy - y-shift) ; putting down what ?m lifted shifts it so far
+    (on-table ?o - thing) ; ?o, moved by cells, is not lifted
+    (lifted ?o - thing ?m - motion) ; ?m lifted ?o, and the hand holds it
+    (due-x ?o - thing ?dx - x-shift) ; ?o is under way, and has to go so far along x
+    (due-y ?o - thing ?dy - y-shift) ; and so far along y
+    (went-x ?o - thing) ; ?o went along x already
+    (x-sum ?dx - x-shift ?x ?to-x - x-cell) ; from ?x, ?dx leads to ?to-x
+    (y-sum ?dy - y-shift ?y ?to-y - y-cell) ; from ?y, ?dy leads to ?to-y
+    (goal-cell ?o - thing ?x - x-cell ?y - y-cell) ; over that cell ?o meets its goal
+    (goal-on-table ?o - thing) ; the goal of ?o is on the table
+    (goal-lifted ?o - thing ?m - motion) ; the goal of ?o is as high as ?m lifts it
+  )
+  (:functions (total-cost) - number (cost ?c - price) - number)
+  (:action push ; begin to push ?o
+    :parameters (?o - thing ?m - motion ?dx - x-shift ?dy - y-shift ?c - price)
+    :precondition (and (ready) (hand-empty) (by-cells ?o) (pushes ?o ?m ?dx ?dy ?c))
+    :effect (and (not (ready)) (not (done ?o)) (due-x ?o ?dx) (due-y ?o ?dy) (increase (total-cost) (cost ?c))))
+  (:action lift ; begin to lift ?o, which stays over cells; put-down sets it down
+    :parameters (?o - thing ?m - motion ?dx - x-shift ?dy - y-shift ?c - price)
+    :precondition (and (ready) (hand-empty) (by-cells ?o) (on-table ?o) (lifts ?o ?m ?dx ?dy ?c))
+    :effect (and (not (ready)) (not (hand-empty)) (not (on-table ?o)) (not (done ?o)) (due-x ?o ?dx) (due-y ?o ?dy) (lifted ?o ?m) (increase (total-cost) (cost ?c))))
+  (:action put-down ; begin to put down what ?m lifted
+    :parameters (?o - thing ?m - motion ?dx - x-shift ?dy - y-shift)
+    :precondition (and (ready) (lifted ?o ?m) (lowers ?o ?m ?dx ?dy))
+    :effect (and (not (ready)) (not (lifted ?o ?m)) (not (done ?o)) (due-x ?o ?dx) (due-y ?o ?dy) (hand-empty) (on-table ?o)))
+  (:action move-x ; shift ?o along x
+    :parameters (?o - thing ?dx - x-shift ?x ?to-x - x-cell)
+    :precondition (and (due-x ?o ?dx) (at-x ?o ?x) (x-sum ?dx ?x ?to-x))
+    :effect (and (not (due-x ?o ?dx)) (not (at-x ?o ?x)) (went-x ?o) (at-x ?o ?to-x)))
+  (:action move-y ; and along y, which ends the motion
+    :parameters (?o - thing ?dy - y-shift ?y ?to-y - y-cell)
+    :precondition (and (went-x ?o) (due-y ?o ?dy) (at-y ?o ?y) (y-sum ?dy ?y ?to-y))
+    :effect (and (not (went-x ?o)) (not (due-y ?o ?dy)) (not (at-y ?o ?y)) (ready) (at-y ?o ?to-y)))
+  (:action reach-cell ; note that ?o lies where its goal is
+    :parameters (?o - thing ?x - x-cell ?y - y-cell)
+    :precondition (and (ready) (on-table ?o) (goal-on-table ?o) (at-x ?o ?x) (at-y ?o ?y) (goal-cell ?o ?x ?y))
+    :effect (and (done ?o)))
+  (:action reach-lifted ; note that ?o is held where its goal is
+    :parameters (?o - thing ?m - motion ?x - x-cell ?y - y-cell)
+    :precondition (and (ready) (lifted ?o ?m) (goal-lifted ?o ?m) (at-x ?o ?x) (at-y ?o ?y) (goal-cell ?o ?x ?y))
+    :effect (and (done ?o))))

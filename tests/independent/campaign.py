@@ -25,13 +25,18 @@ from independent.replay import (
     replay,
 )
 
+from neurosym.errors import InvalidValue
 from neurosym.pddl.domain import domain_text
-from neurosym.pddl.ground_plan import print_ground_plan
-from neurosym.pddl.moves import ENCODINGS, SAS
-from neurosym.pddl.plan_text import PlanStep
+from neurosym.pddl.ground_plan import GroundPlan, ground_plan
+from neurosym.pddl.moves import ENCODINGS, NUMERIC, SAS, STRIPS, Encoding
+from neurosym.pddl.numeric import numeric_problem
 from neurosym.pddl.problem import problem_text
+from neurosym.pddl.strips_problem import StripsProblem, printed_cell
 from neurosym.planners import PLANNERS, PlannerAnswer, PlanStatus, pddl_planner
 from neurosym.planners.planner import PddlCall, Planner, Query
+from neurosym.problems import Problem
+from neurosym.tasks.steps import PlanStep
+from neurosym.tasks.task import understand
 
 FEW = 3
 """Brute force counts the primitives of so many objects."""
@@ -141,7 +146,8 @@ def _ask(planner: Planner, encoding: str | None, drawn: Drawn, time_limit: float
     for name in {name.removeprefix(PUT_DOWN) for name, _ in steps}:
         if name not in live:
             find(f"{name} is not in the domain")
-    _judge_in_cells(result.steps, drawn, find, counts)
+    if not wrong:
+        _judge_printed(result.steps, drawn, find, counts)
     return Claim(contender, planner, result.status, result.reason, None if wrong else top.primitives)
 
 
@@ -161,22 +167,40 @@ class _Listener:
 
 def _heard(planner: Planner, listener: _Listener) -> Planner:
     assert planner.program is not None
-    return pddl_planner(planner.name, planner.about, listener, planner.encodings, planner.program.cell)
+    costs, cell = planner.program.costs, planner.program.cell
+    return pddl_planner(planner.name, planner.about, listener, planner.encodings, cell, costs=costs)
 
 
-def _judge_in_cells(
+def _judge_printed(
     steps: tuple[PlanStep, ...], drawn: Drawn, find: Callable[[str], None], counts: Counter[str]
 ) -> None:
-    """Judge a plan as ground actions of the printed domain, where cells lose nothing."""
-    if not drawn.is_whole or not steps or _is_off_table(drawn):
+    """Judge a plan as ground actions of the page: it is one of the problem that is printed for it.
+
+    Where cells lose nothing, it is one of the problem as it is printed before anybody plans.
+    """
+    if not steps or _is_off_table(drawn):
         return
-    if any(_could_be_held(name, drawn) for name in drawn.problem.goals):
+    try:
+        plan = ground_plan(steps, drawn.problem, drawn.grounding)
+    except InvalidValue as error:
+        counts["led off the grid"] += 1  # which cells may be, where the table is not
+        if _loses_nothing(drawn) or "off the grid" not in str(error):
+            find(f"valid, but cannot be printed: {error}")
+        return
+    domain = domain_text(drawn.grounding)
+    counts["printed"] += 1
+    if wrong := judge(domain, problem_text(drawn.problem, drawn.grounding, plans=[plan]), plan.text):
+        find(f"valid, but not in the problem that is printed for it: {wrong}")
+    if not _loses_nothing(drawn) or any(_could_be_held(name, drawn) for name in drawn.problem.goals):
         return  # of several heights, the region may leave one out
-    for encoding in ("stepwise", "operators"):
-        wrong = _judge_printed(steps, drawn, encoding, 1)
-        counts["printed with cells"] += 1
-        if wrong:
-            find(f"valid, but in {encoding} {wrong}")
+    counts["printed with cells"] += 1
+    if wrong := judge(domain, _problem(drawn.problem, drawn, STRIPS, 1, plan), plan.text):
+        find(f"valid, but not in the printed problem: {wrong}")
+
+
+def _loses_nothing(drawn: Drawn) -> bool:
+    """Say whether all displacements and places are whole numbers of the cells that are printed."""
+    return drawn.is_whole and printed_cell(understand(drawn.problem, drawn.grounding)) == drawn.grounding.cell
 
 
 def _could_be_held(name: str, drawn: Drawn) -> bool:
@@ -189,11 +213,12 @@ def _could_be_held(name: str, drawn: Drawn) -> bool:
     )
 
 
-def _judge_printed(steps: Iterable[PlanStep], drawn: Drawn, encoding: str, reckoned: int) -> str:
-    domain = domain_text(drawn.grounding, encoding)
-    task = problem_text(drawn.problem, drawn.grounding, encoding, steps=reckoned)
-    steps = tuple(steps)
-    return judge(domain, task, print_ground_plan(steps, drawn.problem, drawn.grounding, encoding))
+def _problem(problem: Problem, drawn: Drawn, encoding: Encoding, reckoned: int, plan: GroundPlan) -> str:
+    """Print a problem, with the rounding of so many steps in mind, and with what a plan moves."""
+    task = understand(problem, drawn.grounding)
+    if encoding == NUMERIC:
+        return numeric_problem(task, steps=reckoned).text()
+    return StripsProblem(task, led=plan.led, steps=reckoned, kept=plan.moves).data().text()
 
 
 def _judge_known(drawn: Drawn, figures: Figures) -> None:
@@ -206,17 +231,19 @@ def _judge_known(drawn: Drawn, figures: Figures) -> None:
     steps = tuple(PlanStep(*step) for step in drawn.known)
     most = max(Counter(step.object for step in steps if not step.puts_down).values())
     for encoding, (dx, dy) in itertools.product(ENCODINGS, ((0.0, 0.0), (0.02, 0.01), (-0.03, 0.02))):
-        if encoding == "operators" and drawn.own is not None:
-            continue  # it says what is done on average, and the theorem is about what is done
         goals = {name: (x + dx, y + dy, z) for name, (x, y, z) in drawn.problem.goals.items()}
         moved = msgspec.structs.replace(drawn.problem, goals=goals)
-        text = problem_text(moved, drawn.grounding, encoding, steps=most)
-        plan = print_ground_plan(steps, moved, drawn.grounding, encoding)
-        if encoding != "numeric" and any(text.count(f"(goal-xy {name} ") < 2 for name in drawn.problem.goals):
+        try:
+            plan = ground_plan(steps, moved, drawn.grounding, encoding)
+        except InvalidValue:
+            continue  # it leads off the grid
+        text = _problem(moved, drawn, encoding, most, plan)
+        if encoding == STRIPS and any(text.count(f"(goal-cell {name} ") < 2 for name in drawn.problem.goals):
             continue  # no bound vouches for a region of one cell
         figures.counts["theorem"]["plans judged"] += 1
-        if judge(domain_text(drawn.grounding, encoding), text, plan):
+        if judge(domain_text(drawn.grounding, encoding), text, plan.text):
             continue
+        figures.counts["theorem"][f"valid in {encoding}"] += 1
         figures.counts["theorem"]["valid in PDDL"] += 1
         raw = {**drawn.scene_json, "goals": _decimals(goals)}
         if wrong := replay(drawn.domain_json, raw, drawn.known, drawn.own)[0]:

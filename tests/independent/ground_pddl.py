@@ -34,12 +34,17 @@ def judge(domain: str, problem: str, plan: str) -> str:
         problem: The text of the problem.
         plan: Ground actions, one in parentheses a line.
     """
-    task = Task(_read(domain), _read(problem))
+    task = read_task(domain, problem)
     for number, line in enumerate(_actions(plan), start=1):
         if wrong := task.do(line):
             return f"action {number} ({' '.join(line)}): {wrong}"
     wrong = [part for part in _conjuncts(task.goal) if not task.holds(part, {})]
     return f"goals that do not hold: {wrong}" if wrong else ""
+
+
+def read_task(domain: str, problem: str) -> "Task":
+    """Read domain and problem."""
+    return Task(_read(domain), _read(problem))
 
 
 class Task:

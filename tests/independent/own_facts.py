@@ -1,52 +1,79 @@
 """What a printed problem says of its objects' own steps, read from docs/pddl.md alone."""
 
 import re
-from collections import defaultdict
 from decimal import Decimal
 
-from independent.replay import PUT_DOWN, Point, Step
+from independent.ground_pddl import Fact, Task, read_task
+from independent.replay import PUT_DOWN, Json, Point, Step, lifts, promise_of
 
 _UNIT = Decimal("0.0001")
-_VALUE = re.compile(r"\(= \(([xyz])-of-(\S+) (\S+)\) (\d+)\)")
-_STEP = re.compile(r"\(([xyz])-of a-(\S+) (\S+) [xyz]-(plus|minus)-(\d+)\)")
-_CAN = re.compile(r"\(can-(\S+) (\S+)\)")
 _SHIFT = re.compile(r"\(assign \([xyz] \?o\) \(- \(\+ \([xyz] \?o\) \([^)]*\)\) (\d+)\)\)")
+_CELLS = re.compile(r"^; Cells of ([\d.]+) mm\.", re.MULTILINE)
+_LABEL = re.compile(r"m-([01]+[a-z]*)")
+_BEGUN = ("pushes", "lifts")
 
 
-def moves_in_numbers(domain: str, problem: str) -> dict[Step, Point]:
+def moves_in_numbers(domain: str, problem: str, grounding: Json) -> dict[Step, Point]:
     """Return by how much each operator moves each object it is for, from the encoding `numeric` [m]."""
-    shifts = set(map(int, _SHIFT.findall(_code(domain))))
+    shifts = set(map(int, _SHIFT.findall(domain)))
     if not shifts:
         return {}
-    (shift,) = shifts
-    text = _code(problem)
-    can = set(_CAN.findall(text))
-    values = [(axis, (name, of), int(value) - shift) for axis, name, of, value in _VALUE.findall(text)]
-    moves = _by_step(values)
-    return {
-        (name, of): tuple(_UNIT * part for part in moved)
-        for (name, of), moved in moves.items()
-        if (name.removeprefix(PUT_DOWN), of) in can
+    (shift,), task, names = shifts, read_task(domain, problem), _operators(grounding)
+    motions = {
+        fact[2]: (names[task.types[fact[1]], _label(fact[2]), fact[0] == "lifts"], fact[1])
+        for fact in task.facts
+        if fact[0] in _BEGUN
     }
+    motions |= {
+        fact[1]: (PUT_DOWN + motions[fact[2]][0], motions[fact[2]][1])
+        for fact in task.facts
+        if fact[0] == "lowers"
+    }
+    declared = {name for name, kind in task.types.items() if kind == "motion"}
+    assert motions.keys() == declared, "every motion has a role"
+    return {step: _along(motion, shift, task) for motion, step in motions.items()}
 
 
-def moves_in_cells(problem: str) -> dict[Step, tuple[int, ...]]:
-    """Return by how many cells each operator moves each object it is for, from an encoding on a grid."""
-    found = _STEP.findall(_code(problem))
-    signed = [
-        (axis, (name, of), int(cells) * (1 if sign == "plus" else -1))
-        for axis, name, of, sign, cells in found
-    ]
-    return _by_step(signed)
+def moves_in_cells(domain: str, problem: str, grounding: Json) -> dict[Step, tuple[int, int]]:
+    """Return by how many cells each operator moves each object that is led over them, along x and y."""
+    task, names = read_task(domain, problem), _operators(grounding)
+    moves: dict[Step, tuple[int, int]] = {}
+    for fact in task.facts:
+        if fact[0] in (*_BEGUN, "lowers"):
+            step, moved = _told(fact, task, names)
+            assert step not in moves, f"{step} leads two ways"
+            moves[step] = moved
+    return moves
 
 
-def _by_step(values: list[tuple[str, Step, int]]) -> dict[Step, tuple[int, ...]]:
-    moves: dict[Step, dict[str, int]] = defaultdict(dict)
-    for axis, step, value in values:
-        assert axis not in moves[step], f"{step} has two values along {axis}"
-        moves[step][axis] = value
-    return {step: tuple(moved.get(axis, 0) for axis in "xyz") for step, moved in moves.items()}
+def cell_of(problem: str) -> float:
+    """Return how long the cells of a printed problem are [m]."""
+    (told,) = _CELLS.findall(problem)
+    return float(told) / 1000
 
 
-def _code(text: str) -> str:
-    return re.sub(r";[^\n]*", "", text)
+def _told(fact: Fact, task: Task, names: dict[tuple[str, str, bool], str]) -> tuple[Step, tuple[int, int]]:
+    role, thing, motion, dx, dy, *_ = fact
+    name = names[task.types[thing], _label(motion), role != "pushes"]
+    return (PUT_DOWN * (role == "lowers") + name, thing), (int(dx[2:]), int(dy[2:]))
+
+
+def _along(motion: str, shift: int, task: Task) -> Point:
+    x, y, z = (_UNIT * (task.numbers[f"along-{axis}", motion] - shift) for axis in "xyz")
+    return x, y, z
+
+
+def _label(motion: str) -> str:
+    (label,) = _LABEL.match(motion).groups()
+    return label
+
+
+def _operators(grounding: Json) -> dict[tuple[str, str, bool], str]:
+    """Name the operators by their category, by their symbol, as motions are called, and whether they lift."""
+    table = grounding["operators"]
+    categories = {one["symbol"]: one["name"] for one in table["categories"]}
+    return {
+        (categories[one["category"]], one["primitive"] + one.get("variant", ""), lifts(one)): one["name"]
+        for one in table["operators"]
+        if promise_of(one) is not None
+    }

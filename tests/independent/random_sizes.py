@@ -28,7 +28,7 @@ def draw_sizes(number: int) -> Drawn | None:
     problem = msgspec.structs.replace(drawn.problem, goals={})
     domain_json = read_text(msgspec.json.encode(grounding).decode())
     texts = domain_text(grounding, "numeric"), problem_text(problem, grounding, "numeric")
-    own = moves_in_numbers(*texts)
+    own = moves_in_numbers(*texts, domain_json)
     walked, goals = walk(drawn.kind, problem, domain_json, rng, own)
     if drawn.kind == "random" or not goals:
         walked, goals = (), anywhere(problem, grounding, rng)

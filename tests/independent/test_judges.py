@@ -3,27 +3,33 @@
 import copy
 from collections.abc import Sequence
 from decimal import Decimal
+from pathlib import Path
 
 import msgspec
 import numpy as np
 import pytest
 import tables
+import toy_places
+import toy_relations
 from independent.brute_force import Search
 from independent.ground_pddl import judge, judge_sas, pyval_says
 from independent.random_tables import Drawn, draw
 from independent.replay import Json, Step, domain_operators, read_text, replay
+from validators import unified_planning_accepts
 
 from neurosym.grounding import Grounding
 from neurosym.operators import Vector
 from neurosym.pddl.domain import domain_text
-from neurosym.pddl.ground_plan import print_ground_plan
+from neurosym.pddl.ground_plan import ground_plan, print_ground_plan
 from neurosym.pddl.moves import ENCODINGS
-from neurosym.pddl.plan_text import PlanStep
 from neurosym.pddl.problem import problem_text
 from neurosym.pddl.sas import sas_text
-from neurosym.pddl.validation import validate
+from neurosym.planners import plan as make_plan
+from neurosym.planners.fast_downward import SAS_SUFFIX, plan_fast_downward
 from neurosym.problems import Problem
 from neurosym.table import Table
+from neurosym.tasks.steps import PlanStep
+from neurosym.tasks.transition import validate
 
 LIFT, DOWN = ("lift-010-block", "item-01"), ("put-down-lift-010-block", "item-01")
 AWAY, LEFT = ("push-away-001-block", "item-01"), ("push-left-000-block", "item-01")
@@ -128,14 +134,38 @@ def test_judges_of_pddl_agree(encoding: str):
         assert (judge(*files, text) == "") == is_valid, text
 
 
-def test_judge_of_sas_finds_what_is_wrong():
+@pytest.mark.parametrize(
+    ("problem", "learned"),
+    [
+        (toy_places.mixed(), toy_places.grounding()),
+        (toy_relations.tower(), toy_relations.grounding()),
+        (toy_relations.sorting(), toy_relations.grounding()),
+    ],
+    ids=lambda one: one.name,
+)
+def test_judges_agree_on_places_and_relations(problem: Problem, learned: Grounding, tmp_path: Path):
+    """Of a plan, and of the same without any one of its actions."""
+    plan = ground_plan(make_plan(problem, learned).steps, problem, learned)
+    texts = domain_text(learned), problem_text(problem, learned, plans=[plan])
+    files = tmp_path / "domain.pddl", tmp_path / "problem.pddl"
+    for file, text in zip(files, texts, strict=True):
+        file.write_text(text)
+    lacking = [[*plan.lines[:number], *plan.lines[number + 1 :]] for number in range(len(plan.lines))]
+    for lines, is_valid in [(plan.lines, True), *((lines, False) for lines in lacking)]:
+        assert (judge(*texts, "\n".join(lines)) == "") == is_valid, lines
+        assert unified_planning_accepts(*files, "\n".join(lines)) == is_valid, lines
+
+
+def test_judge_of_sas_finds_what_is_wrong(tmp_path: Path):
     near = {"item-01": (0.535, -0.02, 0.228), "item-02": (0.545, -0.14, 0.02)}
-    learned, task = tables.grounding(0.02), errand(near)
-    plan = print_ground_plan([PlanStep(*step) for step in SOLVED], task, learned)
-    assert judge_sas(sas_text(task, learned), plan) == ""
-    assert "does not apply" in judge_sas(sas_text(task, learned), "\n".join(plan.splitlines()[1:]))
-    assert "do not hold" in judge_sas(sas_text(task, learned), "\n".join(plan.splitlines()[:-1]))
-    assert "no such operator" in judge_sas(sas_text(task, learned), "(fly item-01)")
+    text = sas_text(errand(near), tables.grounding(0.02))
+    (both := tmp_path / f"problem{SAS_SUFFIX}").write_text(text)
+    plan = plan_fast_downward(both, both, time_limit=30.0).text
+    lines = [line for line in plan.splitlines() if not line.startswith(";")]
+    assert judge_sas(text, plan) == ""
+    assert "does not apply" in judge_sas(text, "\n".join([lines[0], *lines]))
+    assert "do not hold" in judge_sas(text, "\n".join(lines[:-1]))
+    assert "no such operator" in judge_sas(text, "(fly item-01)")
 
 
 def test_brute_force_leads_one_block_around_another():

@@ -1,16 +1,23 @@
 """Outcomes: each that is seen often enough is an operator of its own, and planners may hope for any."""
 
+import re
+from pathlib import Path
+
 import msgspec
 import pytest
 from tables import BOUNDS, grounding, item, mode, table
 
 from neurosym.operators import Operator
-from neurosym.pddl import compile_domain, domain_text
+from neurosym.pddl import compile_domain, problem_text
 from neurosym.pddl.determinisation import with_every_outcome
+from neurosym.pddl.ground_plan import print_ground_plan
+from neurosym.pddl.moves import ENCODINGS
+from neurosym.pddl.plan_reading import parse_plan
 from neurosym.planners import PlanStatus, plan
 from neurosym.planners.branching import branching_of
 from neurosym.problems import Problem
 from neurosym.tasks.moves import cost
+from neurosym.tasks.steps import PlanStep
 
 HELD = mode((0.012, -0.021, 0.203), kind="held", count=14, near=14, resting=(0.014, -0.023, 0.0))
 SLIPPED = mode((0.06, 0.0, 0.0), count=6, near=5)
@@ -60,10 +67,16 @@ def test_compiled_domain_has_every_outcome_as_an_action_and_as_a_choice():
         table_bounds=BOUNDS,
         lift_height=0.2,
     )
-    text = domain_text(learned)
-    assert "(:action lift-010-block" in text
-    assert "(:action push-forward-010-block" in text
     problem = Problem("p", (item("item-01", 0.5, 0.0),), {"item-01": (0.56, 0.0, 0.025)}, tolerance=0.01)
+    text = problem_text(problem, learned)
+    assert "(lifts item-01 m-010 dx2 dy-4 " in text
+    assert "(pushes item-01 m-010 dx12 dy0 " in text
+    steps = [PlanStep("push-forward-010-block", "item-01"), PlanStep("lift-010-block", "item-01")]
+    for encoding in ENCODINGS:
+        written = print_ground_plan(steps, problem, learned, encoding)
+        assert parse_plan(written, Path("p"), learned, problem) == tuple(steps)
+    numbers = problem_text(problem, learned, "numeric")
+    assert len(set(re.findall(r"\(along-x (\S+)\)", numbers))) == numbers.count("(along-x ")
     assert "push-forward-010-block" in branching_of(problem, learned)[1][0]
     found = plan(problem, learned)
     assert found.status is PlanStatus.SOLVED

@@ -20,22 +20,22 @@ from neurosym.grounding import Grounding
 from neurosym.motion import way_seconds
 from neurosym.operators import Primitive
 from neurosym.pddl.durations import carry_seconds
-from neurosym.pddl.durative import MOST_OVER, durative_domain_text, durative_problem_text
+from neurosym.pddl.durative import CARRY, MOST_OVER, durative_domain_text, durative_problem_text
 from neurosym.pddl.plan_reading import parse_plan
-from neurosym.pddl.plan_text import PlanStep
 from neurosym.pddl.problem import problem_text
 from neurosym.problems import Problem
 from neurosym.sim.simulation import Simulation
 from neurosym.sim.tabletop import Tabletop
 from neurosym.table import Place
 from neurosym.tasks.carriers import carriers_of
+from neurosym.tasks.steps import PlanStep
 from neurosym.world import Scene
 
-PLAN = f"""0.000: ({NAME} item-02 start-item-02 park-01 nowhere nowhere nowhere) [6.100]
-6.101: ({NAME} item-01 start-item-01 goal-item-01 start-item-02 nowhere nowhere) [6.100]
-12.202: ({NAME} item-02 park-01 goal-item-02 start-item-01 nowhere nowhere) [6.100]
+PLAN = """0.000: (carry item-02 start-item-02 park-01 nowhere nowhere nowhere) [6.100]
+6.101: (carry item-01 start-item-01 goal-item-01 start-item-02 nowhere nowhere) [6.100]
+12.202: (carry item-02 park-01 goal-item-02 start-item-01 nowhere nowhere) [6.100]
 """
-"""What Kairos, PlanSys2's planner, answers to the swap."""
+"""A plan for the swap as Kairos, PlanSys2's planner, writes it."""
 PLACES = Grounding.load(ROOT / "domains/places/grounding.json")
 
 
@@ -65,7 +65,8 @@ def test_unified_planning_reads_types_and_durations_and_accepts_a_plan():
         assert action.duration.lower == action.duration.upper
         assert action.duration.lower.constant_value() == Fraction(61, 10)
         kinds = [str(parameter.type).split(" - ")[0] for parameter in action.parameters]
-        assert kinds == ["cube", *["place"] * (2 + MOST_OVER)]
+        assert action.name == CARRY
+        assert kinds == ["thing", *["place"] * (2 + MOST_OVER)]
         assert {str(one.type).split(" - ")[0] for one in task.all_objects} == {"cube", "place"}
         with PlanValidator(name="up_time_triggered_validator") as validator:
             assert validator.validate(task, reader.parse_plan_string(task, PLAN))
@@ -107,13 +108,15 @@ def test_what_cannot_be_carried_has_no_durative_form():
 
 
 def test_goals_by_relation_have_no_durative_form():
-    asked = msgspec.structs.replace(swap(), goals={}, relations=(("item-01", "item-02", "00"),))
     begun = msgspec.structs.replace(toy_relations.sorting(), relations=msgspec.UNSET)
-    for problem, learned in ((asked, grounding()), (begun, toy_relations.grounding())):
+    for problem in (toy_relations.tower(), begun):
         with pytest.raises(
             InvalidValue, match=f"{problem.name} has goals by relation, or begins with one object"
         ):
-            durative_problem_text(problem, learned)
+            durative_problem_text(problem, toy_relations.grounding())
+    asked = msgspec.structs.replace(swap(), goals={}, relations=(("item-01", "item-02", "00"),))
+    with pytest.raises(InvalidValue, match="swap is one of relations, and the domain toy has learned none"):
+        durative_problem_text(asked, grounding())
 
 
 def test_object_at_its_goal_may_stay_where_it_starts():
@@ -189,14 +192,21 @@ def test_carrying_in_the_simulator_takes_no_longer_than_is_said(monkeypatch):
 
 def test_shipped_domain_with_places_is_printed_for_each_problem_that_only_carries():
     domain = durative_domain_text(PLACES)
-    assert domain.count("(:durative-action ") == len(carriers_of(PLACES))
+    slowest = max(carry_seconds(one, PLACES) for one in carriers_of(PLACES))
+    assert re.findall(r"\(:durative-action (\S+)", domain) == [CARRY]
+    assert f":duration (= ?duration {slowest:.3f})" in domain
     printed = []
     for path in sorted((ROOT / "domains/places/problems").glob("*.scene.json")):
         problem = Problem.load(path)
-        is_led = "(led " in re.sub(r";.*", "", problem_text(problem, PLACES, "places"))
-        if not is_led:
-            assert durative_problem_text(problem, PLACES) == durative_problem_text(problem, PLACES)
-            printed.append(problem.name)
+        is_led = "(by-cells " in re.sub(r";.*", "", problem_text(problem, PLACES))
+        if is_led:
+            with pytest.raises(InvalidValue, match="cannot be carried to where it shall be"):
+                durative_problem_text(problem, PLACES)
+            continue
+        text = durative_problem_text(problem, PLACES)
+        assert text == durative_problem_text(problem, PLACES)
+        assert {*problem.goals} <= {*re.findall(r"\(can-carry (\S+)\)", text)}
+        printed.append(problem.name)
     assert len(printed) == 13
 
 

@@ -1,6 +1,7 @@
 """What networks foresee of the pairs at hand: in problems, in their PDDL, in plans and their replay."""
 
 import dataclasses
+import re
 from itertools import permutations
 from pathlib import Path
 
@@ -9,23 +10,21 @@ import numpy as np
 import pytest
 from toy_relations import PUT_IN, PUT_ON, REST, grounding, relations, scene, sorting, tower
 
-from neurosym.any_pair import for_any_pair, share_with_any
 from neurosym.errors import InvalidFile, InvalidValue
 from neurosym.pair_sight import PairSight, with_pairs
-from neurosym.pddl.moves import RELATIONAL
-from neurosym.pddl.plan_text import PlanStep
 from neurosym.pddl.problem import problem_text
-from neurosym.pddl.relational_replay import chances_along
-from neurosym.pddl.validation import validate
 from neurosym.place_operators import Kept
 from neurosym.planners import PlanStatus, plan
+from neurosym.pooled_puts import pooled, share_with_any
 from neurosym.problems import Problem
 from neurosym.relation_operators import PairEnd
-from neurosym.tasks.grades import GRADES, USUAL, grade_of
 from neurosym.tasks.pair_goals import puts_for
-from neurosym.tasks.puts import put_named
+from neurosym.tasks.puts import nearest_share, put_named
+from neurosym.tasks.steps import PlanStep
+from neurosym.tasks.task import understand
+from neurosym.tasks.transition import chance, start, validate
 
-ON_ANY, IN_ANY = "rests-on-001-by-01-any-pair", "lies-in-010-by-01-any-pair"
+ON_ANY, IN_ANY = "rests-on-001-by-01", "lies-in-010-by-01"
 
 
 def kinds(features: np.ndarray) -> tuple[str, ...]:
@@ -58,7 +57,8 @@ def test_what_is_only_faintly_foreseen_is_offered_where_a_goal_asks_for_it():
     assert [put.name for put in puts_for(problem, learned, *pair)] == [ON_ANY]
     asked = msgspec.structs.replace(problem, relations=((*pair, state),))
     assert [put.name for put in puts_for(asked, learned, *pair)] == [IN_ANY, ON_ANY]
-    assert f"(can-{IN_ANY} item-04 item-01 hardly)" in problem_text(asked, learned, RELATIONAL)
+    assert "(can-put item-04 lies-in-item-01 way" in problem_text(asked, learned)
+    assert "lies-in-item-01" not in problem_text(problem, learned)
     tried = plan(asked, learned)
     assert [step.operator for step in tried.steps] == [IN_ANY]
     fainter = msgspec.structs.replace(seen(sorting(), on=0.9, lying=0.01), relations=asked.relations)
@@ -69,16 +69,16 @@ def test_without_that_network_pairs_do_as_others_of_their_kind():
     problem = with_pairs(sorting(), relations(), PairSight(kinds))
     assert problem.foreseen is msgspec.UNSET
     (put,) = puts_for(problem, grounding(), "item-01", "item-02")
-    assert (put.grade, put.share) == (USUAL, put.end.share)
-    assert "(can-put-on-01-solid-01 item-01 item-02 usual)" in problem_text(problem, grounding(), RELATIONAL)
+    assert (put.foreseen, put.share) == (None, put.end.share)
+    assert "(can-put item-01 rests-on-item-02 way" in problem_text(problem, grounding())
 
 
 def test_what_another_kind_of_pairs_is_for_is_offered_where_it_is_foreseen_and_own_operators_are_not():
     problem, learned = seen(sorting(), on=0.9, lying=0.9), grounding()
     assert [put.name for put in puts_for(problem, learned, "item-01", "item-02")] == [IN_ANY, PUT_ON]
     assert [put.name for put in puts_for(problem, learned, "item-04", "item-01")] == [IN_ANY, ON_ANY]
-    assert {put.grade for put in puts_for(problem, learned, "item-04", "item-01")} == {"often"}
-    assert f"(can-{ON_ANY} item-04 item-01 often)" in problem_text(problem, learned, RELATIONAL)
+    assert {put.foreseen for put in puts_for(problem, learned, "item-04", "item-01")} == {0.5}
+    assert "(can-put item-04 rests-on-item-01 way" in problem_text(problem, learned)
     step = PlanStep(ON_ANY, "item-04", "item-01")
     assert validate((step,), problem, learned).failed is None  # the goals are what is left
     unknown = with_pairs(sorting(), relations(), PairSight(kinds))
@@ -90,7 +90,7 @@ def test_what_is_foreseen_of_any_pair_comes_true_less_often(foreseen: float, sha
     assert share_with_any(foreseen) == (None if share is None else pytest.approx(share))
 
 
-def test_operator_for_any_pair_adds_up_what_was_rehearsed_with_each_kind():
+def test_operator_pooled_adds_up_what_was_rehearsed_with_each_kind():
     table = relations()
     first = table.operators[0]
     other = msgspec.structs.replace(
@@ -102,7 +102,7 @@ def test_operator_for_any_pair_adds_up_what_was_rehearsed_with_each_kind():
         borne=Kept("put-on-01-tray-10", 4, 1),
     )
     both = msgspec.structs.replace(table, operators=(first, other))
-    (found,) = for_any_pair(both)
+    (found,) = pooled(both)
     assert (found.name, found.pair, found.trials) == (ON_ANY, "", 30)
     (end,) = found.ends
     assert (end.state, end.count) == ("001", 20)
@@ -111,35 +111,40 @@ def test_operator_for_any_pair_adds_up_what_was_rehearsed_with_each_kind():
     assert (found.borne.trials, found.borne.kept) == (14, 11)
 
 
-@pytest.mark.parametrize(
-    ("share", "grade"), [(0.0, "hardly"), (0.25, "seldom"), (0.5, "often"), (0.72, "mostly"), (1.0, "surely")]
-)
-def test_grades_are_the_nearest(share: float, grade: str):
-    assert grade_of(share) == grade
+@pytest.mark.parametrize(("share", "told"), [(0.0, 0.1), (0.25, 0.3), (0.5, 0.5), (0.72, 0.7), (1.0, 0.9)])
+def test_what_is_foreseen_counts_as_the_nearest_of_a_few(share: float, told: float):
+    assert nearest_share(share) == told
 
 
 def test_what_is_hardly_foreseen_is_not_planned_with_and_has_hardly_a_chance():
     problem, learned = seen(tower(), on=0.01, lying=0.01), grounding()
     assert puts_for(problem, learned, "item-01", "item-03") == ()
-    assert "(can-put-on" not in problem_text(problem, learned, RELATIONAL)
+    assert "(can-put " not in problem_text(problem, learned)
     result = plan(problem, learned)
     assert result.status is PlanStatus.UNSOLVABLE
     assert result.reason.startswith(f"no operator brings item-01 to {REST} with item-03")
     steps = (PlanStep(PUT_ON, "item-03", "item-02"), PlanStep(PUT_ON, "item-01", "item-03"))
     assert validate(steps, problem, learned).valid  # it may be, if somebody else wants it so
-    assert chances_along([(PUT_ON, "item-03", "item-02")], problem, learned) == (GRADES["hardly"],)
+    task = understand(problem, learned)
+    assert chance(task, start(task), steps[0]) == 0.1
 
 
-def test_cost_is_that_of_the_grade_and_more_where_a_third_object_spoils_it():
+def test_cost_is_that_of_the_pair_and_more_where_a_third_object_spoils_it():
     learned = grounding()
     put = put_named(PUT_IN, learned)
     assert put is not None
-    of_pair = put.with_pair(seen(sorting(), lying=0.3), "item-01", "item-04")
-    assert of_pair.chance() == GRADES["seldom"]
+    problem = seen(sorting(), lying=0.3)
+    of_pair = put.with_pair(problem, "item-01", "item-04")
+    assert of_pair.chance() == 0.3
     assert of_pair.chance(occupied=True) < of_pair.chance()
-    text = problem_text(seen(sorting(), lying=0.3), learned, RELATIONAL)
-    assert f"(= (cost-of-{PUT_IN} seldom none from-place) {of_pair.cost(learned)})" in text
-    assert "(can-put-in-01-hollow-11 item-01 item-04 seldom)" in text
+    task = understand(problem, learned)
+    at_first = [one for one in task.put_options["item-01", "item-04"] if one.put.name == PUT_IN]
+    costs = {(one.borne, one.occupied): one.cost for one in at_first if not one.laden}
+    assert costs[False, False] == of_pair.cost(learned) < costs[False, True]
+    text = problem_text(problem, learned)
+    (way,) = re.findall(r"\(can-put item-01 lies-in-item-04 (way\d+)\)", text)
+    assert f"(fee {way} from-spot n0 cost{costs[False, False]})" in text
+    assert f"(fee {way} from-spot n1 cost{costs[False, True]})" in text
 
 
 @pytest.mark.parametrize(

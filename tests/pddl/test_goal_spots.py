@@ -9,10 +9,10 @@ from toy_domain import WORLD
 from toy_places import CUBE, NAME, grounding, scene
 
 from neurosym.execution.executor import execute
-from neurosym.pddl.plan_text import PlanStep
 from neurosym.planners import plan
 from neurosym.problems import Problem
 from neurosym.tasks.goal_spots import ROOM, SHARE, goal_spots
+from neurosym.tasks.steps import PlanStep
 
 EDGE = CUBE[0]
 TABLE = grounding().table

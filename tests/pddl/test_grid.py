@@ -13,11 +13,11 @@ from neurosym.grounding import Grounding, is_lift
 from neurosym.operators import Operator, OperatorTable, Primitive
 from neurosym.pddl import compile_domain
 from neurosym.pddl.grid import goal_region, grid_of, rounding
-from neurosym.pddl.plan_text import PlanStep
-from neurosym.pddl.validation import validate
 from neurosym.problems import Problem
 from neurosym.table import Table
 from neurosym.tasks.moves import PUT_DOWN, moves_of
+from neurosym.tasks.steps import PlanStep
+from neurosym.tasks.transition import validate
 
 BLOCK = item("item-01", 0.4512, 0.0133)
 

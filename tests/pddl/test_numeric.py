@@ -9,24 +9,28 @@ from pathlib import Path
 import msgspec
 import numpy as np
 import pytest
-from tables import BOUNDS, grounding, item, problem
+from tables import BOUNDS, grounding, item, problem, table
 from validators import unified_planning_accepts
 
-from neurosym.operators import Vector
+from neurosym.grounding import Grounding
+from neurosym.operators import Mode, Vector
 from neurosym.pddl import domain_text, problem_text
 from neurosym.pddl.ground_plan import print_ground_plan
 from neurosym.pddl.numeric import STEPS, UNIT
 from neurosym.pddl.plan_reading import parse_plan
-from neurosym.pddl.plan_text import PlanStep
-from neurosym.pddl.validation import validate
 from neurosym.problems import Problem
+from neurosym.tasks.steps import PlanStep
+from neurosym.tasks.transition import validate
 
 OPERATIONS: dict[str, Callable[..., float]] = {
     "<=": operator.le,
     ">=": operator.ge,
     "+": operator.add,
+    "-": operator.sub,
     "and": lambda *parts: all(parts),
 }
+Now = dict[tuple[str, ...], int]
+"""What holds: the value of each function, and 1 for each fact."""
 
 
 def nested(text: str) -> list:
@@ -42,12 +46,76 @@ def nested(text: str) -> list:
     return stack[0][0]
 
 
-def value(expression, numbers: dict[str, int]) -> float:
-    """What a condition or sum is, given what x, y and z are."""
+def value(expression, now: Now) -> float:
+    """What a condition or sum is."""
     if isinstance(expression, str):
         return int(expression)
     head, *rest = expression
-    return numbers[head] if head in numbers else OPERATIONS[head](*(value(part, numbers) for part in rest))
+    return OPERATIONS[head](*(value(part, now) for part in rest)) if head in OPERATIONS else now[head, *rest]
+
+
+def bound(expression, words: dict[str, str]):
+    """An expression with words for its variables."""
+    if isinstance(expression, str):
+        return words.get(expression, expression)
+    return [bound(part, words) for part in expression]
+
+
+def start_of(text: str) -> Now:
+    """What holds at the start of a printed problem."""
+    init = next(part for part in nested(text) if part[0] == ":init")[1:]
+    values = {tuple(one[1]): int(one[2]) for one in init if one[0] == "="}
+    return values | {tuple(one): 1 for one in init if one[0] != "="}
+
+
+class Actions:
+    """The printed actions, and what they do."""
+
+    def __init__(self, learned: Grounding):
+        parts = nested(domain_text(learned, "numeric"))
+        self.by_name = {part[1]: part for part in parts if part[0] == ":action"}
+
+    def _parts(self, line: str) -> tuple[list, list]:
+        """The conditions and the effects of a ground action."""
+        name, *words = line.strip("()").split()
+        (_, _, _, variables, _, condition, _, effect) = self.by_name[name]
+        names = [word for word in variables if word.startswith("?")]
+        given = dict(zip(names, words, strict=True))
+        return bound(condition, given)[1:], bound(effect, given)[1:]
+
+    def applies(self, line: str, now: Now) -> bool:
+        """Whether the conditions of a ground action hold."""
+        conditions, _ = self._parts(line)
+        return all(value(one, now) if one[0] in OPERATIONS else tuple(one) in now for one in conditions)
+
+    def after(self, line: str, now: Now) -> Now:
+        """What holds after a ground action; all changes are reckoned from what held before."""
+        then = dict(now)
+        _, effects = self._parts(line)
+        for head, *rest in sorted(effects, key=lambda one: one[0] != "not"):
+            match head:
+                case "not":
+                    del then[tuple(rest[0])]
+                case "assign":
+                    then[tuple(rest[0])] = value(rest[1], now)
+                case "increase":
+                    then[tuple(rest[0])] += value(rest[1], now)
+                case _:
+                    then[head, *rest] = 1
+        return then
+
+
+def offered(now: Now) -> list[str]:
+    """All that a printed problem offers, as ground actions."""
+    lifting = {fact[2]: fact[1] for fact in now if fact[0] == "lifts"}
+    lines = {"pushes": "(push {} {})", "lifts": "(lift {} {})"}
+    found = [lines[fact[0]].format(*fact[1:]) for fact in now if fact[0] in lines]
+    downs = [fact[1:] for fact in now if fact[0] == "lowers"]
+    return found + [f"(put-down {lifting[up]} {down} {up})" for down, up in downs]
+
+
+def position(now: Now, name: str = "a") -> tuple[int, ...]:
+    return tuple(now[axis, name] for axis in "xyz")
 
 
 def goal_of(task: Problem, steps: int = 1) -> list:
@@ -58,7 +126,7 @@ def goal_of(task: Problem, steps: int = 1) -> list:
 def accepted(goal: list, offsets: np.ndarray, at: tuple[int, int, int]) -> np.ndarray:
     """Whether the goal holds at each offset from a point, all in units."""
     spots = (offsets + at).tolist()
-    return np.array([value(goal, {"x": x, "y": y, "z": z}) for x, y, z in spots])
+    return np.array([value(goal, {("x", "a"): x, ("y", "a"): y, ("z", "a"): z}) for x, y, z in spots])
 
 
 @pytest.mark.parametrize("end", [(0.537, -0.021, 0.025), (0.5011, 0.1234, 0.225), (0.3021, -0.2987, 0.025)])
@@ -101,31 +169,47 @@ def test_goal_off_the_table_is_printed_without_negative_numbers():
     assert not accepted(goal_of(task), np.zeros((1, 3), dtype=int), (0, 0, 0)).any()
 
 
-def test_plans_that_numbers_allow_are_true_when_replayed():
+def uneven() -> Grounding:
+    """The table of operators, with displacements that are no whole numbers of 0.1 mm."""
+    off = 0.4 * UNIT
+
+    def shifted(mode: Mode) -> Mode:
+        x, y, z = mode.effect
+        rest_x, rest_y, rest_z = mode.resting_effect
+        ends = {"effect": (x + off, y - off, z), "resting_effect": (rest_x + off, rest_y - off, rest_z)}
+        return msgspec.structs.replace(mode, **ends)
+
+    operators = tuple(
+        msgspec.structs.replace(one, modes=tuple(map(shifted, one.modes))) for one in table().operators
+    )
+    learned = grounding()
+    return msgspec.structs.replace(
+        learned, operators=msgspec.structs.replace(learned.operators, operators=operators)
+    )
+
+
+@pytest.mark.parametrize("learned", [grounding(), uneven()], ids=["even", "uneven"])
+def test_plans_that_numbers_allow_are_true_when_replayed(learned: Grounding):
     """The claim of the margins: within so many steps, no plan leaves the table or misses its goal."""
-    learned, rng = grounding(), np.random.default_rng(1)
-    actions = {part[1]: part for part in nested(domain_text(learned, "numeric")) if part[0] == ":action"}
-    pushes = [name for name, part in actions.items() if part[3][2] == "block" and name.startswith("push")]
+    actions, rng, used = Actions(learned), np.random.default_rng(1), set()
     for _ in range(50):
         x, y = rng.uniform(0.3, 0.9), rng.uniform(-0.3, 0.3)
         start = item("a", float(x), float(y))
-        now = {"x": round((x - 0.3) / UNIT), "y": round((y + 0.3) / UNIT), "z": 0}
-        first, steps = dict(now), []
-        for name in rng.choice(pushes, STEPS).tolist():
-            conditions = [part for part in actions[name][5][1:] if part[0] in OPERATIONS]
-            if not value(["and", *conditions], now):
-                continue
-            for change in actions[name][7][1:]:
-                if change[1][0] in now:
-                    sign = 1 if change[0] == "increase" else -1
-                    now[change[1][0]] += sign * int(change[2])
-            steps.append(PlanStep(name, "a"))
-        goal = tuple(
-            at + (now[axis] - first[axis]) * UNIT for axis, at in zip("xyz", start.position, strict=True)
-        )
-        task = Problem("p", (start,), {"a": goal}, tolerance=STEPS * UNIT / math.sqrt(2))
+        task = Problem("p", (start,), {"a": start.position}, tolerance=STEPS * UNIT / math.sqrt(2))
+        first = now = start_of(problem_text(task, learned, "numeric"))
+        lines = list[str]()
+        while len(lines) < STEPS and (able := [one for one in offered(now) if actions.applies(one, now)]):
+            lines.append(str(rng.choice(able)))
+            now = actions.after(lines[-1], now)
+        ways = np.subtract(position(now), position(first)) * UNIT
+        goal = tuple((ways + start.position).tolist())
+        task = msgspec.structs.replace(task, goals={"a": goal})
+        steps = parse_plan("".join(f"{line}\n" for line in lines), Path("plan"), learned, task)
+        assert len(steps) == len(lines)
         checked = validate(steps, task, learned)
         assert checked.valid, checked.reason
+        used |= {line.split()[0] for line in lines}
+    assert used == {"(push", "(lift", "(put-down"}
 
 
 def test_a_plan_is_valid_in_numbers_and_half_of_it_is_not(tmp_path: Path):
@@ -140,30 +224,47 @@ def test_a_plan_is_valid_in_numbers_and_half_of_it_is_not(tmp_path: Path):
     domain.write_text(domain_text(learned, "numeric"))
     file.write_text(problem_text(task, learned, "numeric"))
     text = print_ground_plan(steps, task, learned, "numeric")
-    assert text == "".join(f"({step.operator} {step.object})\n" for step in steps)
+    assert text.splitlines() == [
+        "(push item-02 m-010-item-02)",
+        "(push item-02 m-000-item-02)",
+        "(push item-01 m-001-item-01)",
+        "(lift item-01 m-010-item-01)",
+    ]
     assert parse_plan(text, tmp_path / "plan", learned, task) == steps
     assert validate(steps, task, learned).valid
     assert unified_planning_accepts(domain, file, text)
-    assert not unified_planning_accepts(domain, file, text.replace("(push-away-001-block item-01)\n", ""))
+    assert not unified_planning_accepts(domain, file, text.replace("(push item-01 m-001-item-01)\n", ""))
 
 
 def test_put_down_brings_an_object_to_where_the_lift_would_have_left_it():
-    by_name = {
-        part[1]: part[7][1:] for part in nested(domain_text(grounding(), "numeric")) if part[0] == ":action"
+    task, learned = problem(), grounding()
+    lift, down = "(lift item-01 m-010-item-01)", "(put-down item-01 m-010-down-item-01 m-010-item-01)"
+    actions, first = Actions(learned), start_of(problem_text(task, learned, "numeric"))
+    assert actions.applies(lift, first)
+    assert not actions.applies(down, first)
+    held = actions.after(lift, first)
+    assert [line for line in offered(held) if actions.applies(line, held)] == [down]
+    then = actions.after(down, held)
+    moved = np.subtract(position(then, "item-01"), position(first, "item-01"))
+    assert moved.tolist() == [141, -228, 0]
+    assert {fact for fact in then if then[fact] != first.get(fact)} == {
+        ("x", "item-01"),
+        ("y", "item-01"),
+        ("total-cost",),
     }
-    sums = dict.fromkeys("xyz", 0)
-    for name in ("lift-010-block", "put-down-lift-010-block"):
-        for change in by_name[name]:
-            if change[0] in ("increase", "decrease") and change[1][0] in sums:
-                sums[change[1][0]] += int(change[2]) * (1 if change[0] == "increase" else -1)
-    assert sums == {"x": 141, "y": -228, "z": 0}
+    assert set(then) == set(first), "the hand is empty again"
 
 
-def test_both_have_the_same_operators_whatever_the_cells():
-    coarse = msgspec.structs.replace(grounding(), cell=0.1)
-    for learned in (grounding(), coarse):
-        numeric, stepwise = (
-            set(re.findall(r"\(:action ([a-z]\S+)", domain_text(learned, name)))
-            for name in ("numeric", "operators")
-        )
-        assert numeric == stepwise - {"reach-goal"}
+@pytest.mark.parametrize("cell", [0.005, 0.1, 0.15])
+def test_both_encodings_offer_the_same_motions_whatever_the_cells(cell: float):
+    task, learned = problem(), msgspec.structs.replace(grounding(), cell=cell)
+    page, numeric = (
+        sorted(re.findall(r"\((pushes|lifts|lowers) (\S+) ([^\s)]+)", problem_text(task, learned, name)))
+        for name in ("strips", "numeric")
+    )
+    motions = [(verb, thing, f"{motion}-{thing}") for verb, thing, motion in page if verb != "lowers"]
+    lifted = [(thing, motion) for verb, thing, motion in page if verb == "lowers"]
+    downs = [("lowers", f"{motion}-down-{thing}", f"{motion}-{thing}") for thing, motion in lifted]
+    assert numeric == sorted(motions + downs)
+    assert len(numeric) == len(learned.live) + len(downs)
+    assert set(Actions(learned).by_name) == {"push", "lift", "put-down"}

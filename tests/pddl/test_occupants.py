@@ -5,12 +5,12 @@ import numpy as np
 import pytest
 from toy_places import CUBE, grounding, scene, swap
 
-from neurosym.pddl.validation import validate
 from neurosym.planners import PlanStatus, plan
 from neurosym.problems import Problem
 from neurosym.tasks.footprints import footprints_apart
 from neurosym.tasks.occupants import occupants
 from neurosym.tasks.places import parks_wanted, with_places
+from neurosym.tasks.transition import validate
 
 
 def test_where_there_are_enough_parks_nobody_waits_on_a_goal():

@@ -1,4 +1,4 @@
-"""Domains with places: what they say, who reads them, and that plans for them are true."""
+"""Tasks with places: where those are, which can be, and that plans for them come true."""
 
 import math
 from pathlib import Path
@@ -7,42 +7,23 @@ import msgspec
 import numpy as np
 import pytest
 import toy_domain
-from places import GOLDEN
 from toy_places import NAME, OFFSET, grounding, mixed, scene, swap
-from validators import unified_planning_accepts
 
 from neurosym.errors import InvalidPlan, InvalidValue, NeurosymError
 from neurosym.execution.executor import execute
 from neurosym.execution.rerun import compare_runs, rerun
-from neurosym.pddl import domain_text, problem_text
-from neurosym.pddl.ground_plan import print_ground_plan
-from neurosym.pddl.moves import PLACES
 from neurosym.pddl.place_check import check_places
-from neurosym.pddl.place_problem import carried_objects, led_objects
 from neurosym.pddl.plan_reading import parse_plan
-from neurosym.pddl.plan_text import PlanStep, print_plan
 from neurosym.pddl.problem_check import check_problem
-from neurosym.pddl.validation import validate
 from neurosym.planners import PlanStatus, plan
-from neurosym.planners.fast_downward import plan_fast_downward
 from neurosym.planners.result import PlanResult
 from neurosym.problems import Problem, SceneObject
 from neurosym.table import Place
 from neurosym.tasks.footprints import footprints_apart, overlapping
 from neurosym.tasks.places import GOAL, PARK, with_places
+from neurosym.tasks.steps import PlanStep
+from neurosym.tasks.transition import validate
 from neurosym.worlds.aimed import Aimed
-
-
-def texts() -> dict[str, str]:
-    """The domain and a problem, as they are printed."""
-    problem = problem_text(mixed(), grounding(), PLACES)
-    return {"domain-places.pddl": domain_text(grounding(), PLACES), "mixed.places.pddl": problem}
-
-
-@pytest.mark.parametrize("name", ["domain-places.pddl", "mixed.places.pddl"])
-def test_text_is_the_golden_one_to_the_letter(name):
-    """Run this file as a program to write the golden files anew."""
-    assert texts()[name] == (GOLDEN / name).read_text()
 
 
 def solved(problem: Problem) -> tuple[PlanStep, ...]:
@@ -62,26 +43,6 @@ def test_places_are_those_of_the_goals_and_free_ones_apart_from_everything():
         others = np.delete(taken, row, axis=0)
         assert not overlapping(spot, others, np.tile(apart, (len(others), 1))).any()
     assert with_places(swap(), grounding()) == problem == with_places(problem, grounding())
-
-
-def test_what_can_be_carried_needs_no_cells_and_the_rest_does():
-    problem, learned = mixed(), grounding()
-    assert carried_objects(problem, learned) == ("item-01",)
-    assert led_objects(problem, learned) == ("item-02",)
-    text = problem_text(problem, learned, PLACES)
-    assert "(at-x item-02" in text
-    assert "(at-x item-01" not in text
-    assert "x-cell" not in problem_text(swap(), learned, PLACES)
-    assert len(problem_text(swap(), learned, PLACES)) < 4000
-
-
-def test_domain_says_that_places_must_be_free_and_how_that_was_seen():
-    text = domain_text(grounding(), PLACES)
-    assert f"(:action {NAME}" in text
-    assert "With another object on the place it stood there in 0 of 10; the place must be free." in text
-    assert "miss-01-slab" not in text
-    with pytest.raises(InvalidValue, match="Nothing in the domain toy carries objects"):
-        domain_text(toy_domain.grounding(), PLACES)
 
 
 def test_two_objects_change_places_by_way_of_a_third():
@@ -112,34 +73,18 @@ def test_plans_come_true_in_the_world_and_again_from_the_record(problem):
     assert msgspec.json.decode(msgspec.json.encode(run), type=type(run)) == run
 
 
-@pytest.mark.parametrize("problem", [swap(), mixed()])
-def test_printed_plans_are_read_back_and_accepted_by_others(problem, tmp_path: Path):
-    learned, steps = grounding(), solved(problem)
-    assert parse_plan(print_plan(steps), tmp_path, learned, problem) == steps
-    ground = print_ground_plan(steps, problem, learned)
-    assert parse_plan(ground, tmp_path, learned, problem) == steps
-    domain, task = tmp_path / "domain.pddl", tmp_path / "problem.pddl"
-    domain.write_text(domain_text(learned, PLACES))
-    task.write_text(problem_text(problem, learned, PLACES))
-    assert unified_planning_accepts(domain, task, ground)
-    missing = "\n".join(line for line in ground.splitlines() if not line.startswith("(look-on")) + "\n"
-    assert not unified_planning_accepts(domain, task, missing)
-    answer = plan_fast_downward(domain, task, time_limit=60.0)
-    assert parse_plan(answer.text, tmp_path, learned, problem) == steps
-
-
 def test_unknown_places_are_refused_in_one_sentence(tmp_path: Path):
     for words, said in (
         ("moon", "no place 'moon'; valid: goal-item-01, goal-item-02, park-01"),
         ("", "needs a place to carry it to; valid: goal-item-01, goal-item-02"),
-        ("start-item-01 start-item-02", "Nothing is carried to start-item-02"),
+        ("start-item-01 start-item-02", "no place 'start-item-02'; valid: goal-item-01"),
         ("spot-5500-m5200", "The place spot-5500-m5200 lies .* off the table"),
     ):
         with pytest.raises(InvalidPlan, match=f"line 1: .*{said}"):
             parse_plan(f"({NAME} item-01 {words})", tmp_path, grounding(), swap())
 
 
-@pytest.mark.parametrize("name", ["place", "object", "move", "cube", NAME, "nowhere", "start-item-01"])
+@pytest.mark.parametrize("name", ["place", "object", "take", "move-x", "cube", "nowhere", "start-item-01"])
 def test_places_of_a_problem_have_no_names_of_the_domain(name):
     own = msgspec.structs.replace(swap(), places={name: (0.5, 0.2)})
     with pytest.raises(InvalidValue, match=f"No place can be called {name}"):
@@ -218,14 +163,6 @@ def test_place_nearest_to_a_point_lies_on_the_table():
     assert table.nearest(0.5, -9.0) == Place(0.5, table.y[0])
 
 
-@pytest.mark.parametrize("name", ["nowhere", "park-01", "goal-item-01", "start-item-01"])
-def test_objects_cannot_be_called_as_places_are(name):
-    (cube,) = scene(("cube", 0.5, 0.0))
-    task = Problem("named", (msgspec.structs.replace(cube, name=name),), {name: (0.8, 0.0, 0.025)})
-    with pytest.raises(InvalidValue, match=f"No object can be called {name}"):
-        problem_text(task, grounding(), PLACES)
-
-
 def with_own_places(**places: tuple[float, float]) -> Problem:
     """The problem of two cubes, with places that somebody wrote."""
     named = {name.replace("_", "-"): spot for name, spot in places.items()}
@@ -295,11 +232,6 @@ def test_goal_that_nothing_can_be_put_at_is_not_said_to_be_proved_out_of_reach()
     result = plan(only, grounding())
     assert result.status is PlanStatus.NOT_FOUND
     assert result.reason.startswith("no plan with the places that were drawn; without: ")
-
-
-if __name__ == "__main__":
-    for name, content in texts().items():
-        (GOLDEN / name).write_text(content)
 
 
 @pytest.mark.parametrize(

@@ -12,17 +12,17 @@ import msgspec
 import numpy as np
 import pytest
 import toy_domain
+import toy_relations
 from places import GOLDEN
 from toy_places import grounding, mixed, swap
 
 from neurosym.pddl.durative import durative_problem_text
 from neurosym.pddl.ground_plan import print_ground_plan
-from neurosym.pddl.moves import PLACES, Encoding
-from neurosym.pddl.plan_text import print_plan
 from neurosym.pddl.planviz import planviz_json, planviz_script, scenes_of
 from neurosym.pddl.problem import problem_text
 from neurosym.planners import plan
 from neurosym.problems import Problem
+from neurosym.tasks.steps import print_plan
 
 NODE = shutil.which("node")
 needs_node = pytest.mark.skipif(NODE is None, reason="node is not installed")
@@ -146,8 +146,8 @@ def near(spot: tuple[float, float], *wanted: float) -> bool:
 
 @needs_node
 def test_spot_that_the_problem_does_not_name_is_drawn_where_its_name_says():
-    text = problem_text(mixed(), grounding(), PLACES)
-    task = serialised(["(carry-to-01-cube item-01 spot-6000-m2000)"], mixed(), text)
+    text = problem_text(mixed(), grounding())
+    task = serialised(["(put-at item-01 spot-6000-m2000 cost6)"], mixed(), text)
     states = pictures(call("visualizePlanHtml", mixed(), task, WIDTH))
     assert near(states[1]["item-01"][0], 0.6, -0.2)
 
@@ -156,14 +156,14 @@ def test_spot_that_the_problem_does_not_name_is_drawn_where_its_name_says():
 def test_plan_that_carries_and_pushes_is_drawn_state_by_state():
     steps = plan(mixed(), grounding()).steps
     lines = print_ground_plan(steps, mixed(), grounding()).splitlines()
-    task = serialised(lines, mixed(), problem_text(mixed(), grounding(), PLACES))
+    task = serialised(lines, mixed(), problem_text(mixed(), grounding()))
     html = call("visualizePlanHtml", mixed(), task, WIDTH)
     states = pictures(html)
     assert [re.sub(r"<.*", "", part) for part in html.split("<figcaption>")[1:]] == [
         "start",
-        "1. push-left-001-slab item-02",
-        "2. push-left-001-slab item-02",
-        "3. carry-to-01-cube item-01 goal-item-01",
+        "1. push item-02 m-001",
+        "2. push item-02 m-001",
+        "3. put-at item-01 goal-item-01",
     ]
     slab, cube = ([state[name][0] for state in states] for name in ("item-02", "item-01"))
     assert all(near(spot, 0.7, y) for spot, y in zip(slab, (0.0, 0.08, 0.16, 0.16), strict=True))
@@ -175,17 +175,16 @@ def test_plan_that_carries_and_pushes_is_drawn_state_by_state():
 
 @needs_node
 def test_durative_plan_is_drawn_too():
-    line = "0.0: (carry-to-01-cube item-01 start-item-01 goal-item-01 start-item-02 nowhere nowhere) [6.1]"
+    line = "0.0: (carry item-01 start-item-01 goal-item-01 start-item-02 nowhere nowhere) [6.1]"
     task = serialised([line], swap(), durative_problem_text(swap(), grounding()))
     assert near(pictures(call("visualizePlanHtml", swap(), task, WIDTH))[-1]["item-01"][0], 0.8, 0.1)
 
 
 @needs_node
-@pytest.mark.parametrize("encoding", ["stepwise", "operators"])
-def test_plan_over_cells_is_drawn_and_what_is_held_is_pale(encoding: Encoding):
+def test_plan_over_cells_is_drawn_and_what_is_held_is_pale():
     learned = toy_domain.grounding()
-    lines = print_ground_plan(plan(ERRAND, learned).steps, ERRAND, learned, encoding).splitlines()
-    task = serialised(lines, ERRAND, problem_text(ERRAND, learned, encoding))
+    lines = print_ground_plan(plan(ERRAND, learned).steps, ERRAND, learned).splitlines()
+    task = serialised(lines, ERRAND, problem_text(ERRAND, learned))
     states = pictures(call("visualizePlanHtml", ERRAND, task, WIDTH, learned=learned))
     ends = [state.get("item-01") or state["item-01 (held)"] for state in states]
     assert all(near(spot, 0.6, y) for (spot, _), y in zip(ends, (0.0, 0.08, 0.16, 0.16), strict=True))
@@ -193,9 +192,47 @@ def test_plan_over_cells_is_drawn_and_what_is_held_is_pale(encoding: Encoding):
 
 
 @needs_node
+def test_coarser_cells_of_a_problem_with_a_wide_goal_are_drawn_as_wide():
+    learned = msgspec.structs.replace(toy_domain.grounding(), cell=0.01)
+    wide = msgspec.structs.replace(ERRAND, tolerance=0.1)
+    lines = print_ground_plan(plan(wide, learned).steps, wide, learned).splitlines()
+    task = serialised(lines, wide, problem_text(wide, learned))
+    assert scenes_of(planviz_script(learned, [wide]))["errand"]["cell"] == pytest.approx(0.02)
+    states = pictures(call("visualizePlanHtml", wide, task, WIDTH, learned=learned))
+    moved = [state["item-01"][0] for state in states if "item-01" in state]
+    assert near(moved[0], 0.6, 0.0)
+    assert near(moved[1], 0.6, 0.08)
+
+
+@needs_node
+def test_what_another_thing_bears_is_drawn_over_it_wherever_that_is():
+    learned, tower = toy_relations.grounding(), toy_relations.tower()
+    lines = print_ground_plan(plan(tower, learned).steps, tower, learned).splitlines()
+    task = serialised(lines, tower, problem_text(tower, learned))
+    html = call("visualizePlanHtml", tower, task, WIDTH, learned=learned)
+    assert [re.sub(r"<.*", "", part) for part in html.split("<figcaption>")[1:]] == [
+        "start",
+        "1. put item-03 rests-on-item-02",
+        "2. put item-01 rests-on-item-03",
+    ]
+    spots = re.findall(r'class="object" .*?>(item-\d\d)<', html)
+    assert spots[-2:] == ["item-03", "item-01"]
+    state = [{"variableName": "stands item-01 rests-on-item-02", "value": True}]
+    drawn = call("visualizeStateHtml", tower, task, state, WIDTH, learned=learned)
+    boxes = {
+        name: (float(x) + float(width) / 2, float(y) + float(height) / 2)
+        for x, y, width, height, name in re.findall(
+            r'x="([\d.]+)" y="([\d.]+)" width="([\d.]+)" height="([\d.]+)" class="object".*?>(item-\d\d)<',
+            drawn,
+        )
+    }
+    assert boxes["item-01"] == pytest.approx(boxes["item-02"], abs=0.2)
+
+
+@needs_node
 def test_state_is_drawn_from_its_facts():
     dummy = {"steps": [], "problem": {"name": "mixed"}}
-    state = facts(problem_text(mixed(), grounding(), PLACES))
+    state = facts(problem_text(mixed(), grounding()))
     assert near(pictures(call("visualizeStateHtml", mixed(), dummy, state, WIDTH))[0]["item-02"][0], 0.7, 0.0)
     state = [fact for fact in state if not re.match(r"(at-y|stands)", fact["variableName"])]
     state += [

@@ -42,7 +42,7 @@ def test_a_domain_prints_what_it_holds():
         "; A way.\n(define (domain way)\n  (:requirements :strips :typing :action-costs)\n"
         "  (:types\n    place price - object)\n  (:predicates\n    (at ?a - place) ; here\n"
         "    (road ?a ?b - place ?c - price) ; leads\n  )\n"
-        "  (:functions (total-cost) (cost ?c - price) - number)\n"
+        "  (:functions (total-cost) - number (cost ?c - price) - number)\n"
         "  (:action step ; go on\n    :parameters (?a ?b - place ?c - price)\n"
         "    :precondition (and (at ?a) (road ?a ?b ?c))\n"
         "    :effect (and (not (at ?a)) (at ?b) (increase (total-cost) (cost ?c)))))\n"

@@ -8,11 +8,11 @@ from tables import PUSH
 from neurosym.grounding import Grounding
 from neurosym.operators import Operator
 from neurosym.pddl.chances import expected_success
-from neurosym.pddl.plan_text import PlanStep
-from neurosym.pddl.validation import validate
 from neurosym.planners import plan
 from neurosym.planners.aiming import aim
 from neurosym.problems import Problem
+from neurosym.tasks.steps import PlanStep
+from neurosym.tasks.transition import validate
 
 FARTHER = PlanStep("push-away-111-block", "item-01")
 

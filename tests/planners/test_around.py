@@ -11,12 +11,12 @@ import tables
 from neurosym.grounding import Grounding
 from neurosym.operators import Operator
 from neurosym.pddl.chances import expected_success
-from neurosym.pddl.plan_text import primitives
-from neurosym.pddl.validation import validate
 from neurosym.planners import PlanStatus, plan
 from neurosym.planners.around import plan_around, plan_likeliest
 from neurosym.planners.effort import TimeIsUp
 from neurosym.problems import Problem
+from neurosym.tasks.steps import primitives
+from neurosym.tasks.transition import validate
 
 STEP = 0.06
 

@@ -7,12 +7,12 @@ import numpy as np
 import pytest
 from tables import BOUNDS, grounding, problem
 
-from neurosym.pddl.plan_text import PlanStep
 from neurosym.planners import PlanStatus, plan
 from neurosym.planners import bfs as bfs_module
 from neurosym.planners.bfs import plan_bfs
 from neurosym.planners.branching import Branching, branching_of, predicted_branching
 from neurosym.problems import Problem, SceneObject
+from neurosym.tasks.steps import PlanStep
 
 State = tuple[np.ndarray, list[PlanStep]]
 

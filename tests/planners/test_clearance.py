@@ -4,12 +4,12 @@ import numpy as np
 import pytest
 from toy_places import NAME, grounding, scene, swap
 
-from neurosym.pddl.plan_text import PlanStep
-from neurosym.pddl.validation import validate
 from neurosym.planners import plan
 from neurosym.planners.clearance import clearest_first
 from neurosym.problems import Problem
 from neurosym.tasks.places import with_places
+from neurosym.tasks.steps import PlanStep
+from neurosym.tasks.transition import validate
 
 
 def crowd() -> Problem:

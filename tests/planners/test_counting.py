@@ -9,8 +9,6 @@ import tables
 import toy_domain
 
 from neurosym.grounding import Grounding
-from neurosym.pddl.plan_text import PlanStep
-from neurosym.pddl.validation import validate
 from neurosym.planners import PlanStatus, fewest_steps, plan
 from neurosym.planners.bfs import plan_bfs
 from neurosym.planners.branching import branching_of
@@ -18,6 +16,8 @@ from neurosym.planners.count_vectors import count_vector
 from neurosym.planners.ordering import mend
 from neurosym.problems import Problem, SceneObject
 from neurosym.tasks.moves import cost
+from neurosym.tasks.steps import PlanStep
+from neurosym.tasks.transition import validate
 
 
 def random_task(seed: int, objects: int, tolerance: float = 0.05) -> Problem:

@@ -12,13 +12,13 @@ import toy_domain
 
 from neurosym.execution.executor import execute
 from neurosym.grounding import Grounding
-from neurosym.pddl.plan_text import PlanStep
 from neurosym.pddl.sas import sas_text
 from neurosym.planners import PLANNERS, PlanResult, PlanStatus, alternatives, plan, plan_nearest
 from neurosym.planners.counting import plan_counting
 from neurosym.planners.effort import Effort, TimeIsUp, within
 from neurosym.planners.fast_downward import PORTFOLIO, Search, plan_fast_downward
 from neurosym.problems import Problem
+from neurosym.tasks.steps import PlanStep
 
 SEARCHES = ["bfs-operators", "counting", "fast-downward"]
 

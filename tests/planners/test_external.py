@@ -13,12 +13,12 @@ from functools import partial
 from pathlib import Path
 
 import pytest
+import toy_relations
 from processes import alive
 from tables import grounding, item
 
 from neurosym.errors import InvalidValue
-from neurosym.pddl.validation import validate
-from neurosym.planners import PLANNERS, PlanResult, PlanStatus, pddl_planner, plan
+from neurosym.planners import PLANNERS, PlannerAnswer, PlanResult, PlanStatus, pddl_planner, plan
 from neurosym.planners.catalogue import PROGRAMS
 from neurosym.planners.external import Program, plan_program
 from neurosym.planners.keeper import MARK, end_processes, marked
@@ -26,6 +26,7 @@ from neurosym.planners.planner import PlannerMissing
 from neurosym.planners.process import run_limited
 from neurosym.planners.scratch import kept
 from neurosym.problems import Problem
+from neurosym.tasks.transition import validate
 
 TASK = Problem("p", (item("item-01", 0.5, 0.0),), {"item-01": (0.571, -0.012, 0.025)})
 
@@ -155,8 +156,27 @@ def test_planner_that_is_not_installed_is_refused_with_what_to_do():
 
 
 def test_encoding_that_a_planner_does_not_take_is_refused():
-    with pytest.raises(InvalidValue, match=r"encoding 'numeric'; valid: operators, .*, sas, stepwise"):
+    with pytest.raises(InvalidValue, match=r"encoding 'numeric'; valid: sas, strips"):
         plan(TASK, grounding(), "fast-downward", encoding="numeric")
+    with pytest.raises(
+        InvalidValue, match=r"encoding stepwise is gone: one page, 'strips', .*; valid: strips"
+    ):
+        plan(TASK, grounding(), "fast-downward", encoding="stepwise")
+
+
+@pytest.mark.parametrize("costs", [True, False])
+@pytest.mark.parametrize("task", [TASK, toy_relations.tower()], ids=lambda one: one.name)
+def test_program_that_reads_no_prices_is_given_the_plain_page(task: Problem, costs: bool):
+    seen = []
+
+    def call(domain: Path, problem: Path, *, time_limit: float) -> PlannerAnswer:
+        seen.extend((domain.read_text(), problem.read_text()))
+        return PlannerAnswer(PlanStatus.TIMEOUT)
+
+    learned = grounding() if task is TASK else toy_relations.grounding()
+    plan(task, learned, pddl_planner("mine", "mine", call, costs=costs))
+    assert seen
+    assert all((("total-cost" in text), ("(cost " in text)) == (costs, costs) for text in seen)
 
 
 @pytest.mark.parametrize("name", sorted(p.name for p in PROGRAMS if not p.name.startswith("up-")))

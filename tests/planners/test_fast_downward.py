@@ -30,9 +30,10 @@ def scratch(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
 
 
 def write(folder: Path, *, cell: float = 0.03, solvable: bool = True, domain: str = "") -> tuple[Path, Path]:
-    task = problem_text(problem(), grounding(cell), steps=1)
+    task = problem_text(problem(), grounding(cell))
     (folder / "domain.pddl").write_text(domain or domain_text(grounding(cell)))
-    unreachable = task.replace("(goal-z item-02 z00)", "")
+    unreachable = task.replace("(goal-on-table item-02)", "")
+    assert unreachable != task
     (folder / "problem.pddl").write_text(task if solvable else unreachable)
     return folder / "domain.pddl", folder / "problem.pddl"
 
@@ -42,7 +43,7 @@ def test_plan_is_found_and_nothing_is_left_behind(tmp_path: Path, scratch: Path,
     here = set(Path.cwd().iterdir())
     answer: PlannerAnswer = planner(*write(tmp_path), time_limit=60.0)
     assert answer.status is PlanStatus.SOLVED, answer.reason
-    assert "(lift-010-block item-01" in answer.text
+    assert "(lift item-01 m-010 " in answer.text
     assert list(scratch.iterdir()) == []
     assert set(Path.cwd().iterdir()) == here
 

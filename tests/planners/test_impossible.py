@@ -8,13 +8,13 @@ import toy_domain
 
 from neurosym.grounding import FORMATS, Grounding
 from neurosym.operators import Mode, Operator
-from neurosym.pddl.validation import validate
 from neurosym.planners import PlanStatus, plan
 from neurosym.planners.branching import branching_of
 from neurosym.planners.count_vectors import MOST_VECTORS, Choices, looked_at
 from neurosym.planners.impossible import is_off_table, is_out_of_reach
 from neurosym.planners.joins import choices_of
 from neurosym.problems import Problem, SceneObject
+from neurosym.tasks.transition import validate
 
 SEARCHES = ["bfs", "bfs-operators", "counting", "fast-downward"]
 

@@ -2,10 +2,10 @@
 
 from toy_places import grounding, scene
 
-from neurosym.pddl.validation import validate
 from neurosym.planners import PlanResult, PlanStatus, plan
 from neurosym.planners.in_turns import plan_in_turns
 from neurosym.problems import Problem
+from neurosym.tasks.transition import validate
 
 
 def lead_past(*cubes: tuple[float, float, float, float]) -> Problem:
@@ -23,8 +23,8 @@ def order(problem: Problem) -> list[str]:
     result = plan_in_turns(
         problem,
         learned,
-        carry=lambda task: plan(task, learned, encoding="places"),
-        lead=lambda task: plan(task, learned, encoding="stepwise"),
+        carry=lambda task: plan(task, learned, encoding="strips"),
+        lead=lambda task: plan(task, learned, encoding="sas"),
     )
     assert result.status is PlanStatus.SOLVED, result.reason
     assert validate(result.steps, problem, learned).valid
@@ -74,7 +74,7 @@ def test_places_without_a_plan_prove_nothing():
         lead_past((0.7, 0.0, 0.45, 0.0)),
         learned,
         carry,
-        lambda task: plan(task, learned, encoding="stepwise"),
+        lambda task: plan(task, learned, encoding="sas"),
     )
     assert result.status is not PlanStatus.UNSOLVABLE
 

@@ -3,12 +3,12 @@
 import pytest
 from tables import DOWN, LEFT, LIFT, PUSH, grounding, item
 
-from neurosym.pddl.plan_text import PlanStep
-from neurosym.pddl.validation import validate
 from neurosym.planners import PlanResult, PlanStatus, one_by_one
 from neurosym.planners.effort import Effort
 from neurosym.planners.one_by_one import plan_one_by_one
 from neurosym.problems import Problem
+from neurosym.tasks.steps import PlanStep
+from neurosym.tasks.transition import validate
 
 
 def of(name: str, *steps: PlanStep) -> tuple[PlanStep, ...]:

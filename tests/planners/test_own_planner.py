@@ -17,8 +17,6 @@ from toy_domain import grounding as toy_grounding
 from toy_domain import problem as toy_problem
 
 from neurosym.errors import InvalidPlanner
-from neurosym.pddl.plan_text import PlanStep
-from neurosym.pddl.validation import validate
 from neurosym.planners import (
     PLANNERS,
     Planner,
@@ -31,6 +29,8 @@ from neurosym.planners import (
     register_planner,
 )
 from neurosym.planners.planner import Query
+from neurosym.tasks.steps import PlanStep
+from neurosym.tasks.transition import validate
 
 CODE, REGISTERED = python_blocks("own-planner.md")
 

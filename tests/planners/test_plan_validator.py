@@ -6,9 +6,9 @@ import toy_domain
 from neurosym.errors import InvalidValue
 from neurosym.pddl.domain import domain_text
 from neurosym.pddl.ground_plan import ground_plan
-from neurosym.pddl.plan_text import PlanStep
 from neurosym.pddl.problem import problem_text
 from neurosym.planners.plan_validator import PddlVerdict, validate_pddl
+from neurosym.tasks.steps import PlanStep
 
 TASK = toy_domain.problem({"item-01": (0.6, 0.08, 0.025)})
 DOMAIN = domain_text(toy_domain.grounding())
@@ -27,13 +27,13 @@ def test_plan_is_valid():
 
 
 def test_first_action_that_cannot_be_performed_is_named_with_the_condition_that_does_not_hold():
-    push, reach = actions()
-    verdict = validate_pddl(DOMAIN, PROBLEM, [push, push, reach])
-    assert verdict == PddlVerdict(False, f"(at-y item-01 {push[2]}) does not hold", 2)
+    push, along_x, along_y, reach = actions()
+    verdict = validate_pddl(DOMAIN, PROBLEM, [push, along_x, along_y, push, along_x, along_y, reach])
+    assert verdict == PddlVerdict(False, f"(at-y item-01 {along_y[3]}) does not hold", 6)
 
 
 def test_goal_that_is_not_met_in_the_end_is_named():
-    assert validate_pddl(DOMAIN, PROBLEM, actions()[:1]).reason == "(done item-01) does not hold in the end"
+    assert validate_pddl(DOMAIN, PROBLEM, actions()[:-1]).reason == "(done item-01) does not hold in the end"
     assert validate_pddl(DOMAIN, PROBLEM, []).reason == "(done item-01) does not hold in the end"
 
 
@@ -41,9 +41,9 @@ def test_goal_that_is_not_met_in_the_end_is_named():
     ("action", "reason"),
     [
         (("fly", "item-01"), "the domain has no action fly"),
-        (("reach-goal", "item-01"), "reach-goal takes 4 arguments, not 1"),
-        (("reach-goal", "item-77", "x000", "y000", "z000"), "the problem has no object item-77"),
-        (("reach-goal", "x000", "x000", "y000", "z000"), "x000 is no movable"),
+        (("reach-cell", "item-01"), "reach-cell takes 3 arguments, not 1"),
+        (("reach-cell", "item-77", "x00", "y00"), "the problem has no object item-77"),
+        (("reach-cell", "x00", "x00", "y00"), "x00 is no thing"),
     ],
 )
 def test_action_that_cannot_be_is_named(action: tuple[str, ...], reason: str):

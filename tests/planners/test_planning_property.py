@@ -4,9 +4,9 @@ import numpy as np
 import pytest
 import toy_domain
 
-from neurosym.pddl.validation import validate
 from neurosym.planners import PlanStatus, fewest_steps, plan
 from neurosym.problems import Problem, SceneObject
+from neurosym.tasks.transition import validate
 
 TASKS = 40
 

@@ -10,17 +10,18 @@ from tables import grounding, item, problem, total_cost
 
 from neurosym.errors import UnknownChoice
 from neurosym.grounding import Grounding
-from neurosym.pddl.plan_text import PlanStep
-from neurosym.pddl.validation import validate
 from neurosym.planners import PlanResult, PlanStatus, one_by_one, pddl_planner, plan, refinement
 from neurosym.planners.effort import Effort
 from neurosym.planners.joins import Join
 from neurosym.planners.one_by_one import plan_one_by_one
 from neurosym.planners.result import PlannerAnswer
 from neurosym.problems import Problem
+from neurosym.tasks.steps import PlanStep
+from neurosym.tasks.transition import validate
 
 
-@pytest.mark.parametrize(("encoding", "cell"), [("stepwise", 0.005), ("operators", 0.01)])
+@pytest.mark.parametrize("cell", [0.005, 0.02])
+@pytest.mark.parametrize("encoding", ["strips", "sas"])
 def test_errand_is_solved_and_the_plan_is_true(encoding: str, cell: float):
     found = plan(problem(), grounding(cell), encoding=encoding)
     assert found.status is PlanStatus.SOLVED, found.reason
@@ -127,12 +128,12 @@ def test_plan_whose_replay_is_wrong_is_planned_again_and_given_up_in_the_end():
         asked.append(task.read_text())
         return answers[min(len(asked), len(answers)) - 1]
 
-    planner = pddl_planner("scripted", "a script", scripted, ("stepwise",))
+    planner = pddl_planner("scripted", "a script", scripted, ("strips",))
     task = Problem("p", (item("item-01", 0.5, 0.0),), {"item-01": (0.571, -0.012, 0.025)})
     found = plan(task, grounding(), planner)
     assert (found.status, len(asked)) == (PlanStatus.SOLVED, 2)
     assert "attempt 2" in found.reason
-    assert asked[0].count("goal-xy") > asked[1].count("goal-xy")
+    assert asked[0].count("goal-cell") > asked[1].count("goal-cell")
     answers.pop()
     gave_up = plan(task, grounding(), planner)
     assert gave_up.status is PlanStatus.FAILED
@@ -156,10 +157,7 @@ def test_result_cannot_be_changed():
 
 
 def test_encodings_agree_on_the_cost():
-    costs = {
-        total_cost(plan(problem(), grounding(0.01), encoding=name).steps)
-        for name in ("stepwise", "operators")
-    }
+    costs = {total_cost(plan(problem(), grounding(0.01), encoding=name).steps) for name in ("strips", "sas")}
     assert len(costs) == 1
 
 

@@ -2,15 +2,17 @@
 
 import msgspec
 import pytest
+from independent.ground_pddl import judge
 from toy_relations import PUT_IN, PUT_ON, REST, grounding, relations, scene, sorting, tower, tower_at_place
 
 from neurosym.pair_sight import with_pairs
-from neurosym.pddl.ground_plan import print_ground_plan
-from neurosym.pddl.moves import RELATIONAL
-from neurosym.pddl.validation import validate
+from neurosym.pddl.domain import domain_text
+from neurosym.pddl.ground_plan import ground_plan
+from neurosym.pddl.problem import problem_text
 from neurosym.planners import PlanStatus, plan
 from neurosym.planners.relational_bfs import plan_relational_bfs
 from neurosym.problems import Problem
+from neurosym.tasks.transition import validate
 
 
 @pytest.mark.parametrize("planner", ["bfs", "bfs-operators"])
@@ -55,7 +57,10 @@ def test_what_bears_something_is_put_only_on_what_stands_at_a_place():
     steps = plan(problem, grounding(), "bfs").steps
     assert len(steps) > 1
     assert validate(steps, problem, grounding()).valid
-    assert PUT_ON in print_ground_plan(steps, problem, grounding(), RELATIONAL)
+    written = ground_plan(steps, problem, grounding())
+    printed = problem_text(problem, grounding(), plans=[written])
+    assert judge(domain_text(grounding()), printed, written.text) == ""
+    assert "(put item-02 rests-on-item-03 item-03 from-spot n0 n1" in written.text
 
 
 def test_there_is_an_end_to_all_sequences():

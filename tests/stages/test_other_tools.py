@@ -10,8 +10,11 @@ from command_line import neurosym, refusal
 
 from neurosym.files import write_json
 from neurosym.grounding import Grounding
+from neurosym.pddl import problem_text
 from neurosym.pddl.durative import durative_domain_text, durative_problem_text
 from neurosym.pddl.planviz import planviz_json, planviz_script, scenes_of
+from neurosym.planners import PlanStatus
+from neurosym.planners.fast_downward import plan_fast_downward
 from neurosym.problems import Problem
 from neurosym.stages.compiling import compile_stage
 from neurosym.stages.folder import DomainFolder
@@ -78,14 +81,40 @@ def test_durative_domain_of_what_is_only_pushed_is_refused_and_nothing_is_writte
     assert names(folder, "*.pddl") == set()
 
 
+def test_page_without_costs_is_written_if_asked_for_kept_up_to_date_and_planned_on(folder, tmp_path):
+    assert neurosym("compile-domain", folder, *CELL) == 0
+    assert names(folder, "*plain*") == set()
+    assert neurosym("compile-domain", folder, *CELL, "--plain") == 0
+    domain, mixed, swap = "domain-plain.pddl", "problems/mixed.plain.pddl", "problems/swap.plain.pddl"
+    assert names(folder, "*plain*") == {domain, mixed, swap}
+    assert DomainFolder(folder).problem_names() == ("mixed", "swap")
+    texts = {file: (folder / file).read_text() for file in (domain, mixed, swap)}
+    for word in (":action-costs", ":functions", "increase", "total-cost", ":metric"):
+        assert not any(word in text for text in texts.values())
+        assert any(word in (folder / file).read_text() for file in ("domain.pddl", "problems/swap.pddl"))
+    for name in ("mixed", "swap"):
+        found = plan_fast_downward(folder / domain, folder / f"problems/{name}.plain.pddl", time_limit=60.0)
+        assert found.status is PlanStatus.SOLVED, found.reason
+        (tmp_path / f"{name}.plan").write_text(found.text)
+        assert neurosym("validate", folder, name, tmp_path / f"{name}.plan") == 0
+    for file in texts:
+        (folder / file).write_text("stale")
+    assert neurosym("compile-domain", folder, *CELL) == 0
+    assert {file: (folder / file).read_text() for file in texts} == texts
+    scene = tmp_path / "mine.json"
+    toy_places.swap().save(scene)
+    assert neurosym("new-problem", folder, "--scene", scene) == 0
+    mine = Problem.load(folder / "problems/mine.scene.json")
+    learned = Grounding.load(folder / "grounding.json")
+    assert (folder / "problems/mine.plain.pddl").read_text() == problem_text(mine, learned, costs=False)
+
+
 def test_editor_is_told_what_draws_the_plans_of_each_domain_over_cells_or_places(folder):
     assert neurosym("compile-domain", folder, *CELL) == 0
-    domains = ("domain", "domain-operators", "domain-places")
-    assert names(folder, "*.planviz.json") == {f"{domain}.planviz.json" for domain in domains}
-    for domain in domains:
-        text = (folder / f"{domain}.planviz.json").read_text()
-        assert text == planviz_json()
-        assert (folder / json.loads(text)["customVisualization"]).is_file()
+    assert names(folder, "*.planviz.json") == {"domain.planviz.json"}
+    text = (folder / "domain.planviz.json").read_text()
+    assert text == planviz_json()
+    assert (folder / json.loads(text)["customVisualization"]).is_file()
     learned = Grounding.load(folder / "grounding.json")
     both = planviz_script(learned, [toy_places.swap(), toy_places.mixed()])
     assert (folder / "planviz.js").read_text() == both
@@ -124,6 +153,5 @@ def test_domain_without_places_is_drawn_over_cells(tmp_path):
     assert names(tmp_path, "*planviz*") == {
         "planviz.js",
         "domain.planviz.json",
-        "domain-operators.planviz.json",
     }
     assert scenes_of((tmp_path / "planviz.js").read_text()).keys() == {"mine"}

@@ -27,7 +27,6 @@ from neurosym.stages.layout import (
     RELATION_INTERACTIONS,
     RELATION_OPERATORS,
     RELATION_STATES,
-    RELATIONAL_DOMAIN,
 )
 from neurosym.stages.problem_making import Asked, problem_stage
 from neurosym.stages.relating import (
@@ -126,7 +125,7 @@ def test_whole_way_ends_with_a_domain_of_relations_and_problems_say_what_is_fore
     options = {"strategy": "random", "regime": "quick", "seed": 3, "workers": 1, "problems": 0}
     run(path, world="toy-relations", steps=512, places=128, relations=200, **options)
     folder = DomainFolder(path)
-    assert (folder / RELATIONAL_DOMAIN).exists()
+    assert "(:action put " in (folder / "domain.pddl").read_text()
     folder.perform(problem_stage(folder, "drawn", Asked(3, seed=1, task="boxes")), again=False)
     problem = load_scene(folder / "problems/drawn.scene.json")
     assert isinstance(problem.foreseen, dict)

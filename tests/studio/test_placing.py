@@ -4,10 +4,10 @@ import numpy as np
 import pytest
 from toy_domain import grounding, problem
 
-from neurosym.pddl.plan_text import PlanStep
-from neurosym.pddl.validation import validate
 from neurosym.studio import setting
 from neurosym.studio.placing import REACH_CELL, reach_of, why_beyond, why_not_there
+from neurosym.tasks.steps import PlanStep
+from neurosym.tasks.transition import validate
 
 TABLE = grounding().table
 SCENE = problem({"item-01": (0.6, 0.16, 0.025)})

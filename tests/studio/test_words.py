@@ -7,7 +7,7 @@ from toy_relations import LIE, PUT_IN, REST
 
 from neurosym.execution.executor import execute
 from neurosym.execution.record import Replanning, Run
-from neurosym.pddl.plan_text import named_steps
+from neurosym.pddl.strips_plan import action_for
 from neurosym.planners import PlanStatus, plan
 from neurosym.reading import read_json, read_text
 from neurosym.stages.plan_records import PlanRecord
@@ -23,6 +23,7 @@ from neurosym.studio.words import (
     safe,
 )
 from neurosym.tasks.puts import put_named
+from neurosym.tasks.steps import named_steps
 
 EVIL = '<img src=x onerror="alert(1)">'
 LIBRARY = shipped_library()
@@ -120,12 +121,12 @@ def test_pddl_loses_no_character():
 
 
 def test_action_of_an_operator_is_found_with_its_comment():
-    domain = read_text(LIBRARY.folder / "domain-operators.pddl")
+    domain = read_text(LIBRARY.folder / "domain.pddl")
     for operator in LIBRARY.grounding.live[:5]:
-        action = action_of(domain, operator.name)
-        assert action.lstrip().startswith(";")
-        assert f"(:action {operator.name}\n" in action
-        assert action.count("(") == action.count(")") or ";" in action
+        name = action_for(operator.name, LIBRARY.grounding)
+        action = action_of(domain, name)
+        assert f"(:action {name} ; begin to {name}" in action
+        assert action.count("(") == action.count(")")
         assert action.rstrip().endswith(")")
     assert action_of(domain, "no-such-action") == ""
 

@@ -1,42 +1,48 @@
-; Problem task-06 of the learned domain tabletop-paper, for its encoding numeric.
+; Problem task-06 of the learned domain tabletop-paper, in numbers.
 ; How it came about: drawn with seed 7: 2 random actions on item-01, item-01; draw 1, earlier ones met at the start or off the table.
-; A goal is met within 50 mm; what is asked for here lies inside that
-; by as much as 10 step(s) with an object can err by rounding to 0.1 mm.
+; A goal is met within 50 mm; what is asked for lies inside that by as
+; much as 10 step(s) with an object can err by rounding to 0.1 mm.
 (define (problem task-06)
   (:domain tabletop-paper-numeric)
   (:objects
-    item-01 - hollow-tall-wide-01)
+    item-01 - hollow-tall-wide-01
+    m-000-item-01 m-000-down-item-01 m-000b-item-01 m-000b-down-item-01 m-100-item-01 m-100-down-item-01 m-100b-item-01 m-100b-down-item-01 m-101-item-01 m-101-down-item-01 m-101a-item-01 m-101a-down-item-01 m-010b-item-01 m-111b-item-01 m-011b-item-01 m-001b-item-01 m-100-push-item-01 m-110b-item-01 - motion)
   (:init
-    (hand-empty) (= (total-cost) 0)
-    ; item-01 starts at (0.7202, -0.0966, 0.0284) m
+    (hand-empty)
+    ; item-01 lies at (0.7202, -0.0966, 0.0284) m at first
+    (lifts item-01 m-000-item-01)
+    (lowers m-000-down-item-01 m-000-item-01)
+    (lifts item-01 m-000b-item-01)
+    (lowers m-000b-down-item-01 m-000b-item-01)
+    (lifts item-01 m-100-item-01)
+    (lowers m-100-down-item-01 m-100-item-01)
+    (lifts item-01 m-100b-item-01)
+    (lowers m-100b-down-item-01 m-100b-item-01)
+    (lifts item-01 m-101-item-01)
+    (lowers m-101-down-item-01 m-101-item-01)
+    (lifts item-01 m-101a-item-01)
+    (lowers m-101a-down-item-01 m-101a-item-01)
+    (pushes item-01 m-010b-item-01) (pushes item-01 m-111b-item-01) (pushes item-01 m-011b-item-01) (pushes item-01 m-001b-item-01) (pushes item-01 m-100-push-item-01) (pushes item-01 m-110b-item-01)
     (= (x item-01) 3702) (= (y item-01) 2034) (= (z item-01) 0)
-    ; What each operator promises for item-01 (features 0.1698 0.1698 0.0569 2).
-    ; Not for item-01:
-    ; push-right-101-hollow-tall-wide-01: keeps its promise in 1 of 30 rehearsals only.
-    (can-lift-000-hollow-tall-wide-01 item-01) (= (x-of-lift-000-hollow-tall-wide-01 item-01) 9969) (= (y-of-lift-000-hollow-tall-wide-01 item-01) 11076) (= (z-of-lift-000-hollow-tall-wide-01 item-01) 12244) (= (cost-of-lift-000-hollow-tall-wide-01 item-01) 4)
-    (= (x-of-put-down-lift-000-hollow-tall-wide-01 item-01) 9999) (= (y-of-put-down-lift-000-hollow-tall-wide-01 item-01) 9969) (= (z-of-put-down-lift-000-hollow-tall-wide-01 item-01) 7756)
-    (can-lift-000b-hollow-tall-wide-01 item-01) (= (x-of-lift-000b-hollow-tall-wide-01 item-01) 10047) (= (y-of-lift-000b-hollow-tall-wide-01 item-01) 10502) (= (z-of-lift-000b-hollow-tall-wide-01 item-01) 12522) (= (cost-of-lift-000b-hollow-tall-wide-01 item-01) 4)
-    (= (x-of-put-down-lift-000b-hollow-tall-wide-01 item-01) 10001) (= (y-of-put-down-lift-000b-hollow-tall-wide-01 item-01) 9970) (= (z-of-put-down-lift-000b-hollow-tall-wide-01 item-01) 7478)
-    (can-lift-100-hollow-tall-wide-01 item-01) (= (x-of-lift-100-hollow-tall-wide-01 item-01) 9550) (= (y-of-lift-100-hollow-tall-wide-01 item-01) 8966) (= (z-of-lift-100-hollow-tall-wide-01 item-01) 12029) (= (cost-of-lift-100-hollow-tall-wide-01 item-01) 70)
-    (= (x-of-put-down-lift-100-hollow-tall-wide-01 item-01) 9999) (= (y-of-put-down-lift-100-hollow-tall-wide-01 item-01) 9972) (= (z-of-put-down-lift-100-hollow-tall-wide-01 item-01) 7971)
-    (can-lift-100b-hollow-tall-wide-01 item-01) (= (x-of-lift-100b-hollow-tall-wide-01 item-01) 9499) (= (y-of-lift-100b-hollow-tall-wide-01 item-01) 10825) (= (z-of-lift-100b-hollow-tall-wide-01 item-01) 11976) (= (cost-of-lift-100b-hollow-tall-wide-01 item-01) 4)
-    (= (x-of-put-down-lift-100b-hollow-tall-wide-01 item-01) 10002) (= (y-of-put-down-lift-100b-hollow-tall-wide-01 item-01) 9972) (= (z-of-put-down-lift-100b-hollow-tall-wide-01 item-01) 8024)
-    (can-lift-101-hollow-tall-wide-01 item-01) (= (x-of-lift-101-hollow-tall-wide-01 item-01) 9627) (= (y-of-lift-101-hollow-tall-wide-01 item-01) 8675) (= (z-of-lift-101-hollow-tall-wide-01 item-01) 12488) (= (cost-of-lift-101-hollow-tall-wide-01 item-01) 11)
-    (= (x-of-put-down-lift-101-hollow-tall-wide-01 item-01) 10007) (= (y-of-put-down-lift-101-hollow-tall-wide-01 item-01) 9975) (= (z-of-put-down-lift-101-hollow-tall-wide-01 item-01) 7512)
-    (can-lift-101a-hollow-tall-wide-01 item-01) (= (x-of-lift-101a-hollow-tall-wide-01 item-01) 10003) (= (y-of-lift-101a-hollow-tall-wide-01 item-01) 9159) (= (z-of-lift-101a-hollow-tall-wide-01 item-01) 12010) (= (cost-of-lift-101a-hollow-tall-wide-01 item-01) 4)
-    (= (x-of-put-down-lift-101a-hollow-tall-wide-01 item-01) 9999) (= (y-of-put-down-lift-101a-hollow-tall-wide-01 item-01) 9962) (= (z-of-put-down-lift-101a-hollow-tall-wide-01 item-01) 7990)
-    (can-pull-left-010b-hollow-tall-wide-01 item-01) (= (x-of-pull-left-010b-hollow-tall-wide-01 item-01) 9686) (= (y-of-pull-left-010b-hollow-tall-wide-01 item-01) 10244) (= (cost-of-pull-left-010b-hollow-tall-wide-01 item-01) 4)
-    (can-push-forward-right-111b-hollow-tall-wide-01 item-01) (= (x-of-push-forward-right-111b-hollow-tall-wide-01 item-01) 10426) (= (y-of-push-forward-right-111b-hollow-tall-wide-01 item-01) 9662) (= (cost-of-push-forward-right-111b-hollow-tall-wide-01 item-01) 4)
-    (can-push-left-011b-hollow-tall-wide-01 item-01) (= (x-of-push-left-011b-hollow-tall-wide-01 item-01) 10288) (= (y-of-push-left-011b-hollow-tall-wide-01 item-01) 10784) (= (cost-of-push-left-011b-hollow-tall-wide-01 item-01) 4)
-    (can-push-right-001b-hollow-tall-wide-01 item-01) (= (x-of-push-right-001b-hollow-tall-wide-01 item-01) 10115) (= (y-of-push-right-001b-hollow-tall-wide-01 item-01) 9023) (= (cost-of-push-right-001b-hollow-tall-wide-01 item-01) 4)
-    (can-push-right-100-hollow-tall-wide-01 item-01) (= (x-of-push-right-100-hollow-tall-wide-01 item-01) 9962) (= (y-of-push-right-100-hollow-tall-wide-01 item-01) 9667) (= (cost-of-push-right-100-hollow-tall-wide-01 item-01) 70)
-    (= (x-of-push-right-101-hollow-tall-wide-01 item-01) 10224) (= (y-of-push-right-101-hollow-tall-wide-01 item-01) 9217) (= (cost-of-push-right-101-hollow-tall-wide-01 item-01) 278)
-    (can-push-right-110b-hollow-tall-wide-01 item-01) (= (x-of-push-right-110b-hollow-tall-wide-01 item-01) 9662) (= (y-of-push-right-110b-hollow-tall-wide-01 item-01) 9133) (= (cost-of-push-right-110b-hollow-tall-wide-01 item-01) 4))
-  (:goal (and
-    ; item-01 shall come to (0.7098, -0.1422, 0.2290) m, 206 mm from where it starts
-    (<= (x item-01) 3997) (>= (x item-01) 3199)
-    (<= (+ (x item-01) (y item-01)) 5740) (>= (+ (x item-01) (y item-01)) 4611)
-    (<= (y item-01) 1977) (>= (y item-01) 1179)
-    (<= (+ (y item-01) 1455) (x item-01)) (<= (x item-01) (+ (y item-01) 2585))
-    (>= (z item-01) 1976) (<= (z item-01) 2244)))
+    (= (along-x m-000-item-01) 9969) (= (along-y m-000-item-01) 11076) (= (along-z m-000-item-01) 12244)
+    (= (along-x m-000-down-item-01) 9999) (= (along-y m-000-down-item-01) 9969) (= (along-z m-000-down-item-01) 7756)
+    (= (along-x m-000b-item-01) 10047) (= (along-y m-000b-item-01) 10502) (= (along-z m-000b-item-01) 12522)
+    (= (along-x m-000b-down-item-01) 10001) (= (along-y m-000b-down-item-01) 9970) (= (along-z m-000b-down-item-01) 7478)
+    (= (along-x m-100-item-01) 9550) (= (along-y m-100-item-01) 8966) (= (along-z m-100-item-01) 12029)
+    (= (along-x m-100-down-item-01) 9999) (= (along-y m-100-down-item-01) 9972) (= (along-z m-100-down-item-01) 7971)
+    (= (along-x m-100b-item-01) 9499) (= (along-y m-100b-item-01) 10825) (= (along-z m-100b-item-01) 11976)
+    (= (along-x m-100b-down-item-01) 10002) (= (along-y m-100b-down-item-01) 9972) (= (along-z m-100b-down-item-01) 8024)
+    (= (along-x m-101-item-01) 9627) (= (along-y m-101-item-01) 8675) (= (along-z m-101-item-01) 12488)
+    (= (along-x m-101-down-item-01) 10007) (= (along-y m-101-down-item-01) 9975) (= (along-z m-101-down-item-01) 7512)
+    (= (along-x m-101a-item-01) 10003) (= (along-y m-101a-item-01) 9159) (= (along-z m-101a-item-01) 12010)
+    (= (along-x m-101a-down-item-01) 9999) (= (along-y m-101a-down-item-01) 9962) (= (along-z m-101a-down-item-01) 7990)
+    (= (along-x m-010b-item-01) 9686) (= (along-y m-010b-item-01) 10244) (= (along-z m-010b-item-01) 10000)
+    (= (along-x m-111b-item-01) 10426) (= (along-y m-111b-item-01) 9662) (= (along-z m-111b-item-01) 10000)
+    (= (along-x m-011b-item-01) 10288) (= (along-y m-011b-item-01) 10784) (= (along-z m-011b-item-01) 10000)
+    (= (along-x m-001b-item-01) 10115) (= (along-y m-001b-item-01) 9023) (= (along-z m-001b-item-01) 10000)
+    (= (along-x m-100-push-item-01) 9962) (= (along-y m-100-push-item-01) 9667) (= (along-z m-100-push-item-01) 10000)
+    (= (along-x m-110b-item-01) 9662) (= (along-y m-110b-item-01) 9133) (= (along-z m-110b-item-01) 10000)
+    (= (total-cost) 0) (= (cost m-000-item-01) 4) (= (cost m-000-down-item-01) 0) (= (cost m-000b-item-01) 4) (= (cost m-000b-down-item-01) 0) (= (cost m-100-item-01) 70) (= (cost m-100-down-item-01) 0) (= (cost m-100b-item-01) 4) (= (cost m-100b-down-item-01) 0) (= (cost m-101-item-01) 11) (= (cost m-101-down-item-01) 0) (= (cost m-101a-item-01) 4) (= (cost m-101a-down-item-01) 0) (= (cost m-010b-item-01) 4) (= (cost m-111b-item-01) 4) (= (cost m-011b-item-01) 4) (= (cost m-001b-item-01) 4) (= (cost m-100-push-item-01) 70) (= (cost m-110b-item-01) 4)
+  )
+  (:goal (and (<= (x item-01) 3997) (>= (x item-01) 3199) (<= (+ (x item-01) (y item-01)) 5740) (>= (+ (x item-01) (y item-01)) 4611) (<= (y item-01) 1977) (>= (y item-01) 1179) (<= (+ (y item-01) 1455) (x item-01)) (<= (x item-01) (+ (y item-01) 2585)) (>= (z item-01) 1976) (<= (z item-01) 2244)))
   (:metric minimize (total-cost)))

@@ -35,10 +35,8 @@ CONTENDERS: dict[str, tuple[str, dict[str, Any]]] = {
     "SAS+, object by object": ("fast-downward", {}),
     "SAS+, object by object, no costs": ("fast-downward", {"costs": False}),
     "SAS+, whole, no costs": ("fast-downward", {"whole": True, "costs": False}),
-    "stepwise, object by object, no costs": ("fast-downward", {"encoding": "stepwise", "costs": False}),
-    "stepwise, whole, no costs": ("fast-downward", {"encoding": "stepwise", "whole": True, "costs": False}),
-    "operators, object by object, no costs": ("fast-downward", {"encoding": "operators", "costs": False}),
-    "operators, whole, no costs": ("fast-downward", {"encoding": "operators", "whole": True, "costs": False}),
+    "page, object by object, no costs": ("fast-downward", {"encoding": "strips", "costs": False}),
+    "page, whole, no costs": ("fast-downward", {"encoding": "strips", "whole": True, "costs": False}),
     "numeric with Kairos, object by object, no costs": ("kairos", {"encoding": "numeric", "costs": False}),
     "numeric with Kairos, whole, no costs": (
         "kairos",

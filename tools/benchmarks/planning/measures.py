@@ -27,7 +27,6 @@ from neurosym.execution.executor import execute
 from neurosym.execution.summary import summarise_run
 from neurosym.grounding import Grounding
 from neurosym.operators import TOLERANCE
-from neurosym.pddl.validation import validate
 from neurosym.planners import PlanResult, PlanStatus, plan
 from neurosym.planners.bfs import plan_bfs
 from neurosym.planners.branching import branching_of
@@ -40,6 +39,7 @@ from neurosym.stages.folder import DomainFolder
 from neurosym.stages.layout import MODEL, PRIMITIVES, WORLD
 from neurosym.stages.training import train_stage
 from neurosym.stages.whole_way import CELL
+from neurosym.tasks.transition import validate
 from tools.benchmarks.planning.tasks import draw_symbolic
 from tools.benchmarks.planning.trials import PLANNER
 

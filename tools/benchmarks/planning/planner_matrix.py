@@ -24,11 +24,13 @@ from neurosym.errors import InvalidPlan
 from neurosym.files import write_atomically
 from neurosym.grounding import Grounding
 from neurosym.pddl import domain_text, problem_text
-from neurosym.pddl.moves import BY_RELATIONS, ENCODINGS, PLACES, RELATIONAL, Encoding
+from neurosym.pddl.moves import SAS, STRIPS, Encoding
 from neurosym.pddl.plan_reading import parse_plan
-from neurosym.pddl.validation import validate
+from neurosym.pddl.sas import sas_text
+from neurosym.pddl.strips_problem import printed_cell
 from neurosym.planners import PLANNERS, PlanStatus, plan
 from neurosym.planners.catalogue import COARSE, PROGRAMS
+from neurosym.planners.fast_downward import SAS_SUFFIX
 from neurosym.planners.planner import PddlProgram
 from neurosym.planners.process import run_limited
 from neurosym.planners.track_record import FILE, TrackRecord
@@ -37,6 +39,8 @@ from neurosym.problems import Problem
 from neurosym.stages.folder import DomainFolder
 from neurosym.stages.layout import GROUNDING
 from neurosym.stages.planning import load_problem
+from neurosym.tasks.task import understand
+from neurosym.tasks.transition import validate
 from tools.benchmarks.jobs import as_text, load_jobs, machine, perform
 from tools.benchmarks.options import Results, Work
 from tools.benchmarks.places import ROOT
@@ -60,7 +64,16 @@ READERS = {
 """Programs that read PDDL and do not plan."""
 REFUSING = {"tamer": partial(plan_unified_planning, engine="tamer")}
 """Planners that refuse all of it, for the record."""
-COLUMNS = (*ENCODINGS, PLACES, *BY_RELATIONS)
+_PLACES, _RELATIONS = "places-", "relations-"
+"""What the names of problems begin with in which objects are carried, and put on and into one another."""
+COLUMNS: tuple[tuple[str, Encoding, tuple[str, ...]], ...] = (
+    ("strips", STRIPS, ("toy-", "task-")),
+    ("strips, places", STRIPS, (_PLACES,)),
+    ("strips, relations", STRIPS, (_RELATIONS,)),
+    ("numeric", "numeric", ("toy-", "task-")),
+    ("sas", SAS, ("toy-", "task-")),
+)
+"""The columns: the title, the encoding, and what the names of its problems begin with."""
 PACKAGES = (
     "unified-planning", "up-fast-downward", "kairos-planner", "up-enhsp", "up-lpg", "up-symk",
     "kstar-planner", "forbiditerative", "up-pyperplan", "up-aries", "up-tamer", "pddl", "tarski",
@@ -79,7 +92,9 @@ def main(
     folder.mkdir(parents=True, exist_ok=True)
     results.mkdir(parents=True, exist_ok=True)
     names = [*(planner.name for planner in PROGRAMS), *REFUSING]
-    cells = [(name, encoding, task) for encoding, task in _asked(tasks) for name in names]
+    cells = [
+        (name, encoding, task) for encoding, task in _asked(tasks) for name in names if _reads(name, encoding)
+    ]
     cells.sort(key=lambda cell: cell[1] not in _taken(cell[0])[:1])  # what each does best with comes first
     jobs = {
         ".".join(cell): partial(measure, *cell[:2], *tasks[cell[2]], time_limit=time_limit) for cell in cells
@@ -88,6 +103,7 @@ def main(
         f"{reader}.{encoding}.{task}": partial(measure_reader, reader, encoding, *tasks[task])
         for reader in READERS
         for encoding, task in _asked(tasks)
+        if encoding != SAS
     }
     jobs |= read
 
@@ -105,14 +121,14 @@ def measure(
     """Give a planner a problem in an encoding; what came of it."""
     if remedy := PLANNERS[planner].missing() if planner in PLANNERS else "":
         return {"status": "not installed", "words": remedy}
-    fitted = _on_grid(planner, encoding, problem, grounding)
+    fitted = _on_grid(planner, problem, grounding)
     with tempfile.TemporaryDirectory(prefix="neurosym-matrix-") as name:
-        answer = _program(planner).call(
-            *_written(Path(name), problem, fitted, encoding), time_limit=time_limit
-        )
+        program = _program(planner)
+        files = _written(Path(name), problem, fitted, encoding, costs=program.costs)
+        answer = program.call(*files, time_limit=time_limit)
     found: dict[str, Any] = {
         "status": answer.status.value,
-        "cell_mm": None if encoding in ("numeric", *BY_RELATIONS) else fitted.cell * 1000,
+        "cell_mm": _cell_in_mm(encoding, problem, fitted),
         "seconds": round(answer.seconds, 2),
         "words": answer.reason,
     }
@@ -126,9 +142,17 @@ def measure(
     return found
 
 
+def _cell_in_mm(encoding: str, problem: Problem, fitted: Grounding) -> float | None:
+    """Return how long the cells are that objects are led over; None if none is."""
+    task = understand(problem, fitted)
+    if encoding == STRIPS:
+        return printed_cell(task) * 1000 if task.led else None
+    return fitted.cell * 1000 if encoding == SAS else None
+
+
 def measure_reader(reader: str, encoding: str, problem: Problem, grounding: Grounding) -> dict[str, Any]:
     """Let a reader read a problem in an encoding; whether it did."""
-    fitted = _on_grid("up-fast-downward", encoding, problem, grounding)
+    fitted = _on_grid("up-fast-downward", problem, grounding)
     with tempfile.TemporaryDirectory(prefix="neurosym-matrix-") as name:
         files = _written(Path(name), problem, fitted, encoding)
         command = [sys.executable, "-c", f"import sys; {READERS[reader]}", *map(str, files)]
@@ -163,7 +187,7 @@ def _with_places() -> dict[str, tuple[Problem, Grounding]]:
     import toy_places
 
     return {
-        f"{PLACES}-{task.name}": (task, toy_places.grounding())
+        f"{_PLACES}{task.name}": (task, toy_places.grounding())
         for task in (toy_places.swap(), toy_places.mixed())
     }
 
@@ -173,31 +197,25 @@ def _with_relations() -> dict[str, tuple[Problem, Grounding]]:
     import toy_relations
 
     return {
-        f"{RELATIONAL}-{task.name}": (task, toy_relations.grounding())
+        f"{_RELATIONS}{task.name}": (task, toy_relations.grounding())
         for task in (toy_relations.tower(), toy_relations.sorting())
     }
 
 
-def _asked(tasks: Mapping[str, tuple[Problem, Grounding]]) -> list[tuple[str, str]]:
-    """List which problem is given in which encoding."""
-    return [
-        (encoding, name)
-        for encoding in COLUMNS
-        for name, (_, grounding) in tasks.items()
-        if encoding in _fitting(grounding)
-    ]
+def _asked(tasks: Mapping[str, tuple[Problem, Grounding]]) -> list[tuple[Encoding, str]]:
+    """List which problem is given in which encoding: places and relations only stand on the page."""
+    return [(encoding, name) for _, encoding, kinds in COLUMNS for name in tasks if name.startswith(kinds)]
 
 
-def _fitting(grounding: Grounding) -> tuple[Encoding, ...]:
-    """Name the encodings that the problems of a domain are given in: relations and places have their own."""
-    if grounding.relations is not None:
-        return BY_RELATIONS
-    return ENCODINGS if grounding.places is None else (PLACES,)
+def _reads(planner: str, encoding: str) -> bool:
+    """Say whether a planner is given an encoding: all are given PDDL, and SAS+ only those that take it."""
+    return encoding != SAS or encoding in _taken(planner)
 
 
 def _digest(tasks: Mapping[str, tuple[Problem, Grounding]], time_limit: float) -> str:
     """Name what is measured with, so that what was measured with something else is measured again."""
-    return hashlib.sha256(msgspec.json.encode([tasks, time_limit])).hexdigest()[:12]
+    texts = [_texts(*tasks[name], encoding) for encoding, name in _asked(tasks)]
+    return hashlib.sha256(msgspec.json.encode([texts, time_limit])).hexdigest()[:12]
 
 
 def _taken(planner: str) -> tuple[str, ...]:
@@ -210,19 +228,29 @@ def _program(planner: str) -> PddlProgram:
     return program or PddlProgram(REFUSING[planner], encodings=(), cell=COARSE)
 
 
-def _on_grid(planner: str, encoding: str, problem: Problem, grounding: Grounding) -> Grounding:
-    """Lay the grid that a planner is given: coarser if fine ones are too much for it, or the encoding."""
-    coarsest = COARSE if encoding == "operators" else 0.0
-    cell = max(grounding.cell, coarsest, _program(planner).cell)
+def _on_grid(planner: str, problem: Problem, grounding: Grounding) -> Grounding:
+    """Lay the grid that a planner is given: coarser if fine ones are too much for it."""
+    cell = max(grounding.cell, _program(planner).cell)
     narrowed = grounding.narrowed({item.category for item in problem.objects})
     return msgspec.structs.replace(narrowed, cell=cell)
 
 
-def _written(folder: Path, problem: Problem, grounding: Grounding, encoding: str) -> tuple[Path, Path]:
-    domain, task = folder / "domain.pddl", folder / "problem.pddl"
-    domain.write_text(domain_text(grounding, encoding))
-    task.write_text(problem_text(problem, grounding, encoding))
+def _written(
+    folder: Path, problem: Problem, grounding: Grounding, encoding: str, *, costs: bool = True
+) -> tuple[Path, Path]:
+    """Write the files of domain and problem, which are one if in SAS+."""
+    names = (f"problem{SAS_SUFFIX}",) * 2 if encoding == SAS else ("domain.pddl", "problem.pddl")
+    domain, task = (folder / name for name in names)
+    for file, text in zip((domain, task), _texts(problem, grounding, encoding, costs=costs), strict=True):
+        file.write_text(text)
     return domain, task
+
+
+def _texts(problem: Problem, grounding: Grounding, encoding: str, *, costs: bool = True) -> tuple[str, str]:
+    if encoding == SAS:
+        return (sas_text(problem, grounding),) * 2
+    domain = domain_text(grounding, encoding, costs=costs)
+    return domain, problem_text(problem, grounding, encoding, costs=costs)
 
 
 def _write(
@@ -243,24 +271,24 @@ def _write(
 
 
 def record_of(values: Mapping[str, Any]) -> TrackRecord:
-    """Return what each planner solved of shipped problems, in the encodings that it takes.
+    """Return what each planner solved of shipped problems, in the encodings that it takes and was given.
 
     Args:
         values: What `planners.json` holds.
     """
     problems = tuple(name for name in values["problems"] if name.startswith("task-"))
-    solved = {
-        planner.name: {
-            encoding: sum(
-                values["cells"].get(f"{planner.name}.{encoding}.{name}", {}).get("status") == "solved"
-                for name in problems
-            )
-            for encoding in planner.encodings
-            if encoding in ENCODINGS
-        }
-        for planner in PROGRAMS
-    }
+    solved: dict[str, dict[str, int]] = {planner.name: {} for planner in PROGRAMS}
+    for planner in PROGRAMS:
+        for encoding in planner.encodings:
+            cells = [values["cells"].get(f"{planner.name}.{encoding}.{name}") for name in problems]
+            if all(cells):
+                count = sum(cell["status"] == "solved" for cell in cells)
+                solved[planner.name][encoding] = count
     return TrackRecord(problems, values["time_limit"], solved)
+
+
+def _without_costs() -> str:
+    return " and ".join(planner.name for planner in PROGRAMS if not _program(planner.name).costs)
 
 
 def _version(name: str) -> str:
@@ -282,25 +310,27 @@ def _page(values: Mapping[str, Any]) -> str:
         "Each cell: plans found of problems given, how many of these are valid when replayed with exact",
         "displacements, median seconds and steps, the grid; and what the planner said where it found none.",
         "*Usual* is the encoding that `neurosym plan` gives it; that also tries again where a replay fails,",
-        "on a finer grid in the end, which is not done here. The encoding `places` has problems of its own:",
-        "two that change places, and one that is carried to where another must be pushed away. So have those",
-        "of relations: a tower of three, and a stack to be sorted into two trays. These are without a grid.",
+        "on a finer grid in the end, which is not done here. What is carried to places has problems of its",
+        "own: two that change places, and one that is carried to where another must be pushed away. So have",
+        "relations: a tower of three, and a stack to be sorted into two trays. Only Fast Downward is given",
+        f"`sas`, which no file of a domain says. {_without_costs()} read no prices, and are given none.",
         "",
-        f"| planner | usual | {' | '.join(COLUMNS)} |",
+        f"| planner | usual | {' | '.join(title for title, *_ in COLUMNS)} |",
         "|---|---|" + "---|" * len(COLUMNS),
     ]
     for name in [*(planner.name for planner in PROGRAMS), *REFUSING, *READERS]:
-        row = [_cell(values["cells"], name, encoding) for encoding in COLUMNS]
+        row = [_cell(values["cells"], name, encoding, kinds) for _, encoding, kinds in COLUMNS]
         usual, *_ = ("reads only",) if name in READERS else (_taken(name) or ("none",))
         lines.append(f"| {name} | {usual} | {' | '.join(row)} |")
     versions = ", ".join(f"{name} {value}" for name, value in values["machine"].items())
     return "\n".join([*lines, "", f"Measured with {versions}.", ""])
 
 
-def _cell(cells: Mapping[str, Any], name: str, encoding: str) -> str:
-    found = [cell for key, cell in cells.items() if key.startswith(f"{name}.{encoding}.")]
+def _cell(cells: Mapping[str, Any], name: str, encoding: str, kinds: Sequence[str]) -> str:
+    begin = tuple(f"{name}.{encoding}.{kind}" for kind in kinds)
+    found = [cell for key, cell in cells.items() if key.startswith(begin)]
     if not found:
-        return "not done"
+        return "-" if encoding == SAS else "not done"
     said = sorted({cell["words"] for cell in found if cell["status"] not in ("solved", "parsed")})
     words = "; ".join(text.replace("|", "/")[:160] for text in said[:2])
     if parsed := sum(cell["status"] == "parsed" for cell in found):

@@ -7,11 +7,11 @@ from neurosym.errors import InvalidValue
 from neurosym.evaluation.comparison_tasks import Bench
 from neurosym.grounding import Grounding, is_lift
 from neurosym.operators import TOLERANCE, Operator, vector
-from neurosym.pddl.plan_text import PlanStep
-from neurosym.pddl.validation import validate
 from neurosym.planners import PlanStatus
 from neurosym.planners.counting import fewest_steps, plan_counting
 from neurosym.problems import Problem, SceneObject
+from neurosym.tasks.steps import PlanStep
+from neurosym.tasks.transition import validate
 from neurosym.worlds.problem_drawing import item_names
 
 DIFFICULTIES = {"easy": (1, 3), "hard": (5, 8)}

@@ -14,11 +14,11 @@ from neurosym.execution.summary import failure
 from neurosym.grounding import Grounding
 from neurosym.operators import Vector
 from neurosym.pddl.chances import expected_success, expected_within
-from neurosym.pddl.plan_text import primitives
 from neurosym.planners import PlanStatus
 from neurosym.problems import Problem, SceneObject
 from neurosym.promises import promised
 from neurosym.stages.plan_records import MORE_MOTIONS
+from neurosym.tasks.steps import primitives
 from tools.benchmarks.spent import cpu_seconds
 
 PLANNER = "fast-downward"

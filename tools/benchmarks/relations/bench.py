@@ -16,12 +16,12 @@ import tyro
 from neurosym.grounding import Grounding
 from neurosym.operators import TOLERANCE
 from neurosym.pair_sight import PairSight, with_pairs
-from neurosym.pddl.relational_task import Task
 from neurosym.problems import Problem, SceneObject
 from neurosym.relation_goals import RelationGoal
 from neurosym.stages.folder import DomainFolder
 from neurosym.stages.task_drawing import draw_any_task, sight_of_pairs, ways_of
 from neurosym.tasks.puts import puts_of
+from neurosym.tasks.task import understand
 from tools.benchmarks.carrying.bench import lattice_points, tell, timed
 from tools.benchmarks.options import Output
 from tools.benchmarks.planning.measures import bench_of
@@ -78,7 +78,10 @@ def main(
 
 def _timed(problems: Sequence[Problem], grounding: Grounding, limit: float) -> dict[str, Any]:
     """Time plans, and count the operators on pairs that their problems have a use for."""
-    used = [len(Task(problem, grounding).needed().puts) for problem in problems]
+    used = [
+        len({put.name for puts in understand(problem, grounding).puts.values() for put in puts})
+        for problem in problems
+    ]
     counts = {"operators_of_domain": len(puts_of(grounding)), "operators_used": [min(used), max(used)]}
     return timed(problems, grounding, limit) | counts
 

@@ -13,11 +13,12 @@ import numpy as np
 from neurosym.errors import NeurosymError
 from neurosym.learning.model_config import ModelConfig
 from neurosym.pddl import domain_text, problem_text
-from neurosym.pddl.validation import validate
+from neurosym.pddl.moves import ENCODINGS
 from neurosym.planners import plan
 from neurosym.problems import Problem
 from neurosym.sim.config import TabletopConfig
 from neurosym.sim.tabletop import Tabletop
+from neurosym.tasks.transition import validate
 from tools.benchmarks.scale.made import made_domain, made_problem, write_data
 from tools.benchmarks.spent import cpu_seconds
 
@@ -57,8 +58,7 @@ def symbols(action_bits: int) -> Results:
         action_bits: Bits of the symbols of the primitives.
     """
     grounding, compiling = _timed(lambda: made_domain(action_bits, 1))
-    encodings = ("stepwise", "operators", "numeric")
-    texts, printing = _timed(lambda: [domain_text(grounding, encoding) for encoding in encodings])
+    texts, printing = _timed(lambda: [domain_text(grounding, encoding) for encoding in ENCODINGS])
     size = max(map(len, texts)) / 1e6
     told = {"compile_and_print": round(compiling + printing, 2), "domain_megabytes": round(size, 2)}
     return {"operators": len(grounding.live), **told, **_planned(action_bits, 1)}

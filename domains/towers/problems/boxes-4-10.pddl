@@ -1,0 +1,75 @@
+; Problem boxes-4-10 of the learned domain towers.
+; How it came about: boxes, drawn with seed 11; draw 1.
+; start-: where an object stands at first; goal-: meets a goal; park-: to wait at.
+(define (problem boxes-4-10)
+  (:domain towers)
+  (:objects
+    item-01 - solid-low-narrow-01
+    item-02 item-03 - solid-low-10
+    item-04 - any-tall-narrow-11
+    start-item-01 start-item-02 start-item-03 start-item-04 park-01 park-02 park-03 park-04 - spot
+    rests-on-item-01 sits-in-item-01 rests-on-item-02 sits-in-item-02 rests-on-item-03 rests-on-item-04 - perch
+    n1 n2 - count
+    way1 way2 way3 way4 way5 way6 way7 way8 way9 way10 way11 - way
+    cost4 cost11 cost12 cost16 cost17 cost21 cost37 cost59 cost81 cost82 cost101 cost113 cost121 cost144 cost167 - price)
+  (:init
+    (hand-empty) (ready)
+    ; where objects are at first
+    (stands item-01 start-item-01) (bears item-01 n0) (can-take item-01)
+    (stands item-02 start-item-02) (bears item-02 n0)
+    (stands item-03 start-item-03) (bears item-03 n0) (can-take item-03)
+    (stands item-04 start-item-04) (bears item-04 n0) (can-take item-04)
+    ; park-01 lies at (0.7119, -0.0921) m
+    (free park-01)
+    (check item-01 park-01 nowhere)
+    (check item-03 park-01 nowhere)
+    (check item-04 park-01 nowhere)
+    ; park-02 lies at (0.6697, 0.1740) m
+    (free park-02)
+    (check item-01 park-02 nowhere)
+    (check item-03 park-02 nowhere)
+    (check item-04 park-02 nowhere)
+    ; park-03 lies at (0.8746, -0.0598) m
+    (free park-03)
+    (check item-01 park-03 nowhere)
+    (check item-03 park-03 nowhere)
+    (check item-04 park-03 nowhere)
+    ; park-04 lies at (0.5401, -0.1999) m
+    (free park-04)
+    (check item-01 park-04 nowhere)
+    (check item-03 park-04 nowhere)
+    (check item-04 park-04 nowhere)
+    ; what can be carried, from where, and its price
+    (can-carry item-01 from-spot cost4) (can-carry item-01 from-perch cost4)
+    (can-carry item-03 from-spot cost11) (can-carry item-03 from-perch cost11)
+    (can-carry item-04 from-spot cost4) (can-carry item-04 from-perch cost4)
+    ; counting
+    (next n0 n1)
+    (next n1 n2)
+    ; on or in what
+    (on rests-on-item-01 item-01)
+    (on sits-in-item-01 item-01)
+    (on rests-on-item-02 item-02)
+    (on sits-in-item-02 item-02)
+    (on rests-on-item-03 item-03)
+    (on rests-on-item-04 item-04)
+    ; what puts one thing on or into another
+    (can-put item-01 rests-on-item-02 way2) (can-put item-01 rests-on-item-03 way3) (can-put item-01 rests-on-item-04 way7)
+    (can-put item-03 rests-on-item-01 way1) (can-put-loaded item-03 rests-on-item-01 way6) (can-put item-03 rests-on-item-02 way1) (can-put-loaded item-03 rests-on-item-02 way9) (can-put item-03 sits-in-item-02 way8) (can-put item-03 rests-on-item-04 way10)
+    (can-put item-04 rests-on-item-01 way5) (can-put item-04 sits-in-item-01 way11) (can-put item-04 rests-on-item-02 way1) (can-put item-04 rests-on-item-03 way4)
+    ; what that costs, by where the one is from, and what the other bears
+    (fee way1 from-perch n0 cost12) (fee way1 from-spot n0 cost12)
+    (fee way2 from-perch n0 cost16) (fee way2 from-spot n0 cost12)
+    (fee way3 from-perch n0 cost17) (fee way3 from-spot n0 cost12)
+    (fee way4 from-perch n0 cost59) (fee way4 from-spot n0 cost12)
+    (fee way5 from-perch n0 cost81) (fee way5 from-spot n0 cost37)
+    (fee way6 from-perch n0 cost82) (fee way6 from-spot n0 cost82)
+    (fee way7 from-perch n0 cost101) (fee way7 from-perch n1 cost144) (fee way7 from-spot n0 cost12) (fee way7 from-spot n1 cost113)
+    (fee way8 from-perch n0 cost121) (fee way8 from-perch n1 cost121) (fee way8 from-spot n0 cost121) (fee way8 from-spot n1 cost121)
+    (fee way9 from-perch n0 cost167) (fee way9 from-spot n0 cost167)
+    (fee way10 from-spot n0 cost12) (fee way10 from-spot n1 cost21)
+    (fee way11 from-spot n0 cost121) (fee way11 from-spot n1 cost121)
+    (= (total-cost) 0) (= (cost cost4) 4) (= (cost cost11) 11) (= (cost cost12) 12) (= (cost cost16) 16) (= (cost cost17) 17) (= (cost cost21) 21) (= (cost cost37) 37) (= (cost cost59) 59) (= (cost cost81) 81) (= (cost cost82) 82) (= (cost cost101) 101) (= (cost cost113) 113) (= (cost cost121) 121) (= (cost cost144) 144) (= (cost cost167) 167)
+  )
+  (:goal (and (stands item-04 rests-on-item-03) (stands item-01 rests-on-item-02)))
+  (:metric minimize (total-cost)))

@@ -1,0 +1,86 @@
+; Problem tower-4-03 of the learned domain towers.
+; How it came about: tower, drawn with seed 4; draw 1.
+; start-: where an object stands at first; goal-: meets a goal; park-: to wait at.
+(define (problem tower-4-03)
+  (:domain towers)
+  (:objects
+    item-01 - solid-low-narrow-01
+    item-02 - solid-low-10
+    item-03 - solid-low-narrow-01
+    item-04 - hollow-wide-00
+    start-item-01 start-item-02 start-item-03 start-item-04 park-01 park-02 park-03 park-04 - spot
+    rests-on-item-01 sits-in-item-01 rests-on-item-02 sits-in-item-02 rests-on-item-03 rests-on-item-04 sits-in-item-04 - perch
+    n1 n2 - count
+    way1 way2 way3 way4 way5 way6 way7 way8 way9 way10 way11 way12 way13 way14 - way
+    cost4 cost11 cost12 cost16 cost29 cost37 cost42 cost54 cost60 cost70 cost78 cost84 cost85 cost89 cost98 cost119 cost121 cost139 cost142 cost148 cost171 cost234 - price)
+  (:init
+    (hand-empty) (ready)
+    ; where objects are at first
+    (stands item-01 start-item-01) (bears item-01 n0) (can-take item-01)
+    (stands item-02 start-item-02) (bears item-02 n0) (can-take item-02)
+    (stands item-03 start-item-03) (bears item-03 n0) (can-take item-03)
+    (stands item-04 start-item-04) (bears item-04 n0) (can-take item-04)
+    ; park-01 lies at (0.4926, -0.0401) m
+    (free park-01)
+    (check item-01 park-01 nowhere)
+    (check item-02 park-01 nowhere)
+    (check item-03 park-01 nowhere)
+    (check item-04 park-01 nowhere)
+    ; park-02 lies at (0.8618, 0.2221) m
+    (free park-02)
+    (check item-01 park-02 nowhere)
+    (check item-02 park-02 nowhere)
+    (check item-03 park-02 nowhere)
+    (check item-04 park-02 nowhere)
+    ; park-03 lies at (0.8553, 0.0330) m
+    (free park-03)
+    (check item-01 park-03 nowhere)
+    (check item-02 park-03 nowhere)
+    (check item-03 park-03 nowhere)
+    (check item-04 park-03 nowhere)
+    ; park-04 lies at (0.6728, 0.2217) m
+    (free park-04)
+    (check item-01 park-04 start-item-02) (then item-01 park-04 start-item-02 nowhere)
+    (check item-02 park-04 nowhere)
+    (check item-03 park-04 start-item-02) (then item-03 park-04 start-item-02 nowhere)
+    (check item-04 park-04 start-item-02) (then item-04 park-04 start-item-02 start-item-03) (then item-04 park-04 start-item-03 nowhere)
+    ; what can be carried, from where, and its price
+    (can-carry item-01 from-spot cost4) (can-carry item-01 from-perch cost4)
+    (can-carry item-02 from-spot cost11) (can-carry item-02 from-perch cost11)
+    (can-carry item-03 from-spot cost4) (can-carry item-03 from-perch cost4)
+    (can-carry item-04 from-spot cost4) (can-carry item-04 from-perch cost4)
+    ; counting
+    (next n0 n1)
+    (next n1 n2)
+    ; on or in what
+    (on rests-on-item-01 item-01)
+    (on sits-in-item-01 item-01)
+    (on rests-on-item-02 item-02)
+    (on sits-in-item-02 item-02)
+    (on rests-on-item-03 item-03)
+    (on rests-on-item-04 item-04)
+    (on sits-in-item-04 item-04)
+    ; what puts one thing on or into another
+    (can-put item-01 rests-on-item-02 way1) (can-put item-01 rests-on-item-03 way2) (can-put item-01 rests-on-item-04 way8) (can-put item-01 sits-in-item-04 way4)
+    (can-put item-02 rests-on-item-03 way10) (can-put item-02 rests-on-item-04 way9)
+    (can-put item-03 rests-on-item-01 way5) (can-put item-03 rests-on-item-02 way3) (can-put item-03 rests-on-item-04 way6) (can-put item-03 sits-in-item-04 way12)
+    (can-put item-04 sits-in-item-01 way7) (can-put item-04 rests-on-item-02 way13) (can-put item-04 sits-in-item-02 way14) (can-put item-04 rests-on-item-03 way11)
+    ; what that costs, by where the one is from, and what the other bears
+    (fee way1 from-perch n0 cost16) (fee way1 from-spot n0 cost12)
+    (fee way2 from-perch n0 cost37) (fee way2 from-spot n0 cost12)
+    (fee way3 from-perch n0 cost42) (fee way3 from-perch n1 cost85) (fee way3 from-spot n0 cost12) (fee way3 from-spot n1 cost54)
+    (fee way4 from-perch n0 cost60) (fee way4 from-perch n1 cost84) (fee way4 from-spot n0 cost12) (fee way4 from-spot n1 cost29)
+    (fee way5 from-perch n0 cost78) (fee way5 from-spot n0 cost12)
+    (fee way6 from-perch n0 cost89) (fee way6 from-perch n1 cost142) (fee way6 from-spot n0 cost37) (fee way6 from-spot n1 cost89)
+    (fee way7 from-perch n0 cost98) (fee way7 from-perch n1 cost98) (fee way7 from-spot n0 cost70) (fee way7 from-spot n1 cost70)
+    (fee way8 from-perch n0 cost119) (fee way8 from-spot n0 cost70)
+    (fee way9 from-perch n0 cost121) (fee way9 from-perch n1 cost121) (fee way9 from-spot n0 cost121) (fee way9 from-spot n1 cost121)
+    (fee way10 from-perch n0 cost121) (fee way10 from-spot n0 cost121)
+    (fee way11 from-perch n0 cost139) (fee way11 from-perch n1 cost234) (fee way11 from-spot n0 cost121) (fee way11 from-spot n1 cost171)
+    (fee way12 from-perch n0 cost148) (fee way12 from-perch n1 cost148) (fee way12 from-spot n0 cost121) (fee way12 from-spot n1 cost121)
+    (fee way13 from-spot n0 cost121)
+    (fee way14 from-spot n0 cost121) (fee way14 from-spot n1 cost121)
+    (= (total-cost) 0) (= (cost cost4) 4) (= (cost cost11) 11) (= (cost cost12) 12) (= (cost cost16) 16) (= (cost cost29) 29) (= (cost cost37) 37) (= (cost cost42) 42) (= (cost cost54) 54) (= (cost cost60) 60) (= (cost cost70) 70) (= (cost cost78) 78) (= (cost cost84) 84) (= (cost cost85) 85) (= (cost cost89) 89) (= (cost cost98) 98) (= (cost cost119) 119) (= (cost cost121) 121) (= (cost cost139) 139) (= (cost cost142) 142) (= (cost cost148) 148) (= (cost cost171) 171) (= (cost cost234) 234)
+  )
+  (:goal (and (stands item-01 rests-on-item-03) (stands item-03 rests-on-item-02)))
+  (:metric minimize (total-cost)))

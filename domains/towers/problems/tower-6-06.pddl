@@ -1,0 +1,117 @@
+; Problem tower-6-06 of the learned domain towers.
+; How it came about: tower, drawn with seed 7; draw 1.
+; start-: where an object stands at first; goal-: meets a goal; park-: to wait at.
+(define (problem tower-6-06)
+  (:domain towers)
+  (:objects
+    item-01 - any-tall-narrow-11
+    item-02 item-03 item-04 item-05 item-06 - solid-low-10
+    start-item-01 start-item-02 start-item-03 start-item-04 start-item-05 start-item-06 park-01 park-02 park-03 park-04 park-05 park-06 - spot
+    rests-on-item-01 sits-in-item-01 rests-on-item-02 rests-on-item-03 sits-in-item-03 rests-on-item-04 sits-in-item-04 rests-on-item-05 sits-in-item-05 rests-on-item-06 sits-in-item-06 - perch
+    n1 n2 - count
+    way1 way2 way3 way4 way5 way6 way7 way8 way9 way10 way11 way12 way13 way14 way15 - way
+    cost4 cost7 cost11 cost12 cost16 cost48 cost54 cost70 cost121 cost142 cost148 cost152 cost164 cost193 cost195 - price)
+  (:init
+    (hand-empty) (ready)
+    ; where objects are at first
+    (stands item-01 start-item-01) (bears item-01 n0) (can-take item-01)
+    (stands item-02 start-item-02) (bears item-02 n0) (can-take item-02)
+    (stands item-03 start-item-03) (bears item-03 n0) (can-take item-03)
+    (stands item-04 start-item-04) (bears item-04 n0) (can-take item-04)
+    (stands item-05 start-item-05) (bears item-05 n0) (can-take item-05)
+    (stands item-06 start-item-06) (bears item-06 n0) (can-take item-06)
+    ; park-01 lies at (0.6058, -0.0142) m
+    (free park-01)
+    (check item-01 park-01 nowhere)
+    (check item-02 park-01 nowhere)
+    (check item-03 park-01 nowhere)
+    (check item-04 park-01 nowhere)
+    (check item-05 park-01 nowhere)
+    (check item-06 park-01 nowhere)
+    ; park-02 lies at (0.7785, -0.2130) m
+    (free park-02)
+    (check item-01 park-02 nowhere)
+    (check item-02 park-02 nowhere)
+    (check item-03 park-02 nowhere)
+    (check item-04 park-02 nowhere)
+    (check item-05 park-02 nowhere)
+    (check item-06 park-02 nowhere)
+    ; park-03 lies at (0.8923, 0.2148) m
+    (free park-03)
+    (check item-01 park-03 nowhere)
+    (check item-02 park-03 nowhere)
+    (check item-03 park-03 nowhere)
+    (check item-04 park-03 nowhere)
+    (check item-05 park-03 nowhere)
+    (check item-06 park-03 nowhere)
+    ; park-04 lies at (0.4505, 0.0359) m
+    (free park-04)
+    (check item-01 park-04 nowhere)
+    (check item-02 park-04 nowhere)
+    (check item-03 park-04 nowhere)
+    (check item-04 park-04 nowhere)
+    (check item-05 park-04 nowhere)
+    (check item-06 park-04 nowhere)
+    ; park-05 lies at (0.4135, 0.1625) m
+    (free park-05)
+    (check item-01 park-05 start-item-03) (then item-01 park-05 start-item-03 nowhere)
+    (check item-03 park-05 nowhere)
+    (check item-04 park-05 nowhere)
+    (check item-05 park-05 nowhere)
+    (check item-06 park-05 nowhere)
+    ; park-06 lies at (0.4670, -0.0946) m
+    (free park-06)
+    (check item-01 park-06 nowhere)
+    (check item-03 park-06 nowhere)
+    (check item-04 park-06 nowhere)
+    (check item-05 park-06 nowhere)
+    (check item-06 park-06 nowhere)
+    ; what can be carried, from where, and its price
+    (can-carry item-01 from-spot cost4) (can-carry item-01 from-perch cost4)
+    (can-carry item-02 from-spot cost7) (can-carry item-02 from-perch cost7)
+    (can-carry item-03 from-spot cost7) (can-carry item-03 from-perch cost7)
+    (can-carry item-04 from-spot cost11) (can-carry item-04 from-perch cost11)
+    (can-carry item-05 from-spot cost11) (can-carry item-05 from-perch cost11)
+    (can-carry item-06 from-spot cost11) (can-carry item-06 from-perch cost11)
+    ; counting
+    (next n0 n1)
+    (next n1 n2)
+    ; on or in what
+    (on rests-on-item-01 item-01)
+    (on sits-in-item-01 item-01)
+    (on rests-on-item-02 item-02)
+    (on rests-on-item-03 item-03)
+    (on sits-in-item-03 item-03)
+    (on rests-on-item-04 item-04)
+    (on sits-in-item-04 item-04)
+    (on rests-on-item-05 item-05)
+    (on sits-in-item-05 item-05)
+    (on rests-on-item-06 item-06)
+    (on sits-in-item-06 item-06)
+    ; what puts one thing on or into another
+    (can-put item-01 rests-on-item-02 way5) (can-put item-01 rests-on-item-03 way6) (can-put item-01 rests-on-item-04 way4) (can-put item-01 rests-on-item-05 way5) (can-put item-01 rests-on-item-06 way6)
+    (can-put item-02 rests-on-item-01 way8) (can-put item-02 rests-on-item-03 way11) (can-put item-02 rests-on-item-04 way14) (can-put item-02 rests-on-item-05 way11) (can-put item-02 rests-on-item-06 way11)
+    (can-put item-03 rests-on-item-01 way8) (can-put item-03 sits-in-item-01 way15) (can-put item-03 rests-on-item-02 way1) (can-put item-03 rests-on-item-04 way9) (can-put item-03 rests-on-item-05 way4) (can-put item-03 rests-on-item-06 way11)
+    (can-put item-04 rests-on-item-01 way9) (can-put item-04 sits-in-item-01 way13) (can-put item-04 rests-on-item-02 way1) (can-put item-04 rests-on-item-03 way11) (can-put item-04 rests-on-item-05 way4) (can-put item-04 rests-on-item-06 way8)
+    (can-put item-05 rests-on-item-01 way2) (can-put item-05 sits-in-item-01 way12) (can-put item-05 rests-on-item-02 way7) (can-put item-05 rests-on-item-03 way4) (can-put item-05 sits-in-item-03 way15) (can-put item-05 rests-on-item-04 way8) (can-put item-05 rests-on-item-06 way4) (can-put item-05 sits-in-item-06 way15)
+    (can-put item-06 rests-on-item-01 way3) (can-put item-06 sits-in-item-01 way13) (can-put item-06 rests-on-item-02 way7) (can-put item-06 rests-on-item-03 way8) (can-put item-06 sits-in-item-03 way15) (can-put item-06 rests-on-item-04 way10) (can-put item-06 sits-in-item-04 way15) (can-put item-06 rests-on-item-05 way4) (can-put item-06 sits-in-item-05 way15)
+    ; what that costs, by where the one is from, and what the other bears
+    (fee way1 from-perch n0 cost12) (fee way1 from-perch n1 cost12) (fee way1 from-spot n0 cost12) (fee way1 from-spot n1 cost12)
+    (fee way2 from-perch n0 cost12) (fee way2 from-perch n1 cost70) (fee way2 from-spot n0 cost12) (fee way2 from-spot n1 cost70)
+    (fee way3 from-perch n0 cost12) (fee way3 from-perch n1 cost121) (fee way3 from-spot n0 cost12) (fee way3 from-spot n1 cost121)
+    (fee way4 from-perch n0 cost12) (fee way4 from-spot n0 cost12)
+    (fee way5 from-perch n0 cost16) (fee way5 from-spot n0 cost12)
+    (fee way6 from-perch n0 cost48) (fee way6 from-spot n0 cost12)
+    (fee way7 from-perch n0 cost54) (fee way7 from-spot n0 cost12)
+    (fee way8 from-perch n0 cost70) (fee way8 from-spot n0 cost70)
+    (fee way9 from-perch n0 cost121) (fee way9 from-perch n1 cost121) (fee way9 from-spot n0 cost121) (fee way9 from-spot n1 cost121)
+    (fee way10 from-perch n0 cost121) (fee way10 from-spot n0 cost70)
+    (fee way11 from-perch n0 cost121) (fee way11 from-spot n0 cost121)
+    (fee way12 from-perch n0 cost142) (fee way12 from-perch n1 cost148) (fee way12 from-spot n0 cost121) (fee way12 from-spot n1 cost121)
+    (fee way13 from-perch n0 cost142) (fee way13 from-perch n1 cost193) (fee way13 from-spot n0 cost121) (fee way13 from-spot n1 cost121)
+    (fee way14 from-perch n0 cost152) (fee way14 from-perch n1 cost195) (fee way14 from-spot n0 cost121) (fee way14 from-spot n1 cost164)
+    (fee way15 from-spot n0 cost121) (fee way15 from-spot n1 cost121)
+    (= (total-cost) 0) (= (cost cost4) 4) (= (cost cost7) 7) (= (cost cost11) 11) (= (cost cost12) 12) (= (cost cost16) 16) (= (cost cost48) 48) (= (cost cost54) 54) (= (cost cost70) 70) (= (cost cost121) 121) (= (cost cost142) 142) (= (cost cost148) 148) (= (cost cost152) 152) (= (cost cost164) 164) (= (cost cost193) 193) (= (cost cost195) 195)
+  )
+  (:goal (and (stands item-03 rests-on-item-05) (stands item-05 rests-on-item-04)))
+  (:metric minimize (total-cost)))

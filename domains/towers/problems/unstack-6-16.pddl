@@ -1,0 +1,136 @@
+; Problem unstack-6-16 of the learned domain towers.
+; How it came about: unstack, drawn with seed 17; draw 1.
+; start-: where an object stands at first; goal-: meets a goal; park-: to wait at.
+(define (problem unstack-6-16)
+  (:domain towers)
+  (:objects
+    item-01 - any-tall-narrow-11
+    item-02 item-03 - solid-low-10
+    item-04 - hollow-wide-00
+    item-05 - solid-low-10
+    item-06 - any-tall-narrow-11
+    start-item-01 start-item-02 start-item-03 start-item-04 park-01 park-02 park-03 park-04 park-05 park-06 - spot
+    rests-on-item-01 rests-on-item-02 sits-in-item-02 rests-on-item-03 sits-in-item-03 rests-on-item-04 sits-in-item-04 rests-on-item-05 sits-in-item-05 rests-on-item-06 sits-in-item-06 - perch
+    n1 n2 - count
+    way1 way2 way3 way4 way5 way6 way7 way8 way9 way10 way11 way12 way13 way14 way15 way16 way17 way18 way19 way20 way21 way22 way23 way24 way25 way26 way27 way28 way29 - way
+    cost4 cost7 cost11 cost12 cost16 cost37 cost39 cost50 cost51 cost52 cost54 cost59 cost61 cost67 cost70 cost72 cost79 cost98 cost108 cost121 cost124 cost142 cost148 cost149 cost160 cost166 cost193 - price)
+  (:init
+    (hand-empty) (ready)
+    ; where objects are at first
+    (stands item-01 start-item-01) (bears item-01 n0) (can-take item-01)
+    (stands item-02 start-item-02) (bears item-02 n0) (can-take item-02)
+    (stands item-03 start-item-03) (bears item-03 n0) (can-take item-03)
+    (stands item-04 start-item-04) (bears item-04 n1) (can-take item-04)
+    (stands item-05 rests-on-item-04) (bears item-05 n1) (can-take item-05)
+    (stands item-06 rests-on-item-05) (bears item-06 n0) (can-take item-06)
+    ; park-01 lies at (0.4765, 0.1387) m
+    (free park-01)
+    (check item-01 park-01 nowhere)
+    (check item-02 park-01 nowhere)
+    (check item-03 park-01 nowhere)
+    (check item-04 park-01 nowhere)
+    (check item-05 park-01 nowhere)
+    (check item-06 park-01 nowhere)
+    ; park-02 lies at (0.6682, 0.1815) m
+    (free park-02)
+    (check item-01 park-02 nowhere)
+    (check item-02 park-02 nowhere)
+    (check item-03 park-02 nowhere)
+    (check item-04 park-02 nowhere)
+    (check item-05 park-02 nowhere)
+    (check item-06 park-02 nowhere)
+    ; park-03 lies at (0.7817, -0.2074) m
+    (free park-03)
+    (check item-01 park-03 nowhere)
+    (check item-02 park-03 nowhere)
+    (check item-03 park-03 nowhere)
+    (check item-04 park-03 nowhere)
+    (check item-05 park-03 nowhere)
+    (check item-06 park-03 nowhere)
+    ; park-04 lies at (0.4434, -0.0379) m
+    (free park-04)
+    (check item-01 park-04 nowhere)
+    (check item-02 park-04 nowhere)
+    (check item-03 park-04 nowhere)
+    (check item-04 park-04 nowhere)
+    (check item-05 park-04 nowhere)
+    (check item-06 park-04 nowhere)
+    ; park-05 lies at (0.8797, 0.1247) m
+    (free park-05)
+    (check item-01 park-05 nowhere)
+    (check item-02 park-05 nowhere)
+    (check item-03 park-05 nowhere)
+    (check item-04 park-05 nowhere)
+    (check item-05 park-05 nowhere)
+    (check item-06 park-05 nowhere)
+    ; park-06 lies at (0.6067, -0.2215) m
+    (free park-06)
+    (check item-01 park-06 nowhere)
+    (check item-02 park-06 nowhere)
+    (check item-03 park-06 nowhere)
+    (check item-04 park-06 nowhere)
+    (check item-05 park-06 nowhere)
+    (check item-06 park-06 nowhere)
+    ; what can be carried, from where, and its price
+    (can-carry item-01 from-spot cost4) (can-carry item-01 from-perch cost4)
+    (can-carry item-02 from-spot cost7) (can-carry item-02 from-perch cost7)
+    (can-carry item-03 from-spot cost7) (can-carry item-03 from-perch cost7)
+    (can-carry item-04 from-spot cost4) (can-carry item-04 from-perch cost4)
+    (can-carry item-05 from-spot cost11) (can-carry item-05 from-perch cost11)
+    (can-carry item-06 from-spot cost4) (can-carry item-06 from-perch cost4)
+    ; counting
+    (next n0 n1)
+    (next n1 n2)
+    ; on or in what
+    (on rests-on-item-01 item-01)
+    (on rests-on-item-02 item-02)
+    (on sits-in-item-02 item-02)
+    (on rests-on-item-03 item-03)
+    (on sits-in-item-03 item-03)
+    (on rests-on-item-04 item-04)
+    (on sits-in-item-04 item-04)
+    (on rests-on-item-05 item-05)
+    (on sits-in-item-05 item-05)
+    (on rests-on-item-06 item-06)
+    (on sits-in-item-06 item-06)
+    ; what puts one thing on or into another
+    (can-put item-01 rests-on-item-02 way10) (can-put item-01 rests-on-item-03 way10) (can-put item-01 rests-on-item-04 way11) (can-put-loaded item-01 rests-on-item-04 way16) (can-put item-01 rests-on-item-05 way10) (can-put item-01 rests-on-item-06 way15) (can-put item-01 sits-in-item-06 way29)
+    (can-put item-02 rests-on-item-01 way4) (can-put item-02 rests-on-item-03 way14) (can-put item-02 rests-on-item-04 way1) (can-put item-02 sits-in-item-04 way19) (can-put item-02 rests-on-item-05 way14) (can-put item-02 rests-on-item-06 way3) (can-put item-02 sits-in-item-06 way21)
+    (can-put item-03 rests-on-item-01 way8) (can-put item-03 rests-on-item-02 way18) (can-put item-03 sits-in-item-02 way27) (can-put item-03 rests-on-item-04 way12) (can-put item-03 sits-in-item-04 way27) (can-put item-03 rests-on-item-05 way18) (can-put item-03 rests-on-item-06 way13)
+    (can-put item-04 rests-on-item-01 way24) (can-put item-04 rests-on-item-02 way17) (can-put item-04 rests-on-item-03 way17) (can-put item-04 sits-in-item-03 way27) (can-put item-04 rests-on-item-05 way28) (can-put item-04 sits-in-item-05 way22) (can-put item-04 rests-on-item-06 way26)
+    (can-put item-05 rests-on-item-01 way3) (can-put item-05 rests-on-item-02 way5) (can-put item-05 sits-in-item-02 way27) (can-put item-05 rests-on-item-03 way8) (can-put item-05 sits-in-item-03 way27) (can-put item-05 rests-on-item-04 way23) (can-put item-05 sits-in-item-04 way25) (can-put item-05 rests-on-item-06 way7) (can-put item-05 sits-in-item-06 way20)
+    (can-put item-06 rests-on-item-01 way5) (can-put item-06 rests-on-item-02 way6) (can-put item-06 rests-on-item-03 way6) (can-put item-06 rests-on-item-04 way9) (can-put item-06 rests-on-item-05 way2)
+    ; what that costs, by where the one is from, and what the other bears
+    (fee way1 from-perch n0 cost12) (fee way1 from-perch n1 cost12) (fee way1 from-spot n0 cost12) (fee way1 from-spot n1 cost12)
+    (fee way2 from-perch n0 cost12) (fee way2 from-perch n1 cost50) (fee way2 from-spot n0 cost12) (fee way2 from-spot n1 cost50)
+    (fee way3 from-perch n0 cost12) (fee way3 from-perch n1 cost70) (fee way3 from-spot n0 cost12) (fee way3 from-spot n1 cost70)
+    (fee way4 from-perch n0 cost12) (fee way4 from-perch n1 cost121) (fee way4 from-spot n0 cost12) (fee way4 from-spot n1 cost121)
+    (fee way5 from-perch n0 cost12) (fee way5 from-spot n0 cost12)
+    (fee way6 from-perch n0 cost16) (fee way6 from-spot n0 cost12)
+    (fee way7 from-perch n0 cost37) (fee way7 from-perch n1 cost37) (fee way7 from-spot n0 cost37) (fee way7 from-spot n1 cost37)
+    (fee way8 from-perch n0 cost37) (fee way8 from-spot n0 cost37)
+    (fee way9 from-perch n0 cost39) (fee way9 from-perch n1 cost124) (fee way9 from-spot n0 cost12) (fee way9 from-spot n1 cost61)
+    (fee way10 from-perch n0 cost54) (fee way10 from-spot n0 cost12)
+    (fee way11 from-perch n0 cost67) (fee way11 from-spot n0 cost12)
+    (fee way12 from-perch n0 cost70) (fee way12 from-perch n1 cost70) (fee way12 from-spot n0 cost70) (fee way12 from-spot n1 cost70)
+    (fee way13 from-perch n0 cost70) (fee way13 from-perch n1 cost121) (fee way13 from-spot n0 cost70) (fee way13 from-spot n1 cost121)
+    (fee way14 from-perch n0 cost70) (fee way14 from-spot n0 cost70)
+    (fee way15 from-perch n0 cost79) (fee way15 from-spot n0 cost12)
+    (fee way16 from-perch n0 cost108) (fee way16 from-spot n0 cost52)
+    (fee way17 from-perch n0 cost121) (fee way17 from-perch n1 cost160) (fee way17 from-spot n0 cost121) (fee way17 from-spot n1 cost160)
+    (fee way18 from-perch n0 cost121) (fee way18 from-spot n0 cost121)
+    (fee way19 from-perch n0 cost142) (fee way19 from-perch n1 cost148) (fee way19 from-spot n0 cost121) (fee way19 from-spot n1 cost121)
+    (fee way20 from-perch n0 cost142) (fee way20 from-perch n1 cost193) (fee way20 from-spot n0 cost121) (fee way20 from-spot n1 cost121)
+    (fee way21 from-perch n0 cost142) (fee way21 from-spot n0 cost121) (fee way21 from-spot n1 cost121)
+    (fee way22 from-perch n0 cost149) (fee way22 from-perch n1 cost149) (fee way22 from-spot n0 cost121) (fee way22 from-spot n1 cost121)
+    (fee way23 from-spot n0 cost12) (fee way23 from-spot n1 cost51)
+    (fee way24 from-spot n0 cost12) (fee way24 from-spot n1 cost59)
+    (fee way25 from-spot n0 cost70) (fee way25 from-spot n1 cost72)
+    (fee way26 from-spot n0 cost70) (fee way26 from-spot n1 cost98)
+    (fee way27 from-spot n0 cost121) (fee way27 from-spot n1 cost121)
+    (fee way28 from-spot n0 cost121) (fee way28 from-spot n1 cost149)
+    (fee way29 from-spot n0 cost121) (fee way29 from-spot n1 cost166)
+    (= (total-cost) 0) (= (cost cost4) 4) (= (cost cost7) 7) (= (cost cost11) 11) (= (cost cost12) 12) (= (cost cost16) 16) (= (cost cost37) 37) (= (cost cost39) 39) (= (cost cost50) 50) (= (cost cost51) 51) (= (cost cost52) 52) (= (cost cost54) 54) (= (cost cost59) 59) (= (cost cost61) 61) (= (cost cost67) 67) (= (cost cost70) 70) (= (cost cost72) 72) (= (cost cost79) 79) (= (cost cost98) 98) (= (cost cost108) 108) (= (cost cost121) 121) (= (cost cost124) 124) (= (cost cost142) 142) (= (cost cost148) 148) (= (cost cost149) 149) (= (cost cost160) 160) (= (cost cost166) 166) (= (cost cost193) 193)
+  )
+  (:goal (and (stands item-06 rests-on-item-03) (stands item-05 rests-on-item-01)))
+  (:metric minimize (total-cost)))

@@ -1,0 +1,106 @@
+"""Plans and complaints of other people's planners are read as printed, without any of them installed."""
+
+import sys
+
+import pytest
+
+from tools.benchmarks import foreign
+from tools.benchmarks.foreign import Task, called, cost_of, judged, page, plan_in, shipped, totals
+from tools.benchmarks.foreign_calls.features import COSTS, FEATURES, PRICED, Feature
+from tools.benchmarks.foreign_calls.planners import PLANNERS, error_in, steps_in
+
+MOVE = ("move", "cup", "here", "there")
+RECORDED = {
+    "Fast Downward": "(move cup here there)\n; cost = 3 (general cost)\n",
+    "LPG": "; Version LPG-td-1.4\n; Time 0.01\n\n0:   (MOVE CUP HERE THERE) [1]\n",
+    "ENHSP": "(move cup here there)\n",
+    "Kairos": "0.000: (move cup here there) [1.000]\n; cost 3\n",
+    "jupyddl": "Plan (1 steps, cost 1):\n    1. move(cup,here,there)\nValid: True\nStats: expanded=1\n",
+}
+"""A plan as each of these planners writes it."""
+
+
+def printed(feature: Feature) -> Task:
+    return Task("a task", *feature.task())
+
+
+@pytest.mark.parametrize("planner", RECORDED)
+def test_plan_is_read_in_the_form_of(planner):
+    assert steps_in(RECORDED[planner]) == [MOVE]
+
+
+def test_action_without_arguments_is_read():
+    assert steps_in("    1. pass\n    2. move(cup,here,there)\n") == [("pass",), MOVE]
+
+
+def test_last_line_of_a_traceback_is_told():
+    complaint = (
+        "Traceback (most recent call last):\n  File 'a.py', line 1\nValueError: Found unknown keyword\n"
+    )
+    assert error_in("", complaint) == "ValueError: Found unknown keyword"
+
+
+def test_warnings_are_not_taken_for_errors():
+    output = (
+        "WARNING: predicate A is declared to use unknown or empty type\ntoo many functions! increase MAX\n"
+    )
+    assert error_in(output) == "too many functions! increase MAX"
+    assert not error_in("Solution found.\nPlan cost: 3\n")
+
+
+def test_plan_is_judged_and_its_cost_added_up():
+    for parts, cost in (({}, None), (COSTS, 3), (PRICED, 15)):
+        steps = [(*MOVE, "c15")] if parts is PRICED else [MOVE]
+        found = judged(printed(Feature(parts)), steps)
+        assert (found["valid"], found["plan_length"], found["cost"]) == (True, 1, cost)
+    assert judged(printed(Feature()), [("move", "cup", "there", "here")])["valid"] is False
+
+
+def test_plan_that_unified_planning_cannot_read_is_not_judged():
+    found = judged(printed(FEATURES["costs: the same, function named as its type"]), [(*MOVE, "c15")])
+    assert found["valid"] is None
+    assert "already defined" in found["judge"]
+
+
+def test_no_plan_is_found_where_no_planner_left_one(tmp_path):
+    (tmp_path / "problem.pddl").write_text("(move cup here there)")
+    assert plan_in(tmp_path, PLANNERS["LPG"]) is None
+    (tmp_path / "plan_1.SOL").write_text(RECORDED["LPG"])
+    assert plan_in(tmp_path, PLANNERS["LPG"]) == [MOVE]
+
+
+def test_planner_is_ended_with_what_it_started(tmp_path):
+    cpu, clock, code = called([sys.executable, "-c", "while True: pass"], tmp_path, 1)
+    assert code is None
+    assert 0 < cpu < 4
+    assert clock < 30
+    assert called(["bash", "-c", "exit 3"], tmp_path, 1)[2] == 3
+
+
+def test_call_that_was_measured_is_not_made_again(tmp_path, monkeypatch):
+    words = ["bash", "-c", "echo '(move cup here there)' > plan"]
+    first = foreign.measured("Kairos", printed(Feature()), words, tmp_path, 5)
+    assert first["status"] == "solved"
+    monkeypatch.setattr(foreign, "called", None)
+    assert foreign.measured("Kairos", printed(Feature()), words, tmp_path, 5) == first
+
+
+def test_five_problems_of_each_domain_are_chosen():
+    chosen = shipped(foreign.ROOT / "domains")
+    assert len(chosen) == len(set(chosen)) == 20
+    assert {one.partition("/")[0] for one in chosen} == set(foreign.DOMAINS)
+
+
+def test_every_small_task_is_another():
+    texts = [feature.task() for feature in FEATURES.values()]
+    assert len(set(texts)) == len(texts)
+    assert cost_of(Task("", *texts[0]), [MOVE]) is None
+
+
+def test_page_tells_what_each_planner_refuses():
+    row = {"status": "failed", "cpu_s": 0.1, "plan_length": None, "cost": None, "valid": None}
+    row |= {"error": "ValueError: functions", "judge": ""}
+    one = {"version": "2.1", "call": "greedy", "not_installed": "", "problems": {"towers/a": row}}
+    text = page({"limit_cpu_s": 60, "planners": {"pyperplan": one | {"totals": totals([row])}}})
+    assert "| pyperplan | 2.1 | greedy | 0 of 1 |" in text
+    assert "`ValueError: functions`" in text

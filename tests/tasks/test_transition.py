@@ -1,0 +1,116 @@
+"""Replay: exact displacements, and every way that a plan can be impossible."""
+
+import msgspec
+import pytest
+from tables import DOWN, LEFT, LIFT, PULL, PUSH, TRAY_LEFT, crossing, grounding, item, mode, problem
+
+from neurosym.execution.reasons import why_missed
+from neurosym.planners import plan
+from neurosym.problems import Problem
+from neurosym.table import Table
+from neurosym.tasks.steps import PlanStep
+from neurosym.tasks.transition import validate
+from neurosym.wording import in_millimetres
+
+
+def test_right_plan_is_valid_and_its_positions_are_exact():
+    found = validate([PULL, TRAY_LEFT, PUSH, LIFT], problem(), grounding())
+    assert (found.valid, found.reason) == (True, "")
+    assert found.positions.shape == (5, 2, 3)
+    assert found.positions[-1][0] == pytest.approx([0.4512 + 0.0713 + 0.012, 0.0133 - 0.0124 - 0.021, 0.228])
+    assert found.positions[-1][1] == pytest.approx([0.5468, -0.0862, 0.02])
+
+
+def test_object_put_down_is_back_at_its_height():
+    found = validate([LIFT, DOWN], problem(), grounding())
+    assert found.positions[-1][0] == pytest.approx([0.4512 + 0.0141, 0.0133 - 0.0228, 0.025])
+
+
+@pytest.mark.parametrize(
+    ("steps", "reason"),
+    [
+        ([LIFT, PUSH], "step 2, push-away-001-block item-01: the hand still holds item-01"),
+        ([LIFT, PULL], "step 2, pull-010-tray item-02: the hand still holds item-01"),
+        ([DOWN], "step 1, put-down-lift-010-block item-01: item-01 is not held by lift-010-block"),
+        ([LIFT, DOWN, DOWN], "step 1, put-down-lift-010-block item-01: item-01 is not held"),
+        ([LEFT] * 4, "step 4, push-left-000-block item-01: item-01 leaves the table at x = 0.460"),
+        ([LIFT], "item-01 ends 73 mm from its goal, 50 mm are allowed"),
+        ([], "item-01 ends 222 mm from its goal"),
+    ],
+)
+def test_impossible_plan_says_which_step_and_why(steps: list[PlanStep], reason: str):
+    found = validate(steps, problem(), grounding())
+    assert not found.valid
+    assert found.reason.startswith(reason)
+
+
+def test_miss_by_less_than_is_printed_does_not_look_allowed():
+    assert in_millimetres(0.0503, 0.05) == "50.3 mm"
+    assert in_millimetres(0.05004, 0.05) == "50.04 mm"
+    assert (in_millimetres(0.0497, 0.05), in_millimetres(0.058, 0.05)) == ("50 mm", "58 mm")
+    item = problem().object_named("item-01")
+    x, y, z = item.position
+    near = msgspec.structs.replace(problem(), goals={"item-01": (x + 0.0502, y, z)})
+    assert validate([], near, grounding()).reason == "item-01 ends 50.2 mm from its goal, 50 mm are allowed"
+    assert why_missed("plan", [], [], {"item-01": 0.0502}, 0.05).startswith(
+        "item-01 is 50.2 mm from its goal (50 mm allowed)"
+    )
+
+
+def test_operator_without_a_promise_cannot_be_replayed():
+    table = grounding().operators
+    lost = msgspec.structs.replace(table.operators[0], modes=())
+    broken = msgspec.structs.replace(table, operators=(lost, *table.operators[1:]))
+    found = validate([LEFT], problem(), msgspec.structs.replace(grounding(), operators=broken))
+    assert found.reason.endswith("the operator promises nothing")
+
+
+def test_object_must_not_rest_where_another_is():
+    behind, front = LEFT, PlanStep("push-left-000-block", "item-02")
+    found = validate([behind, front], crossing(), grounding())
+    assert found.reason == "step 1, push-left-000-block item-01: item-01 ends where item-02 is"
+    assert validate([front, behind], crossing(), grounding()).valid
+
+
+def test_held_object_may_be_above_another():
+    above = msgspec.structs.replace(
+        crossing(), objects=(item("item-01", 0.5, 0.0), item("item-02", 0.512, -0.06))
+    )
+    above = msgspec.structs.replace(above, goals={"item-01": (0.512, -0.021, 0.228)})
+    assert validate([LIFT], above, grounding()).valid
+    assert "ends where" in validate([LIFT, DOWN], above, grounding()).reason
+
+
+def test_objects_that_overlap_from_the_start_are_not_held_against_a_plan():
+    near = msgspec.structs.replace(
+        crossing(), objects=(item("item-01", 0.5, 0.0), item("item-02", 0.5, 0.04))
+    )
+    near = msgspec.structs.replace(near, goals={"item-01": (0.5, 0.0832, 0.025)})
+    assert validate([LEFT], near, grounding()).valid
+
+
+def test_object_may_come_to_the_very_edge_and_touch_another_whatever_binary_numbers_make_of_it():
+    """0.14 + 0.04 is greater than 0.18 in binary, and 0.09 - 0.04 less than 0.05."""
+    learned = grounding()
+    push = msgspec.structs.replace(
+        learned.operator_named("push-left-000-block"), modes=(mode((0.0, 0.04, 0.0)),)
+    )
+    small = msgspec.structs.replace(
+        learned,
+        table=Table(x=(0.3, 0.9), y=(-0.3, 0.18)),
+        operators=msgspec.structs.replace(learned.operators, operators=(push,)),
+    )
+    step = PlanStep(push.name, "item-01")
+    edge = Problem("edge", (item("item-01", 0.5, 0.14),), {"item-01": (0.5, 0.18, 0.025)}, tolerance=0.01)
+    touching = Problem(
+        "touching",
+        (item("item-01", 0.5, 0.0), item("item-02", 0.5, 0.09)),
+        {"item-01": (0.5, 0.04, 0.025)},
+        tolerance=0.01,
+    )
+    assert 0.14 + 0.04 > 0.18
+    assert abs(0.04 - 0.09) < 0.05
+    for task in (edge, touching):
+        assert validate([step], task, small).valid
+        assert plan(task, small, "counting").steps == (step,)
+        assert plan(task, small, "bfs-operators").steps == (step,)

@@ -1,0 +1,1 @@
+"""What `tools.benchmarks.foreign` calls planners with: who they are, how each is called, and small tasks."""
