@@ -119,11 +119,15 @@ architecture: install
 evaluate-planners: install
 	$(BIN)/pip install --quiet --constraint constraints.txt --editable '.[dev,planners]' up-tamer
 	$(BIN)/python -m tools.benchmarks.planning.planner_matrix
+	$(BIN)/python -m tools.benchmarks.planning.one_page
 
 # What ten planners of the package index make of the printed files, called without neurosym, into
 # docs/results/foreign.*; each is installed into an environment of its own, below ~/.cache/neurosym-foreign.
+# Some take no costs, so the plain page is printed, too.
 evaluate-foreign: install
-	$(BIN)/python -m tools.benchmarks.foreign --features
+	rm -rf build/foreign && mkdir -p build && cp -r domains build/foreign
+	set -e; for domain in build/foreign/*/; do $(BIN)/neurosym compile-domain --quiet $$domain --plain; done
+	$(BIN)/python -m tools.benchmarks.foreign --domains build/foreign --features
 
 clean:
 	rm -rf $(VENV) demo

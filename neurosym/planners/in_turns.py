@@ -30,6 +30,8 @@ What makes way comes as near to where it is to wait, lest it be set down beside 
 """
 MOST_ORDERS = 6
 """In how many orders objects are led one after another at most, where all ways at once cannot be cleared."""
+IN_TURNS = "joined from plans of what is carried and what is led over cells, in turns"
+"""What is said of a plan that was made so."""
 _Solve = Callable[[Problem], PlanResult]
 _Goals = Mapping[str, Vector]
 _Turn = tuple[PlanResult, Problem]
@@ -125,7 +127,7 @@ class _Turns:
         steps = (*begun.steps, *last.steps)
         checked = validate(steps, self.problem, self.grounding)
         if checked.valid:
-            return dataclasses.replace(last, steps=steps)
+            return dataclasses.replace(last, steps=steps, reason=IN_TURNS)
         return PlanResult(PlanStatus.FAILED, (), 0.0, checked.reason)
 
     def _round_once(self, now: Problem, led: _Goals, near: float, *, everything: bool) -> _Turn:

@@ -50,6 +50,8 @@ MEMORY = 8 << 30
 DOMAINS = ("tabletop", "tabletop-paper", "places", "towers")
 EACH = 5
 """How many problems of each domain are tried."""
+NAMED = ("towers/tower-4-03", "places/row-4-12", "tabletop/task-07")
+"""Problems that are tried besides."""
 OBJECTS = range(1, 9)
 """With how many objects."""
 
@@ -106,7 +108,7 @@ def main(
     planners: Annotated[str, tyro.conf.arg(help="Names of planners, with commas; all if empty.")] = "",
     problems: Annotated[
         str,
-        tyro.conf.arg(help="Problems as domain/name, with commas; five of each domain if empty, none if -."),
+        tyro.conf.arg(help="Problems as domain/name, with commas; some of each domain if empty, none if -."),
     ] = "",
     features: Annotated[bool, tyro.conf.arg(help="Try the small tasks, too.")] = False,
     limit: Annotated[int, tyro.conf.arg(help="CPU that a call may take [s].")] = LIMIT,
@@ -175,7 +177,10 @@ def shipped(domains: Path) -> list[str]:
             name = min(left, key=lambda each: (abs(left[each] - wanted), each))
             del left[name]
             chosen.append(f"{domain}/{name}")
-    return chosen
+    besides = (
+        one for one in NAMED if one not in chosen and _files(domains / Path(one).parent, Path(one).name)
+    )
+    return [*chosen, *besides]
 
 
 def _files(folder: Path, name: str, costs: bool = True) -> tuple[Path, Path, bool] | None:

@@ -133,7 +133,7 @@ def figures(records: Mapping[str, Figures]) -> Figures:
     rows = shipped()
     found["problem_bytes_8"] = {
         kind: max(file.stat().st_size for _, about, file in rows if about == (kind, 8))
-        for kind in (RELATIONS, PLACES, CELLS)
+        for kind in (RELATIONS, CELLS)
     }
     for kind, objects in ((RELATIONS, 8), (CELLS, 2), (CELLS, 8)):
         medians = [

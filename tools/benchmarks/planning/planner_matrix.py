@@ -7,6 +7,7 @@ that the run can be interrupted and goes on where it was.
 """
 
 import hashlib
+import json
 import os
 import sys
 import tempfile
@@ -256,7 +257,10 @@ def _texts(problem: Problem, grounding: Grounding, encoding: str, *, costs: bool
 def _write(
     found: Mapping[str, Any], results: Path, tasks: Mapping[str, Any], time_limit: float, cells: int
 ) -> None:
+    path = results / "planners.json"
+    page = json.loads(path.read_text()).get("one_page") if path.exists() else None
     values = {
+        **({"one_page": page} if page else {}),
         "command": "make evaluate-planners",
         "time_limit": time_limit,
         "problems": list(tasks),
@@ -264,7 +268,7 @@ def _write(
         "machine": machine() | {"load": f"{os.getloadavg()[0]:.0f}"} | {n: _version(n) for n in PACKAGES},
         "cells": {name: found[name] for name in sorted(found)},
     }
-    write_atomically(results / "planners.json", as_text(values))
+    write_atomically(path, as_text(values))
     write_atomically(results / "planners.md", _page(values))
     if results == RESULTS:
         write_atomically(FILE, as_text(msgspec.to_builtins(record_of(values))))
