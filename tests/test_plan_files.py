@@ -11,8 +11,7 @@ from independent.random_tables import draw
 from places import ROOT
 
 from neurosym.grounding import Grounding
-from neurosym.pddl.domain import domain_text
-from neurosym.pddl.ground_plan import ground_plan
+from neurosym.pddl.encodings import domain_text, ground_plan
 from neurosym.pddl.plan_reading import read_plan
 from neurosym.pddl.problem import problem_text
 from neurosym.planners import PlanStatus, plan

@@ -122,7 +122,7 @@ def _refuse(event: Any) -> None:
         choices = [choice for choice in event.choices if choice != "None"]  # which is no word of ours
         option = _called(event.argument).removeprefix("--")
         if option == "encoding":
-            from neurosym.pddl.domain import check_former
+            from neurosym.pddl.encodings import check_former
 
             check_former(event.value)
         raise UnknownChoice(option, event.value, choices)

@@ -14,7 +14,7 @@ from itertools import chain
 from neurosym.errors import InvalidValue, UnknownChoice
 from neurosym.grounding import Grounding
 from neurosym.pddl.durations import carry_seconds
-from neurosym.pddl.moves import DURATIVE, domain_name
+from neurosym.pddl.encoding_names import DURATIVE, domain_name
 from neurosym.pddl.problem import check_object
 from neurosym.pddl.strips import NOWHERE, PLACE, THING, common_head
 from neurosym.pddl.strips_plan import Misread

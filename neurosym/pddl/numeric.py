@@ -22,8 +22,8 @@ import msgspec
 
 from neurosym.errors import InvalidValue
 from neurosym.grounding import Grounding
+from neurosym.pddl.encoding_names import NUMERIC, domain_name
 from neurosym.pddl.grid import AXES, best_levels, levels
-from neurosym.pddl.moves import NUMERIC, domain_name
 from neurosym.pddl.strips import LIFT, MOTION, PUSH, PUT_DOWN, THING, action, common_head, predicate
 from neurosym.pddl.strips_plan import Misread
 from neurosym.pddl.strips_problem import motion_name

@@ -14,7 +14,8 @@ from neurosym.errors import InvalidPlan, shortened
 from neurosym.grounding import Grounding
 from neurosym.pddl import strips
 from neurosym.pddl.durative import CARRY, read_durative
-from neurosym.pddl.numeric import is_numeric, read_numeric
+from neurosym.pddl.encodings import NUMBERS, PAGE
+from neurosym.pddl.numeric import is_numeric
 from neurosym.pddl.plan_forms import FORMS
 from neurosym.pddl.plan_lines import Line, WrittenAction, unread
 from neurosym.pddl.step_words import FORMER_NOTES, Misnamed, is_step_word, read_steps
@@ -137,10 +138,9 @@ def _steps(
     if rows and all(words[0] == CARRY for words in rows):
         return read_durative(rows, task)
     if rows and all(words[0] in names for words in rows):
-        if is_numeric(rows):
-            return read_numeric(rows, task)
-        led = led_in(rows, task)
-        return read(rows, printed(led) if printed else StripsProblem(task, led=led, every=True))
+        if printed and not is_numeric(rows):
+            return read(rows, printed(led_in(rows, task)))
+        return (NUMBERS if is_numeric(rows) else PAGE).read(rows, task)
     stray = next((number for number, words in enumerate(rows) if words[0] in names - _ALIKE), None)
     if stray is not None:
         name = rows[stray][0]

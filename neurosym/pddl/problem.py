@@ -6,17 +6,14 @@ from functools import lru_cache
 
 from neurosym.errors import InvalidValue
 from neurosym.grounding import Grounding
-from neurosym.pddl.domain import check_encoding
+from neurosym.pddl.encoding_names import STRIPS, EncodingName
+from neurosym.pddl.encodings import GroundPlan, encoding_named
 from neurosym.pddl.grid import check_on_table
-from neurosym.pddl.ground_plan import GroundPlan
-from neurosym.pddl.moves import NUMERIC, STRIPS, Encoding
-from neurosym.pddl.numeric import STEPS as NUMERIC_STEPS
-from neurosym.pddl.numeric import numeric_problem
 from neurosym.pddl.strips import page
-from neurosym.pddl.strips_problem import STEPS, StripsProblem
+from neurosym.pddl.strips_problem import STEPS
 from neurosym.problems import Problem, SceneObject
 from neurosym.spots import SPOT
-from neurosym.tasks.task import Task, understand
+from neurosym.tasks.task import understand
 
 _PARTICULAR = r"[xy]\d*|d[xy](-?\d+)?|cost\d+|way\d+|m-[01]+[a-z]*(-.*)?"
 """What problems call cells, steps, prices, ways and motions."""
@@ -26,7 +23,7 @@ _OF_PLACES = rf"(start|goal|park)-.*|n\d+|{SPOT.pattern}"
 def problem_text(
     problem: Problem,
     grounding: Grounding,
-    encoding: Encoding = STRIPS,
+    encoding: EncodingName = STRIPS,
     *,
     steps: int = STEPS,
     plans: Sequence[GroundPlan] = (),
@@ -49,29 +46,10 @@ def problem_text(
         UnknownChoice: If an object is of a category that the domain does not have, or there is no such
             encoding.
     """
-    check_encoding(encoding)
+    written = encoding_named(encoding)
     for item in problem.objects:
         check_object(item, grounding)
-    task = understand(problem, grounding)
-    if encoding == NUMERIC:
-        return numeric_problem(task, steps=steps * NUMERIC_STEPS).text(costs=costs)
-    return strips_text(task, plans, steps=steps, costs=costs)
-
-
-def strips_text(
-    task: Task, plans: Sequence[GroundPlan] = (), *, steps: int = STEPS, costs: bool = True
-) -> str:
-    """Print a task for the page; see `problem_text`."""
-    led = {name for plan in plans for name in plan.led}
-    printed = StripsProblem(
-        task,
-        led=[name for name in task.names if name in led or name in task.led],
-        kept=[move for plan in plans for move in plan.moves],
-        steps=steps,
-    )
-    facts = [fact for plan in plans for fact in plan.facts]
-    spots = sorted({spot for plan in plans for spot in plan.spots})
-    return printed.data(sorted(facts), spots).text(costs=costs)
+    return written.problem(understand(problem, grounding), plans, steps).text(costs=costs)
 
 
 def check_object(item: SceneObject, grounding: Grounding) -> None:

@@ -11,8 +11,8 @@ import msgspec
 from neurosym.drafts import naming
 from neurosym.errors import InvalidPlan, InvalidValue
 from neurosym.pair_sight import with_pairs
-from neurosym.pddl.domain import domain_text
-from neurosym.pddl.moves import STRIPS
+from neurosym.pddl.encoding_names import STRIPS
+from neurosym.pddl.encodings import domain_text
 from neurosym.pddl.plan_reading import parse_plan
 from neurosym.pddl.problem import problem_text
 from neurosym.planners.effort import UNTOLD, check_time, within

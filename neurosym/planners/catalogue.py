@@ -4,7 +4,7 @@ import importlib.util
 import math
 from functools import partial
 
-from neurosym.pddl.moves import SAS, Encoding
+from neurosym.pddl.encoding_names import SAS, EncodingName
 from neurosym.planners.external import (
     ENHSP,
     FORBID_ITERATIVE,
@@ -44,7 +44,7 @@ def _unified(name: str, about: str, engine: str, package: str, *, costs: bool = 
     return pddl_planner(name, about, call, cell=COARSE, missing=missing, costs=costs)
 
 
-def _program(name: str, about: str, program: Program, *encodings: Encoding, cell: float = 0.0) -> Planner:
+def _program(name: str, about: str, program: Program, *encodings: EncodingName, cell: float = 0.0) -> Planner:
     call = partial(plan_program, program=program)
     return pddl_planner(name, about, call, encodings or ON_PAGE, cell, program.missing)
 

@@ -15,8 +15,8 @@ from neurosym.arrays import Float
 from neurosym.checks import check_kind
 from neurosym.errors import InvalidPlanner, InvalidValue, NeurosymError
 from neurosym.grounding import Grounding
-from neurosym.pddl.domain import check_former
-from neurosym.pddl.moves import ENCODINGS, SAS, STRIPS, Encoding
+from neurosym.pddl.encoding_names import ENCODINGS, SAS, STRIPS, EncodingName
+from neurosym.pddl.encodings import check_former
 from neurosym.planners.result import PlannerAnswer, PlanResult
 from neurosym.problems import LEGAL_NAME, Problem
 
@@ -27,7 +27,7 @@ Tell = Callable[[str], None]
 """Is told in a few words what a planner goes on with."""
 CEILING = 60.0
 """When planners give up that count no work, if the user sets no limit [s]."""
-ON_PAGE: tuple[Encoding, ...] = (STRIPS,)
+ON_PAGE: tuple[EncodingName, ...] = (STRIPS,)
 
 
 def _say_nothing(text: str) -> None:
@@ -60,7 +60,7 @@ class Query:
     grounding: Grounding
     predict: PredictEffects | None = None
     time_limit: float = CEILING
-    encoding: Encoding | None = None
+    encoding: EncodingName | None = None
     whole: bool = False
     work: int = sys.maxsize
     tell: Tell = _say_nothing
@@ -94,12 +94,12 @@ class PddlProgram:
     """
 
     call: PddlCall
-    encodings: tuple[Encoding, ...] = ON_PAGE
+    encodings: tuple[EncodingName, ...] = ON_PAGE
     cell: float = 0.0
     aims: bool = False
     costs: bool = True
 
-    def encoding_for(self, planner: str, asked: Encoding | None) -> Encoding:
+    def encoding_for(self, planner: str, asked: EncodingName | None) -> EncodingName:
         """Return the encoding asked for, or the one that the planner does best with.
 
         Args:
@@ -169,6 +169,6 @@ class Planner:
             raise InvalidPlanner(self.name, f"{said}; valid: one or more of {', '.join(sorted(known))}")
 
     @property
-    def encodings(self) -> tuple[Encoding, ...]:
+    def encodings(self) -> tuple[EncodingName, ...]:
         """The encodings of the domain that it takes; none for a planner that reads no PDDL."""
         return self.program.encodings if self.program else ()

@@ -22,8 +22,8 @@ from neurosym.drafts import naming
 from neurosym.errors import InvalidPlan, InvalidPlanner
 from neurosym.factories import one_line
 from neurosym.grounding import Grounding
-from neurosym.pddl.domain import domain_text
-from neurosym.pddl.moves import SAS, STRIPS, Encoding
+from neurosym.pddl.encoding_names import SAS, STRIPS, EncodingName
+from neurosym.pddl.encodings import domain_text
 from neurosym.pddl.numeric import STEPS as NUMERIC_STEPS
 from neurosym.pddl.numeric import numeric_problem
 from neurosym.pddl.plan_reading import read_answer
@@ -76,7 +76,7 @@ def pddl_planner(
     name: str,
     about: str,
     call: PddlCall,
-    encodings: Sequence[Encoding] = ON_PAGE,
+    encodings: Sequence[EncodingName] = ON_PAGE,
     cell: float = 0.0,
     missing: Callable[[], str] = str,
     ceiling: float = CEILING,
@@ -159,7 +159,7 @@ class _Asked:
 
     query: Query
     program: PddlProgram
-    encoding: Encoding
+    encoding: EncodingName
 
     def search(self, deadline: float) -> PlanResult:
         """Plan until a deadline, or until the work is spent."""
@@ -259,7 +259,7 @@ class _Asked:
         problem: Problem,
         grounding: Grounding,
         effort: Effort,
-        encoding: Encoding,
+        encoding: EncodingName,
         slack: _Slack,
         *,
         carries: bool = False,
@@ -297,7 +297,7 @@ class _Printed:
         self,
         problem: Problem,
         grounding: Grounding,
-        encoding: Encoding,
+        encoding: EncodingName,
         slack: _Slack,
         program: PddlProgram,
         *,

@@ -11,8 +11,8 @@ from neurosym.checks import check_callable, check_kind
 from neurosym.errors import InvalidPlanner, InvalidValue, UnknownChoice
 from neurosym.factories import is_factory
 from neurosym.grounding import Grounding
+from neurosym.pddl.encoding_names import STRIPS, EncodingName
 from neurosym.pddl.grid import check_on_table
-from neurosym.pddl.moves import STRIPS, Encoding
 from neurosym.planners.by_relations import by_relations
 from neurosym.planners.catalogue import PLANNERS
 from neurosym.planners.custom import check_installed, check_planner, load_planner, solve_checked
@@ -32,7 +32,7 @@ def plan(
     *,
     predict: PredictEffects | None = None,
     time_limit: float | None = None,
-    encoding: Encoding | None = None,
+    encoding: EncodingName | None = None,
     whole: bool = False,
     costs: bool = True,
     work: int | None = None,
@@ -142,7 +142,7 @@ def register_planner(planner: Planner) -> None:
     PLANNERS[planner.name] = planner
 
 
-def check_options(planner: Planner, *, encoding: Encoding | None, whole: bool, costs: bool) -> None:
+def check_options(planner: Planner, *, encoding: EncodingName | None, whole: bool, costs: bool) -> None:
     """Refuse options that a planner does not take.
 
     Args:

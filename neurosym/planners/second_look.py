@@ -5,7 +5,7 @@ import math
 
 from neurosym.errors import InvalidValue
 from neurosym.grounding import Grounding
-from neurosym.pddl.moves import Encoding
+from neurosym.pddl.encoding_names import EncodingName
 from neurosym.planners.alternatives import alternatives
 from neurosym.planners.counting import plan_counting
 from neurosym.planners.no_plan import plan_nearest
@@ -41,7 +41,7 @@ def plan_with_second_look(
     *,
     predict: PredictEffects | None = None,
     time_limit: float | None = None,
-    encoding: Encoding | None = None,
+    encoding: EncodingName | None = None,
     whole: bool = False,
     costs: bool = True,
     nearest: bool = False,

@@ -9,7 +9,7 @@ from pathlib import Path
 
 import msgspec
 
-from neurosym.pddl.moves import FORMER
+from neurosym.pddl.encoding_names import FORMER
 from neurosym.reading import read_json
 
 FILE = Path(__file__).with_suffix(".json")

@@ -15,8 +15,8 @@ from typing import TYPE_CHECKING
 from neurosym.checks import check_kind
 from neurosym.errors import InvalidValue
 from neurosym.grounding import Grounding
-from neurosym.pddl.domain import domain_text
-from neurosym.pddl.moves import STRIPS, Encoding
+from neurosym.pddl.encoding_names import STRIPS, EncodingName
+from neurosym.pddl.encodings import domain_text
 from neurosym.pddl.plan_reading import parse_plan
 from neurosym.pddl.problem import problem_text
 from neurosym.planners.process import Finished, read_text, run_limited
@@ -38,7 +38,9 @@ _EXIT = {
 }
 
 
-def to_unified_planning(problem: Problem, grounding: Grounding, encoding: Encoding | None = None) -> "Task":
+def to_unified_planning(
+    problem: Problem, grounding: Grounding, encoding: EncodingName | None = None
+) -> "Task":
     """Return a problem as unified-planning has it, which any of its engines may solve.
 
     Args:

@@ -6,7 +6,7 @@ from neurosym.fits import save_fits
 from neurosym.grounding import Grounding
 from neurosym.pddl import compile_domain, domain_text
 from neurosym.pddl.compiler import check_axes
-from neurosym.pddl.moves import NUMERIC
+from neurosym.pddl.encoding_names import NUMERIC
 from neurosym.place_operators import PlaceOperators
 from neurosym.promises import fits_of
 from neurosym.relation_operators import RelationOperators

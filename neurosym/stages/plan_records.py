@@ -12,8 +12,8 @@ from neurosym.errors import InvalidFile, InvalidValue, UnknownChoice
 from neurosym.files import make_folder, remove, write_atomically, write_json
 from neurosym.grounding import Grounding
 from neurosym.pddl.chances import expected_success, expected_within
-from neurosym.pddl.ground_plan import GroundPlan, ground_plan
-from neurosym.pddl.moves import NUMERIC, STRIPS, Encoding
+from neurosym.pddl.encoding_names import NUMERIC, STRIPS, EncodingName
+from neurosym.pddl.encodings import GroundPlan, ground_plan
 from neurosym.planners import PlanStatus
 from neurosym.planners.second_look import Planned
 from neurosym.problems import Problem
@@ -104,7 +104,7 @@ def write_plans(
     problem: Problem,
     grounding: Grounding,
     planned: Planned,
-    encoding: Encoding,
+    encoding: EncodingName,
 ) -> tuple[GroundPlan, ...]:
     """Write what was found for a problem: plan, next-best plans and record.
 
@@ -179,7 +179,7 @@ class _Writer:
     folder: DomainFolder
     problem: Problem
     grounding: Grounding
-    encoding: Encoding
+    encoding: EncodingName
 
     def __call__(self, plan_file: str, steps: Sequence[PlanStep]) -> _File:
         """Write steps, and say what was written."""
@@ -193,7 +193,7 @@ class _Writer:
 
 
 def _printed(
-    steps: Sequence[PlanStep], problem: Problem, grounding: Grounding, encoding: Encoding
+    steps: Sequence[PlanStep], problem: Problem, grounding: Grounding, encoding: EncodingName
 ) -> GroundPlan | str:
     """Return steps as a plan of the printed domain, or why they are none."""
     checked = validate(steps, problem, grounding)

@@ -9,9 +9,9 @@ from neurosym.errors import InvalidPlan, InvalidValue
 from neurosym.grounding import Grounding
 from neurosym.pddl import problem_text
 from neurosym.pddl.chances import expected_success
+from neurosym.pddl.encoding_names import NUMERIC, STRIPS, EncodingName
+from neurosym.pddl.encodings import ground_plan
 from neurosym.pddl.excerpt import Action, parameters_of, tree_of
-from neurosym.pddl.ground_plan import ground_plan
-from neurosym.pddl.moves import NUMERIC, STRIPS, Encoding
 from neurosym.pddl.plan_reading import read_actions, read_plan
 from neurosym.planners.plan_validator import PddlVerdict, validate_pddl
 from neurosym.problems import Problem
@@ -23,7 +23,7 @@ from neurosym.stages.planning import load_problem
 from neurosym.tasks.steps import PlanStep, Steps, named_steps
 from neurosym.tasks.transition import validate
 
-_PRINTED: tuple[Encoding, ...] = (STRIPS, NUMERIC)
+_PRINTED: tuple[EncodingName, ...] = (STRIPS, NUMERIC)
 """The encodings, those first that plans are mostly printed for."""
 
 
@@ -154,7 +154,7 @@ def _verdicts(
         )
 
 
-def _domains(folder: DomainFolder) -> Iterator[tuple[Encoding, str]]:
+def _domains(folder: DomainFolder) -> Iterator[tuple[EncodingName, str]]:
     """Yield the printed domains that are there, with their encodings."""
     for encoding in _PRINTED:
         file = folder / DOMAIN_FILES[encoding]
@@ -172,7 +172,7 @@ def _judged(
     folder: DomainFolder,
     problem: Problem,
     grounding: Grounding,
-    encoding: Encoding,
+    encoding: EncodingName,
     actions: Sequence[Action],
 ) -> PddlVerdict:
     """Judge ground actions by a domain and the problem that is printed for it, or would be."""

@@ -9,8 +9,8 @@ from neurosym.factories import is_factory
 from neurosym.grounding import Grounding
 from neurosym.object_limits import limits_of
 from neurosym.pair_sight import with_pairs
+from neurosym.pddl.encoding_names import ENCODINGS, SAS, STRIPS, EncodingName
 from neurosym.pddl.grid import check_on_table
-from neurosym.pddl.moves import ENCODINGS, SAS, STRIPS, Encoding
 from neurosym.pddl.problem_check import check_problem
 from neurosym.planners import planner_named
 from neurosym.planners.planner import PredictEffects
@@ -92,7 +92,7 @@ def plan_stage(
     *,
     planner: str,
     time_limit: float | None = None,
-    encoding: Encoding | None = None,
+    encoding: EncodingName | None = None,
     whole: bool = False,
     unit_costs: bool = False,
     nearest: bool = False,

@@ -9,8 +9,8 @@ from neurosym.files import remove, write_atomically
 from neurosym.grounding import Grounding
 from neurosym.pair_sight import with_pairs
 from neurosym.pddl import problem_text
-from neurosym.pddl.ground_plan import GroundPlan
-from neurosym.pddl.moves import NUMERIC, STRIPS, Encoding
+from neurosym.pddl.encoding_names import NUMERIC, STRIPS, EncodingName
+from neurosym.pddl.encodings import GroundPlan
 from neurosym.pddl.problem import check_object
 from neurosym.problems import Problem
 from neurosym.reading import read_text
@@ -42,7 +42,7 @@ def print_beside(
     folder: DomainFolder,
     problem: Problem,
     grounding: Grounding,
-    encoding: Encoding,
+    encoding: EncodingName,
     plans: Sequence[GroundPlan],
     planner: str,
 ) -> None:
@@ -56,7 +56,9 @@ def print_beside(
         plans: What a planner found just now.
         planner: Name of the planner.
     """
-    wanted: dict[str, Encoding] = {printed_file(problem.name, plan.encoding): plan.encoding for plan in plans}
+    wanted: dict[str, EncodingName] = {
+        printed_file(problem.name, plan.encoding): plan.encoding for plan in plans
+    }
     if not plans and not is_relational(problem, grounding):
         wanted = {printed_file(problem.name, encoding): encoding}
     lacking = [file for file in wanted if _lacks(folder, file, _beside(file, problem, plans))]

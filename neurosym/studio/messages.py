@@ -8,7 +8,7 @@ import numpy as np
 from neurosym.arrays import Float
 from neurosym.choices import AnyTask
 from neurosym.execution.record import Run, StepRecord
-from neurosym.pddl.moves import Encoding
+from neurosym.pddl.encoding_names import EncodingName
 from neurosym.problems import Problem
 from neurosym.stages.plan_records import PlanRecord
 from neurosym.table import Place
@@ -69,7 +69,7 @@ class PlanNew(Job):
 
     problem: Problem
     planner: str
-    encoding: Encoding | None = None
+    encoding: EncodingName | None = None
     nearest: bool = False
     time_limit: float | None = None
 

@@ -13,7 +13,7 @@ import msgspec
 from neurosym.choices import AnyTask
 from neurosym.errors import InvalidValue
 from neurosym.operators import vector
-from neurosym.pddl.moves import Encoding
+from neurosym.pddl.encoding_names import EncodingName
 from neurosym.problems import Problem
 from neurosym.reading import decode_json
 from neurosym.related import is_relational
@@ -179,7 +179,7 @@ class Session(Desk):
         self.say(f"saved as {problem.name}")
 
     @told
-    def plan(self, *planners: str, encoding: Encoding | None = None) -> None:
+    def plan(self, *planners: str, encoding: EncodingName | None = None) -> None:
         """Plan, with one planner after another; the first plan that is found is chosen.
 
         Where there is no plan to the goals, it is one to the nearest points that are found; of relations

@@ -14,7 +14,7 @@ from neurosym.commands.plan import plan
 from neurosym.commands.run import run
 from neurosym.commands.train import train
 from neurosym.learning.training_config import REGIMES
-from neurosym.pddl.moves import ENCODINGS, SAS
+from neurosym.pddl.encoding_names import ENCODINGS, SAS
 from neurosym.planners import PlanStatus
 from neurosym.planners.fast_downward import plan_fast_downward
 from neurosym.primitives.audition import CHOICES

@@ -9,7 +9,7 @@ import toy_domain
 from command_line import neurosym, refusal
 
 from neurosym.pddl import domain_text
-from neurosym.pddl.ground_plan import print_ground_plan
+from neurosym.pddl.encodings import print_ground_plan
 from neurosym.tasks.steps import PlanStep
 
 LEFT, FORWARD = PlanStep("push-left-001-cube", "item-01"), PlanStep("push-forward-010-cube", "item-01")

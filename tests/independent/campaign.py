@@ -26,9 +26,8 @@ from independent.replay import (
 )
 
 from neurosym.errors import InvalidValue
-from neurosym.pddl.domain import domain_text
-from neurosym.pddl.ground_plan import GroundPlan, ground_plan
-from neurosym.pddl.moves import ENCODINGS, NUMERIC, SAS, STRIPS, Encoding
+from neurosym.pddl.encoding_names import ENCODINGS, NUMERIC, SAS, STRIPS, EncodingName
+from neurosym.pddl.encodings import GroundPlan, domain_text, ground_plan
 from neurosym.pddl.numeric import numeric_problem
 from neurosym.pddl.problem import problem_text
 from neurosym.pddl.strips_problem import StripsProblem, printed_cell
@@ -213,7 +212,7 @@ def _could_be_held(name: str, drawn: Drawn) -> bool:
     )
 
 
-def _problem(problem: Problem, drawn: Drawn, encoding: Encoding, reckoned: int, plan: GroundPlan) -> str:
+def _problem(problem: Problem, drawn: Drawn, encoding: EncodingName, reckoned: int, plan: GroundPlan) -> str:
     """Print a problem, with the rounding of so many steps in mind, and with what a plan moves."""
     task = understand(problem, drawn.grounding)
     if encoding == NUMERIC:

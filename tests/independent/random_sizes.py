@@ -8,7 +8,7 @@ from independent.replay import read_text, replay
 
 from neurosym.grounding import Grounding
 from neurosym.operators import Category, Operator, Rehearsal
-from neurosym.pddl.domain import domain_text
+from neurosym.pddl.encodings import domain_text
 from neurosym.pddl.problem import problem_text
 
 _ROWS = 20

@@ -19,9 +19,8 @@ from validators import unified_planning_accepts
 
 from neurosym.grounding import Grounding
 from neurosym.operators import Vector
-from neurosym.pddl.domain import domain_text
-from neurosym.pddl.ground_plan import ground_plan, print_ground_plan
-from neurosym.pddl.moves import ENCODINGS
+from neurosym.pddl.encoding_names import ENCODINGS
+from neurosym.pddl.encodings import domain_text, ground_plan, print_ground_plan
 from neurosym.pddl.problem import problem_text
 from neurosym.pddl.sas import sas_text
 from neurosym.planners import plan as make_plan

@@ -10,8 +10,8 @@ from tables import BOUNDS, grounding, item, mode, table
 from neurosym.operators import Operator
 from neurosym.pddl import compile_domain, problem_text
 from neurosym.pddl.determinisation import with_every_outcome
-from neurosym.pddl.ground_plan import print_ground_plan
-from neurosym.pddl.moves import ENCODINGS
+from neurosym.pddl.encoding_names import ENCODINGS
+from neurosym.pddl.encodings import print_ground_plan
 from neurosym.pddl.plan_reading import parse_plan
 from neurosym.planners import PlanStatus, plan
 from neurosym.planners.branching import branching_of

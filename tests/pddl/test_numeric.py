@@ -15,7 +15,7 @@ from validators import unified_planning_accepts
 from neurosym.grounding import Grounding
 from neurosym.operators import Mode, Vector
 from neurosym.pddl import domain_text, problem_text
-from neurosym.pddl.ground_plan import print_ground_plan
+from neurosym.pddl.encodings import print_ground_plan
 from neurosym.pddl.numeric import STEPS, UNIT
 from neurosym.pddl.plan_reading import parse_plan
 from neurosym.problems import Problem

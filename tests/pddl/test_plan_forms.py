@@ -9,8 +9,8 @@ from places import DOCS, ROOT
 
 from neurosym.errors import InvalidPlan
 from neurosym.grounding import Grounding
-from neurosym.pddl.ground_plan import print_ground_plan
-from neurosym.pddl.moves import Encoding
+from neurosym.pddl.encoding_names import EncodingName
+from neurosym.pddl.encodings import print_ground_plan
 from neurosym.pddl.plan_forms import FORMS, PlanForm, nearest_form
 from neurosym.pddl.plan_reading import parse_plan
 from neurosym.pddl.written_plans import written_plan
@@ -108,7 +108,7 @@ def test_every_form_is_listed_in_the_documents():
 
 
 @pytest.mark.parametrize("encoding", ["strips", "numeric", "sas"])
-def test_every_encoding_of_a_plan_gives_the_same_steps(encoding: Encoding):
+def test_every_encoding_of_a_plan_gives_the_same_steps(encoding: EncodingName):
     text, grounding, problem = shipped("tabletop", "task-01.fast-downward")
     steps = read(text, "tabletop", "task-01.fast-downward")
     again = print_ground_plan(steps, problem, grounding, encoding)

@@ -17,7 +17,7 @@ from places import GOLDEN
 from toy_places import grounding, mixed, swap
 
 from neurosym.pddl.durative import durative_problem_text
-from neurosym.pddl.ground_plan import print_ground_plan
+from neurosym.pddl.encodings import print_ground_plan
 from neurosym.pddl.planviz import planviz_json, planviz_script, scenes_of
 from neurosym.pddl.problem import problem_text
 from neurosym.planners import plan

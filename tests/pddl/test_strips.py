@@ -22,10 +22,9 @@ from validators import unified_planning_accepts
 from neurosym.errors import InvalidValue, UnknownChoice
 from neurosym.grounding import Grounding
 from neurosym.pddl import compile_domain, domain_text, problem_text
-from neurosym.pddl.ground_plan import ground_plan
-from neurosym.pddl.moves import ENCODINGS, FORMER, Encoding
+from neurosym.pddl.encoding_names import ENCODINGS, FORMER, EncodingName
+from neurosym.pddl.encodings import ground_plan
 from neurosym.pddl.plan_reading import parse_plan
-from neurosym.pddl.problem import strips_text
 from neurosym.pddl.strips import PUT_LOADED, WORDS, page
 from neurosym.pddl.strips_plan import action_for, led_by, led_in, read, write
 from neurosym.pddl.strips_problem import StripsProblem
@@ -79,7 +78,7 @@ def test_text_is_exactly_the_golden_one(name: str):
 
 
 @pytest.mark.parametrize("encoding", ENCODINGS)
-def test_order_of_the_table_does_not_show_in_the_text(encoding: Encoding):
+def test_order_of_the_table_does_not_show_in_the_text(encoding: EncodingName):
     shuffled = tables.table()
     shuffled = msgspec.structs.replace(
         shuffled, operators=shuffled.operators[::-1], categories=shuffled.categories[::-1]
@@ -273,7 +272,7 @@ def test_shipped_plans_are_plans_of_the_page(folder, grounding):
         steps = [PlanStep(*step) for step in found["steps"]]
         written = write(steps, StripsProblem(task, led=led_by(steps, task)))
         printed = StripsProblem(task, led=written.led, kept=written.moves)
-        text = strips_text(task, [ground_plan(steps, problem, grounding)])
+        text = problem_text(problem, grounding, plans=[ground_plan(steps, problem, grounding)])
         assert validate_pddl(domain, text, written.actions).valid, record
         every = StripsProblem(task, led=led_in(written.actions, task), every=True)
         back = read(written.actions, every)

@@ -11,7 +11,7 @@ from toy_relations import PUT_IN, PUT_ON
 
 from neurosym.errors import InvalidPlan, InvalidValue, NeurosymError
 from neurosym.grounding import Grounding
-from neurosym.pddl.ground_plan import print_ground_plan
+from neurosym.pddl.encodings import print_ground_plan
 from neurosym.pddl.plan_reading import parse_plan
 from neurosym.pddl.strips_plan import Misread, led_in, read
 from neurosym.pddl.strips_problem import StripsProblem

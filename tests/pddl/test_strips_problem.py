@@ -15,10 +15,9 @@ from toy_relations import LIE, PUT_IN, PUT_ON, relearned
 from neurosym.errors import InvalidValue, UnknownChoice
 from neurosym.grounding import Grounding
 from neurosym.pddl import problem_text
+from neurosym.pddl.encoding_names import ENCODINGS, EncodingName
+from neurosym.pddl.encodings import ground_plan
 from neurosym.pddl.grid import goal_region
-from neurosym.pddl.ground_plan import ground_plan
-from neurosym.pddl.moves import ENCODINGS, Encoding
-from neurosym.pddl.problem import strips_text
 from neurosym.pddl.strips import NOWHERE
 from neurosym.pddl.strips_problem import StripsProblem, motion_name, perch_name, price_name, printed_cell
 from neurosym.pddl.syntax import Atom
@@ -155,7 +154,7 @@ def test_of_motions_that_do_the_same_the_cheapest_is_told_and_those_of_plans_bes
     assert {atom[2] for atom in facts(task, both, "pushes", every=True)} == {"m-000", "m-001"}
     steps = (PlanStep("push-left-001-block", "item-01"),) * 2
     assert validate(steps, task, both).valid
-    beside = strips_text(understand(task, both), [ground_plan(steps, task, both)])
+    beside = problem_text(task, both, plans=[ground_plan(steps, task, both)])
     assert "(pushes item-01 m-001 dx0 dy8 " in beside
     assert "m-001" not in problem_text(task, both)
 
@@ -178,7 +177,7 @@ def test_goal_cells_are_those_of_the_region_and_steps_take_off_of_it():
 
 
 @pytest.mark.parametrize("encoding", ENCODINGS)
-def test_no_parenthesis_is_lost_where_an_object_has_few_motions_or_none(encoding: Encoding):
+def test_no_parenthesis_is_lost_where_an_object_has_few_motions_or_none(encoding: EncodingName):
     learned = rehearsed.grounding()
     widest = rehearsed.item("item-01", 0.4512, 0.0, rehearsed.WIDE)
     few = tuple(one for one in learned.operators.operators if one.category == "00")
@@ -237,7 +236,7 @@ def test_spots_of_plans_are_declared_in_the_problem_beside_them():
     assert validate(steps, task, learned).valid
     found = ground_plan(steps, task, learned)
     assert found.missing(problem_text(task, learned))
-    beside = strips_text(understand(task, learned), [found])
+    beside = problem_text(task, learned, plans=[found])
     assert found.missing(beside) == ()
     assert "spot-6000-m2000 - spot" in beside
 

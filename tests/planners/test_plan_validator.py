@@ -4,8 +4,7 @@ import pytest
 import toy_domain
 
 from neurosym.errors import InvalidValue
-from neurosym.pddl.domain import domain_text
-from neurosym.pddl.ground_plan import ground_plan
+from neurosym.pddl.encodings import domain_text, ground_plan
 from neurosym.pddl.problem import problem_text
 from neurosym.planners.plan_validator import PddlVerdict, validate_pddl
 from neurosym.tasks.steps import PlanStep

@@ -6,8 +6,7 @@ from independent.ground_pddl import judge
 from toy_relations import PUT_IN, PUT_ON, REST, grounding, relations, scene, sorting, tower, tower_at_place
 
 from neurosym.pair_sight import with_pairs
-from neurosym.pddl.domain import domain_text
-from neurosym.pddl.ground_plan import ground_plan
+from neurosym.pddl.encodings import domain_text, ground_plan
 from neurosym.pddl.problem import problem_text
 from neurosym.planners import PlanStatus, plan
 from neurosym.planners.relational_bfs import plan_relational_bfs

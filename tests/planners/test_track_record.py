@@ -4,7 +4,7 @@ import json
 
 from places import DOCS
 
-from neurosym.pddl.moves import FORMER
+from neurosym.pddl.encoding_names import FORMER
 from neurosym.planners.track_record import TrackRecord, track_record
 from tools.benchmarks.planning.planner_matrix import record_of
 

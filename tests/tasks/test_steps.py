@@ -6,7 +6,7 @@ import pytest
 from tables import grounding, problem
 
 from neurosym.errors import InvalidValue
-from neurosym.pddl.ground_plan import print_ground_plan
+from neurosym.pddl.encodings import print_ground_plan
 from neurosym.pddl.plan_reading import parse_plan, read_plan
 from neurosym.tasks.steps import PlanStep, print_plan
 

@@ -13,7 +13,7 @@ from neurosym.errors import InvalidValue
 from neurosym.grounding import Grounding
 from neurosym.pddl import problem_text
 from neurosym.pddl.chances import expected_success
-from neurosym.pddl.ground_plan import ground_plan
+from neurosym.pddl.encodings import ground_plan
 from neurosym.planners.registry import plan
 from neurosym.problems import Problem
 from neurosym.tasks import goal_spots

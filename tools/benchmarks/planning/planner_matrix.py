@@ -25,7 +25,7 @@ from neurosym.errors import InvalidPlan
 from neurosym.files import write_atomically
 from neurosym.grounding import Grounding
 from neurosym.pddl import domain_text, problem_text
-from neurosym.pddl.moves import SAS, STRIPS, Encoding
+from neurosym.pddl.encoding_names import SAS, STRIPS, EncodingName
 from neurosym.pddl.plan_reading import parse_plan
 from neurosym.pddl.sas import sas_text
 from neurosym.pddl.strips_problem import printed_cell
@@ -67,7 +67,7 @@ REFUSING = {"tamer": partial(plan_unified_planning, engine="tamer")}
 """Planners that refuse all of it, for the record."""
 _PLACES, _RELATIONS = "places-", "relations-"
 """What the names of problems begin with in which objects are carried, and put on and into one another."""
-COLUMNS: tuple[tuple[str, Encoding, tuple[str, ...]], ...] = (
+COLUMNS: tuple[tuple[str, EncodingName, tuple[str, ...]], ...] = (
     ("strips", STRIPS, ("toy-", "task-")),
     ("strips, places", STRIPS, (_PLACES,)),
     ("strips, relations", STRIPS, (_RELATIONS,)),
@@ -203,7 +203,7 @@ def _with_relations() -> dict[str, tuple[Problem, Grounding]]:
     }
 
 
-def _asked(tasks: Mapping[str, tuple[Problem, Grounding]]) -> list[tuple[Encoding, str]]:
+def _asked(tasks: Mapping[str, tuple[Problem, Grounding]]) -> list[tuple[EncodingName, str]]:
     """List which problem is given in which encoding: places and relations only stand on the page."""
     return [(encoding, name) for _, encoding, kinds in COLUMNS for name in tasks if name.startswith(kinds)]
 

@@ -4,15 +4,15 @@ from typing import Literal
 
 from neurosym.grounding import Grounding
 
-Encoding = Literal["strips", "numeric", "sas"]
+EncodingName = Literal["strips", "numeric", "sas"]
 
-STRIPS: Encoding = "strips"
+STRIPS: EncodingName = "strips"
 """The page: lifted actions, places, relations, and cells for what can only be pushed."""
-NUMERIC: Encoding = "numeric"
+NUMERIC: EncodingName = "numeric"
 """Positions are numbers; there are no cells, places and relations."""
-SAS: Encoding = "sas"
+SAS: EncodingName = "sas"
 """No PDDL: what Fast Downward's search reads of objects that are led over cells."""
-ENCODINGS: tuple[Encoding, ...] = (STRIPS, NUMERIC)
+ENCODINGS: tuple[EncodingName, ...] = (STRIPS, NUMERIC)
 """Those that are printed."""
 DURATIVE = "durative"
 """Objects are carried by actions that take time; no command plans in it."""
