@@ -53,7 +53,7 @@ class PlanForm:
     @property
     def example(self) -> str:
         """One action in this form."""
-        return _filled(self.step, 0, "push-left", "item-01", "y040", "y043")
+        return _filled(self.step, 0, "move-x", "item-01", "dx3", "x40", "x43")
 
 
 def _filled(template: str, number: int, name: str, *arguments: str) -> str:

@@ -21,6 +21,7 @@ from neurosym.stages.layout import DOMAIN_FILES, GROUNDING, printed_file
 from neurosym.stages.plan_records import planned_tolerance
 from neurosym.stages.planning import load_problem
 from neurosym.tasks.steps import PlanStep, Steps, named_steps
+from neurosym.tasks.task import understand
 from neurosym.tasks.transition import validate
 
 _PRINTED: tuple[EncodingName, ...] = (STRIPS, NUMERIC)
@@ -130,8 +131,9 @@ def _verdicts(
 ) -> Iterator[_Judged]:
     """Judge a plan by each printed domain that has its actions, until one takes it."""
     is_judged = False
+    relates = understand(problem, grounding).relates
     for encoding, domain in _domains(folder):
-        if _has(domain, actions):
+        if _has(domain, actions) and not (relates and encoding == NUMERIC):
             is_judged = True
             found = _Judged(
                 DOMAIN_FILES[encoding], _judged(domain, folder, problem, grounding, encoding, actions)

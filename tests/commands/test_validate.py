@@ -1,12 +1,14 @@
 """`neurosym validate` judges plans; `neurosym execute` follows those of others, and says whose steps."""
 
 import json
+import shutil
 from pathlib import Path
 
 import msgspec
 import pytest
 import toy_domain
 from command_line import neurosym, refusal
+from places import ROOT
 
 from neurosym.pddl import domain_text
 from neurosym.pddl.encodings import print_ground_plan
@@ -87,6 +89,17 @@ def test_steps_alone_are_written_out(folder, capsys):
     (folder / "short.plan").write_text("(push-left-001-cube item-01)\n" * 2)
     code, said = judged(folder, folder / "short.plan", capsys)
     assert (code, said["written_out"]) == (0, True)
+
+
+def test_plan_without_steps_is_judged_by_the_page_where_there_are_relations(tmp_path, capsys):
+    shipped = ROOT / "domains" / "towers"
+    for name in ("grounding.json", "world.toml", "domain.pddl", "domain-numeric.pddl"):
+        shutil.copy(shipped / name, tmp_path)
+    shutil.copytree(shipped / "problems", tmp_path / "problems")
+    plan = tmp_path / "empty.plan"
+    plan.write_text("; nothing\n")
+    assert neurosym("validate", tmp_path, "tower-2-01", plan) == 3
+    assert "by domain.pddl, as unified-planning's validator says: not valid" in capsys.readouterr().out
 
 
 def test_file_that_is_no_plan_is_refused(folder, capsys):
