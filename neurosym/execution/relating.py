@@ -18,7 +18,7 @@ from neurosym.grounding import Grounding
 from neurosym.operators import Vector, vector
 from neurosym.pair_states import describe_pair, extent
 from neurosym.problems import Problem
-from neurosym.related import Contacts, bearers_of, is_relational, relating, with_contacts
+from neurosym.related import Contacts, bearers_of, relating, with_contacts
 from neurosym.relation_goals import RelationGoal, pair_key
 from neurosym.relation_operators import PairState
 from neurosym.table import OtherObject, Place
@@ -207,16 +207,6 @@ def missed_relations(
         now = _told(records[-1].relations).get(target, "borne by nothing") if records else "where it was"
         said.append(f"{target} is {now}, not {wanted}{_ended_in_step(target, wanted, records)}")
     return ", ".join(said)
-
-
-def is_about_relations(problem: Problem, grounding: Grounding) -> bool:
-    """Say whether relations matter to a problem: it asks for some, or begins with some, and they are known.
-
-    Args:
-        problem: The problem.
-        grounding: The learned domain.
-    """
-    return grounding.relations is not None and is_relational(problem, grounding)
 
 
 def _ended_in_step(target: str, wanted: str, records: Sequence[StepRecord]) -> str:

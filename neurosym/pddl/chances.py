@@ -17,11 +17,10 @@ from neurosym.arrays import Float
 from neurosym.grounding import Grounding
 from neurosym.operators import Operator
 from neurosym.problems import Problem
-from neurosym.promises import promised
 from neurosym.related import relating
 from neurosym.tasks.steps import PlanStep
 from neurosym.tasks.task import understand
-from neurosym.tasks.transition import apply, chance, start, validate
+from neurosym.tasks.transition import apply, chance, promise_of, start, validate
 
 POINTS = 1024
 """How many points stand for a normal distribution."""
@@ -91,18 +90,6 @@ def _chances(steps: Sequence[PlanStep], problem: Problem, grounding: Grounding) 
             found.append(chance(task, now, step))
         now = apply(task, now, step)
     return tuple(found)
-
-
-def promise_of(step: PlanStep, problem: Problem, grounding: Grounding) -> Operator:
-    """Return the operator of a step as it promises for its object; its spread is that of promises kept.
-
-    Args:
-        step: The step.
-        problem: The problem, which has the object.
-        grounding: The learned domain.
-    """
-    found = promised(grounding, problem.object_named(step.object)).get(step.base)
-    return found or grounding.operator_named(step.base)
 
 
 def spread_of(steps: Sequence[PlanStep], problem: Problem, grounding: Grounding) -> Float[np.ndarray, "3"]:

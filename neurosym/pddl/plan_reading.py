@@ -138,9 +138,10 @@ def _steps(
     if rows and all(words[0] == CARRY for words in rows):
         return read_durative(rows, task)
     if rows and all(words[0] in names for words in rows):
-        if printed and not is_numeric(rows):
+        encoding = NUMBERS if is_numeric(rows) else PAGE
+        if printed and encoding is PAGE:
             return read(rows, printed(led_in(rows, task)))
-        return (NUMBERS if is_numeric(rows) else PAGE).read(rows, task)
+        return encoding.read(rows, task)
     stray = next((number for number, words in enumerate(rows) if words[0] in names - _ALIKE), None)
     if stray is not None:
         name = rows[stray][0]

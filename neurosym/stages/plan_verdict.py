@@ -9,7 +9,7 @@ from neurosym.errors import InvalidPlan, InvalidValue
 from neurosym.grounding import Grounding
 from neurosym.pddl import problem_text
 from neurosym.pddl.chances import expected_success
-from neurosym.pddl.encoding_names import NUMERIC, STRIPS, EncodingName
+from neurosym.pddl.encoding_names import ENCODINGS, NUMERIC, EncodingName
 from neurosym.pddl.encodings import ground_plan
 from neurosym.pddl.excerpt import Action, parameters_of, tree_of
 from neurosym.pddl.plan_reading import read_actions, read_plan
@@ -23,9 +23,6 @@ from neurosym.stages.planning import load_problem
 from neurosym.tasks.steps import PlanStep, Steps, named_steps
 from neurosym.tasks.task import understand
 from neurosym.tasks.transition import validate
-
-_PRINTED: tuple[EncodingName, ...] = (STRIPS, NUMERIC)
-"""The encodings, those first that plans are mostly printed for."""
 
 
 class PlanVerdict(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
@@ -158,7 +155,7 @@ def _verdicts(
 
 def _domains(folder: DomainFolder) -> Iterator[tuple[EncodingName, str]]:
     """Yield the printed domains that are there, with their encodings."""
-    for encoding in _PRINTED:
+    for encoding in ENCODINGS:
         file = folder / DOMAIN_FILES[encoding]
         if file.is_file():
             yield encoding, read_text(file)

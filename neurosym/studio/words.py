@@ -11,14 +11,13 @@ from html import escape
 from neurosym.execution.record import Replanning, Run, StepRecord
 from neurosym.explain.action_words import displacement_in_words
 from neurosym.grounding import Grounding
-from neurosym.pddl.chances import promise_of
 from neurosym.problems import Problem
 from neurosym.relation_goals import RelationGoal
 from neurosym.stages.plan_records import PlanRecord
 from neurosym.tasks.puts import put_named
 from neurosym.tasks.steps import PlanStep
 from neurosym.tasks.task import understand
-from neurosym.tasks.transition import apply, chance, cost, start
+from neurosym.tasks.transition import apply, chance, cost, promise_of, start
 from neurosym.wording import counted, harmless
 
 GOOD, BAD, DIM = "#2a9d5c", "#d9534f", "#8a8a8a"

@@ -12,9 +12,8 @@ from neurosym.operators import Operator
 from neurosym.place_operators import Kept
 from neurosym.problems import SceneObject
 from neurosym.promises import LEAST_CHANCE, promised
-from neurosym.symbols import Symbol
 from neurosym.tasks.moves import step_cost
-from neurosym.tasks.puts import LEAST_SHARE, Put, puts_of, smoothed
+from neurosym.tasks.puts import LEAST_SHARE, smoothed
 
 _UNTRIED = Kept("never", 0, 0)
 _NEVER = 0.01  # as how rare counts what was never seen
@@ -119,36 +118,3 @@ def relational_carriers(grounding: Grounding) -> tuple[Carrier, ...]:
         Carrier(one, borne.get(one.name, _UNTRIED), laden.get(one.name, _UNTRIED))
         for one in carriers_of(grounding)
     )
-
-
-@dataclass(frozen=True, slots=True)
-class Actions:
-    """What the encoding has actions for: all of a domain, or what a problem has a use for.
-
-    Attributes:
-        puts: Operators on pairs.
-        carriers: Operators that carry objects to places.
-    """
-
-    puts: tuple[Put, ...]
-    carriers: tuple[Carrier, ...]
-
-    @property
-    def takes_loads(self) -> bool:
-        """Whether something is carried with what rests on it."""
-        takers: list[Put | Carrier] = [*self.puts, *self.carriers]
-        return any(one.takes_laden for one in takers)
-
-    @property
-    def kinds(self) -> dict[Symbol, str]:
-        """Names of the kinds of pairs that something is for, by symbol."""
-        return {put.kind.symbol: put.kind.name for put in self.puts if put.kind}
-
-
-def actions_of(grounding: Grounding) -> Actions:
-    """List all that a domain has.
-
-    Args:
-        grounding: The learned domain.
-    """
-    return Actions(puts_of(grounding), relational_carriers(grounding))

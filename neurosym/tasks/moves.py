@@ -42,11 +42,6 @@ class Move:
         return tuple(axis for axis in range(3) if self.cells[axis])
 
 
-def moves_of(grounding: Grounding) -> tuple[Move, ...]:
-    """List what the live operators do on average, by name, each lift followed by its put-down."""
-    return as_moves(grounding.live, grounding)
-
-
 def moves_for(item: SceneObject, grounding: Grounding, tolerance: float = TOLERANCE) -> tuple[Move, ...]:
     """List what the operators of a domain promise for an object, by name, each lift followed by its put-down.
 

@@ -214,9 +214,7 @@ def chance(task: Task, state: State, step: PlanStep) -> float:
     """
     if put := _put(task, step):
         return put.chance(**_case(state, step))
-    item = task.problem.object_named(step.object)  # a goal's tolerance is no business of a step's promise
-    promise = promised(task.grounding, item).get(step.base)
-    usual = chance_of(promise or task.grounding.operator_named(step.base))
+    usual = chance_of(promise_of(step, task.problem, task.grounding))
     carrier = _carrier(task, step) if step.object in state.supports else None
     if carrier is None or not carrier.borne.trials:
         return usual
@@ -255,6 +253,18 @@ def operator_for(step: PlanStep, problem: Problem, grounding: Grounding) -> Oper
     """
     item = problem.object_named(step.object)
     found = promised(grounding, item, problem.tolerance).get(step.base)
+    return found or grounding.operator_named(step.base)
+
+
+def promise_of(step: PlanStep, problem: Problem, grounding: Grounding) -> Operator:
+    """Return the operator of a step as it promises for its object, whatever the tolerance of the goals.
+
+    Args:
+        step: The step.
+        problem: The problem, which has the object.
+        grounding: The learned domain.
+    """
+    found = promised(grounding, problem.object_named(step.object)).get(step.base)
     return found or grounding.operator_named(step.base)
 
 

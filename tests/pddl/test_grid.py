@@ -15,7 +15,7 @@ from neurosym.pddl import compile_domain
 from neurosym.pddl.grid import goal_region, grid_of, rounding
 from neurosym.problems import Problem
 from neurosym.table import Table
-from neurosym.tasks.moves import PUT_DOWN, moves_of
+from neurosym.tasks.moves import PUT_DOWN, as_moves
 from neurosym.tasks.steps import PlanStep
 from neurosym.tasks.transition import validate
 
@@ -98,7 +98,7 @@ def test_plan_into_the_region_ends_within_the_tolerance_whatever_is_rounded():
         end = validate(steps, Problem("p", (start,), {}), learned).positions[-1, 0]
         goal = tuple((end + rng.uniform(-0.05, 0.05, 3) * rng.choice([0.1, 1.0], 3)).tolist())
         region = goal_region(start, goal, 0.05, learned, steps=length)
-        moves = {move.name: np.array(move.cells) for move in moves_of(learned)}
+        moves = {move.name: np.array(move.cells) for move in as_moves(learned.live, learned)}
         grid = grid_of(learned)
         cells = np.array(grid.anchor(start.position)) + sum(moves[step.operator] for step in steps)
         in_cells = np.array(start.position) + (cells - grid.anchor(start.position)) * grid.cell

@@ -30,6 +30,7 @@ from neurosym.files import write_atomically
 from neurosym.markdown import markdown_table
 from neurosym.pddl.excerpt import Action, Tree, tree_of
 from neurosym.planners.plan_validator import validate_pddl
+from neurosym.wording import listed_briefly
 from tools.benchmarks.foreign_calls.features import FEATURES
 from tools.benchmarks.foreign_calls.planners import (
     COMPLAINED,
@@ -468,7 +469,7 @@ def _refusals(found: Mapping[str, Any]) -> Iterable[str]:
         if one["not_installed"]:
             told = {one["not_installed"]: ["installing it"]}
         if told:
-            lines = [f"- {', '.join(titles)}: `{error}`" for error, titles in told.items()]
+            lines = [f"- {listed_briefly(titles, 3)}: `{error}`" for error, titles in told.items()]
             yield f"{name} said:\n\n" + "\n".join(lines)
 
 
