@@ -10,14 +10,12 @@ import sys
 from collections.abc import Iterator, Sequence
 from contextlib import AbstractContextManager, contextmanager, suppress
 from pathlib import Path
-from typing import Protocol, TextIO
 
 from neurosym.errors import CannotWrite
-from neurosym.wording import harmless, quoted
+from neurosym.progress import Advance, Doing
+from neurosym.wording import PIPE_WIDTH, harmless, quoted
 
 NAME = "neurosym"  # of the program
-PIPE_WIDTH = 160
-"""Columns, where there is no terminal to ask."""
 _PROGRAM = re.compile(rf"(?:^|(?<=, then )|(?<= && )){NAME}(?= )")
 
 
@@ -31,30 +29,11 @@ class _Output:
     quiet = False
 
 
-class Advance(Protocol):
-    """Reports how far some long work has come."""
-
-    def __call__(self, done: int, total: int, label: str | None = None) -> None:
-        """Say that `done` of `total` parts are finished; a new label begins a new bar."""
-        ...
-
-
-class Doing(Protocol):
-    """Tells what a command is doing."""
-
-    def __call__(self, text: str) -> None:
-        """Say what goes on now, in a few words."""
-        ...
-
-
 def shown_doing() -> AbstractContextManager[Doing]:
-    """Show what goes on, one thing in the place of the one before; it is gone in the end.
-
-    Where the output is no terminal, a line now and then says as much.
-    """
+    """Show in a terminal what goes on, one thing in the place of the one before; it is gone in the end."""
     from neurosym.terminal import shown_doing as drawn
 
-    return drawn()
+    return drawn(is_quiet)
 
 
 def progress_bar(label: str) -> AbstractContextManager[Advance]:
@@ -67,7 +46,7 @@ def progress_bar(label: str) -> AbstractContextManager[Advance]:
     """
     from neurosym.terminal import progress_bar as drawn
 
-    return drawn(label)
+    return drawn(label, is_quiet)
 
 
 @contextmanager
@@ -81,24 +60,19 @@ def naming_output() -> Iterator[None]:
     try:
         yield
     except BrokenPipeError as error:
-        _Output.quiet = True
-        turn_away(sys.stdout)
+        _say_no_more()
         raise OutputClosed from error
     except OSError as error:
-        _Output.quiet = True
-        turn_away(sys.stdout)
+        _say_no_more()
         raise CannotWrite(Path("standard output"), error) from error
 
 
-def turn_away(stream: TextIO) -> None:
-    """Let what is printed from now on, and what waits to be, go nowhere.
-
-    Args:
-        stream: Standard output, or standard error.
-    """
+def _say_no_more() -> None:
+    """Let what is printed from now on, and what waits to be, go nowhere."""
+    _Output.quiet = True
     with suppress(OSError, ValueError):
         nowhere = os.open(os.devnull, os.O_WRONLY)
-        os.dup2(nowhere, stream.fileno())
+        os.dup2(nowhere, sys.stdout.fileno())
         os.close(nowhere)
 
 

@@ -7,7 +7,6 @@ These are read here, in a thousandth of the time that importing `importlib.metad
 import os
 import re
 import sys
-from collections.abc import Iterator
 from functools import cache
 
 from neurosym.errors import OtherLibrary
@@ -28,10 +27,7 @@ def version_of(package: str) -> str:
     """
     names = BUILDS.get(package, (package,))
     recorded = _recorded(tuple(sys.path))
-    for name in names:
-        if version := recorded.get(_canonical(name)):
-            return version
-    return _told_version(names)
+    return next((recorded[name] for name in map(_canonical, names) if recorded.get(name)), "unknown")
 
 
 def refuse_other_library() -> None:
@@ -48,36 +44,18 @@ def refuse_other_library() -> None:
         raise OtherLibrary(other.version, NAME)
 
 
-def _told_version(names: tuple[str, ...]) -> str:
-    """Return the version of what is installed in another way, as from its sources."""
-    from importlib.metadata import PackageNotFoundError, version
-
-    for name in names:
-        try:
-            return version(name)
-        except PackageNotFoundError:
-            continue
-    return "unknown"
-
-
 @cache
 def _recorded(places: tuple[str, ...]) -> dict[str, str]:
     """Return the versions of what is installed, by canonical name; the first folder that holds it counts."""
     found: dict[str, str] = {}
     for place in places:
-        for name, version in _records(place):
-            found.setdefault(name, version)
+        try:
+            names = os.listdir(place or ".")  # noqa: PTH208 (as many as there are packages, and no more than names)
+        except OSError:  # a zip file, or a folder that is gone
+            continue
+        for record in filter(None, map(_RECORD.fullmatch, sorted(names))):
+            found.setdefault(_canonical(record["name"]), record["version"] or "")
     return found
-
-
-def _records(place: str) -> Iterator[tuple[str, str]]:
-    try:
-        names = os.listdir(place or ".")  # noqa: PTH208 (as many as there are packages, and no more than names)
-    except OSError:  # a zip file, or a folder that is gone
-        return
-    for name in sorted(names):
-        if record := _RECORD.fullmatch(name):
-            yield _canonical(record["name"]), record["version"] or ""
 
 
 def _canonical(name: str) -> str:

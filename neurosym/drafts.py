@@ -1,61 +1,40 @@
 """Drafts: files that are written beside their places, under names that begin with `.neurosym-`.
 
-A rename puts a draft in its place, so that a kill leaves the old file or the new. What a killed process
-leaves beside it, `remove_leftovers` removes.
+A rename puts a draft in its place, so that a kill leaves the old file or the new. The name holds the number
+of the process that writes it; what a killed process leaves, `remove_leftovers` removes.
 """
 
-import fcntl
 import os
+import re
 import secrets
 from collections.abc import Iterator
 from contextlib import contextmanager, suppress
 from contextvars import ContextVar
 from pathlib import Path
-from typing import BinaryIO
 
 from neurosym.errors import CannotWrite
 
 _BESIDE = ".neurosym-"
-_MOST_OPEN = 100  # drafts; a process may not have many more files open
+_OWNER = re.compile(re.escape(_BESIDE) + r"(\d+)-")
 
 
-class Draft:
-    """A file beside its place; while it is open it is locked, so that nobody takes it for a leftover.
-
-    Its name is known before there is a file: whenever a signal is raised meanwhile, `drop` leaves nothing.
+@contextmanager
+def draft(place: Path, data: bytes) -> Iterator[Path]:
+    """Write a draft, and drop it if what is done with it fails, whenever a signal is raised meanwhile.
 
     Args:
         place: Where the file shall stand; its folder exists.
         data: What it holds.
     """
-
-    def __init__(self, place: Path, data: bytes):
-        self.place, self.path = place, place.parent / f"{_BESIDE}{secrets.token_hex(8)}"
-        self._data = data
-        self._file: BinaryIO | None = None
-
-    def write(self) -> None:
-        """Make the file; unless this comes to its end, it is to be dropped."""
-        self._file = _make_locked(self.path)
-        self._file.write(self._data)
-        self._file.flush()
-        self.path.chmod(0o644)
-
-    def put_in_place(self) -> None:
-        """Rename it to its place."""
-        self.path.replace(self.place)
-        self.unlock()
-
-    def drop(self) -> None:
-        """Remove it."""
-        self.path.unlink(missing_ok=True)
-        self.unlock()
-
-    def unlock(self) -> None:
-        """Close it, which lets go of the lock."""
-        if self._file:
-            with suppress(OSError):  # on a full disk it closes, and says that it could not write
-                self._file.close()
+    path = place.parent / f"{_BESIDE}{os.getpid()}-{secrets.token_hex(8)}"  # known before there is a file
+    try:
+        with path.open("xb") as file:
+            file.write(data)
+        path.chmod(0o644)
+        yield path
+    except BaseException:
+        path.unlink(missing_ok=True)
+        raise
 
 
 class Drafts:
@@ -66,7 +45,7 @@ class Drafts:
     """
 
     def __init__(self) -> None:
-        self._drafts: dict[Path, Draft | None] = {}
+        self._drafts: dict[Path, Path | None] = {}
 
     def __enter__(self) -> "Drafts":
         self._token = _drafts.set(self)
@@ -74,8 +53,8 @@ class Drafts:
 
     def __exit__(self, *_: object) -> None:
         _drafts.reset(self._token)
-        for draft in filter(None, self._drafts.values()):
-            draft.drop()
+        for written in filter(None, self._drafts.values()):
+            written.unlink(missing_ok=True)
 
     def put_in_place(self) -> None:
         """Rename every draft to its place, and remove what shall be gone.
@@ -83,18 +62,16 @@ class Drafts:
         Raises:
             CannotWrite: If a file cannot be put in its place; those before it are.
         """
-        for path, draft in tuple(self._drafts.items()):
+        for path, written in tuple(self._drafts.items()):
             with naming(path):
-                draft.put_in_place() if draft else path.unlink(missing_ok=True)
+                written.replace(path) if written else path.unlink(missing_ok=True)
             del self._drafts[path]
 
-    def add(self, path: Path, draft: Draft | None) -> None:
+    def add(self, path: Path, written: Path | None) -> None:
         """Note a draft for a place, or that nothing shall stand there; an earlier one is dropped."""
         if earlier := self._drafts.pop(path, None):
-            earlier.drop()
-        if draft and len(self._drafts) >= _MOST_OPEN:
-            draft.unlock()
-        self._drafts[path] = draft
+            earlier.unlink(missing_ok=True)
+        self._drafts[path] = written
 
     def holds(self, path: Path) -> bool:
         """Say whether something is to be written at a place, or removed there."""
@@ -102,10 +79,7 @@ class Drafts:
 
     def now_at(self, path: Path) -> Path | None:
         """Return where the content lies that a place has, or will have; None if nothing will stand there."""
-        if path not in self._drafts:
-            return path
-        draft = self._drafts[path]
-        return draft.path if draft else None
+        return self._drafts.get(path, path)
 
 
 _drafts: ContextVar[Drafts | None] = ContextVar("drafts", default=None)
@@ -127,13 +101,25 @@ def at_once() -> Iterator[None]:
 
 
 def remove_leftovers(folder: Path) -> None:
-    """Remove what killed processes left of files that they wrote in a folder; live ones hold a lock."""
+    """Remove what killed processes left of files that they wrote in a folder."""
     for path in folder.glob(f"{_BESIDE}*"):
-        if path.is_symlink() or not path.is_file():
-            continue
-        with suppress(OSError), path.open("rb") as file:
-            fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
-            path.unlink()
+        if path.is_file() and not path.is_symlink() and not _is_owned(path.name):
+            with suppress(OSError):
+                path.unlink()
+
+
+def _is_owned(name: str) -> bool:
+    """Say whether the process that writes a draft is alive."""
+    owner = _OWNER.match(name)
+    if owner is None:
+        return False
+    try:
+        os.kill(int(owner[1]), 0)
+    except (ProcessLookupError, OverflowError):
+        return False
+    except PermissionError:  # somebody else's
+        pass
+    return True
 
 
 @contextmanager
@@ -152,14 +138,3 @@ def naming(path: Path) -> Iterator[None]:
         raise
     except OSError as error:
         raise CannotWrite(path, error) from error
-
-
-def _make_locked(path: Path) -> BinaryIO:
-    """Make an empty file, and lock it."""
-    while True:
-        file = path.open("xb")
-        with suppress(OSError):  # not every file system has locks
-            fcntl.flock(file, fcntl.LOCK_EX)
-        if os.fstat(file.fileno()).st_nlink:  # else somebody took it for a leftover before it was locked
-            return file
-        file.close()

@@ -3,7 +3,6 @@
 Expected outcomes (no plan, a time-out, a failed step) are values, not errors.
 """
 
-from bisect import bisect_left
 from collections.abc import Iterable
 from difflib import get_close_matches
 from pathlib import Path
@@ -11,11 +10,7 @@ from typing import Any
 
 from neurosym.wording import quoted
 
-_MOST_LISTED, _LONGEST_LIST = (
-    20,
-    400,
-)  # names that a sentence lists whole, and its characters if there are more
-_NEAREST, _LOOKED_AT = 3, 500
+_MOST_LISTED, _LONGEST_LIST = 20, 400  # names that a sentence lists whole; its characters if there are more
 
 
 class NeurosymError(Exception):
@@ -111,11 +106,9 @@ class UnknownChoice(NeurosymError):
         choices = sorted(known)
         valid = f"valid: {', '.join(choices) or 'none'}"
         if len(choices) > _MOST_LISTED and len(valid) > _LONGEST_LIST:
-            here = bisect_left(choices, name)
-            around = choices[max(0, here - _LOOKED_AT) : here + _LOOKED_AT]
-            near = get_close_matches(name[:_LOOKED_AT], around, _NEAREST)
+            near = get_close_matches(name[:100], choices)
             places = f" that {listed} lists" if listed else ""
-            such = f"near to it: {', '.join(near)}" if near else f"such as {', '.join(around[:_NEAREST])}"
+            such = f"near to it: {', '.join(near)}" if near else f"such as {', '.join(choices[:3])}"
             valid = f"valid: {len(choices):,}{places}, {such}"
         super().__init__(f"There is no {kind} {shortened(name)!r}; {valid}.")
 

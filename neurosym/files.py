@@ -9,7 +9,7 @@ from pathlib import Path
 
 import msgspec
 
-from neurosym.drafts import Draft, collecting, naming, remove_leftovers
+from neurosym.drafts import collecting, draft, naming, remove_leftovers
 from neurosym.errors import InvalidFile
 from neurosym.reading import digest, refuse_other_kinds
 
@@ -28,17 +28,11 @@ def write_atomically(path: Path, content: bytes | str) -> None:
     """
     # A name that is not UTF-8 can only be told by escapes.
     data = content.encode(errors="backslashreplace") if isinstance(content, str) else content
-    with naming(path):
-        draft = Draft(path, data)
-        try:
-            draft.write()
-            if drafts := collecting():
-                drafts.add(path, draft)
-            else:
-                draft.put_in_place()
-        except BaseException:
-            draft.drop()
-            raise
+    with naming(path), draft(path, data) as written:
+        if drafts := collecting():
+            drafts.add(path, written)
+        else:
+            written.replace(path)
 
 
 def write_new(path: Path, content: bytes | str) -> bool:
@@ -50,25 +44,16 @@ def write_new(path: Path, content: bytes | str) -> bool:
     """
     if path.exists():
         return False
-    with naming(path):
-        draft = Draft(path, content.encode() if isinstance(content, str) else content)
+    data = content.encode() if isinstance(content, str) else content
+    with naming(path), draft(path, data) as written:
         try:
-            draft.write()
-            is_new = _link(draft, path)
-            draft.drop()
-        except BaseException:
-            draft.drop()
-            raise
-    return is_new
-
-
-def _link(draft: Draft, path: Path) -> bool:
-    try:
-        os.link(draft.path, path)
-    except FileExistsError:
-        return False
-    except OSError:  # a file system without links
-        draft.put_in_place()
+            os.link(written, path)
+        except FileExistsError:
+            return False
+        except OSError:  # a file system without links
+            written.replace(path)
+        finally:
+            written.unlink(missing_ok=True)
     return True
 
 
@@ -111,13 +96,8 @@ def check_writable(path: Path) -> None:
         if not folder.is_dir():
             raise InvalidFile(folder, "it is a file, and should be a folder; move it away")
         remove_leftovers(folder)
-        draft = Draft(folder / path.name, _BLOCK)
-        try:
-            draft.write()
-            draft.drop()
-        except BaseException:
-            draft.drop()
-            raise
+        with draft(folder / path.name, _BLOCK) as written:
+            written.unlink()
 
 
 def write_json(path: Path, document: object) -> None:

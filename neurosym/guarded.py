@@ -4,21 +4,65 @@ Every call into a world that is not ours passes through `Guarded`: an error, `sy
 no scene or outcome is an `InvalidWorld`, which names the world and what it did.
 """
 
+import math
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
-from typing import Any
+from typing import Any, TypeVar, get_args
 
 import numpy as np
 
-from neurosym.actions import ActionBox
+from neurosym.actions import ActionBox, box_problem
 from neurosym.arrays import Float
-from neurosym.contract import attempt, check_attributes, check_drawn, check_outcome
 from neurosym.errors import InvalidValue, InvalidWorld, NeurosymError
-from neurosym.table import Reference, Table
-from neurosym.world import Frame, FrameSink, Outcome, Scene, World, WorldFactory, is_world, relative_to
+from neurosym.factories import told
+from neurosym.problems import LEGAL_NAME
+from neurosym.table import Reference, ReferenceKind, Table
+from neurosym.world import (
+    REQUIRED,
+    Disturbance,
+    Frame,
+    FrameSink,
+    Outcome,
+    Scene,
+    World,
+    WorldFactory,
+    is_world,
+    relative_to,
+)
+
+Result = TypeVar("Result")
 
 OPTIONAL = ("picture", "open_window")
 """Methods that a world may have besides."""
+
+
+_ENDINGS: tuple[str, ...] = get_args(Disturbance)
+_KINDS_OF_REFERENCE: tuple[str, ...] = get_args(ReferenceKind)
+_RETURNED = "what it returns"
+
+
+def attempt(
+    name: str, what: str, call: Callable[[], Result], passed: type[NeurosymError] = InvalidWorld
+) -> Result:
+    """Call code of a world, and tell whatever it raises in one sentence.
+
+    Args:
+        name: Name of the world.
+        what: What is called.
+        call: Calls it.
+        passed: Errors that it may raise, which stay as they are.
+
+    Raises:
+        InvalidWorld: If it raises anything else but Ctrl-C.
+    """
+    try:
+        return call()
+    except (passed, KeyboardInterrupt):
+        raise
+    except SystemExit as error:
+        raise InvalidWorld(name, f"ends the program in {what} ({told(error)}); valid: an error") from error
+    except BaseException as error:
+        raise InvalidWorld(name, f"raises an error in {what}: {told(error)}") from error
 
 
 class Guarded:
@@ -35,7 +79,8 @@ class Guarded:
     """
 
     def __init__(self, world: Any, name: str | None = None):
-        check_attributes(world, name)
+        called = name or type(world).__name__
+        _refuse(called, "its attributes", _attribute_problems(world))
         self._world, self._called = world, name or world.name
         self.name, self.lift_height = str(world.name), world.lift_height
         self.feature_names = tuple(map(str, world.feature_names))
@@ -52,7 +97,7 @@ class Guarded:
     def sample_scene(self, rng: np.random.Generator, objects: int) -> Scene:
         """Draw a scene; see `World.sample_scene`."""
         scene = self._attempt("sample_scene", lambda: self._world.sample_scene(rng, objects))
-        self._check(lambda: check_drawn(self, scene, objects, self._called))
+        _refuse(self._called, _RETURNED, _drawn_problems(self, scene, objects))
         return _plain_scene(scene)
 
     def interact(
@@ -67,7 +112,7 @@ class Guarded:
         reference: Reference | None = None,
     ) -> Outcome:
         """Perform an interaction; see `World.interact`."""
-        before = _plain_scene(scene)
+        before = bytes_of(scene)
 
         def interact() -> Any:
             aim = relative_to(self._world, reference)
@@ -82,10 +127,11 @@ class Guarded:
 
         sink = None if on_frame is None else look
         outcome = self._attempt("interact", interact)
-        if not _are_equal(scene, before):
+        if bytes_of(scene) != before:
             problem = "changes the scene that interact is given; it must return new ones"
             raise InvalidWorld(self._called, problem)
-        self._check(lambda: check_outcome(self, scene, target, outcome, self._called, reference))
+        problems = _outcome_problems(self, scene, target, outcome, reference)
+        _refuse(self._called, _RETURNED, problems)
         return _plain_outcome(outcome)
 
     def __getattr__(self, name: str) -> Any:
@@ -112,10 +158,6 @@ class Guarded:
 
     def _attempt(self, what: str, call: Callable[[], Any]) -> Any:
         return attempt(self._called, what, call, NeurosymError)
-
-    def _check(self, check: Callable[[], None]) -> None:
-        """Check an answer; whatever looking at it raises is its own doing."""
-        attempt(self._called, "what it returns", check)
 
 
 def guarded(world: object) -> World:
@@ -180,9 +222,7 @@ def _plain_outcome(outcome: Outcome) -> Outcome:
         held=bool(outcome.held),
         toppled=bool(outcome.toppled),
         lost=bool(outcome.lost),
-        peak_height=outcome.peak_height
-        if isinstance(outcome.peak_height, np.number)
-        else +outcome.peak_height,
+        peak_height=float(outcome.peak_height),
         touched=tuple(int(number) for number in outcome.touched),
         disturbed=tuple((int(number), str(how)) for number, how in outcome.disturbed),  # type: ignore[misc]
         reference=outcome.reference,
@@ -191,10 +231,124 @@ def _plain_outcome(outcome: Outcome) -> Outcome:
     )
 
 
-def _are_equal(one: Scene, other: Scene) -> bool:
-    pairs = zip(
-        (one.features, one.positions, one.orientations),
-        (other.features, other.positions, other.orientations),
-        strict=True,
-    )
-    return all(np.asarray(first).tobytes() == np.asarray(second).tobytes() for first, second in pairs)
+def bytes_of(scene: Scene) -> bytes:
+    """Return what a scene holds, to be compared."""
+    return b"".join(np.asarray(a).tobytes() for a in (scene.features, scene.positions, scene.orientations))
+
+
+def is_number(value: Any) -> bool:
+    """Say whether something is a finite number."""
+    return isinstance(value, int | float | np.number) and math.isfinite(value)
+
+
+def _refuse(called: str, what: str, problems: Iterator[str]) -> None:
+    """Raise the first problem of a world: each look at it relies on those before."""
+    if problem := attempt(called, what, lambda: next(problems, None)):
+        raise InvalidWorld(called, problem)
+
+
+def _attribute_problems(world: Any) -> Iterator[str]:
+    if not is_world(world):
+        missing = [attribute for attribute in REQUIRED if not hasattr(world, attribute)]
+        yield f"is no World: {type(world).__name__} lacks {', '.join(missing)}"
+    if isinstance(world, type):
+        yield "is the class of a world; valid: a world, as the class makes one"
+    if not (isinstance(world.name, str) and LEGAL_NAME.fullmatch(world.name)):
+        yield f"has the name {world.name!r}; valid: a lower-case letter, then a-z, 0-9 and hyphens"
+    features = world.feature_names
+    if not (isinstance(features, tuple) and features and all(isinstance(entry, str) for entry in features)):
+        yield f"has feature_names = {features!r}; valid: a tuple of one name or more"
+    if not isinstance(world.action_box, ActionBox):
+        yield f"has an action_box of type {type(world.action_box).__name__}; valid: ActionBox"
+    if problem := box_problem(world.action_box):
+        yield f"has an action_box with {problem}"
+    if not isinstance(world.table, Table):
+        yield f"has a table of type {type(world.table).__name__}; valid: Table"
+    if not (is_number(world.lift_height) and world.lift_height > 0):
+        yield f"has lift_height = {world.lift_height!r}; valid: a length above 0 m"
+    references = getattr(world, "references", ())
+    if not isinstance(references, tuple) or any(kind not in _KINDS_OF_REFERENCE for kind in references):
+        known = ", ".join(map(repr, _KINDS_OF_REFERENCE))
+        yield f"has references = {references!r}; valid: a tuple of {known}, or none"
+    for method in ("sample_scene", "interact"):
+        if not callable(getattr(world, method)):
+            yield f"has {method} = {getattr(world, method)!r}; valid: a method"
+
+
+def _scene_problems(scene: object, where: str, features: int, objects: int) -> Iterator[str]:
+    """Tell why something is no scene of so many objects with so many features."""
+    if not isinstance(scene, Scene):
+        yield f"gives a {type(scene).__name__} as {where}; valid: a Scene"
+    counted = "one object" if objects == 1 else f"{objects} objects"
+    for column, width in {"features": features, "positions": 3, "orientations": 4}.items():
+        array = getattr(scene, column)
+        if not isinstance(array, np.ndarray):
+            yield f"gives {column} of type {type(array).__name__} in {where}; valid: a numpy array"
+        if array.shape != (objects, width):
+            shape = f"gives {column} of shape {array.shape} in {where}"
+            yield f"{shape}; valid for {counted}: ({objects}, {width})"
+        if array.dtype.kind != "f" or not np.all(np.isfinite(array)):
+            yield f"gives {column} in {where} that are not finite floats"
+
+
+def _drawn_problems(world: World, scene: Any, objects: int) -> Iterator[str]:
+    yield from _scene_problems(scene, "sample_scene", len(world.feature_names), objects)
+    for position in scene.positions:
+        if not world.table.contains(position):
+            yield f"samples an object off its table, at {position.tolist()}"
+
+
+def _outcome_problems(
+    world: World, scene: Scene, target: int, outcome: Any, reference: Reference | None
+) -> Iterator[str]:
+    if not isinstance(outcome, Outcome):
+        yield f"gives a {type(outcome).__name__} from interact; valid: an Outcome"
+    for moment in ("start", "lifted", "end"):
+        seen, where = getattr(outcome, moment), f"outcome.{moment}"
+        yield from _scene_problems(seen, where, len(world.feature_names), len(scene.features))
+        if not np.array_equal(seen.features, scene.features):
+            yield f"changes the features of an object in {where}"
+    if not _is_index(outcome.target) or outcome.target != target:
+        yield f"gives the target {outcome.target!r} when asked to act on object {target}"
+    if outcome.reference != reference:
+        yield f"gives the reference {outcome.reference!r} when asked for {reference!r}"
+    for flag in ("held", "toppled", "lost", "carried"):
+        if not isinstance(getattr(outcome, flag), bool | np.bool_):
+            yield f"gives outcome.{flag} = {getattr(outcome, flag)!r}; valid: a bool"
+    if outcome.carried and reference is None:
+        yield "gives outcome.carried = True without a reference"
+    if not is_number(outcome.peak_height):
+        yield f"gives outcome.peak_height = {outcome.peak_height!r}; valid: metres"
+    yield from _bystander_problems(outcome, len(scene.features))
+
+
+def _bystander_problems(outcome: Outcome, count: int) -> Iterator[str]:
+    def is_object(number: Any) -> bool:
+        return _is_index(number) and 0 <= number < count
+
+    def is_bystander(number: Any) -> bool:
+        return is_object(number) and number != outcome.target
+
+    def is_tuple(values: Any, fits: Callable[[Any], bool]) -> bool:
+        return isinstance(values, tuple) and all(map(fits, values))
+
+    def is_pair(pair: Any) -> bool:
+        return isinstance(pair, tuple) and len(pair) == 2
+
+    numbers = f"numbers from 0 to {count - 1}"
+    if not is_tuple(outcome.touched, is_bystander):
+        yield f"gives outcome.touched = {outcome.touched!r}; valid: a tuple of {numbers}, without the target"
+    if not is_tuple(
+        outcome.disturbed, lambda pair: is_pair(pair) and is_bystander(pair[0]) and pair[1] in _ENDINGS
+    ):
+        valid = f"pairs of a bystander and one of {', '.join(_ENDINGS)}"
+        yield f"gives outcome.disturbed = {outcome.disturbed!r}; valid: {valid}"
+    if not is_tuple(
+        outcome.contacts, lambda pair: is_tuple(pair, is_object) and is_pair(pair) and pair[0] < pair[1]
+    ):
+        valid = f"a tuple of pairs of {numbers}, the smaller one first"
+        yield f"gives outcome.contacts = {outcome.contacts!r}; valid: {valid}"
+
+
+def _is_index(value: Any) -> bool:
+    return isinstance(value, int | np.integer) and not isinstance(value, bool)

@@ -8,7 +8,7 @@ import fcntl
 import os
 import time
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from pathlib import Path
 
 _TRIES, _PAUSE = 40, 0.05  # how often somebody who is busy for a moment is asked, and how long apart [s]
@@ -44,18 +44,17 @@ def take(folder: Path, *, alone: bool) -> int | None:
     Returns:
         What `os.close` gives back; None if another process has the folder.
     """
+    how = (fcntl.LOCK_EX if alone else fcntl.LOCK_SH) | fcntl.LOCK_NB
     descriptor = os.open(folder, os.O_RDONLY)
-    for number in range(_TRIES):
-        try:
-            _lock(descriptor, (fcntl.LOCK_EX if alone else fcntl.LOCK_SH) | fcntl.LOCK_NB)
-        except BlockingIOError:
-            if number + 1 < _TRIES:
-                time.sleep(_PAUSE)
-        except BaseException:
-            os.close(descriptor)
-            raise
-        else:
-            return descriptor
+    try:
+        for left in reversed(range(_TRIES)):
+            with suppress(BlockingIOError):
+                _lock(descriptor, how)
+                return descriptor
+            time.sleep(_PAUSE if left else 0.0)
+    except BaseException:
+        os.close(descriptor)
+        raise
     os.close(descriptor)
     return None
 

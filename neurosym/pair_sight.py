@@ -3,7 +3,7 @@
 Networks say it where there are some. Without one, a pair is of the kind whose mean features are nearest.
 """
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import permutations
 
@@ -57,20 +57,39 @@ def with_pairs(
     Raises:
         InvalidValue: If the networks foresee other states than the domain has.
     """
-    if relations is None or problem.pairs is not msgspec.UNSET or not relations.pairs:
+    if relations is None or problem.pairs or not relations.pairs or len(problem.objects) < 2:
         return problem
-    pairs = [*permutations(problem.objects, 2)]
-    if not pairs:
-        return msgspec.structs.replace(problem, pairs={}, foreseen=msgspec.UNSET)
-    names = [(one.name, other.name) for one, other in pairs]
-    rows = np.array([(*one.features, *other.features) for one, other in pairs])
-    kinds = sight.kinds(rows) if sight else nearest_kinds(rows, relations.pairs)
-    found = {pair_key(*pair): kind for pair, kind in zip(names, kinds, strict=True)}
-    if sight is None or sight.chances is None:
-        return msgspec.structs.replace(problem, pairs=found, foreseen=msgspec.UNSET)
-    chances = _foreseen(rows, kinds, relations, sight, sight.chances)
-    foreseen = {pair_key(*pair): row for pair, row in zip(names, chances, strict=True) if row}
+    if sight is None:
+        return msgspec.structs.replace(problem, pairs=kinds_of(problem, relations), foreseen={})
+    rows = _features(problem)
+    kinds = sight.kinds(rows)
+    found, foreseen = dict(zip(_keys(problem), kinds, strict=True)), dict[str, dict[str, float]]()
+    if sight.chances:
+        chances = _foreseen(rows, kinds, relations, sight, sight.chances)
+        foreseen = {pair: row for pair, row in zip(found, chances, strict=True) if row}
     return msgspec.structs.replace(problem, pairs=found, foreseen=foreseen)
+
+
+def kinds_of(problem: Problem, relations: RelationOperators | None) -> Mapping[str, Symbol]:
+    """Return the kinds of all pairs of a problem's objects, as it says itself, or else those nearest.
+
+    Args:
+        problem: The problem.
+        relations: What was learned of pairs.
+    """
+    if relations is None or problem.pairs or not relations.pairs or len(problem.objects) < 2:
+        return problem.pairs
+    return dict(zip(_keys(problem), nearest_kinds(_features(problem), relations.pairs), strict=True))
+
+
+def _keys(problem: Problem) -> list[str]:
+    return [pair_key(*pair) for pair in permutations(problem.object_names, 2)]
+
+
+def _features(problem: Problem) -> Float[np.ndarray, "N F"]:
+    """Return the features of the target and then those of the reference, for each pair."""
+    pairs = permutations(problem.objects, 2)
+    return np.array([(*one.features, *other.features) for one, other in pairs])
 
 
 def nearest_kinds(features: Float[np.ndarray, "N F"], kinds: Sequence[Category]) -> tuple[Symbol, ...]:

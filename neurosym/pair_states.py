@@ -60,7 +60,7 @@ def extent(scene: Scene, index: int) -> Float[np.ndarray, "3"]:
         scene: The objects.
         index: Which one.
     """
-    sizes: np.ndarray = np.abs(_rotation(scene.orientations[index])) @ scene.features[index][:3]
+    sizes: np.ndarray = np.abs(rotation(scene.orientations[index])) @ scene.features[index][:3]
     return sizes
 
 
@@ -71,12 +71,16 @@ def tilt(scene: Scene, index: int) -> float:
         scene: The objects.
         index: Which one.
     """
-    steepest = float(np.abs(_rotation(scene.orientations[index])[2]).max())
+    steepest = float(np.abs(rotation(scene.orientations[index])[2]).max())
     return min(float(np.arccos(min(1.0, steepest))), STEEPEST)
 
 
-def _rotation(quaternion: Float[np.ndarray, "4"]) -> Float[np.ndarray, "3 3"]:
-    """Return the matrix of a rotation, whose columns are the axes of the object."""
+def rotation(quaternion: Float[np.ndarray, "4"]) -> Float[np.ndarray, "3 3"]:
+    """Return the matrix of a rotation, whose columns are the axes of the object.
+
+    Args:
+        quaternion: The rotation, as (x, y, z, w), of any length but 0.
+    """
     x, y, z, w = quaternion / np.linalg.norm(quaternion)
     return np.array(
         [

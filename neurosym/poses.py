@@ -12,7 +12,8 @@ import numpy as np
 
 from neurosym.arrays import Float
 
-PARTS = ("box", "cylinder", "sphere")
+PartKind = Literal["box", "cylinder", "sphere"]
+PARTS: tuple[PartKind, ...] = ("box", "cylinder", "sphere")
 """The kinds of a part: its size is its edges [m], its radius and length [m], or its radius [m]."""
 POSE_SECONDS = 1 / 30
 """Time of the simulation between two poses [s]."""
@@ -54,7 +55,7 @@ class Part:
         colour: Red, green and blue from 0 to 1; None where nothing is said.
     """
 
-    kind: Literal["box", "cylinder", "sphere"]
+    kind: PartKind
     size: tuple[float, ...]
     position: tuple[float, float, float] = (0.0, 0.0, 0.0)
     orientation: tuple[float, float, float, float] = (0.0, 0.0, 0.0, 1.0)

@@ -56,8 +56,10 @@ class SceneObject(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
         check_fields(self)
 
 
-class Problem(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
+class Problem(msgspec.Struct, frozen=True, forbid_unknown_fields=True, omit_defaults=True):
     """A scene at rest, and goals for some of its objects: where they shall be, or how they shall be related.
+
+    Files leave out what is empty, but always say the tolerance and the provenance.
 
     Attributes:
         name: What the problem is called, a legal PDDL name.
@@ -76,13 +78,13 @@ class Problem(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     name: str
     objects: tuple[SceneObject, ...]
     goals: dict[str, Vector]
-    tolerance: Length = TOLERANCE
-    provenance: str = "by hand"
-    places: dict[str, tuple[Length, Length]] | msgspec.UnsetType = msgspec.UNSET
-    relations: tuple[RelationGoal, ...] | msgspec.UnsetType = msgspec.UNSET
-    pairs: dict[str, Symbol] | msgspec.UnsetType = msgspec.UNSET
-    foreseen: dict[str, dict[str, Share]] | msgspec.UnsetType = msgspec.UNSET
-    touching: tuple[tuple[str, str], ...] | msgspec.UnsetType = msgspec.UNSET
+    tolerance: Length = msgspec.field(default_factory=lambda: TOLERANCE)
+    provenance: str = msgspec.field(default_factory=lambda: "by hand")
+    places: dict[str, tuple[Length, Length]] = {}
+    relations: tuple[RelationGoal, ...] = ()
+    pairs: dict[str, Symbol] = {}
+    foreseen: dict[str, dict[str, Share]] = {}
+    touching: tuple[tuple[str, str], ...] | None = None
 
     def __post_init__(self) -> None:
         check_fields(self)
@@ -111,7 +113,7 @@ class Problem(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     @property
     def related(self) -> tuple[RelationGoal, ...]:
         """The goals by relation; none in problems that do not say."""
-        return self.relations if isinstance(self.relations, tuple) else ()
+        return self.relations
 
     @property
     def object_names(self) -> tuple[str, ...]:
@@ -136,14 +138,13 @@ class Problem(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
             InvalidValue: If no name is given.
             UnknownChoice: If there is none of that name.
         """
-        places = self.places if isinstance(self.places, dict) else {}
         if not name:
             raise InvalidValue(
-                f"What carries an object needs a place to carry it to; valid: {', '.join(places)}."
+                f"What carries an object needs a place to carry it to; valid: {', '.join(self.places)}."
             )
-        found = places.get(name) or spot_named(name)
+        found = self.places.get(name) or spot_named(name)
         if found is None:
-            raise UnknownChoice("place", name, (*places, "spots such as spot-5500-m1200"))
+            raise UnknownChoice("place", name, (*self.places, "spots such as spot-5500-m1200"))
         return found
 
     def within(self, tolerance: float | None) -> "Problem":
@@ -156,6 +157,11 @@ class Problem(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
             InvalidValue: If it is impossible.
         """
         return self if tolerance is None else msgspec.structs.replace(self, tolerance=tolerance)
+
+    def only(self, name: str) -> "Problem":
+        """Return the problem of one object with a goal, without the others."""
+        goals = {name: self.goals[name]}
+        return msgspec.structs.replace(self, objects=(self.object_named(name),), goals=goals)
 
     def scene(self) -> Scene:
         """Return the scene that the problem starts from."""
@@ -225,10 +231,10 @@ class Problem(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
         touching = [pair_key(*pair) for pair in problem.touching or ()]
         for what, told in (("pairs", problem.pairs), ("foreseen", problem.foreseen), ("touching", touching)):
             try:
-                check_pair_keys(what, told or (), problem.object_names)
+                check_pair_keys(what, told, problem.object_names)
             except InvalidValue as error:
                 raise InvalidFile(path, str(error).rstrip(".")) from error
-        foreseen = {pair: _renamed(shares) for pair, shares in (problem.foreseen or {}).items()}
+        foreseen = {pair: _renamed(shares) for pair, shares in problem.foreseen.items()}
         return msgspec.structs.replace(problem, foreseen=foreseen) if foreseen else problem
 
 

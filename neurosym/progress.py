@@ -2,9 +2,22 @@
 
 from collections.abc import Callable
 from contextlib import AbstractContextManager, nullcontext
+from typing import Protocol
 
 Progress = Callable[[int, int], None]
 """Called with how many parts are done, and how many there are."""
+
+
+class Advance(Protocol):
+    """Reports how far some long work has come."""
+
+    def __call__(self, done: int, total: int, label: str | None = None) -> None:
+        """Say that `done` of `total` parts are finished; a new label begins a new bar."""
+        ...
+
+
+Doing = Callable[[str], None]
+"""Tells what a command is doing now, in a few words."""
 OpenBar = Callable[[str], AbstractContextManager[Progress]]
 """Called with what is being done; gives what reports how far that has come."""
 

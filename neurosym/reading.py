@@ -9,7 +9,6 @@ import hashlib
 import os
 import re
 import stat
-import threading
 import tomllib
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -40,13 +39,6 @@ _PATTERN = re.compile(r"Expected `str` matching regex '\\\\A\[(01|a-z)\]\S*'")
 _MATCHING = {"01": "bits, like '10'", "a-z": "a name: a lower-case letter, then a-z, 0-9 and hyphens"}
 _STRING = re.compile(rb'"[^"\\]*(?:\\.[^"\\]*)*"', re.DOTALL)
 _NO_BRACKETS = bytes(set(range(256)) - set(b"[]{}"))
-_KINDS = {
-    stat.S_ISDIR: "a folder",
-    stat.S_ISFIFO: "a named pipe",
-    stat.S_ISSOCK: "a socket",
-    stat.S_ISCHR: "a device",
-    stat.S_ISBLK: "a device",
-}
 
 
 @contextmanager
@@ -136,42 +128,23 @@ def decode_json(path: Path, content: bytes, kind: type[Document], remedy: str = 
     Raises:
         InvalidFile: If it does not fit; the message names the field.
     """
+    from neurosym.checks import decoding  # with numpy, which takes long to import
+
     content = content.removeprefix(codecs.BOM_UTF8)
     outside = _STRING.sub(b"", content)
     if _depth(outside) > DEEPEST:
         raise InvalidFile(path, _too_deep() + remedy)
+    decoding.now = True
     try:
-        with _decoding():
-            return msgspec.json.decode(content, type=kind)
+        return msgspec.json.decode(content, type=kind)
     except (msgspec.MsgspecError, UnicodeDecodeError, OverflowError, RecursionError, InvalidValue) as error:
         is_other = isinstance(error, msgspec.ValidationError | InvalidValue)
         said = ("" if is_other else "it is not JSON: ") + shortened(_in_words(error), 300)
         if not is_other and (found := _NOT_FINITE.search(outside)):
             said += f"; {found[0].decode()} is no number there"
         raise InvalidFile(path, said + remedy) from error
-
-
-def is_decoding() -> bool:
-    """Say whether a JSON document is being read, all of whose fields fit their types and are finite."""
-    return _reading.now
-
-
-class _Reading(threading.local):
-    """What a thread does."""
-
-    now = False
-
-
-_reading = _Reading()
-
-
-@contextmanager
-def _decoding() -> Iterator[None]:
-    _reading.now = True
-    try:
-        yield
     finally:
-        _reading.now = False
+        decoding.now = False
 
 
 def _depth(outside: bytes) -> int:
@@ -197,21 +170,18 @@ def read_toml(path: Path, remedy: str = "") -> dict[str, Any]:
         remedy: What the message ends with, if it cannot be read.
 
     Raises:
-        InvalidFile: If it is not TOML, or nested or counted without measure; see `opened`.
+        InvalidFile: If it is not TOML, or nested without measure; see `opened`.
     """
     text = read_text(path, MOST_SETTINGS)
     lines = (line for line in text.splitlines() if not line.lstrip().startswith("#"))
     if any(piece.count(".") > _MOST_DOTS for line in lines for piece in line.split(",")):
         raise InvalidFile(path, _too_deep() + remedy)
     try:
-        document = tomllib.loads(text)
+        return tomllib.loads(text)
     except (ValueError, RecursionError) as error:
         deep = isinstance(error, RecursionError)
         said = _too_deep() if deep else f"it is not TOML: {shortened(str(error).rstrip('.'), 300)}"
         raise InvalidFile(path, said + remedy) from error
-    if problem := _unmeasured(document):
-        raise InvalidFile(path, problem + remedy)
-    return document
 
 
 def digest(path: Path) -> str:
@@ -232,7 +202,7 @@ def refuse_other_kinds(path: Path) -> None:
 
 def _check_kind(path: Path, found: os.stat_result, remedy: str = "") -> None:
     if not stat.S_ISREG(found.st_mode):
-        kind = next((words for is_kind, words in _KINDS.items() if is_kind(found.st_mode)), "no file")
+        kind = "a folder" if stat.S_ISDIR(found.st_mode) else "a pipe, a socket or a device"
         raise InvalidFile(path, f"it is {kind}, and should be a file{remedy}")
 
 
@@ -242,14 +212,3 @@ def _too_large(path: Path, size: int, most: int) -> InvalidFile:
 
 def _too_deep() -> str:
     return f"its lists and tables are nested too deep; valid: at most {DEEPEST} in one another"
-
-
-def _unmeasured(document: object) -> str:
-    """Say whether something in a document is nested too deep, or too great a number; without recursion."""
-    level = [document]
-    for _ in range(DEEPEST):
-        if any(type(value) is int and abs(value) > LARGEST_WHOLE for value in level):
-            return f"it holds a whole number beyond {LARGEST_WHOLE}"
-        groups = [list(value.values()) if isinstance(value, dict) else value for value in level]
-        level = [entry for group in groups if isinstance(group, list) for entry in group]
-    return _too_deep() if level else ""

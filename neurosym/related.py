@@ -14,7 +14,7 @@ import numpy as np
 
 from neurosym.errors import InvalidValue
 from neurosym.grounding import Grounding
-from neurosym.pair_sight import with_pairs
+from neurosym.pair_sight import kinds_of
 from neurosym.pair_states import describe_pair, extent
 from neurosym.pooled_puts import pooled
 from neurosym.problems import Problem
@@ -62,7 +62,7 @@ def touching(problem: Problem) -> Contacts:
     Args:
         problem: The problem.
     """
-    if not isinstance(problem.touching, tuple):
+    if problem.touching is None:
         return contacts_of(problem.scene())
     index = {name: number for number, name in enumerate(problem.object_names)}
     pairs = [sorted((index[one], index[other])) for one, other in problem.touching]
@@ -104,7 +104,9 @@ def states_of(problem: Problem, relations: RelationOperators) -> dict[tuple[str,
     return {names: state for names, (state, _) in _seen(problem, relations).items()}
 
 
-def bearers_of(problem: Problem, relations: RelationOperators) -> dict[str, Borne]:
+def bearers_of(
+    problem: Problem, relations: RelationOperators, kinds: Mapping[str, Symbol] | None = None
+) -> dict[str, Borne]:
     """Return what bears each object that another one bears.
 
     Of two objects that look as if each bore the other, as a box and the ring around it do, the one bears that
@@ -114,9 +116,10 @@ def bearers_of(problem: Problem, relations: RelationOperators) -> dict[str, Born
     Args:
         problem: The problem, with the objects as they stand now.
         relations: What was learned of pairs.
+        kinds: Kinds of the pairs, if they were worked out.
     """
     known = _known_ends(relations)
-    kinds = problem.pairs if isinstance(problem.pairs, dict) else {}
+    kinds = kinds_of(problem, relations) if kinds is None else kinds
     asked = {(target, reference) for target, reference, _ in problem.related}
     seen = _seen(problem, relations).items()
     beside = _beside(problem)
@@ -150,11 +153,10 @@ def known_bearers(problem: Problem, relations: RelationOperators) -> dict[str, B
         problem: The problem, with the objects as they stand now.
         relations: What was learned of pairs.
     """
-    problem, known = with_pairs(problem, relations), _known_ends(relations)
-    kinds = problem.pairs if isinstance(problem.pairs, dict) else {}
+    kinds, known = kinds_of(problem, relations), _known_ends(relations)
     return {
         name: borne
-        for name, borne in bearers_of(problem, relations).items()
+        for name, borne in bearers_of(problem, relations, kinds).items()
         if (kinds.get(pair_key(name, borne.by), ""), borne.state.symbol) in known
     }
 
@@ -209,7 +211,6 @@ def unmet_relations(problem: Problem, grounding: Grounding) -> tuple[RelationGoa
     if not problem.related:
         return ()
     relations = relations_of(grounding, problem)
-    problem = with_pairs(problem, relations)
     states, bearers = states_of(problem, relations), bearers_of(problem, relations)
 
     def holds(target: str, reference: str, state: str) -> bool:

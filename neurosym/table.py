@@ -11,6 +11,13 @@ from neurosym.checks import check_kind
 from neurosym.errors import InvalidValue
 
 
+def _check_number(name: str, value: object) -> None:
+    if isinstance(value, bool) or not isinstance(value, int | float | np.number):
+        raise InvalidValue(f"{name} = {value!r} must be a number [m].")
+    if not math.isfinite(value):
+        raise InvalidValue(f"{name} = {value} must be finite.")
+
+
 @dataclass(frozen=True, slots=True)
 class Table:
     """The part of the table that objects must stay on: `x` and `y` are (least, greatest) coordinates [m]."""
@@ -20,16 +27,12 @@ class Table:
 
     def __post_init__(self) -> None:
         for name, side in (("x", self.x), ("y", self.y)):
-            is_pair = isinstance(side, tuple | list) and len(side) == 2
-            if not is_pair or not all(isinstance(edge, int | float | np.number) for edge in side):
+            if not (isinstance(side, tuple | list) and len(side) == 2):
                 raise InvalidValue(f"table.{name} = {side!r} must be two numbers [m], the smaller first.")
-            least, greatest = side
-            if not (math.isfinite(least) and math.isfinite(greatest)):
-                raise InvalidValue(f"table.{name} = [{least}, {greatest}] must be finite.")
-            if not least < greatest:
-                raise InvalidValue(
-                    f"table.{name} = [{least}, {greatest}] is empty; the first number must be smaller."
-                )
+            for edge in side:
+                _check_number(f"table.{name}", edge)
+            if not side[0] < side[1]:
+                raise InvalidValue(f"table.{name} = {[*side]} is empty; the first number must be smaller.")
 
     def nearest(self, x: float, y: float) -> "Place":
         """Return the place on the table that is nearest to a point [m]."""
@@ -68,12 +71,8 @@ class Place:
     y: float
 
     def __post_init__(self) -> None:
-        for name in ("x", "y"):
-            value = getattr(self, name)
-            if isinstance(value, bool) or not isinstance(value, int | float | np.number):
-                raise InvalidValue(f"Place.{name} = {value!r} must be a number [m].")
-            if not math.isfinite(value):
-                raise InvalidValue(f"Place.{name} = {value} must be finite.")
+        _check_number("Place.x", self.x)
+        _check_number("Place.y", self.y)
 
     @property
     def centre(self) -> Float[np.ndarray, "3"]:

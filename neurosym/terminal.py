@@ -6,7 +6,7 @@ begin; `console` is what is called.
 
 import re
 import sys
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager, suppress
 from time import monotonic
 from typing import IO, Any, cast
@@ -26,43 +26,27 @@ from rich.status import Status
 from rich.table import Table
 from rich.text import Text
 
-from neurosym.console import PIPE_WIDTH, Advance, Doing, is_quiet, turn_away
 from neurosym.errors import shortened
-from neurosym.wording import harmless
+from neurosym.progress import Advance, Doing
+from neurosym.wording import PIPE_WIDTH, harmless
 
 _LONG = re.compile(r"\S{1000,}")
 _LEAST_PAUSE = 5.0  # between lines that say how far some work has come [s]
 
 
-class HarmlessConsole(Console):
-    """A console that shows what stands in texts, which may come from files of strangers, and does no more."""
-
-    def print(self, *objects: Any, **options: Any) -> None:
-        """Print as rich does, without what a terminal would act on."""
-        super().print(*(harmless(text) if isinstance(text, str) else text for text in objects), **options)
-
-
-class OutputConsole(HarmlessConsole):
-    """A console for what was asked for."""
-
+class _OutputConsole(Console):
     def on_broken_pipe(self) -> None:
         """Leave it to who prints; rich would end the program."""
         raise
 
 
-class ErrorConsole(HarmlessConsole):
-    """A console for sentences about what was given, however long that is."""
+class ErrorConsole(Console):
+    """A console for sentences about what was given, which may come from files of strangers."""
 
     def print(self, *objects: Any, **options: Any) -> None:
-        """Print, without the end of words that nobody reads to their end."""
-        super().print(
-            *(_LONG.sub(_cut, text) if isinstance(text, str) else text for text in objects), **options
-        )
-
-    def on_broken_pipe(self) -> None:
-        """Say no more."""
-        self.quiet = True
-        turn_away(sys.stderr)
+        """Print without what a terminal would act on, and without the end of words that are far too long."""
+        shown = (_LONG.sub(_cut, harmless(text)) if isinstance(text, str) else text for text in objects)
+        super().print(*shown, **options)
 
 
 def _cut(word: re.Match[str]) -> str:
@@ -85,7 +69,7 @@ class _Forgiving:
             sys.stderr.flush()
 
 
-console = OutputConsole(
+console = _OutputConsole(
     highlight=False, emoji=False, soft_wrap=True, width=None if sys.stdout.isatty() else PIPE_WIDTH
 )
 error_console = ErrorConsole(
@@ -126,21 +110,14 @@ def _minutes(seconds: float) -> str:
 
 
 @contextmanager
-def shown_doing() -> Iterator[Doing]:
+def shown_doing(is_quiet: Callable[[], bool]) -> Iterator[Doing]:
     """Show what goes on, one thing in the place of the one before; see `console.shown_doing`."""
     status = Status("", console=error_console)
-    last = monotonic()
 
     def tell(text: str) -> None:
-        nonlocal last
-        if is_quiet():
-            return
-        if error_console.is_terminal:
+        if not is_quiet():
             status.update(Text(harmless(text)))
             status.start()
-        elif monotonic() - last >= _LEAST_PAUSE:
-            last = monotonic()
-            error_console.print(text, markup=False)
 
     try:
         yield tell
@@ -149,14 +126,8 @@ def shown_doing() -> Iterator[Doing]:
 
 
 @contextmanager
-def progress_bar(label: str) -> Iterator[Advance]:
-    """Show a bar with rate and remaining time while some long work goes on, once it has begun.
-
-    Where the output is no terminal, a line now and then says as much.
-
-    Args:
-        label: What is being done.
-    """
+def progress_bar(label: str, is_quiet: Callable[[], bool]) -> Iterator[Advance]:
+    """Show a bar, or say a line now and then; see `console.progress_bar`."""
     columns = (
         TextColumn("{task.description}"),
         BarColumn(),
@@ -189,13 +160,7 @@ def progress_bar(label: str) -> Iterator[Advance]:
 
 
 def print_table(title: str, columns: Sequence[str], rows: Sequence[Sequence[str]]) -> None:
-    """Print a table.
-
-    Args:
-        title: What it shows.
-        columns: Headings.
-        rows: One text for each heading.
-    """
+    """Print a table; see `console.show_table`."""
     table = Table(title=Text(harmless(title), style="table.title"), title_justify="left")
     for column in columns:
         table.add_column(Text(harmless(column)), overflow="fold")

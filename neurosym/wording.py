@@ -5,6 +5,9 @@ import unicodedata
 from collections.abc import Sequence
 from pathlib import Path
 
+PIPE_WIDTH = 160
+"""Columns to print in, where there is no terminal to ask."""
+
 
 def quoted(path: Path | str) -> str:
     """Return a path as it is typed in a shell: in quotes if it has blanks or the like."""

@@ -76,9 +76,9 @@ def session_on(library: Library, both: tuple[Workers, Workers]) -> Iterator[Sess
         session.close()
 
 
-def planned(session: Session, *planners: str) -> None:
+def planned(session: Session, planner: str) -> None:
     """Have a page plan, and wait for it."""
-    session.plan(*planners)
+    session.plan(planner)
     wait_for(lambda: not session.is_planning and session.plans)
 
 

@@ -61,7 +61,7 @@ def test_order_matters_once_the_deterministic_set_up_is_switched_off(monkeypatch
 
 def reset_carelessly(simulation):
     """Make room by removing bodies one by one, and leave the pairs of touching objects in any order."""
-    client = simulation.client
+    client = simulation.client.number
     for _ in range(pybullet.getNumBodies(physicsClientId=client)):
         pybullet.removeBody(pybullet.getBodyUniqueId(0, physicsClientId=client), physicsClientId=client)
     pybullet.setPhysicsEngineParameter(

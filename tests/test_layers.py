@@ -51,7 +51,7 @@ FENCES = {
     "torch": ("learning/", "exploration/", "primitives/distillation.py"),
     "unified_planning": ("planners/unified_planning.py", "planners/plan_validator.py"),
     "gymnasium": ("worlds/gymnasium_env.py",),
-    "ray": ("worlds/ray_workers.py",),
+    "trimesh": ("studio/",),
     "viser": ("studio/",),
 }
 """Where each heavy or optional dependency may be imported, at the head of a file or inside a function."""
@@ -71,7 +71,7 @@ OPENERS = (
 )
 LOADERS = {"np", "numpy", "torch", "json", "pickle", "marshal", "tomllib"}
 OPENED_ELSEWHERE = {
-    "array_files.py": {"zipfile.ZipFile": "of what the door opened", "archive.open": "a part of that"},
+    "array_files.py": {"np.load": "what the door opened"},
     "execution/machine.py": {"_CPUINFO.read_text": "the system's own"},
     "commands/surroundings.py": {"os.open": "the null device"},
     "console.py": {"os.open": "the null device"},
@@ -80,14 +80,10 @@ OPENED_ELSEWHERE = {
         "os.open": "files and folders, to lock them",
         "Path('/proc/locks').read_text": "the system's own",
     },
-    "planners/keeper.py": {
-        "os.open": "folders",
-        "Path(f'/proc/{process}/{what}').read_bytes": "the system's own",
-    },
+    "planners/keeper.py": {"Path(f'/proc/{process}/{what}').read_bytes": "the system's own"},
     "planners/process.py": {"source_file.open": "what we wrote for the planner"},
     "sim/bullet.py": {"os.open": "the null device"},
     "sim/interaction.py": {"self._robot.open": "a gripper"},
-    "studio/take_away.py": {"zipfile.ZipFile": "to write, in memory"},
 }
 """What is opened past the door, `neurosym/reading.py`, and why: no file that a user may have put there."""
 

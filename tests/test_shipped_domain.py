@@ -8,7 +8,7 @@ from shipped import FOLDER, GROUNDING
 import neurosym
 from neurosym.operators import OperatorTable
 from neurosym.pddl import domain_text
-from neurosym.pddl.determinisation import with_every_outcome
+from neurosym.pddl.compiler import with_every_outcome
 from neurosym.planners import PlanStatus, plan
 from neurosym.planners.fast_downward import plan_fast_downward
 from neurosym.reading import digest, read_json

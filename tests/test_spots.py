@@ -9,11 +9,11 @@ from toy_places import NAME, grounding, scene, swap
 from neurosym.errors import InvalidValue, UnknownChoice
 from neurosym.execution.executor import execute
 from neurosym.execution.rerun import rerun
-from neurosym.pddl.place_check import check_places
 from neurosym.pddl.plan_reading import read_plan
+from neurosym.pddl.problem_check import check_places
 from neurosym.planners import PlanStatus
-from neurosym.planners.custom import solve_checked
 from neurosym.planners.planner import Planner, Query
+from neurosym.planners.registry import solve_checked
 from neurosym.planners.result import PlanResult
 from neurosym.problems import Problem
 from neurosym.spots import spot_name, spot_named

@@ -1,5 +1,6 @@
 """Data of the toy world, and trainings of it that take a moment."""
 
+from contextlib import contextmanager
 from functools import cache
 
 import numpy as np
@@ -15,6 +16,7 @@ from neurosym.learning.training_config import (
     TeacherConfig,
     TrainingConfig,
 )
+from neurosym.primitives.search import Search
 from neurosym.world import Scene
 from neurosym.worlds.toy import make_world
 
@@ -37,6 +39,19 @@ def toy_data(count: int, strategy: str = "random") -> Interactions:
     """Random interactions with the toy world, said to be of some strategy."""
     config = ExplorationConfig(candidates=1, block=count + 1)
     return explore(make_world, steps=count, strategy=strategy, seed=0, config=config)
+
+
+def search(candidates=(), categorise=None, factory=make_world, told=None, **options) -> Search:
+    """Search for operators in the toy world; what bars tell is added to a list, if given."""
+
+    @contextmanager
+    def open_bar(label):
+        yield lambda *numbers: told is None or told.append(numbers)
+
+    given = {"predict": foretell, "features": some_features(100), "seed": 0, "open_bar": open_bar}
+    return Search(
+        tuple(candidates), categorise=categorise, world_factory=factory, shown=factory, **(given | options)
+    )
 
 
 def foretell(features, actions):

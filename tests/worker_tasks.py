@@ -1,4 +1,4 @@
-"""Work for worker processes, of one machine or of a cluster."""
+"""Work for worker processes."""
 
 import os
 import time

@@ -34,11 +34,7 @@ ABOUT = {
 
 
 def reduced(graph: Graph) -> dict[str, set[str]]:
-    """Leave out arrows that follow from others.
-
-    Args:
-        graph: For each folder those that it imports; without cycles.
-    """
+    """Leave out arrows that follow from others."""
     return {
         folder: {target for target in targets if not _reachable(graph, targets - {target}, target)}
         for folder, targets in graph.items()
@@ -51,9 +47,6 @@ def _reachable(graph: Graph, starts: set[str], target: str) -> bool:
 
 def layout(graph: Graph) -> tuple[list[list[str]], list[tuple[str, ...]]]:
     """Put each folder one column to the right of the last that it imports, near those that it imports.
-
-    Args:
-        graph: For each folder those that it imports; without cycles.
 
     Returns:
         What stands in each column, from the top, and the way of each arrow. An arrow that passes a column has
@@ -87,11 +80,7 @@ def layout(graph: Graph) -> tuple[list[list[str]], list[tuple[str, ...]]]:
 
 
 def drawing(graph: Graph) -> str:
-    """Return the picture as SVG; the same folders and imports give the same text.
-
-    Args:
-        graph: For each folder those that it imports; without cycles.
-    """
+    """Return the picture as SVG; the same folders and imports give the same text."""
     placed, ways = layout(reduced(graph))
     tallest = max(map(len, placed))
     spots = {

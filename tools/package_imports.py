@@ -9,12 +9,7 @@ DOORS = {"__init__.py", "__main__.py"}
 
 
 def imported(path: Path, package: Path) -> set[str]:
-    """Name all modules that a file of a package imports, anywhere in it, as `neurosym.folder.module`.
-
-    Args:
-        path: The file.
-        package: The folder of the package.
-    """
+    """Name all modules that a file of a package imports, anywhere in it, as `neurosym.folder.module`."""
     found: set[str] = set()
     for node in ast.walk(ast.parse(path.read_text())):
         if isinstance(node, ast.Import):
@@ -31,12 +26,7 @@ def imported(path: Path, package: Path) -> set[str]:
 
 
 def layer_of(module: str, package: Path) -> str | None:
-    """Return the folder that a module of ours lies in, "" for the root; None for one that does not exist.
-
-    Args:
-        module: Its name, as `neurosym.folder.module`.
-        package: The folder of the package.
-    """
+    """Return the folder that a module of ours lies in, "" for the root; None for one that does not exist."""
     parts = module.split(".")[1:]
     if not parts:
         return None  # the whole package, whose names are imported lazily from anywhere
@@ -55,11 +45,7 @@ def files_of(package: Path) -> Iterator[tuple[str, str, Path]]:
 
 
 def arrows(package: Path) -> dict[str, set[str]]:
-    """Return for each folder those that it imports, besides itself and the root.
-
-    Args:
-        package: The folder of the package.
-    """
+    """Return for each folder those that it imports, besides itself and the root."""
     found: dict[str, set[str]] = {}
     for name, folder, path in files_of(package):
         if name not in DOORS and folder:

@@ -11,11 +11,7 @@ _BLOCK = re.compile(r"</(?:p|li|h\d|td|th|figcaption|summary|caption|dd|dt)>|{%.
 
 
 def program_texts(root: Path) -> dict[str, list[str]]:
-    """Return the texts of each kind, a paragraph each.
-
-    Args:
-        root: Of the repository.
-    """
+    """Return the texts of each kind, a paragraph each."""
     package = root / "neurosym"
     modules = [ast.parse(path.read_text()) for path in sorted(package.rglob("*.py"))]
     commands = [ast.parse(path.read_text()) for path in sorted((package / "commands").glob("*.py"))]

@@ -47,11 +47,7 @@ def main(
 
 
 def read_by_users(root: Path) -> dict[str, list[str]]:
-    """Return the sentences of each document, and of what the program says.
-
-    Args:
-        root: Of the repository.
-    """
+    """Return the sentences of each document, and of what the program says."""
     pages = [path for pattern in PAGES for path in sorted(root.glob(pattern))]
     found = {str(path.relative_to(root)): sentences(path.read_text()) for path in pages}
     for kind, texts in program_texts(root).items():
@@ -60,20 +56,12 @@ def read_by_users(root: Path) -> dict[str, list[str]]:
 
 
 def unplain(sentence: str) -> list[str]:
-    """Say which plainer words a sentence ought to have; see `PLAIN`.
-
-    Args:
-        sentence: The sentence.
-    """
+    """Say which plainer words a sentence ought to have; see `PLAIN`."""
     return [better for word, better in PLAIN.items() if re.search(rf"\b(?:{word})\b", sentence, flags=re.I)]
 
 
 def sentences(text: str) -> list[str]:
-    """List the sentences of a page.
-
-    Args:
-        text: The page, in Markdown.
-    """
+    """List the sentences of a page."""
     text = re.sub(r"^```.*?^```", "", text, flags=re.M | re.S)
     text = re.sub(r"<!--.*?-->", "", text, flags=re.S)
     text = re.sub(r"!?\[([^\]]*)\]\([^)]*\)", r"\1", text)
@@ -84,11 +72,7 @@ def sentences(text: str) -> list[str]:
 
 
 def measured(found: list[str]) -> tuple[float, float]:
-    """Return the median and the 95th percentile of the words of sentences.
-
-    Args:
-        found: The sentences, at least two.
-    """
+    """Return the median and the 95th percentile of the words of sentences."""
     counts = [len(one.split()) for one in found]
     return median(counts), round(quantiles(counts, n=20)[-1], 1) if len(counts) > 1 else counts[0]
 

@@ -61,11 +61,7 @@ def main() -> None:
 
 
 def sections(folder: DomainFolder) -> list[str]:
-    """Write the README, a text for each section.
-
-    Args:
-        folder: The domain folder.
-    """
+    """Write the README, a text for each section."""
     grounding = Grounding.load(folder / "grounding.json")
     assert grounding.places is not None, "places were learned"
     command = f"neurosym run {folder.path} --steps {STEPS} --places {PLACES} --seed {SEED} --problems 0"

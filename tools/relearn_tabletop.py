@@ -17,6 +17,7 @@ from neurosym.files import write_atomically
 from neurosym.grounding import Grounding
 from neurosym.learning.model_config import DEFAULT_BITS, PAPER_BITS
 from neurosym.learning.report import TrainingReport
+from neurosym.markdown import markdown_table
 from neurosym.operators import Category, Operator, OperatorTable, Vector
 from neurosym.pddl.compiler import CELL
 from neurosym.reading import read_json
@@ -72,12 +73,7 @@ def give_name(folder: DomainFolder) -> None:
 
 
 def sections(folder: DomainFolder, bits: tuple[int, int]) -> list[str]:
-    """Write the README, a text for each section.
-
-    Args:
-        folder: The domain folder.
-        bits: Bits of object and action symbols.
-    """
+    """Write the README, a text for each section."""
     is_paper = bits == PAPER_BITS
     table = OperatorTable.load(folder / PRIMITIVES)
     grounding = Grounding.load(folder / "grounding.json")
@@ -114,22 +110,17 @@ def sections(folder: DomainFolder, bits: tuple[int, int]) -> list[str]:
 
 
 def stages_table(folder: DomainFolder, names: Sequence[str] = STAGES) -> str:
-    """Say how long each stage took, and with which versions.
-
-    Args:
-        folder: The domain folder.
-        names: The stages.
-    """
+    """Say how long each stage took, and with which versions."""
     stages = folder.manifest().stages
     rows = [[name, f"{stages[name].seconds / 60:.1f}"] for name in names]
     versions = ", ".join(f"{name} {number}" for name, number in stages["explore"].versions.items())
-    return f"{_markdown(['stage', 'minutes'], rows)}\n\nVersions: {versions}."
+    return f"{markdown_table(['stage', 'minutes'], rows)}\n\nVersions: {versions}."
 
 
 def _training(folder: DomainFolder) -> str:
     report = read_json(folder / TRAINING, TrainingReport)
     rows = [[name, *(f"{1000 * error:.1f}" for error in errors)] for name, errors in report.mae.items()]
-    table = _markdown(["mean absolute error [mm]", "x", "y", "z"], rows)
+    table = markdown_table(["mean absolute error [mm]", "x", "y", "z"], rows)
     return (
         f"On {report.held_out} interactions held out from training, chosen by curiosity. On actions as they "
         "come, to which the decoder is fitted, it does better: see `docs/results/learning.md`.\n\n"
@@ -140,11 +131,7 @@ def _training(folder: DomainFolder) -> str:
 
 
 def categories_table(categories: tuple[Category, ...]) -> str:
-    """Say which objects are in which category.
-
-    Args:
-        categories: The categories.
-    """
+    """Say which objects are in which category."""
     rows = [
         [category.symbol, category.name, f"{category.share:.0%}"]
         + [
@@ -155,16 +142,11 @@ def categories_table(categories: tuple[Category, ...]) -> str:
         for category in categories
         if category.share
     ]
-    return _markdown(["bits", "name", "share", "s_x [mm]", "s_y [mm]", "d [mm]", "mean type"], rows)
+    return markdown_table(["bits", "name", "share", "s_x [mm]", "s_y [mm]", "d [mm]", "mean type"], rows)
 
 
 def operators_table(operators: tuple[Operator, ...], grounding: Grounding) -> str:
-    """Say what each operator did in rehearsal, and whether it is in the domain.
-
-    Args:
-        operators: The operators.
-        grounding: The learned domain.
-    """
+    """Say what each operator did in rehearsal, and whether it is in the domain."""
     rows = []
     for operator in operators:
         promise = operator.promise
@@ -174,16 +156,13 @@ def operators_table(operators: tuple[Operator, ...], grounding: Grounding) -> st
         kind = "neither held nor upright" if promise is None else f"{promise.kind}, {promise.share:.0%}"
         kept = f"{operator.successes} of {operator.trials}"
         rows.append([operator.name, kind, effect, spread, kept, grounding.why_left_out(operator) or "yes"])
-    return _markdown(["operator", "ends", "effect [mm]", "spread [mm]", "as promised", "in the domain"], rows)
+    return markdown_table(
+        ["operator", "ends", "effect [mm]", "spread [mm]", "as promised", "in the domain"], rows
+    )
 
 
 def problems_table(folder: DomainFolder, planners: Sequence[str] = PLANNERS) -> list[str]:
-    """Say what came of each problem.
-
-    Args:
-        folder: The domain folder.
-        planners: Who planned.
-    """
+    """Say what came of each problem."""
     rows = []
     counts = dict.fromkeys(planners, (0, 0))
     for name in folder.problem_names():
@@ -196,7 +175,7 @@ def problems_table(folder: DomainFolder, planners: Sequence[str] = PLANNERS) -> 
     summary = "; ".join(
         f"{planner}: {found} found, {reached} reached" for planner, (found, reached) in counts.items()
     )
-    return [_markdown(["problem", "objects", *planners], rows), f"Of {len(rows)} problems, {summary}."]
+    return [markdown_table(["problem", "objects", *planners], rows), f"Of {len(rows)} problems, {summary}."]
 
 
 def _outcome(folder: DomainFolder, name: str, planner: str) -> tuple[bool, bool, str]:
@@ -212,11 +191,6 @@ def _outcome(folder: DomainFolder, name: str, planner: str) -> tuple[bool, bool,
 
 def _millimetres(vector: Vector) -> str:
     return ", ".join(f"{1000 * value + 0:.0f}" for value in vector)
-
-
-def _markdown(columns: list[str], rows: list[list[str]]) -> str:
-    lines = [columns, ["---"] * len(columns), *rows]
-    return "\n".join(f"| {' | '.join(line)} |" for line in lines)
 
 
 if __name__ == "__main__":

@@ -19,7 +19,7 @@ from neurosym.stages.folder import DomainFolder
 from neurosym.stages.layout import GROUNDING, MANIFEST
 from neurosym.stages.manifest import Manifest
 from neurosym.stages.problem_making import Asked, problem_stage
-from neurosym.tasks.puts import left_out_puts
+from neurosym.tasks.puts import left_out
 from tools.relearn_places import FOLDER as LEARNED
 from tools.relearn_places import PLACES, PLANNER, SEED, STEPS
 from tools.relearn_tabletop import STAGES, give_name, problems_table, stages_table, try_problem
@@ -67,12 +67,7 @@ def main() -> None:
 
 
 def take_places(learned: Path, folder: Path) -> None:
-    """Begin a domain folder with what another one learned of single objects, unless there is one.
-
-    Args:
-        learned: The other folder.
-        folder: The one to begin.
-    """
+    """Begin a domain folder with what another one learned of single objects, unless there is one."""
     if folder.exists():
         return
     before = DomainFolder(learned).manifest()
@@ -85,23 +80,14 @@ def take_places(learned: Path, folder: Path) -> None:
 
 
 def state_called(word: str, folder: DomainFolder) -> str:
-    """Return the first state whose name begins so.
-
-    Args:
-        word: The beginning.
-        folder: The domain folder.
-    """
+    """Return the first state whose name begins so."""
     relations = Grounding.load(folder / GROUNDING).relations
     assert relations is not None, "relations were learned"
     return next(state.name for state in relations.states if state.bears and state.name.startswith(word))
 
 
 def sections(folder: DomainFolder) -> list[str]:
-    """Write the README, a text for each section.
-
-    Args:
-        folder: The domain folder.
-    """
+    """Write the README, a text for each section."""
     grounding = Grounding.load(folder / GROUNDING)
     relations = grounding.relations
     assert relations is not None, "relations were learned"
@@ -129,7 +115,7 @@ def sections(folder: DomainFolder) -> list[str]:
         "What each action did to pairs of a kind when it was rehearsed; those that do it most often. "
         "A third object may stand in the way: *borne*, the target rests on one; *occupied*, one rests on the "
         "reference; *laden*, one rests on the target.",
-        _operators(relations, grounding),
+        _operators(relations),
         "## Problems",
         f"Problem number i is drawn with seed {SEED} + i. A *tower* shall be built of some of the objects, "
         "and in *boxes* half of them shall each be on or in one of its own. *Unstack* begins with a stack "
@@ -149,8 +135,8 @@ def _states(relations: RelationOperators) -> str:
     return markdown_table(["bits", "name", "away", "above", "touching", "tilted", "bears"], rows)
 
 
-def _operators(relations: RelationOperators, grounding: Grounding) -> str:
-    out = left_out_puts(grounding)
+def _operators(relations: RelationOperators) -> str:
+    out = left_out(relations)
     kept = [one for one in relations.operators if one.name not in out and one.promise]
     kept.sort(key=lambda one: -one.promise.share if one.promise else 0.0)
     columns = ["operator", "as promised", "borne", "occupied", "laden"]

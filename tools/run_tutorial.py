@@ -11,11 +11,7 @@ LONGEST_CELL = 900  # [s]
 
 
 def run(notebook: NotebookNode) -> NotebookNode:
-    """Run a notebook in the folder of the documents; a cell that fails raises.
-
-    Args:
-        notebook: The notebook; it is filled with what its cells say.
-    """
+    """Run a notebook in the folder of the documents; a cell that fails raises."""
     folder = {"metadata": {"path": str(TUTORIAL.parent)}}
     NotebookClient(notebook, timeout=LONGEST_CELL, resources=folder, record_timing=False).execute()
     return notebook

@@ -8,7 +8,7 @@ from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Annotated, Any, get_args, get_origin, get_type_hints
 
-from neurosym.commands.catalogue import SUMMARIES, command_named
+from neurosym.commands.catalogue import GROUPS, SUMMARIES, command_named
 from neurosym.console import say
 from neurosym.files import write_atomically
 from neurosym.markdown import markdown_table
@@ -39,16 +39,15 @@ def main() -> None:
 
 def page() -> str:
     """Return the page."""
-    return "\n\n".join([HEAD, *(section(name, command_named(name)) for name in SUMMARIES)]) + "\n"
+    groups = (
+        f"- {title}: {', '.join(f'[{name}](#{name})' for name in group)}" for title, group in GROUPS.items()
+    )
+    sections = (section(name, command_named(name)) for name in SUMMARIES)
+    return "\n\n".join([HEAD, "\n".join(groups), *sections]) + "\n"
 
 
 def section(name: str, command: Callable[..., int]) -> str:
-    """Write what there is to know about a command.
-
-    Args:
-        name: Its name.
-        command: What it calls.
-    """
+    """Write what there is to know about a command."""
     rows = [*_rows(command)]
     places = " ".join(word for word, _, default in rows if not word.startswith("--"))
     table = markdown_table(["", "what", "default"], [[f"`{word}`", *rest] for word, *rest in rows])

@@ -12,7 +12,7 @@ from itertools import pairwise
 from pathlib import Path
 from typing import Any
 
-from neurosym.commands.catalogue import ABOUT, SUMMARIES, Command, command_named
+from neurosym.commands.catalogue import ABOUT, SUMMARIES, Command, command_named, nearest
 from neurosym.errors import InvalidValue, UnknownChoice, shortened
 from neurosym.reading import LARGEST_WHOLE
 
@@ -25,7 +25,6 @@ MOST = {
     "actions": 10_000,
     "problems": 10_000,
     "tasks": 1_000_000,
-    "alternatives": 1_000,
     "replans": 1_000_000,
     "time-limit": 10_000_000,  # seconds, nearly four months
 }
@@ -36,10 +35,6 @@ _IN_WORDS = (
     (r"could not convert string to float: (.*)$", r"\1 is no number"),
 )
 """What Python says of what cannot be read, and what we say."""
-
-
-class _Unreadable(Exception):
-    """Something that was typed cannot be read; the first argument says what, without a full stop."""
 
 
 def read_arguments(arguments: Sequence[str]) -> Callable[[], int]:
@@ -60,20 +55,16 @@ def read_arguments(arguments: Sequence[str]) -> Callable[[], int]:
     from tyro._errors import on_parse_error
 
     config = (tyro.conf.FlagCreatePairsOff,)
-    try:
-        with on_parse_error(_refuse):
-            if command:  # as the others would be, which are not imported for it
-                chosen: partial[int] = tyro.cli(
-                    _later(command), prog=f"neurosym {name}", args=arguments[1:], config=config
-                )
-            else:
-                commands = {known: _later(command_named(known)) for known in SUMMARIES}
-                chosen = tyro.extras.subcommand_cli_from_dict(
-                    commands, prog="neurosym", description=ABOUT, args=arguments, config=config
-                )
-    except _Unreadable as error:
-        said = f"neurosym{' ' if name else ''}{name}: {error}"
-        raise InvalidValue(said + _hint(name, arguments)) from None
+    with on_parse_error(partial(_refuse, command, arguments)):
+        if command:  # as the others would be, which are not imported for it
+            chosen: partial[int] = tyro.cli(
+                _later(command), prog=f"neurosym {name}", args=arguments[1:], config=config
+            )
+        else:
+            commands = {known: _later(command_named(known)) for known in SUMMARIES}
+            chosen = tyro.extras.subcommand_cli_from_dict(
+                commands, prog="neurosym", description=ABOUT, args=arguments, config=config
+            )
     given = inspect.signature(chosen.func).bind(*chosen.args, **chosen.keywords).arguments
     for option, value in given.items():
         for number in value if isinstance(value, tuple) else (value,):
@@ -114,10 +105,11 @@ def _later(command: Command) -> Callable[..., "partial[int]"]:
     return later
 
 
-def _refuse(event: Any) -> None:
+def _refuse(command: Command | None, typed: Sequence[str], event: Any) -> None:
     """Say in a sentence what tyro is about to refuse; events that are new to us it says itself."""
     from tyro import _errors as events
 
+    name, said = typed[0] if command else "", ""
     if isinstance(event, events.InvalidChoice):
         choices = [choice for choice in event.choices if choice != "None"]  # which is no word of ours
         option = _called(event.argument).removeprefix("--")
@@ -126,17 +118,16 @@ def _refuse(event: Any) -> None:
 
             check_former(event.value)
         raise UnknownChoice(option, event.value, choices)
-    said = None
     if isinstance(event, events.MissingArgs):
         said = f"missing: {', '.join(_called(missing.arg) for missing in event.missing_arguments)}"
-        if event.unrecognized_tokens:
-            said += f"; unrecognized options: {_quoted(event.unrecognized_tokens)}"
+        said += _unrecognized(command, event.unrecognized_tokens, "; ")
+        said += _problems_of(typed[1]) if name and len(typed) == 2 else ""
     elif isinstance(event, events.MissingSubcommand):
         said = f"expected one of {{{', '.join(SUMMARIES)}}}"
     elif isinstance(event, events.BadValue):
         said = f"missing value for argument '{_called(event.argument)}'"
     elif isinstance(event, events.UnrecognizedArgs):
-        said = f"unrecognized options: {_quoted(event.tokens)}"
+        said = _unrecognized(command, event.tokens)
     elif isinstance(event, events.InstantiationFailure):
         option = _called(event.argument) if event.argument else "what was typed"
         reason = event.message.splitlines()[-1].rstrip(".")  # of several, the last kind
@@ -144,7 +135,8 @@ def _refuse(event: Any) -> None:
             reason = re.sub(pattern, ours, reason)
         said = f"error parsing {option}: {shortened(reason, 300)}"
     if said:
-        raise _Unreadable(said)
+        whole = f"neurosym {name}".rstrip()
+        raise InvalidValue(f"{whole}: {said}; `{whole} --help` says what there is.")
 
 
 def _called(argument: Any) -> str:
@@ -154,15 +146,15 @@ def _called(argument: Any) -> str:
     return str(argument.lowered.name_or_flags[-1])
 
 
-def _quoted(tokens: Sequence[str]) -> str:
-    return shortened(", ".join(shortened(token, 300) for token in tokens), 600)
-
-
-def _hint(name: str, arguments: Sequence[str]) -> str:
-    goals = [word for word in arguments if re.fullmatch(r"[^-=]\S*=\S+", word)]
-    repeat = "; --goal is given once for each object" if "--goal" in arguments and len(goals) > 1 else ""
-    known = _problems_of(arguments[1]) if name and len(arguments) == 2 else ""
-    return f"{known}{repeat}; `neurosym {name}{' ' if name else ''}--help` says what there is."
+def _unrecognized(command: Command | None, tokens: Sequence[str], before: str = "") -> str:
+    """List what is no option; of the first, say which is nearest."""
+    if not tokens:
+        return ""
+    said = shortened(", ".join(shortened(token, 300) for token in tokens), 600)
+    options = inspect.signature(command).parameters if command else ()
+    known = [f"--{option.replace('_', '-')}" for option in options]
+    near = nearest(tokens[0].partition("=")[0], known) if tokens[0].startswith("--") else ""
+    return f"{before}unrecognized options: {said}" + (f"; the nearest is {near}" if near else "")
 
 
 def _problems_of(typed: str) -> str:

@@ -1,10 +1,7 @@
 """The command `neurosym check`: what a data set holds, or all that is wrong with it."""
 
 from neurosym.commands.answers import Json, answer_in
-from neurosym.commands.options import (
-    DataPath,
-    opened,
-)
+from neurosym.commands.options import DataPath, opened
 from neurosym.console import say, say_next
 from neurosym.errors import InvalidData, InvalidFile
 from neurosym.stages.layout import INTERACTIONS

@@ -21,9 +21,6 @@ def main(arguments: Sequence[str] | None = None) -> None:
         from neurosym.commands.surroundings import make_usable
 
         make_usable()
-        from neurosym.commands.spent import begin
-
-        begin(is_own_process=arguments is None)
         from neurosym.commands.ending import perform
 
         code = perform(sys.argv[1:] if arguments is None else arguments)

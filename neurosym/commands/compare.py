@@ -7,7 +7,17 @@ from tyro.conf import arg
 
 from neurosym.choices import TOLERANCE
 from neurosym.commands.answers import Json, answer_in
-from neurosym.commands.options import CPUS, Folder, Seed, Task, TimeLimit, Workers, check_time_limit, opened
+from neurosym.commands.options import (
+    CPUS,
+    Folder,
+    Seed,
+    Task,
+    TimeLimit,
+    Workers,
+    check_least,
+    check_time_limit,
+    opened,
+)
 from neurosym.console import progress_bar, say, say_next, show_table
 from neurosym.errors import InvalidValue
 from neurosym.stages.manifest import Claim
@@ -33,7 +43,7 @@ def compare(
     time_limit: TimeLimit = None,
     json: Json = False,
 ) -> int:
-    """Give the same drawn tasks to several planners, and judge each plan in the model and in the world.
+    """Give the same drawn tasks to several planners, and judge each plan.
 
     Task number i is drawn with seed SEED + i. A plan is followed blindly, and once more with replanning by
     the planner that made it. Interrupt it when you like: what is measured is kept in DIR/comparison, and the
@@ -41,22 +51,17 @@ def compare(
     """
     from neurosym.commands.tables import show_verdict
     from neurosym.evaluation.comparison import check_planners
-    from neurosym.evaluation.comparison_picture import draw_comparison
     from neurosym.evaluation.comparison_summary import summarise
     from neurosym.evaluation.comparison_tasks import Order, compare_tasks
     from neurosym.files import write_json
-    from neurosym.worlds.workers import MOST_WORKERS
+    from neurosym.worlds.workers import check_workers
 
-    for name, value, most in (("tasks", tasks, math.inf), ("workers", workers, MOST_WORKERS)):
-        if not 1 <= value <= most:
-            limit = "" if most == math.inf else f" and at most {most}"
-            raise InvalidValue(f"{name} = {value} must be at least 1{limit}.")
+    check_workers(workers)
+    check_least(1, tasks=tasks, objects=objects)
+    check_least(0, seed=seed)
     check_time_limit(time_limit)
     if not 0 < tolerance < math.inf:
         raise InvalidValue(f"tolerance = {tolerance} must be a number greater than 0.")
-    for name, value, least in (("seed", seed, 0), ("objects", objects, 1)):
-        if value < least:
-            raise InvalidValue(f"{name} = {value} must be at least {least}.")
     answer, planners = answer_in(json), tuple(dict.fromkeys(planners))
     check_planners(planners, folder)
     domain = opened(folder)
@@ -71,9 +76,8 @@ def compare(
     kind = f"{counted(objects, 'object')}, {1000 * tolerance:g} mm" + (f", {task}" if task else "")
     seeds = f"seed {seed}" if tasks == 1 else f"seeds {seed} to {seed + tasks - 1}"
     title = f"{counted(comparison.counted, 'task')} drawn with {seeds}, {kind}"
-    draw_comparison(comparison, title, order.place / "comparison.png")
     _show(comparison, title)
-    say(f"wrote {order.place / 'comparison.json'}, comparison.png, and a file for each task")
+    say(f"wrote {order.place / 'comparison.json'}, and a file for each task")
     verdict = _judged(comparison, tolerance)
     show_verdict(verdict)
     like = "" if objects == 1 else f" --objects {objects}"

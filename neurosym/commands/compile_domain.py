@@ -22,7 +22,7 @@ def compile_domain(
     ] = False,
     plain: Annotated[bool, arg(help="Also all of it without costs, for planners that take none.")] = False,
 ) -> int:
-    """Compile the PDDL domain: `primitives.json` -> `domain.pddl` and its like, and `grounding.json`.
+    """Compile the PDDL domain: `primitives.json` -> `domain.pddl` and `grounding.json`.
 
     `domain.pddl` is a page that holds all that was learned, and takes the problems NAME.pddl.
     `domain-numeric.pddl` has numbers instead of cells and places, and takes NAME.numeric.pddl.

@@ -20,7 +20,7 @@ def demo(
         Path, arg(metavar="FOLDER", help="Where the copy of the domain and the pictures go.")
     ] = Path("demo"),
 ) -> int:
-    """Show what neurosym does: compile a shipped domain, plan how two objects change places, execute, film.
+    """Compile a shipped domain, plan how two objects change places, execute, film.
 
     It prints each command that it performs, so that any of them can be tried again with changes.
     """

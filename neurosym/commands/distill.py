@@ -5,14 +5,7 @@ from typing import TYPE_CHECKING, Annotated
 
 from tyro.conf import arg
 
-from neurosym.commands.options import (
-    CPUS,
-    Choice,
-    Folder,
-    Seed,
-    Workers,
-    opened,
-)
+from neurosym.commands.options import CPUS, Choice, Folder, Seed, Workers, opened
 from neurosym.console import say, say_next
 from neurosym.stages.layout import (
     PLACE_MODEL,
@@ -34,14 +27,13 @@ def distill(
     workers: Workers = CPUS,
     choice: Choice = "own",
 ) -> int:
-    """Turn action symbols into parameters and rehearse each in the world: -> `primitives.json`."""
+    """Turn action symbols into parameters and rehearse each: -> `primitives.json`."""
     from neurosym.commands.tables import show_operators, show_relations, show_verdict
     from neurosym.operators import OperatorTable
     from neurosym.place_operators import PlaceOperators
     from neurosym.relation_operators import RelationOperators
-    from neurosym.stages.aiming import distill_places_stage
+    from neurosym.stages.aims import TO_OBJECTS, TO_PLACES
     from neurosym.stages.distilling import distill_stage
-    from neurosym.stages.relating import distill_relations_stage
     from neurosym.stages.verdict import judge_operators, judge_relations
 
     domain = opened(folder)
@@ -54,12 +46,13 @@ def distill(
     after = f"neurosym compile-domain {quoted(folder)}" if is_rehearsed else _told_of_data(folder, table)
     show_verdict(judge_operators(table))
     if (domain / PLACE_MODEL).exists() and is_rehearsed:
-        domain.perform(distill_places_stage(domain, objects=objects, seed=seed, workers=workers), again=True)
+        stage = distill_stage(domain, TO_PLACES, objects=objects, seed=seed, workers=workers)
+        domain.perform(stage, again=True)
         places = PlaceOperators.load(domain / PLACE_OPERATORS).operators
         show_operators(places)
         show_verdict(judge_operators(places))
     if (domain / RELATION_MODEL).exists() and is_rehearsed:
-        stage = distill_relations_stage(domain, pairs=objects, seed=seed, workers=workers)
+        stage = distill_stage(domain, TO_OBJECTS, objects=objects, seed=seed, workers=workers)
         domain.perform(stage, again=True)
         relations = RelationOperators.load(domain / RELATION_OPERATORS)
         show_relations(relations)

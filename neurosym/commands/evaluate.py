@@ -5,16 +5,14 @@ from typing import TYPE_CHECKING, Annotated, Optional
 
 from tyro.conf import Positional, arg
 
-from neurosym.commands.options import CPUS, Workers, opened
+from neurosym.commands.options import CPUS, Workers, check_file, opened
 from neurosym.console import progress_bar, say, show_table
 from neurosym.errors import InvalidValue
-from neurosym.files import check_writable, write_atomically, write_json
+from neurosym.files import write_atomically, write_json
 from neurosym.stages.layout import INTERACTIONS
 
 if TYPE_CHECKING:
     from neurosym.evaluation.paper_tables import Table
-
-_ENDINGS = (".md", ".json")
 
 
 def evaluate(
@@ -33,7 +31,7 @@ def evaluate(
     ] = None,
     workers: Workers = CPUS,
 ) -> int:
-    """Print the paper's Tables I (errors), II (primitives) and III (planning) from what was measured.
+    """Print the paper's Tables I (errors), II (primitives) and III (planning).
 
     Folders are grouped by strategy: mean and standard deviation over those of each. The primitives of a
     folder are rehearsed once, to judge their kinds (`kinds.json`); Table III is of what `neurosym compare`
@@ -46,13 +44,7 @@ def evaluate(
     if not folders:
         raise InvalidValue("Name at least one domain folder.")
     check_workers(workers)
-    if output and (output.suffix not in _ENDINGS or output.is_dir() or not output.absolute().parent.is_dir()):
-        raise InvalidValue(
-            f"No tables can be written to {output}; name a file that ends in .md or .json, in an existing "
-            "folder."
-        )
-    if output:
-        check_writable(output)
+    check_file(output, "tables", ".md", ".json")
     domains = [opened(folder) for folder in dict.fromkeys(folders)]
     for domain in domains:
         domain.require(INTERACTIONS)

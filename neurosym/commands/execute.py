@@ -8,7 +8,7 @@ from tyro.conf import Positional, arg
 from neurosym.commands.answers import Json, answer_in
 from neurosym.commands.exit_codes import NO_RESULT
 from neurosym.commands.options import Folder, ProblemName, TimeLimit, Tolerance, check_time_limit, opened
-from neurosym.commands.plan_streams import STANDARD, check_plan, saved_plan
+from neurosym.commands.plan_streams import given_plan
 from neurosym.commands.showing import Gif, Gui, Strip, say_written, showing_of
 from neurosym.console import say, say_next
 from neurosym.wording import quoted
@@ -18,8 +18,7 @@ def execute(
     folder: Folder,
     problem: ProblemName,
     plan_file: Annotated[
-        Positional[Path],
-        arg(metavar="PLAN", help="Any planner's plan; - reads it from standard input."),
+        Positional[Path], arg(metavar="PLAN", help="Any planner's plan; - reads it from standard input.")
     ],
     replanner: Annotated[
         str, arg(help="Whom to ask for a new plan: see `neurosym planners`, or module:factory.")
@@ -58,9 +57,7 @@ def execute(
     check_time_limit(time_limit)
     answer, domain = answer_in(json), opened(folder)
     name = domain.problem(problem)
-    if plan_file == STANDARD:
-        plan_file = saved_plan(domain, name)
-    check_plan(plan_file, folder, name)
+    plan_file = given_plan(domain, folder, name, plan_file)
     made_for = plan_file.stem.split(".")[0]
     if made_for != name and made_for in domain.problem_names():
         say(f"note: {plan_file} seems to be made for {made_for}, not for {name}")

@@ -6,10 +6,9 @@ from typing import Annotated, Optional
 from tyro.conf import arg
 
 from neurosym.commands.answers import Json, answer_in
-from neurosym.commands.options import Folder, opened
+from neurosym.commands.options import Folder, check_file, opened
 from neurosym.console import say, say_next
-from neurosym.errors import InvalidValue
-from neurosym.files import check_writable, write_atomically
+from neurosym.files import write_atomically
 from neurosym.stages.layout import GROUNDING, WORLD
 from neurosym.wording import quoted
 
@@ -24,13 +23,12 @@ def explain(
     ] = None,
     json: Json = False,
 ) -> int:
-    """Say in words what each symbol means: what the hand does and brings about, which objects are alike."""
+    """Say in words what each symbol means: what is done, and which objects are alike."""
     from neurosym.commands.explain_text import explanation_page, is_long, show_explanation
     from neurosym.explain.from_folder import explain_folder
 
     answer, domain = answer_in(json), opened(folder)
-    if output:
-        _check_page_path(output)
+    check_file(output, "explanation", ".md")
     every = explain_folder(domain)
     explanation = every if symbol is None else every.only(symbol)
     if output:
@@ -49,11 +47,3 @@ def explain(
         say_next(f"neurosym compile-domain {quoted(folder)}")
     answer(explanation)
     return 0
-
-
-def _check_page_path(path: Path) -> None:
-    if path.suffix.lower() != ".md" or path.is_dir() or not path.absolute().parent.is_dir():
-        raise InvalidValue(
-            f"No explanation can be written to {path}; name a file that ends in .md, in an existing folder."
-        )
-    check_writable(path)

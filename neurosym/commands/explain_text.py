@@ -1,16 +1,13 @@
 """An explanation of symbols, as Markdown or for a terminal."""
 
 import textwrap
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 
 from neurosym.console import say, width
 from neurosym.explain.explained import EffectRow, Explanation, SymbolExplanation
-from neurosym.markdown import markdown_table
 from neurosym.wording import harmless
 
-_COLUMNS = ("operator", "trials", "as promised", "share", "ends", "effect", "spread")
 _WIDEST = 110  # columns of running text
-_INDENT = "  "
 _MANY = 60
 _KINDS = {
     "actions": "Action",
@@ -31,16 +28,17 @@ def show_explanation(explanation: Explanation) -> None:
     """Print an explanation for a terminal; of many symbols only what each is called."""
     for line in explanation.summary:
         _say_wrapped(line)
-    if is_long(explanation):
-        _say_titles(explanation)
-        return
-    for kind, symbols in _parts(explanation):
+    for name, symbols in explanation.parts.items():
         for symbol in symbols:
+            if is_long(explanation):
+                _say_wrapped(f"  {symbol.symbol}: {symbol.title}")
+                continue
             say("")
-            _say_wrapped(f"{kind} symbol {symbol.symbol}: {symbol.title}")
-            _say_wrapped(symbol.about, _INDENT)
-            _say_effects(symbol.effects)
-            _say_wrapped(symbol.compared, _INDENT)
+            _say_wrapped(f"{_KINDS[name]} symbol {symbol.symbol}: {symbol.title}")
+            for line in _told(symbol):
+                _say_wrapped(f"  {line}")
+    if is_long(explanation):
+        _say_wrapped("With --symbol all that is known of one is said, and --output FILE.md writes all of it.")
 
 
 def explanation_page(explanation: Explanation, title: str) -> str:
@@ -51,52 +49,28 @@ def explanation_page(explanation: Explanation, title: str) -> str:
         title: Name of the domain.
     """
     blocks = [f"# What the symbols of {title} mean", *explanation.summary]
-    for kind, symbols in _parts(explanation):
-        blocks.append(f"## {kind} symbols")
+    for name, symbols in explanation.parts.items():
+        blocks.append(f"## {_KINDS[name]} symbols")
         for symbol in symbols:
-            table = markdown_table(*_effects(symbol.effects)) if symbol.effects else ""
-            blocks += [f"### {symbol.symbol}: {symbol.title}", symbol.about, table, symbol.compared]
+            effects = "\n".join(_effects(symbol.effects))
+            blocks += [f"### {symbol.symbol}: {symbol.title}", symbol.about, effects]
     text = "\n\n".join(filter(None, blocks)) + "\n"
     return harmless(text).replace("<", "&lt;")  # names in data of a user's own may hold anything
 
 
-def _parts(explanation: Explanation) -> tuple[tuple[str, tuple[SymbolExplanation, ...]], ...]:
-    return tuple((_KINDS[name], symbols) for name, symbols in explanation.parts.items())
+def _told(symbol: SymbolExplanation) -> list[str]:
+    return [line for line in (symbol.about, *_effects(symbol.effects)) if line]
 
 
-def _say_titles(explanation: Explanation) -> None:
-    for kind, symbols in _parts(explanation):
-        say("")
-        _say_wrapped(f"{kind} symbols:")
-        for symbol in symbols:
-            _say_wrapped(f"{symbol.symbol}: {symbol.title}", _INDENT)
-    say("")
-    _say_wrapped("With --symbol all that is known of one is said, and --output FILE.md writes all of it.")
-
-
-def _effects(effects: Sequence[EffectRow]) -> tuple[list[str], list[list[str]]]:
-    """Return headings and cells; what is said of an operator stands beside its first mode only."""
-    with_domain = any(row.domain for row in effects)
-    rows, before = [], ""
-    for row in effects:
-        is_first, before = row.operator != before, row.operator
-        cells = [row.operator, str(row.trials), str(row.promised)] if is_first else [""] * 3
-        cells += [f"{row.share:.0%}", row.ends, row.effect, row.spread]
-        rows.append([*cells, row.domain if is_first else ""] if with_domain else cells)
-    return [*_COLUMNS, "in the domain"] if with_domain else [*_COLUMNS], rows
-
-
-def _say_effects(effects: Sequence[EffectRow]) -> None:
-    """Print a line for each operator, whole so that its name can be copied, and one for each of its modes."""
+def _effects(effects: Sequence[EffectRow]) -> Iterator[str]:
+    """Yield a line for each operator, whole so that its name can be copied, and one for each of its modes."""
     before = ""
     for row in effects:
         if row.operator != before:
-            _say_wrapped(
-                f"- {row.operator} ({row.trials} trials, {row.promised} as promised{_domain(row)})", _INDENT
-            )
+            yield f"- {row.operator} ({row.trials} trials, {row.promised} as promised{_domain(row)})"
         before = row.operator
         effect = f": {row.effect} ({row.spread})" if row.effect else ""
-        _say_wrapped(f"{row.share:.0%} {row.ends}{effect}", 3 * _INDENT)
+        yield f"    - {row.share:.0%} {row.ends}{effect}"
 
 
 def _domain(row: EffectRow) -> str:
@@ -105,14 +79,10 @@ def _domain(row: EffectRow) -> str:
     return ", in the domain" if row.domain == "yes" else f", not in the domain{row.domain.removeprefix('no')}"
 
 
-def _say_wrapped(text: str, indent: str = "") -> None:
+def _say_wrapped(text: str) -> None:
     """Print text between words, and never broken within a name."""
+    indent = " " * (len(text) - len(text.lstrip()))
     for line in textwrap.wrap(
-        text,
-        min(width(), _WIDEST),
-        initial_indent=indent,
-        subsequent_indent=indent,
-        break_long_words=False,
-        break_on_hyphens=False,
+        text, min(width(), _WIDEST), subsequent_indent=indent, break_long_words=False, break_on_hyphens=False
     ):
         say(line)

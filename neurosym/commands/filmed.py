@@ -1,30 +1,10 @@
 """A run that a command shows, written as a page whose view can be turned."""
 
-from pathlib import Path
-
 import rich
 
-from neurosym.console import say
-from neurosym.errors import InvalidValue
 from neurosym.execution.record import Run
-from neurosym.files import check_writable, write_atomically
 from neurosym.stages.folder import DomainFolder
 from neurosym.stages.planning import load_problem
-from neurosym.studio.extra import check_extra
-
-
-def check_page(path: Path) -> None:
-    """Raise unless a page can be written, before anything runs.
-
-    Raises:
-        StudioMissing: If what draws it is not installed.
-        InvalidValue: If the file would not be called as a page is.
-        CannotWrite: If the system does not let it be written.
-    """
-    check_extra()
-    if path.suffix.lower() not in (".html", ".htm"):
-        raise InvalidValue(f"{path} is no name of a page; valid: one that ends in .html.")
-    check_writable(path)
 
 
 class Filmed:
@@ -55,15 +35,3 @@ class Filmed:
         rich.get_console().quiet = True  # on which the server of pages announces itself
         problem = load_problem(self._library.folder, run.problem).within(run.tolerance)
         return film_of(self._library, problem, self._reel.seen, run.steps)
-
-    def save(self, run: Run, path: Path) -> None:
-        """Write the page.
-
-        Args:
-            run: The run that was seen.
-            path: Where the page shall stand.
-        """
-        if page := self.page(run):
-            write_atomically(path, page)
-        else:
-            say("no page: nothing moves in this run")

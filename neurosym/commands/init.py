@@ -5,10 +5,7 @@ from typing import Annotated
 
 from tyro.conf import arg
 
-from neurosym.commands.options import (
-    Folder,
-    opened,
-)
+from neurosym.commands.options import Folder, opened
 from neurosym.console import say, say_next
 from neurosym.errors import InvalidFile, InvalidValue
 from neurosym.stages.folder import DomainFolder

@@ -5,7 +5,7 @@ from typing import Annotated, Optional
 
 from tyro.conf import UseAppendAction, arg
 
-from neurosym.commands.options import AnyTaskOption, Folder, Seed, opened
+from neurosym.commands.options import Folder, Seed, Task, opened
 from neurosym.console import say, say_next
 from neurosym.errors import InvalidFile, InvalidValue
 from neurosym.stages.folder import DomainFolder
@@ -22,7 +22,7 @@ def new_problem(
     objects: Annotated[int, arg(help="Objects on the table: item-01, item-02, ...")] = 1,
     actions: Annotated[int, arg(help="Random actions that lead to the goal, one after another.")] = 1,
     seed: Seed = 0,
-    task: AnyTaskOption = None,
+    task: Task = None,
     goal: Annotated[
         tuple[str, ...],
         UseAppendAction,
@@ -37,14 +37,9 @@ def new_problem(
             "beginning of its name; once for each.",
         ),
     ] = (),
-    height: Annotated[int, arg(help="Objects of a tower or a stack, for --task tower and unstack.")] = 3,
     state: Annotated[
         Optional[str],
         arg(metavar="STATE", help="The state of pairs that a drawn task of relations asks for; else any."),
-    ] = None,
-    like: Annotated[
-        Optional[str],
-        arg(metavar="PROBLEM", help="For --task like: the problem whose scene is to be made again."),
     ] = None,
     scene: Annotated[
         Optional[Path],
@@ -57,16 +52,15 @@ def new_problem(
         arg(metavar="METRES", help="How near objects must come to their goals: 0.05, or as the scene says."),
     ] = None,
 ) -> int:
-    """Make a problem: a random scene, and a goal that random actions lead to (one in the paper) or yours.
+    """Make a problem: a random scene, and a goal that actions lead to, or yours.
 
     With `--task` it is what people ask for: `anywhere` puts each object anywhere on the table, `swap` has
     each stand where the next one stood, `row` sets them in a row, and `crowded` clears a crowd. With
     `--relation`, one object shall be put on or into another one; goals and relations go together.
 
     In a domain with relations, `--task tower` asks for a tower of some of the objects, and `boxes` for things
-    each on or in one of its own. `unstack` asks for a stack to be sorted so, `exchange` for two borne things
-    to change places, and `like` for what bears what in the scene of another problem. With `--scene` it is
-    all yours: the file is checked, copied and printed as PDDL.
+    each on or in one of its own. `unstack` asks for a stack to be sorted so, and `exchange` for two borne
+    things to change places. With `--scene` it is all yours: the file is checked, copied and printed as PDDL.
     """
     from neurosym.problems import check_names
     from neurosym.reading import digest
@@ -80,7 +74,8 @@ def new_problem(
         )
     if by_hand + bool(task) + (actions != 1) > 1:
         raise InvalidValue("Give only one of --actions, --task, and goals by hand (--goal and --relation).")
-    _check_shape(task, height, state, like)
+    if state is not None and task not in ("tower", "boxes", "unstack", "exchange"):
+        raise InvalidValue("--state is for --task tower, boxes, unstack or exchange.")
     asked = Asked(
         objects=objects,
         actions=actions,
@@ -89,9 +84,7 @@ def new_problem(
         tolerance=tolerance,
         task=task,
         relations=tuple(map(_parse_relation, relation)),
-        height=height,
         state=state or "",
-        like=like,
     )
     if name is not None:
         check_names((name,))
@@ -161,13 +154,3 @@ def _parse_relation(text: str) -> tuple[str, str, str]:
         raise InvalidValue(f'The relation {text!r} cannot be read; write it as "item-01 STATE item-02".')
     target, state, reference = words
     return target, reference, state
-
-
-def _check_shape(task: str | None, height: int, state: str | None, like: str | None) -> None:
-    """Refuse options of drawn relations where none are drawn."""
-    if height < 2:
-        raise InvalidValue(f"height = {height} must be at least 2.")
-    if (like is not None) != (task == "like"):
-        raise InvalidValue("Give --task like together with --like PROBLEM, whose scene is to be made again.")
-    if (state is not None or height != 3) and task not in ("tower", "boxes", "unstack", "exchange"):
-        raise InvalidValue("--state and --height are for --task tower, boxes, unstack or exchange.")

@@ -8,9 +8,10 @@ from typing import Annotated, Literal, Optional
 
 from tyro.conf import Positional, arg
 
-from neurosym.choices import AnyTask, DrawnTask, StrategyName
+from neurosym.choices import DrawnTask, StrategyName
 from neurosym.console import say
 from neurosym.errors import InvalidValue
+from neurosym.files import check_writable
 from neurosym.learning.model_config import DEFAULT_BITS, PAPER_BITS
 from neurosym.shipped import DOMAINS, copy_shipped
 from neurosym.stages.folder import DomainFolder
@@ -22,8 +23,7 @@ DataPath = Annotated[
     arg(metavar="DATA", help="A data set: an .npz file, or a folder that holds interactions.npz."),
 ]
 ProblemName = Annotated[
-    Positional[str],
-    arg(metavar="PROBLEM", help="A problem in DIR/problems: its name or its file."),
+    Positional[str], arg(metavar="PROBLEM", help="A problem in DIR/problems: its name or its file.")
 ]
 Tolerance = Annotated[
     Optional[float],
@@ -50,8 +50,7 @@ TimeLimit = Annotated[
     ),
 ]
 Places = Annotated[
-    int,
-    arg(help="Interactions besides that are aimed at a place, to learn what carries objects there."),
+    int, arg(help="Interactions besides that are aimed at a place, to learn what carries objects there.")
 ]
 Relations = Annotated[
     int,
@@ -65,21 +64,6 @@ Task = Annotated[
     arg(
         help="What tasks ask for: goals anywhere, a swap, a row, or to clear a crowd; in a domain with "
         "relations also a tower, boxes, unstack or exchange; else as in the paper."
-    ),
-]
-AnyTaskOption = Annotated[
-    Optional[AnyTask],
-    arg(
-        help="What it asks for: goals anywhere, a swap, a row, or to clear a crowd; in a domain with "
-        "relations also a tower, boxes, unstack, exchange, or to be like the scene of another problem."
-    ),
-]
-MinPredictedEffect = Annotated[
-    float,
-    arg(
-        metavar="METRES",
-        help="Choose only among candidates predicted to move the object at least this far in sum over the "
-        "axes, if there are any; disagreement and entropy only. 0: among all, as the paper prints it.",
     ),
 ]
 Choice = Annotated[
@@ -109,6 +93,34 @@ ActionBits = Annotated[
         f"{DEFAULT_BITS[1]}, and {PAPER_BITS[1]} with quick and paper."
     ),
 ]
+
+
+def check_file(path: Path | None, what: str, *endings: str) -> None:
+    """Raise unless a file can be written, if one is asked for: by its ending, its folder, and the system.
+
+    Args:
+        path: The file.
+        what: What is written there, as a sentence has it.
+        endings: Those that it may have; any, if none are given.
+
+    Raises:
+        InvalidValue: If it has another ending, or stands in no folder.
+        CannotWrite: If the system does not let it be written.
+    """
+    if path is None:
+        return
+    is_named = not endings or path.suffix.lower() in endings
+    if not is_named or path.is_dir() or not path.absolute().parent.is_dir():
+        ending = f" that ends in {' or '.join(endings)}," if endings else ""
+        raise InvalidValue(f"No {what} can be written to {path}; name a file{ending} in an existing folder.")
+    check_writable(path)
+
+
+def check_least(least: int, **values: int) -> None:
+    """Raise `InvalidValue` unless options, by their names, are at least so much."""
+    for name, value in values.items():
+        if value < least:
+            raise InvalidValue(f"{name} = {value} must be at least {least}.")
 
 
 def check_time_limit(time_limit: float | None) -> None:

@@ -1,5 +1,6 @@
 """The command `neurosym plan`: a problem to a plan."""
 
+import os
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Literal, Optional
 
@@ -9,7 +10,6 @@ from neurosym.commands.answers import Json, answer_in
 from neurosym.commands.exit_codes import NO_RESULT
 from neurosym.commands.options import Folder, ProblemName, TimeLimit, Tolerance, check_time_limit, opened
 from neurosym.commands.plan_streams import STANDARD, check_output, hand_over
-from neurosym.commands.spent import spent
 from neurosym.console import be_quiet, is_quiet, say, say_next
 from neurosym.wording import counted, quoted
 
@@ -32,20 +32,10 @@ def plan(
         arg(help="For PDDL planners: strips, numeric or sas, instead of the usual."),
     ] = None,
     whole: Annotated[bool, arg(help="For PDDL planners: all objects at once instead of one by one.")] = False,
-    unit_costs: Annotated[
-        bool, arg(help="Every step costs the same, instead of the more the rarer it goes well; not for bfs.")
-    ] = False,
     nearest: Annotated[
         bool,
         arg(help="If there is no plan, plan as near to the goal as objects come (exit code 3 if it misses)."),
     ] = False,
-    alternatives: Annotated[
-        int,
-        arg(
-            metavar="K",
-            help="Also write the K next-best plans that lead objects over cells: cheapest, of other steps.",
-        ),
-    ] = 0,
     tolerance: Tolerance = None,
     output: Annotated[
         Optional[Path],
@@ -75,9 +65,7 @@ def plan(
         time_limit=time_limit,
         encoding=encoding,
         whole=whole,
-        unit_costs=unit_costs,
         nearest=nearest,
-        more=alternatives,
         tolerance=tolerance,
     )
     plan_file, record_file, _ = stage.outputs
@@ -92,7 +80,6 @@ def plan(
         why = "" if record.unprinted in ("", record.misses) else f": {record.unprinted}"
         said = f"; these steps are no plan of the printed problem{why}" if record.unprinted else ""
         say(f"wrote {folder / written}{said}")
-        _say_alternatives(record, folder, alternatives)
         within = "" if record.tolerance is None else f" --tolerance {record.tolerance:g}"
         say_next(f"neurosym execute {quoted(folder)} {name} {quoted(folder / written)}{within}")
     if output and written:
@@ -108,9 +95,9 @@ def _say_plan(record: "PlanRecord") -> None:
         remark = f" ({record.reason})" if record.reason else ""
         chance = 1.0 if record.chance is None else record.chance
         count = counted(record.primitives, "primitive")
-        say(f"{count} in {spent():.2f} s of CPU{remark}, {_likely(chance)} to go as promised:")
+        say(f"{count} in {_spent():.2f} s of CPU{remark}, {_likely(chance)} to go as promised:")
     else:
-        say(f"no plan for {record.problem} ({record.status.value}, {spent():.2f} s of CPU): {record.reason}")
+        say(f"no plan for {record.problem} ({record.status.value}, {_spent():.2f} s of CPU): {record.reason}")
         if record.steps:
             say("as near as it comes:")
     _say_steps(record.steps)
@@ -130,23 +117,15 @@ def _say_plan(record: "PlanRecord") -> None:
         )
 
 
+def _spent() -> float:
+    """Return the CPU of this process and of all it started [s]."""
+    return sum(os.times()[:4])
+
+
 def _likely(chance: float) -> str:
     if chance < 0.005:
         return "less than 1% likely"
     return f"{chance:.0%} likely" if chance < 0.995 else "more than 99% likely"
-
-
-def _say_alternatives(record: "PlanRecord", folder: Path, wanted: int) -> None:
-    for other in record.alternatives:
-        say(f"or, {other.chance:.0%} likely, {folder / other.file}:")
-        _say_steps(other.steps)
-    from neurosym.planners.alternatives import LONGER
-
-    if len(record.alternatives) < wanted and record.solved:
-        found = len(record.alternatives)
-        only = f"only {found}" if found else "no"
-        most = f"of at most {LONGER} more primitives an object"
-        say(f"{only} other plan{'s' if found > 1 else ''} {most} {'were' if found > 1 else 'was'} found")
 
 
 def _say_steps(steps: tuple[tuple[str, ...], ...]) -> None:

@@ -3,9 +3,10 @@
 import sys
 from pathlib import Path
 
+from neurosym.commands.options import check_file
 from neurosym.console import be_quiet, print_raw, say
 from neurosym.errors import InvalidFile, InvalidValue
-from neurosym.files import check_writable, make_folder, write_atomically
+from neurosym.files import make_folder, write_atomically
 from neurosym.reading import read_text
 from neurosym.stages.folder import DomainFolder
 from neurosym.stages.layout import GROUNDING, PLANS, WORLD
@@ -16,17 +17,34 @@ STANDARD = Path("-")
 _INPUT = Path("standard input")
 
 
-def saved_plan(folder: DomainFolder, name: str, *, must_fit: bool = True) -> Path:
-    """Write the plan that standard input holds into the folder, and return its file.
+def given_plan(
+    folder: DomainFolder, typed: Path, name: str, plan_file: Path, *, must_fit: bool = True
+) -> Path:
+    """Return the file of a plan that was given; what standard input holds is written into the folder first.
 
     Args:
         folder: The domain folder.
+        typed: The same as it was typed.
         name: Name of the problem.
-        must_fit: Whether it must be one for the problem.
+        plan_file: The plan's file, or `STANDARD`.
+        must_fit: Whether what standard input holds must be a plan for the problem.
 
     Raises:
-        InvalidFile: If it holds no plan for the problem.
+        InvalidFile: If it is no file, or holds no plan for the problem.
+        InvalidValue: If there is nothing.
     """
+    if plan_file == STANDARD:
+        return _saved_plan(folder, name, must_fit)
+    if plan_file.exists() and not plan_file.is_file():
+        raise InvalidFile(plan_file, "it is no file; name one that holds a plan")
+    if not plan_file.is_file():
+        raise InvalidValue(
+            f"There is no plan file {plan_file}; `neurosym plan {quoted(typed)} {name}` writes one."
+        )
+    return plan_file
+
+
+def _saved_plan(folder: DomainFolder, name: str, must_fit: bool) -> Path:
     from neurosym.grounding import Grounding
     from neurosym.pddl.plan_reading import parse_plan
     from neurosym.reading import MOST_TEXT
@@ -50,26 +68,6 @@ def saved_plan(folder: DomainFolder, name: str, *, must_fit: bool = True) -> Pat
     return file
 
 
-def check_plan(plan_file: Path, folder: Path, name: str) -> None:
-    """Raise unless there is a plan file.
-
-    Args:
-        plan_file: Where it should be.
-        folder: The domain folder as it was typed.
-        name: Name of the problem.
-
-    Raises:
-        InvalidFile: If it is no file.
-        InvalidValue: If there is nothing.
-    """
-    if plan_file.exists() and not plan_file.is_file():
-        raise InvalidFile(plan_file, "it is no file; name one that holds a plan")
-    if not plan_file.is_file():
-        raise InvalidValue(
-            f"There is no plan file {plan_file}; `neurosym plan {quoted(folder)} {name}` writes one."
-        )
-
-
 def check_output(output: Path | None, json: bool) -> None:
     """Raise `InvalidValue` unless a plan can go there.
 
@@ -79,11 +77,7 @@ def check_output(output: Path | None, json: bool) -> None:
     """
     if output == STANDARD and json:
         raise InvalidValue("Both --output - and --json ask for standard output; leave one of them out.")
-    if output is None or output == STANDARD:
-        return
-    if output.is_dir() or not output.absolute().parent.is_dir():
-        raise InvalidValue(f"No plan can be written to {output}; name a file in an existing folder.")
-    check_writable(output)
+    check_file(None if output == STANDARD else output, "plan")
 
 
 def hand_over(plan_file: Path, output: Path) -> None:

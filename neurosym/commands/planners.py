@@ -5,8 +5,8 @@ from neurosym.console import say, show_table
 
 
 def planners(json: Json = False) -> int:
-    """List the planners: what each is, the encodings it takes, the usual first, and whether it is here."""
-    from neurosym.planners import PLANNERS
+    """List the planners, the encodings that they take, and whether they are here."""
+    from neurosym.planners.catalogue import PLANNERS
     from neurosym.planners.track_record import track_record
 
     record = track_record()

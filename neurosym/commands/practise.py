@@ -17,21 +17,19 @@ def practise(
     ] = 2000,
     seed: Seed = 0,
     workers: Workers = CPUS,
-    evenly: Annotated[
-        bool, arg(help="Rehearse all operators in turn instead, and try no tasks: to compare with.")
-    ] = False,
 ) -> int:
-    """Practise where plans fail: draw tasks, execute plans, improve the operators that broke them.
+    """Practise where plans fail: draw tasks, execute plans, improve what broke them.
 
     Then the domain is compiled anew. Interrupt it when you like: the same command goes on from the last round
     that was finished.
     """
     from neurosym.pddl.compiler import CELL
     from neurosym.stages.compiling import compile_stage
-    from neurosym.stages.practising import practice_of, practise_stage
+    from neurosym.stages.practised import practice_of
+    from neurosym.stages.practising import practise_stage
 
     domain = opened(folder)
-    stage = practise_stage(domain, interactions=interactions, seed=seed, workers=workers, evenly=evenly)
+    stage = practise_stage(domain, interactions=interactions, seed=seed, workers=workers)
     domain.perform(stage, again=True)
     compiled = domain.manifest().stages.get("compile-domain")
     domain.perform(

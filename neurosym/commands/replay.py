@@ -8,15 +8,17 @@ from typing import TYPE_CHECKING, Annotated, Optional
 from tyro.conf import Positional, arg
 
 from neurosym.commands.exit_codes import NO_RESULT
-from neurosym.commands.options import Folder, opened
+from neurosym.commands.options import Folder, check_file, opened
 from neurosym.commands.showing import Gif, Gui, Strip, say_written, showing_of
 from neurosym.console import say
 from neurosym.errors import InvalidFile, UnknownChoice
+from neurosym.files import write_atomically
 from neurosym.stages.folder import DomainFolder
 from neurosym.stages.layout import RUNS
 from neurosym.wording import counted
 
 if TYPE_CHECKING:
+    from neurosym.commands.filmed import Filmed
     from neurosym.execution.record import Run
 
 
@@ -41,19 +43,23 @@ def replay(
 
     domain = opened(folder)
     if page:
-        from neurosym.commands.filmed import Filmed, check_page
+        from neurosym.studio.extra import check_extra
 
-        check_page(page)
+        check_extra()
+        check_file(page, "page", ".html", ".htm")
     record = _record(domain, record)
     inside = record.resolve()
     if inside.is_relative_to(domain.path.resolve()):
         for remark in domain.outdated((inside.relative_to(domain.path.resolve()).as_posix(),)):
             say(f"note: {remark}")
-    film = Filmed(domain) if page else None
+    film = _film(domain) if page else None
     showing = showing_of(gif, strip, gui)
     run, agreement = replay_run(domain, record, replace(showing, audience=film.onlooker if film else None))
     if film and page:
-        film.save(run, page)
+        if text := film.page(run):
+            write_atomically(page, text)
+        else:
+            say("no page: nothing moves in this run")
     say_written(gif, strip, page)
     if agreement.course == "another":
         by = f", by {1000 * agreement.apart:.2g} mm" if math.isfinite(agreement.apart) else ""
@@ -70,6 +76,12 @@ def replay(
     say(f"not byte for byte: {by}")
     say(_machines(run))
     return 0
+
+
+def _film(domain: DomainFolder) -> "Filmed":
+    from neurosym.commands.filmed import Filmed
+
+    return Filmed(domain)
 
 
 def _machines(run: "Run") -> str:

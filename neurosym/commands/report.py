@@ -6,10 +6,9 @@ from typing import TYPE_CHECKING, Annotated, Optional
 
 from tyro.conf import arg
 
-from neurosym.commands.options import CPUS, Folder, Workers, opened
+from neurosym.commands.options import CPUS, Folder, Workers, check_file, opened
 from neurosym.console import progress_bar, say
-from neurosym.errors import InvalidValue
-from neurosym.files import check_writable, write_atomically
+from neurosym.files import write_atomically
 from neurosym.stages.folder import DomainFolder
 from neurosym.stages.layout import PAGE
 from neurosym.studio.extra import check_extra
@@ -25,36 +24,25 @@ def report(
     output: Annotated[
         Optional[Path], arg(metavar="FILE.html", help="Write the page here and not to DIR/report.html.")
     ] = None,
-    curve: Annotated[
-        bool, arg(help="Also fit to the first 512, 1024, ... interactions, for a learning curve: minutes.")
-    ] = False,
     films: Annotated[
         bool, arg(help="Also let the runs that are pictured be turned and watched; needs the extra `studio`.")
     ] = False,
     workers: Workers = CPUS,
 ) -> int:
-    """Write one HTML page about a domain: symbols in words and pictures, exploration, operators, plans, PDDL.
+    """Write one HTML page about a domain: symbols, exploration, operators, plans.
 
     It needs no network, and without films no scripts. What is missing is said with the command that makes it.
     Pictures are made once, by performing primitives and runs again.
     """
     from neurosym.report.page import gather, render
-    from neurosym.report.strips import curve_stage
     from neurosym.worlds.workers import check_workers
 
     check_workers(workers)
     domain = opened(folder)
     path = output or domain / PAGE
-    if path.suffix.lower() != ".html" or path.is_dir() or not path.absolute().parent.is_dir():
-        raise InvalidValue(
-            f"No page can be written to {path}; name a file that ends in .html, in an existing folder."
-        )
-    check_writable(path)
+    check_file(path, "page", ".html")
     if films:
         check_extra()
-    if curve:
-        with progress_bar("learning curve") as advance:
-            domain.perform(curve_stage(domain, advance), again=False)
     with progress_bar("pictures") as advance:
         page = gather(domain, advance, workers=workers, film=partial(_film, domain) if films else None)
     text = render(page)

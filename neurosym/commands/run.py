@@ -11,13 +11,13 @@ from neurosym.commands.options import (
     ActionBits,
     Choice,
     Folder,
-    MinPredictedEffect,
     ObjectBits,
     RegimeName,
     Relations,
     Seed,
     StrategyOption,
     Workers,
+    check_least,
     opened,
 )
 from neurosym.errors import InvalidValue
@@ -38,10 +38,8 @@ def run(
     rehearsals: Annotated[int, arg(help="Objects that each primitive is rehearsed on.")] = 100,
     choice: Choice = "own",
     problems: Annotated[
-        int,
-        arg(help="Problems to draw, every second one with two objects; up to 30 if none has a plan."),
+        int, arg(help="Problems to draw, every second one with two objects; up to 30 if none has a plan.")
     ] = 6,
-    min_predicted_effect: MinPredictedEffect = 0.0,
     object_bits: ObjectBits = None,
     action_bits: ActionBits = None,
     places: Annotated[
@@ -60,18 +58,13 @@ def run(
     """
     from neurosym.stages.exploring import check_choices, check_steps
     from neurosym.stages.whole_way import go_the_whole_way
-    from neurosym.worlds.workers import MOST_WORKERS
+    from neurosym.worlds.workers import check_workers
     from neurosym.worlds.world_file import read_world
 
-    check_choices(strategy, regime, min_predicted_effect).model.with_bits(object_bits, action_bits)
-    least = {"steps": (steps, 1), "workers": (workers, 1), "rehearsals": (rehearsals, 1)}
-    least |= {"seed": (seed, 0), "problems": (problems, 0), "places": (places or 0, 0)}
-    least |= {"relations": (relations, 0)}
-    for name, (value, limit) in least.items():
-        if value < limit:
-            raise InvalidValue(f"{name} = {value} must be at least {limit}.")
-    if workers > MOST_WORKERS:
-        raise InvalidValue(f"workers = {workers} must be at most {MOST_WORKERS}.")
+    check_choices(strategy, regime).model.with_bits(object_bits, action_bits)
+    check_workers(workers)
+    check_least(1, steps=steps, rehearsals=rehearsals)
+    check_least(0, seed=seed, problems=problems, places=places or 0, relations=relations)
     if folder.is_dir():
         check_steps(opened(folder), steps)
     if not (folder / WORLD).exists():
@@ -88,7 +81,6 @@ def run(
         rehearsals=rehearsals,
         choice=choice,
         problems=problems,
-        min_predicted_effect=min_predicted_effect,
         object_bits=object_bits,
         action_bits=action_bits,
         places=places,

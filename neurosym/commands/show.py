@@ -15,7 +15,6 @@ from neurosym.stages.layout import GROUNDING, INTERACTIONS, MODEL, PICTURES, WOR
 from neurosym.wording import quoted
 
 if TYPE_CHECKING:
-    from neurosym.grounding import Grounding
     from neurosym.pictures.motions import Motion
     from neurosym.world import Outcome, World
 
@@ -45,11 +44,12 @@ def show(
     ] = None,
     gui: Annotated[bool, arg(help="Show the motion live in a window instead.")] = False,
 ) -> int:
-    """Show an interaction, a primitive, an operator or a problem: a strip of pictures, an animation, or live.
+    """Show an interaction, a primitive, an operator or a problem, in pictures or live.
 
     The dots mark the action's waypoints, as in the paper: blue the first, green the second, red the third.
     """
     from neurosym.pictures.images import check_picture_path
+    from neurosym.worlds.world_file import read_world
 
     domain = opened(folder)
     if sum(chosen is not None for chosen in (interaction, primitive, operator, problem)) != 1:
@@ -60,92 +60,61 @@ def show(
         raise InvalidValue("--gui shows a motion live and writes no file; leave out --output and --problem.")
     if output:
         check_picture_path(output)
+    world = read_world(domain.require(WORLD))()
     if problem is not None:
-        _show_problem(domain, problem, output)
-    elif primitive is not None:
-        _show_primitive(domain, primitive, output, gui)
-    elif operator is not None:
-        _show_operator(domain, operator, output, gui)
+        _show_problem(domain, world, domain.problem(problem), output)
     elif interaction is not None:
-        _show_interaction(domain, interaction, output, gui)
+        _show_interaction(domain, world, interaction, output, gui)
+    else:
+        name = f"operator-{operator}" if operator is not None else f"primitive-{primitive}"
+        _show_motions(domain, world, _learned(domain, world, primitive, operator), name, output, gui)
     return 0
 
 
-def _show_interaction(domain: DomainFolder, number: int, output: Path | None, gui: bool) -> None:
-    from neurosym.data.interactions import Interactions
-    from neurosym.pictures.motions import judge, recall_interaction
-    from neurosym.worlds.world_file import read_world
-
-    world = read_world(domain.require(WORLD))()
-    interactions = Interactions.load(domain.require(INTERACTIONS))
-    motion, is_same_scene = recall_interaction(world, interactions, number)
-    (outcome,) = _show_motions(domain, world, [motion], f"interaction-{number}", output, gui)
-    say(judge(interactions, number, outcome, is_same_scene))
-    animated = output is not None and output.suffix.lower() == ".gif"
-    following = (
-        f"{(number + 1) % len(interactions)}" if animated else f"{number} --output interaction-{number}.gif"
-    )
-    say_next(f"neurosym show {quoted(domain.path)} --interaction {following}")
-
-
-def _show_primitive(domain: DomainFolder, label: str, output: Path | None, gui: bool) -> None:
-    from neurosym.pictures.motions import primitive_motions
-
-    world, grounding = _learned(domain)
-    grounding.primitive(label)
-    motions = primitive_motions(world, grounding, label, **_rehearsed(domain))
-    _show_motions(domain, world, motions, f"primitive-{label}", output, gui)
-    labels = [primitive.label for primitive in grounding.operators.primitives]
-    following = labels[(labels.index(label) + 1) % len(labels)]
-    say_next(f"neurosym show {quoted(domain.path)} --primitive {following}")
-
-
-def _show_operator(domain: DomainFolder, name: str, output: Path | None, gui: bool) -> None:
-    from neurosym.pictures.motions import operator_motions
-    from neurosym.pictures.pair_motions import pair_motion
-    from neurosym.related import relating
-    from neurosym.stages.task_drawing import sight_of_pairs
-
-    world, grounding = _learned(domain)
-    if on_pair := relating(name, grounding):
-        motions: Sequence[Motion] = [pair_motion(world, grounding, on_pair, sight=sight_of_pairs(domain))]
-    else:
-        motions = operator_motions(world, grounding, [grounding.operator_named(name)], **_rehearsed(domain))
-    _show_motions(domain, world, motions, f"operator-{name}", output, gui)
-    names = [operator.name for operator in grounding.every_operator]
-    names += [operator.name for operator in grounding.relations.operators] if grounding.relations else []
-    following = names[(names.index(name) + 1) % len(names)]
-    say_next(f"neurosym show {quoted(domain.path)} --operator {following}")
-
-
-def _learned(domain: DomainFolder) -> "tuple[World, Grounding]":
-    from neurosym.grounding import Grounding
-    from neurosym.worlds.world_file import read_world
-
-    return read_world(domain.require(WORLD))(), Grounding.load(domain.require(GROUNDING))
-
-
-def _rehearsed(domain: DomainFolder) -> dict[str, Any]:
-    """Return what the objects are drawn with that primitives were rehearsed on."""
-    from neurosym.learning.effect_model import EffectModel
-    from neurosym.stages.manifest import rehearsal_options
-
-    categorise = EffectModel.load(domain.require(MODEL)).object_symbols
-    objects, seed = rehearsal_options(domain.manifest())
-    return {"categorise": categorise, "objects": objects, "seed": seed}
-
-
-def _show_problem(domain: DomainFolder, name: str, output: Path | None) -> None:
+def _show_problem(domain: DomainFolder, world: "World", name: str, output: Path | None) -> None:
     from neurosym.pictures.show import picture_problem
     from neurosym.stages.planning import load_problem
-    from neurosym.worlds.world_file import read_world
 
-    world = read_world(domain.require(WORLD))()
-    problem = load_problem(domain, domain.problem(name), world)
+    problem = load_problem(domain, name, world)
     path = _picture_path(domain, f"problem-{problem.name}", output)
     picture_problem(world, problem, path)
     say(f"wrote {path}")
     say_next(f"neurosym plan {quoted(domain.path)} {problem.name}")
+
+
+def _show_interaction(
+    domain: DomainFolder, world: "World", number: int, output: Path | None, gui: bool
+) -> None:
+    from neurosym.data.interactions import Interactions
+    from neurosym.pictures.motions import judge, recall_interaction
+
+    interactions = Interactions.load(domain.require(INTERACTIONS))
+    motion, is_same_scene = recall_interaction(world, interactions, number)
+    (outcome,) = _show_motions(domain, world, [motion], f"interaction-{number}", output, gui)
+    say(judge(interactions, number, outcome, is_same_scene))
+    say_next(f"neurosym show {quoted(domain.path)} --interaction {number} --output interaction-{number}.gif")
+
+
+def _learned(
+    domain: DomainFolder, world: "World", primitive: str | None, operator: str | None
+) -> "Sequence[Motion]":
+    """Return the motions of a primitive or an operator, on objects drawn as when it was rehearsed."""
+    from neurosym.grounding import Grounding
+    from neurosym.learning.effect_model import EffectModel
+    from neurosym.pictures.motions import operator_motions, operators_of, pair_motion
+    from neurosym.related import relating
+    from neurosym.stages.manifest import rehearsal_options
+    from neurosym.stages.task_drawing import sight_of_pairs
+
+    grounding = Grounding.load(domain.require(GROUNDING))
+    if operator is not None and (on_pair := relating(operator, grounding)):
+        return [pair_motion(world, grounding, on_pair, sight=sight_of_pairs(domain))]
+    by_name = (grounding.operator_named(operator),) if operator is not None else ()
+    asked = by_name if primitive is None else operators_of(grounding, primitive)
+    categorise = EffectModel.load(domain.require(MODEL)).object_symbols
+    objects, seed = rehearsal_options(domain.manifest())
+    drawn: dict[str, Any] = {"categorise": categorise, "objects": objects, "seed": seed}
+    return operator_motions(world, grounding, asked, **drawn)
 
 
 def _show_motions(

@@ -34,7 +34,7 @@ def studio(
     port: Annotated[int, arg(help="The port; 0 takes a free one.")] = 0,
     no_browser: Annotated[bool, arg(help="Print the address, and open no browser.")] = False,
 ) -> int:
-    """Open a page in the browser: drag objects and goals, plan, watch the robot, see what symbols mean.
+    """Open a page in the browser: drag objects and goals, plan, watch the robot.
 
     It needs no network, and ends with Ctrl-C. Nothing is written into a shipped domain. Each browser has a
     page of its own, so that a class can share one address.

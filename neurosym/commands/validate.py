@@ -8,7 +8,7 @@ from tyro.conf import Positional, arg
 from neurosym.commands.answers import Json, answer_in
 from neurosym.commands.exit_codes import NO_RESULT
 from neurosym.commands.options import Folder, ProblemName, Tolerance, opened
-from neurosym.commands.plan_streams import STANDARD, check_plan, saved_plan
+from neurosym.commands.plan_streams import given_plan
 from neurosym.console import say, say_next
 from neurosym.wording import counted, quoted
 
@@ -20,8 +20,7 @@ def validate(
     folder: Folder,
     problem: ProblemName,
     plan_file: Annotated[
-        Positional[Path],
-        arg(metavar="PLAN", help="Any planner's plan; - reads it from standard input."),
+        Positional[Path], arg(metavar="PLAN", help="Any planner's plan; - reads it from standard input.")
     ],
     tolerance: Tolerance = None,
     json: Json = False,
@@ -36,9 +35,7 @@ def validate(
 
     answer, domain = answer_in(json), opened(folder)
     name = domain.problem(problem)
-    if plan_file == STANDARD:
-        plan_file = saved_plan(domain, name, must_fit=False)
-    check_plan(plan_file, folder, name)
+    plan_file = given_plan(domain, folder, name, plan_file, must_fit=False)
     verdict = judge_plan(domain, name, plan_file, tolerance)
     _say_verdict(verdict)
     if verdict.steps:

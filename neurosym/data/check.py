@@ -186,17 +186,15 @@ def _gripper_misfit(dimensions: Dimensions, origin: Mapping[str, Any]) -> str | 
     return f"its gripper columns are {takes}, and those of the data {has}; train it again"
 
 
-def world_misfit(name: str, features: int, actions: int, columns: Columns) -> str | None:
+def world_misfit(name: str, takes: tuple[int, int, int], columns: Columns) -> str | None:
     """Say that data cannot come from a world, or return None.
 
     Args:
         name: Name of the world.
-        features: How many object features it has.
-        actions: How many action parameters it takes.
+        takes: How many object features it has, action parameters it takes, and axes of effects.
         columns: The data.
     """
-    takes, has = (features, actions, 3), _widths(columns)
-    if takes == has:
+    if takes == (has := _widths(columns)):
         return None
     return (
         f"its rows have {_counted(has)}, and the {name} world has {_counted(takes)}; "

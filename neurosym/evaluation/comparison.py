@@ -19,9 +19,10 @@ from neurosym.errors import InvalidPlanner, InvalidValue, UnknownChoice
 from neurosym.execution.executor import execute
 from neurosym.execution.summary import Execution, summarise_run
 from neurosym.grounding import Grounding, is_lift
-from neurosym.planners import PLANNERS, PlanResult, PlanStatus, plan, planner_named
+from neurosym.planners.catalogue import PLANNERS
 from neurosym.planners.planner import PredictEffects
-from neurosym.planners.registry import Replanner
+from neurosym.planners.registry import Replanner, plan, planner_named
+from neurosym.planners.result import PlanResult, PlanStatus
 from neurosym.problems import Problem
 from neurosym.related import is_reached, is_relational
 from neurosym.tasks.places import with_places

@@ -7,7 +7,7 @@ import msgspec
 import numpy as np
 
 from neurosym.evaluation.comparison import Attempt, TaskRecord
-from neurosym.planners import planner_named
+from neurosym.planners.registry import planner_named
 from neurosym.planners.result import PlanStatus
 from neurosym.wording import counted
 
@@ -98,10 +98,10 @@ def _tally(records: Sequence[TaskRecord], name: str, planners: Sequence[str]) ->
         reached_with_replanning=sum(run.reached for run in replanned),
         steps=round(float(np.mean([attempt.primitives for attempt in found])), 3) if found else None,
         seconds=round(float(np.median([attempt.seconds for attempt in attempts])), 4) if attempts else None,
-        predicted=sum(predicts_goal(attempt, record) for record, attempt in _pairs(records, name)),
+        predicted=sum(_predicts_goal(attempt, record) for record, attempt in _pairs(records, name)),
         replans=sum(run.replans for run in replanned),
         unfound=_counts(whys),
-        invalid=_counts(why_invalid(attempt) for attempt in found),
+        invalid=_counts(_why_invalid(attempt) for attempt in found),
         missed=_counts(run.kind for run in blind),
         missed_with_replanning=_counts(run.kind for run in replanned),
         performed=sum(run.interactions for run in replanned if run.own is not None),
@@ -118,13 +118,13 @@ def _counts(reasons: Iterable[str]) -> dict[str, int]:
     return dict(sorted(counted.items(), key=lambda item: (-item[1], item[0])))
 
 
-def predicts_goal(attempt: Attempt, record: TaskRecord) -> bool:
+def _predicts_goal(attempt: Attempt, record: TaskRecord) -> bool:
     """Say whether the network predicts that a plan ends at the goal."""
     miss = attempt.predicted_miss
     return miss is not None and miss <= record.problem.tolerance
 
 
-def why_invalid(attempt: Attempt) -> str:
+def _why_invalid(attempt: Attempt) -> str:
     """Say in a few words why a plan is not valid; empty if it is, or if there is none."""
     if not attempt.found or attempt.valid:
         return ""
@@ -153,9 +153,9 @@ def why_not_found(record: TaskRecord, name: str, planners: Sequence[str]) -> str
     if depth is not None and other.primitives > depth:
         return f"it takes more than {counted(depth, 'primitive')}"
     if planner.reads == "network":
-        if not predicts_goal(other, record):
+        if not _predicts_goal(other, record):
             return "the network predicts the other plan to end elsewhere"
         return "the network predicts that an object leaves the table or ends in another"
     if other.left_out:
         return "the other plan uses an operator that the domain leaves out"
-    return why_invalid(other).replace("it ends", "the other plan ends") or "though the other plan is valid"
+    return _why_invalid(other).replace("it ends", "the other plan ends") or "though the other plan is valid"

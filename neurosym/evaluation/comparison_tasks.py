@@ -1,6 +1,7 @@
 """The tasks of a comparison: each drawn and measured once, and kept in a file, until the domain changes."""
 
 from collections.abc import Callable, Iterator, Sequence
+from functools import lru_cache
 from pathlib import Path
 from typing import Any
 
@@ -95,12 +96,7 @@ class Bench:
         )
 
     def draw(
-        self,
-        objects: int,
-        seed: int,
-        tolerance: float,
-        task: AnyTask | None = None,
-        fits: Fits | None = None,
+        self, objects: int, seed: int, tolerance: float, task: AnyTask | None = None, fits: Fits | None = None
     ) -> Problem:
         """Draw a task, and set how near each object must come to its goal.
 
@@ -176,25 +172,26 @@ Unfinished = tuple[int, TaskRecord | None]
 def _measure_all(
     order: Order, made_from: dict[str, str], tasks: Sequence[Unfinished], workers: int
 ) -> Iterator[TaskRecord]:
-    if not tasks:
+    if workers == 1 or not tasks:
+        yield from (_measure(order, made_from, task) for task in tasks)
         return
-    if workers == 1:
-        bench = Bench(DomainFolder(order.folder))
-        yield from (_measure(bench, order, made_from, *task) for task in tasks)
-        return
-    with worker_pool(min(workers, len(tasks)), _start_worker, (order.folder,)) as submit:
-        yield from in_order(
-            tasks,
-            submit=lambda task: submit(_measure_here, order, made_from, *task),
-            result=lambda future: future.result(),
-            ahead=_AHEAD * workers,
-        )
+    with worker_pool(min(workers, len(tasks)), _start, (order.folder, *made_from.values())) as submit:
+        yield from in_order(tasks, lambda task: submit(_measure, order, made_from, task), _AHEAD * workers)
 
 
-def _measure(
-    bench: Bench, order: Order, made_from: dict[str, str], seed: int, known: TaskRecord | None
-) -> TaskRecord:
+def _start(folder: Path, *made_from: str) -> None:
+    _bench(folder, *made_from)
+
+
+@lru_cache(maxsize=1)
+def _bench(folder: Path, *_made_from: str) -> Bench:
+    """Load a domain folder, once in each process as long as it does not change."""
+    return Bench(DomainFolder(folder))
+
+
+def _measure(order: Order, made_from: dict[str, str], task: Unfinished) -> TaskRecord:
     """Do what is missing of a task, and write its record."""
+    bench, (seed, known) = _bench(order.folder, *made_from.values()), task
     problem = known.problem if known else bench.draw(order.objects, seed, order.tolerance, order.task)
     missing = _planners_left(order, known)
     record = compare(bench.setting, problem, missing, time_limit=order.time_limit)
@@ -203,16 +200,3 @@ def _measure(
             record = msgspec.structs.replace(record, attempts={**known.attempts, **record.attempts})
         write_json(_path(order, seed), Kept(made_from, order.time_limit, record))
     return record
-
-
-_bench_here: Bench | None = None
-
-
-def _start_worker(folder: Path) -> None:
-    global _bench_here
-    _bench_here = Bench(DomainFolder(folder))
-
-
-def _measure_here(order: Order, made_from: dict[str, str], seed: int, known: TaskRecord | None) -> TaskRecord:
-    assert _bench_here is not None, "the initializer ran"
-    return _measure(_bench_here, order, made_from, seed, known)

@@ -31,7 +31,7 @@ from neurosym.stages.layout import (
     WORLD,
 )
 from neurosym.stages.manifest import Stage, rehearsal_options
-from neurosym.stages.practising import operator_table
+from neurosym.stages.practised import operator_table
 from neurosym.strategies import MIN_EFFECT, has_high_effect
 from neurosym.wording import quoted
 

@@ -11,6 +11,7 @@ import numpy as np
 
 from neurosym.arrays import Float
 from neurosym.grounding import Grounding
+from neurosym.pair_states import rotation
 from neurosym.problems import SceneObject
 
 STRAIGHT = math.radians(15)
@@ -36,15 +37,7 @@ def as_it_shows(item: SceneObject, grounding: Grounding) -> SceneObject:
 
 def _turned(orientation: tuple[float, float, float, float]) -> Float[np.ndarray, "3 3"]:
     """Return what each size adds to what shows along x, y and z; one to each if the object is straight."""
-    x, y, z, w = np.array(orientation) / math.hypot(*orientation)
-    rows = np.array(
-        [
-            [1 - 2 * (y * y + z * z), 2 * (x * y - z * w), 2 * (x * z + y * w)],
-            [2 * (x * y + z * w), 1 - 2 * (x * x + z * z), 2 * (y * z - x * w)],
-            [2 * (x * z - y * w), 2 * (y * z + x * w), 1 - 2 * (x * x + y * y)],
-        ]
-    )
-    along = np.abs(rows)
+    along = np.abs(rotation(np.array(orientation)))
     straight = along > math.cos(STRAIGHT)
     return np.asarray(straight.astype(float) if straight.sum() == 3 else along)
 

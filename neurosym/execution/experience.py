@@ -5,26 +5,29 @@ again, as long as it lies the same way. So during a run an object that was acted
 its own. Its operators promise the mean of what was promised before and of what was seen, each weighed by how
 sure it is; the chance of an outcome counts what came and what did not. After two failures in a row, or one
 that was likely, an operator promises what was seen in place of what did not come, and is not tried again the
-same way.
+same way. What failed with a pair twice in a row is not tried with it again, unless there is no plan without,
+and then twice more; another operator for the same is tried in its place.
 """
 
 import dataclasses
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 
 import msgspec
 import numpy as np
 
 from neurosym.execution.appearance import STRAIGHT, as_it_shows
-from neurosym.execution.relating import PairExperience
-from neurosym.execution.weighing import REPEATS, combined, mean_of, miss_of
+from neurosym.execution.record import ended_in
 from neurosym.grounding import Grounding
-from neurosym.operators import TOLERANCE, Category, Mode, Operator, OperatorTable
+from neurosym.operators import TOLERANCE, Category, Mode, Operator, OperatorTable, Vector, vector
 from neurosym.problems import Problem, SceneObject
 from neurosym.promises import LEAST_CHANCE, promised
 from neurosym.related import relating
+from neurosym.relation_goals import pair_key
 from neurosym.symbols import Symbol
 from neurosym.tasks.moves import PUT_DOWN
+from neurosym.tasks.puts import put_named
 from neurosym.tasks.steps import PlanStep
 from neurosym.world import Outcome, OutcomeKind
 
@@ -34,43 +37,41 @@ KNOWN_BEFORE, KNOWN_IN_A_CROWD = 0.5, 2.0
 Whether an operator keeps its promise is mostly the object's doing, see `docs/planning.md`, "The chance"; but
 where others were in the way it may be theirs.
 """
-GIVEN_UP = 2
-"""After how many failures in a row what did not come is not hoped for again."""
+GIVEN_UP, LAST_HOPE = 2, 4
+"""After how many failures in a row what did not come is not hoped for again; with a pair, if there is no plan
+otherwise."""
 SLIPPERY = 3
 """An object that was missed so often, and never carried, is not tried to be carried by other operators."""
+REPEATS = 0.014
+"""By how much the same primitive on the same object differs from time to time, RMS of an axis [m]."""
+_SUREST = 0.005  # no promise is surer than this [m]
 _OF, _TO = "-of-", "to-"
-
-
-@dataclass(frozen=True, slots=True, eq=False)
-class _Seen:
-    """What a primitive did to an object, and how the object lay before."""
-
-    outcome: Outcome
-    orientation: tuple[float, ...]
+_Key = tuple[str, str]
 
 
 @dataclass(slots=True)
 class Experience:
-    """What was seen of the objects of one problem.
+    """What was seen of the objects and pairs of one problem.
 
     Attributes:
         grounding: What was learned of their categories.
     """
 
     grounding: Grounding
-    _seen: dict[tuple[str, str], list[_Seen]] = field(default_factory=dict)
-    _forgotten: dict[tuple[str, str], list[_Seen]] = field(default_factory=dict)
-    _pairs: PairExperience | None = None
+    _seen: dict[_Key, list[Outcome]] = field(default_factory=dict)
+    _forgotten: dict[_Key, list[Outcome]] = field(default_factory=dict)
+    _kept: dict[_Key, list[bool]] = field(default_factory=dict)
+    _patience: int = GIVEN_UP
 
     @property
     def says_something(self) -> bool:
         """Whether anything was seen."""
-        return bool(self._seen or self._pairs)
+        return bool(self._seen or self._kept)
 
     def hoping_again(self, problem: Problem) -> "Experience":
         """Forget what was seen, but for what failed and would mostly do so again.
 
-        What is forgotten still counts where it is to be given up.
+        What is forgotten still counts where it is to be given up. Pairs are given some more failures.
 
         Args:
             problem: The problem as it stands now.
@@ -84,26 +85,24 @@ class Experience:
             if _is_given_up(operator, _as_it_lies(item, every.get(key, [])), problem.tolerance)
         }
         forgotten = {key: rows for key, rows in every.items() if key not in kept}
-        pairs = self._pairs.hoping_again() if self._pairs else None
-        return Experience(self.grounding, kept, forgotten, pairs)
+        return Experience(
+            self.grounding, kept, forgotten, self._kept, LAST_HOPE if self._kept else self._patience
+        )
 
     def learn(self, step: PlanStep, outcome: Outcome) -> None:
-        """Remember what a step did.
-
-        Args:
-            step: The step, by its learned name.
-            outcome: What happened.
-        """
+        """Remember what a step did, by its learned name."""
         if relating(step.base, self.grounding):
-            self._pairs = self._pairs or PairExperience(self.grounding)
-            self._pairs.learn(step, outcome)
-            return
-        label = _label(self.grounding.operator_named(step.base), self.grounding)
-        lay = tuple(outcome.start.orientations[outcome.target].tolist())
-        self._seen.setdefault((step.object, label), []).append(_Seen(outcome, lay))
+            put = put_named(step.operator, self.grounding)
+            kept = put is not None and ended_in(outcome, self.grounding) == put.state
+            self._kept.setdefault((pair_key(step.object, step.place), step.operator), []).append(kept)
+        else:
+            label = _label(self.grounding.operator_named(step.base), self.grounding)
+            self._seen.setdefault((step.object, label), []).append(outcome)
 
     def believed(self, problem: Problem) -> tuple[Problem, Grounding]:
         """Take objects as they show, and give those that were acted upon a category of their own.
+
+        Nothing is foreseen of pairs with which an operator is given up.
 
         Args:
             problem: The problem as it stands now.
@@ -112,7 +111,6 @@ class Experience:
             The problem with these categories, and the grounding that has them.
         """
         known = {name for name, _ in self._seen}
-        problem = self._pairs.believed(problem) if self._pairs else problem
         objects, categories, operators = [], list[Category](), list[tuple[Operator, bool]]()
         for lying in problem.objects:
             item = as_it_shows(lying, self.grounding)
@@ -125,10 +123,19 @@ class Experience:
             name = learned.name + _OF + item.name
             categories.append(msgspec.structs.replace(learned, symbol=own, name=name, objects=()))
             operators += self._operators_of(item, own, problem.tolerance)
-        believed = msgspec.structs.replace(problem, objects=tuple(objects))
-        if not categories:
-            return believed, self.grounding
-        return believed, self._with(categories, operators)
+        believed = msgspec.structs.replace(self._without_hopeless(problem), objects=tuple(objects))
+        return believed, self._with(categories, operators) if categories else self.grounding
+
+    def _without_hopeless(self, problem: Problem) -> Problem:
+        """Return a problem in which nothing is foreseen of what is given up with pairs."""
+        most = self._patience
+        lost = [key for key, kept in self._kept.items() if len(kept) >= most and not any(kept[-most:])]
+        if not lost:
+            return problem
+        foreseen = {pair: dict(shares) for pair, shares in problem.foreseen.items()}
+        for pair, operator in lost:
+            foreseen.setdefault(pair, {})[operator] = 0.0
+        return msgspec.structs.replace(problem, foreseen=foreseen)
 
     def _with(self, categories: list[Category], operators: list[tuple[Operator, bool]]) -> Grounding:
         """Return the grounding with more categories, and their operators; those that carry are marked."""
@@ -165,22 +172,19 @@ class Experience:
 
     def _is_slippery(self, item: SceneObject) -> bool:
         """Say whether an object, as it lies, was to be carried in vain, whatever with."""
-        rows = [
-            one
-            for (name, label), seen in self._seen.items()
-            if (name, label[:3]) == (item.name, _TO)
-            for one in seen
-        ]
+        keys = [key for key in self._seen if key[0] == item.name and key[1].startswith(_TO)]
+        rows = [outcome for key in keys for outcome in self._seen[key]]
         kinds = [outcome.kind for outcome in _as_it_lies(item, rows)]
         return len(kinds) >= SLIPPERY and "carried" not in kinds
 
-    def _all(self, key: tuple[str, str]) -> list[_Seen]:
+    def _all(self, key: tuple[str, str]) -> list[Outcome]:
         return [*self._forgotten.get(key, []), *self._seen.get(key, [])]
 
 
-def _as_it_lies(item: SceneObject, seen: list[_Seen]) -> list[Outcome]:
+def _as_it_lies(item: SceneObject, seen: list[Outcome]) -> list[Outcome]:
     """List what was done to an object while it lay as it does now."""
-    return [one.outcome for one in seen if _angle(one.orientation, item.orientation) < STRAIGHT]
+    lay = ((one, one.start.orientations[one.target].tolist()) for one in seen)
+    return [one for one, orientation in lay if _angle(orientation, item.orientation) < STRAIGHT]
 
 
 def learned_name(step: PlanStep) -> PlanStep:
@@ -191,12 +195,8 @@ def learned_name(step: PlanStep) -> PlanStep:
 def believed_name(step: PlanStep, problem: Problem, grounding: Grounding) -> PlanStep:
     """Return a step of a plan for learned categories by the name of the operator that is believed in.
 
-    That is the one with the same parameters and the same kind of outcome, for what the object is now.
-
-    Args:
-        step: The step.
-        problem: A problem that `Experience.believed` returned.
-        grounding: The grounding that it returned.
+    That is the one with the same parameters and the same kind of outcome, for what the object is now. Problem
+    and grounding are those that `Experience.believed` returned.
     """
     if relating(step.base, grounding):
         return step
@@ -219,7 +219,7 @@ def _kind(operator: Operator) -> OutcomeKind | None:
     return operator.promise.kind if operator.promise else None
 
 
-def _angle(one: tuple[float, ...], other: tuple[float, ...]) -> float:
+def _angle(one: Sequence[float], other: Sequence[float]) -> float:
     """Return by what angle two orientations differ [rad]."""
     along = abs(float(np.dot(one, other))) / (math.hypot(*one) * math.hypot(*other))
     return 2 * math.acos(min(1.0, along))
@@ -253,9 +253,13 @@ def _is_given_up(operator: Operator, outcomes: list[Outcome], tolerance: float) 
 def _weighed_mode(promise: Mode, outcomes: list[Outcome], tolerance: float) -> tuple[Mode, list[bool]]:
     """Weigh a promise against what was seen, and say which outcomes came as is promised then."""
     same = [outcome for outcome in outcomes if outcome.kind == promise.kind]
-    mode = combined(promise, same) if same else promise
+    mode = _combined(promise, same) if same else promise
     near = max(tolerance, TOLERANCE)
-    return mode, [outcome.kind == mode.kind and miss_of(mode, outcome) <= near for outcome in outcomes]
+
+    def miss(outcome: Outcome) -> float:
+        return math.dist(mode.outcome, outcome.effect if mode.kind == "held" else outcome.resting_effect)
+
+    return mode, [outcome.kind == mode.kind and miss(outcome) <= near for outcome in outcomes]
 
 
 def _given_up(operator: Operator, outcomes: list[Outcome]) -> Operator:
@@ -268,9 +272,9 @@ def _given_up(operator: Operator, outcomes: list[Outcome]) -> Operator:
     seen = msgspec.structs.replace(
         promise,
         kind=last.kind,
-        effect=mean_of([one.effect for one in like]),
+        effect=vector(np.mean([one.effect for one in like], axis=0)),
         spread=(REPEATS,) * 3,
-        resting_effect=mean_of([one.resting_effect for one in like]),
+        resting_effect=vector(np.mean([one.resting_effect for one in like], axis=0)),
         resting_spread=(REPEATS,) * 3,
     )
     return _promising(operator, seen, len(like) / (len(outcomes) + 1))
@@ -284,3 +288,22 @@ def _promising(operator: Operator, mode: Mode, share: float) -> Operator:
     )
     others = tuple(other for other in operator.modes if other.kind != mode.kind)
     return msgspec.structs.replace(operator, modes=(mode, *others), promised=mode.kind)
+
+
+def _combined(mode: Mode, outcomes: list[Outcome]) -> Mode:
+    """Weigh what a mode promised against what was seen, each by how sure it is."""
+    effect, spread = _weighed(mode.effect, mode.spread, np.array([one.effect for one in outcomes]))
+    seen = np.array([one.resting_effect for one in outcomes])
+    resting, resting_spread = _weighed(mode.resting_effect, mode.resting_spread, seen)
+    return msgspec.structs.replace(
+        mode, effect=effect, spread=spread, resting_effect=resting, resting_spread=resting_spread
+    )
+
+
+def _weighed(mean: tuple[float, ...], spread: tuple[float, ...], seen: np.ndarray) -> tuple[Vector, Vector]:
+    """Weigh a mean against what was seen; it was less sure than it said if what was seen is far from it."""
+    away = np.abs(seen.mean(0) - mean)
+    before = 1 / np.maximum(np.maximum(np.array(spread), away), _SUREST) ** 2
+    now = len(seen) / REPEATS**2
+    value = (before * np.array(mean) + now * seen.mean(0)) / (before + now)
+    return vector(value), vector(np.sqrt(1 / (before + now)))

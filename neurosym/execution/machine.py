@@ -33,11 +33,7 @@ class Machine(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     versions: dict[str, str]
 
     def differences(self, other: "Machine") -> tuple[str, ...]:
-        """Say in what another machine differs, as "processor: this one's and the other's".
-
-        Args:
-            other: The other machine.
-        """
+        """Say in what another machine differs, as "processor: this one's and the other's"."""
         pairs = {
             name: (getattr(self, name), getattr(other, name))
             for name in ("processor", "instructions", "architecture", "system")

@@ -5,7 +5,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from neurosym.execution.record import Nudge
+from neurosym.execution.record import Nudge, Replanning
+from neurosym.execution.watching import Moment
 from neurosym.operators import vector
 from neurosym.problems import Problem
 from neurosym.table import Table
@@ -17,56 +18,43 @@ _STREAM = 0x6E756467  # keeps the randomness of nudges apart from that of everyt
 _TRIES = 100
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(slots=True)
 class Nudger:
-    """Decides when and where to an object is nudged, from a seed and the number of steps of the plan.
+    """Watches a run, and nudges an object once: when, which and where to follows from a seed.
 
     Attributes:
         seed: Same seed, same step, object and direction.
-        steps: How many interactions the plan has.
+        steps: How many interactions the plan has; 0 if there are none, and nothing is nudged then.
+        problem: What the objects are called.
+        table: Where they may stand.
     """
 
     seed: int
     steps: int
+    problem: Problem
+    table: Table
+    _is_done: bool = False
 
-    @property
-    def before_step(self) -> int:
-        """Number of the step that the nudge comes before, counted from 1; 0 for a plan without steps."""
-        return int(self._rng().integers(self.steps)) + 1 if self.steps else 0
-
-    def nudge(self, problem: Problem, scene: Scene, table: Table) -> Nudge | None:
-        """Draw what is nudged where to, such that it stays on the table and touches nothing.
-
-        Args:
-            problem: What the objects are called.
-            scene: Where they are, all at rest.
-            table: Where they may stand.
-
-        Returns:
-            The nudge; None if there is no room for any.
-        """
-        rng = self._rng()
-        rng.integers(self.steps)
+    def before_step(self, moment: Moment) -> Nudge | None:
+        """Draw what is nudged where to, on the table and touching nothing, if there is room."""
+        rng = np.random.default_rng([_STREAM, self.seed])
+        if self._is_done or not self.steps or moment.number != int(rng.integers(self.steps)) + 1:
+            return None
+        self._is_done, scene = True, moment.scene
         for _ in range(_TRIES):
             index = int(rng.integers(len(scene)))
             angle, length = rng.uniform(0, 2 * math.pi), rng.uniform(LEAST, MOST)
             by = np.array([length * math.cos(angle), length * math.sin(angle), 0.0])
-            if table.contains(scene.positions[index] + by) and _is_free(scene, index, by):
-                return Nudge(self.before_step, problem.object_names[index], vector(by))
+            if self.table.contains(scene.positions[index] + by) and _is_free(scene, index, by):
+                return Nudge(moment.number, self.problem.object_names[index], vector(by))
         return None
 
-    def _rng(self) -> np.random.Generator:
-        return np.random.default_rng([_STREAM, self.seed])
+    def replanned(self, replanning: Replanning) -> None:
+        """Hear of a new plan."""
 
 
 def nudged(scene: Scene, nudge: Nudge, problem: Problem) -> Scene:
-    """Return the scene after a nudge.
-
-    Args:
-        scene: The scene.
-        nudge: Which object is moved, and how far.
-        problem: What the objects are called.
-    """
+    """Return a scene of a problem's objects after a nudge."""
     positions = scene.positions.copy()
     positions[problem.object_names.index(nudge.object)] += nudge.by
     return Scene(scene.features, positions, scene.orientations)

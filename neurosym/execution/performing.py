@@ -1,15 +1,22 @@
-"""Performing one step of a plan in a world, and recording it."""
+"""Performing the steps of a plan in a world, and recording them."""
 
+from collections.abc import Sequence
+from dataclasses import dataclass, field, replace
+from typing import Any
+
+import msgspec
 import numpy as np
 
-from neurosym.errors import InvalidValue, InvalidWorld
-from neurosym.execution.record import StepRecord, record_step
-from neurosym.execution.relating import record_put, with_relations
+from neurosym.errors import InvalidValue, InvalidWorld, UnknownChoice
+from neurosym.execution.nudges import nudged
+from neurosym.execution.record import Nudge, StepRecord, record_refusal, record_step, seen_now
 from neurosym.grounding import Grounding, is_lift
 from neurosym.operators import Primitive
+from neurosym.pair_states import extent
 from neurosym.problems import Problem
-from neurosym.related import relating
-from neurosym.table import Reference
+from neurosym.related import Contacts, relating, touching, unmet_relations
+from neurosym.relation_goals import RelationGoal
+from neurosym.table import Place, Reference
 from neurosym.tasks.steps import PlanStep
 from neurosym.world import FrameSink, Outcome, Scene, World, relative_to
 
@@ -54,23 +61,79 @@ def perform(
         return None
 
 
-def recorded(
-    step: PlanStep, problem: Problem, grounding: Grounding, outcome: Outcome, *, put_down: bool
-) -> StepRecord:
-    """Record a step that was performed, whether it puts its object on another one or not.
+@dataclass(slots=True)
+class Situation:
+    """Where everything is while a plan runs, and what acts there.
 
-    Args:
-        step: The step.
-        problem: The problem, whose objects are those of the outcome.
-        grounding: What the operator promises.
-        outcome: What happened.
-        put_down: Whether the object was to be put down if it was held.
+    Attributes:
+        world: The world to act in.
+        problem: What is to be solved.
+        grounding: What the operators' names mean.
+        on_frame: Called with pictures of motions as they happen, if given.
+        scene: Where everything is.
+        contacts: Pairs of objects that touch; None where nobody saw it.
     """
-    if relating(step.operator, grounding):
-        record = record_put(step, problem, grounding, outcome)
-    else:
-        record = record_step(step, problem, grounding, outcome, put_down=put_down)
-    return with_relations(record, problem, grounding, outcome)
+
+    world: World
+    problem: Problem
+    grounding: Grounding
+    on_frame: FrameSink | None
+    scene: Scene = field(init=False)
+    contacts: Contacts | None = None
+
+    def __post_init__(self) -> None:
+        self.scene = self.problem.scene()
+        self.contacts = None if self.problem.touching is None else touching(self.problem)
+
+    def now(self, problem: Problem | None = None) -> Problem:
+        """Return a problem, the one to be solved if none is given, with the objects as they stand now."""
+        contacts = self.contacts if self.grounding.relations else None
+        return seen_now(problem or self.problem, self.scene, contacts)
+
+    def unmet(self) -> tuple[RelationGoal, ...]:
+        """List the goals by relation that do not hold now."""
+        return unmet_relations(self.now(), self.grounding)
+
+    def judge(self) -> dict[str, Any]:
+        """Say how near the goals are, as the record of a run does."""
+        unmet, positions = self.unmet(), self.scene.positions
+        return {
+            "reached": self.problem.is_met(positions) and not unmet,
+            "distances": self.problem.distances(positions),
+            "unmet": unmet if self.problem.related else msgspec.UNSET,
+        }
+
+    def be_nudged(self, nudge: Nudge) -> None:
+        """Take note that somebody moved an object."""
+        self.scene, self.contacts = nudged(self.scene, nudge, self.problem), None
+
+    def perform(
+        self, step: PlanStep, put_down: bool, reference: Reference | None = None, is_shown: bool = True
+    ) -> tuple[StepRecord, Outcome | None]:
+        """Perform a step from here, and return its record, and what happened if its object was in reach."""
+        world, problem, grounding = self.world, self.problem, self.grounding
+        on_frame = self.on_frame if is_shown else None
+        outcome = perform(
+            world, problem, grounding, step, self.scene, put_down, on_frame, reference=reference
+        )
+        if outcome is None:
+            return record_refusal(step, problem, self.scene), None
+        self.scene, self.contacts = outcome.end, outcome.contacts
+        outcome = _levelled(outcome) if grounding.relations else outcome
+        return record_step(step, problem, grounding, outcome, put_down=put_down), outcome
+
+
+def check_aims(problem: Problem, grounding: Grounding, plan: Sequence[PlanStep]) -> None:
+    """Refuse steps that carry an object nowhere, off the table, or to what a problem with places has not."""
+    for step in plan:
+        if relating(step.base, grounding):
+            others = [name for name in problem.object_names if name != step.object]
+            if step.place not in others:
+                raise UnknownChoice("other object", step.place, others)
+        elif grounding.carries(grounding.operator_named(step.base)):
+            grounding.table.check(step.place, *problem.place_named(step.place))
+        elif step.place:
+            raise InvalidValue(f"{step.operator} carries nothing, so it cannot lead to {step.place}.")
 
 
 def lifts(step: PlanStep, grounding: Grounding) -> bool:
@@ -83,3 +146,16 @@ def _primitive(step: PlanStep, grounding: Grounding) -> Primitive:
     if operator and grounding.relations:
         return grounding.relations.primitive_of(operator)
     return grounding.primitive_of(grounding.operator_named(step.operator))
+
+
+def _levelled(outcome: Outcome) -> Outcome:
+    """Return an outcome as if what was carried to a place had stood on the table before.
+
+    What carries to places promises nothing of heights; what was taken from another object comes down.
+    """
+    if not (outcome.carried and isinstance(outcome.reference, Place)):
+        return outcome
+    positions = outcome.start.positions.copy()
+    positions[outcome.target, 2] = extent(outcome.start, outcome.target)[2] / 2
+    start = Scene(outcome.start.features, positions, outcome.start.orientations)
+    return replace(outcome, start=start)

@@ -2,18 +2,23 @@
 
 import math
 from collections.abc import Sequence
-from typing import Literal
+from typing import Any, Literal
 
 import msgspec
+import numpy as np
 
 from neurosym.execution.appearance import as_it_shows
 from neurosym.execution.machine import Machine
 from neurosym.grounding import Grounding
-from neurosym.operators import TOLERANCE, Length, Operator, Vector, vector
+from neurosym.operators import TOLERANCE, Length, Vector, vector
+from neurosym.pair_states import describe_pair, extent
 from neurosym.problems import Problem
 from neurosym.promises import promised
+from neurosym.related import Contacts, bearers_of, relating, with_contacts
 from neurosym.relation_goals import RelationGoal
+from neurosym.relation_operators import PairState
 from neurosym.table import OtherObject, Place, Reference
+from neurosym.tasks.puts import put_named
 from neurosym.tasks.steps import PlanStep, Steps, primitives
 from neurosym.wording import counted
 from neurosym.world import Disturbance, Outcome, OutcomeKind, Scene
@@ -203,20 +208,34 @@ class Run(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
 
 
 def own_steps(steps: Sequence[StepRecord], replannings: Sequence[Replanning]) -> int:
-    """Count the steps that are those of the plan that was asked for, and of no new one.
-
-    Args:
-        steps: The steps that were performed.
-        replannings: The new plans that were asked for.
-    """
+    """Count the steps performed that are those of the plan that was asked for, and of no new one."""
     new = (one.before_step - 1 for one in replannings if one.plan)
     return min(len(steps), next(new, len(steps)))
+
+
+def seen_now(problem: Problem, scene: Scene, contacts: Contacts | None) -> Problem:
+    """Return a problem with its objects as they stand now, and with what touches if somebody saw it."""
+    rows = zip(problem.objects, scene.positions, scene.orientations, strict=True)
+    objects = tuple(
+        msgspec.structs.replace(item, position=vector(position), orientation=tuple(orientation.tolist()))
+        for item, position, orientation in rows
+    )
+    now = msgspec.structs.replace(problem, objects=objects, touching=None)
+    return now if contacts is None else with_contacts(now, contacts)
+
+
+def ended_in(outcome: Outcome, grounding: Grounding) -> PairState | None:
+    """Return the state that a target ended in with its reference; None if it was not carried."""
+    if not (outcome.carried and isinstance(outcome.reference, OtherObject) and grounding.relations):
+        return None
+    described = describe_pair(outcome.end, outcome.target, outcome.reference.index, outcome.contacts)
+    return grounding.relations.state_of(described.tolist())
 
 
 def record_step(
     step: PlanStep, problem: Problem, grounding: Grounding, outcome: Outcome, *, put_down: bool
 ) -> StepRecord:
-    """Record a step that was performed.
+    """Record a step that was performed, whether it puts its object on another one or not.
 
     Args:
         step: The step.
@@ -225,58 +244,73 @@ def record_step(
         outcome: What happened.
         put_down: Whether the object was to be put down if it was held.
     """
-    operator = _promising(step, problem, grounding, outcome)
-    effect = vector(outcome.effect if outcome.held else outcome.resting_effect)
-    promised_effect = grounding.displacement(operator) if operator.promise else None
-    deviation = math.dist(effect, promised_effect) if promised_effect else None
-    kept = operator.promise is not None and operator.promise.kind == outcome.kind
-    return StepRecord(
-        operator=step.operator,
-        object=step.object,
-        promised=operator.promise.kind if operator.promise else None,
+    is_put, names = relating(step.operator, grounding) is not None, problem.object_names
+    told = (_put if is_put else _moved)(step, problem, grounding, outcome)
+    promised_effect = told.pop("promised_effect")
+    deviation = math.dist(told["effect"], promised_effect) if promised_effect else None
+    if not is_put:
+        told["as_promised"] &= deviation is not None and deviation <= TOLERANCE
+    if grounding.relations and (problem.related or is_put):
+        bearers = bearers_of(seen_now(problem, outcome.end, outcome.contacts), grounding.relations)
+        told["relations"] = {name: f"{borne.state.name} {borne.by}" for name, borne in bearers.items()}
+    return msgspec.structs.replace(
+        _unpromised(step, problem, outcome.end, outcome.kind),
         promised_effect=promised_effect,
-        happened=outcome.kind,
-        effect=effect,
         deviation=deviation,
-        as_promised=kept and deviation is not None and deviation <= TOLERANCE,
-        positions=named_positions(problem, outcome.end),
-        touched=tuple(problem.object_names[index] for index in outcome.touched),
-        disturbed={problem.object_names[index]: how for index, how in outcome.disturbed},
-        put_down=put_down,
+        touched=tuple(names[index] for index in outcome.touched),
+        disturbed={names[index]: how for index, how in outcome.disturbed},
+        put_down=put_down or is_put,
         place=step.place or msgspec.UNSET,
-        aim=(aim.x, aim.y) if isinstance(aim := outcome.reference, Place) else msgspec.UNSET,
+        **told,
     )
 
 
-def _promising(step: PlanStep, problem: Problem, grounding: Grounding, outcome: Outcome) -> Operator:
-    """Return the operator of a step as it promised for the object as it lay."""
-    lay = tuple(outcome.start.orientations[outcome.target].tolist())
-    item = msgspec.structs.replace(problem.object_named(step.object), orientation=lay)
-    found = promised(grounding, as_it_shows(item, grounding), problem.tolerance).get(step.operator)
-    return found or grounding.operator_named(step.operator)
-
-
 def record_refusal(step: PlanStep, problem: Problem, scene: Scene) -> StepRecord:
-    """Record a step that could not be performed, because its object was out of the arm's reach.
+    """Record a step that could not be performed, because its object was out of the arm's reach."""
+    return _unpromised(step, problem, scene, "not performed")
 
-    Args:
-        step: The step.
-        problem: The problem.
-        scene: Where everything is.
-    """
+
+def _unpromised(step: PlanStep, problem: Problem, scene: Scene, happened: StepOutcome) -> StepRecord:
     return StepRecord(
         operator=step.operator,
         object=step.object,
         promised=None,
         promised_effect=None,
-        happened="not performed",
+        happened=happened,
         effect=(0.0, 0.0, 0.0),
         deviation=None,
         as_promised=False,
-        positions=named_positions(problem, scene),
+        positions=dict(zip(problem.object_names, map(vector, scene.positions), strict=True)),
     )
 
 
-def named_positions(problem: Problem, scene: Scene) -> dict[str, Vector]:
-    """Return the centre of each object [m], by its name."""
-    return {name: vector(row) for name, row in zip(problem.object_names, scene.positions, strict=True)}
+def _moved(step: PlanStep, problem: Problem, grounding: Grounding, outcome: Outcome) -> dict[str, Any]:
+    """Tell what the operator of a step promised for the object as it lay, and what came of it."""
+    lay = tuple(outcome.start.orientations[outcome.target].tolist())
+    item = as_it_shows(msgspec.structs.replace(problem.object_named(step.object), orientation=lay), grounding)
+    found = promised(grounding, item, problem.tolerance).get(step.operator)
+    operator = found or grounding.operator_named(step.operator)
+    kind = operator.promise.kind if operator.promise else None
+    return {
+        "promised": kind,
+        "promised_effect": grounding.displacement(operator) if operator.promise else None,
+        "effect": vector(outcome.effect if outcome.held else outcome.resting_effect),
+        "as_promised": kind == outcome.kind,
+        "aim": (aim.x, aim.y) if isinstance(aim := outcome.reference, Place) else msgspec.UNSET,
+    }
+
+
+def _put(step: PlanStep, problem: Problem, grounding: Grounding, outcome: Outcome) -> dict[str, Any]:
+    """Tell what was promised of the pair of a step, and what came of it."""
+    put, state = put_named(step.operator, grounding), ended_in(outcome, grounding)
+    target, other = outcome.target, problem.object_names.index(step.place)
+    halves = (extent(outcome.end, target) + extent(outcome.end, other)) / 2
+    away = outcome.end.positions[target] - outcome.end.positions[other]
+    return {
+        "promised": "carried" if put else None,
+        "promised_effect": vector(np.array(put.end.offset) * halves) if put else None,
+        "effect": vector(away if outcome.carried else outcome.resting_effect),
+        "as_promised": put is not None and outcome.kind == "carried" and state == put.state,
+        "promised_state": put.state.name if put else msgspec.UNSET,
+        "state": state.name if state else msgspec.UNSET,
+    }

@@ -32,12 +32,9 @@ def usual_replans(plan: Sequence[PlanStep]) -> int:
 
 
 def usual_work(problem: Problem) -> int:
-    """Return how much may be looked at for all new plans of a run: the more objects, the more [states].
+    """Return how much may be looked at for all new plans of a run: some 40 s for four objects [states].
 
-    That is some 40 s of CPU for four objects. Where it is spent, a run goes on with the plan that it has.
-
-    Args:
-        problem: The problem.
+    Where it is spent, a run goes on with the plan that it has.
     """
     return WORK * (2 + len(problem.objects))
 
@@ -57,12 +54,7 @@ class Progress:
     stalled: int = 0
 
     def note(self, left: int | None, miss: float) -> None:
-        """Take note of a new plan.
-
-        Args:
-            left: How many primitives it has; None if there is none.
-            miss: How far objects are from their goals, in sum [m].
-        """
+        """Take note of how many primitives a new plan has, if there is one, and how far goals are [m]."""
         is_nearer = (left is not None and left < self.left) or miss < self.miss - NEARER
         self.stalled = 0 if is_nearer else self.stalled + 1
         self.left = self.left if left is None else min(left, self.left)
@@ -74,13 +66,7 @@ LATER = 2
 
 
 def why_not_go_on(left: Sequence[PlanStep], seen: Problem, experience: Experience) -> str:
-    """Say why what is left of a plan would miss the goal by what is believed now, or nothing.
-
-    Args:
-        left: The steps that are left.
-        seen: The problem as it stands now.
-        experience: What the objects were seen to do.
-    """
+    """Say why what is left of a plan would miss the goal by what is believed and seen now, or nothing."""
     if not left and is_reached(seen, experience.grounding):
         return ""
     believed, grounding = experience.believed(seen)
@@ -95,12 +81,7 @@ def _can_wait(left: Sequence[PlanStep], checked: Replay, problem: Problem) -> bo
     """Say whether a plan that would miss its goals by little is to be gone on with for now.
 
     Long plans mostly miss somewhat, each step another way; it is early enough to plan anew near the end of
-    what is done with an object.
-
-    Args:
-        left: What is left of the plan, every step of which is possible.
-        checked: Its replay.
-        problem: The problem as it stands now.
+    what is done with an object. Every step of what is left is possible.
     """
     if not left:
         return False

@@ -11,17 +11,13 @@ from typing import Any, Literal
 
 import msgspec
 
-from neurosym.execution.nudges import nudged
-from neurosym.execution.performing import perform
-from neurosym.execution.performing import recorded as record_of
-from neurosym.execution.record import Run, StepRecord, own_steps, record_refusal
-from neurosym.execution.relating import levelled, seen_now
+from neurosym.execution.performing import Situation, check_aims
+from neurosym.execution.record import Run, StepRecord, own_steps
 from neurosym.execution.watching import STOP, Moment, Watcher
 from neurosym.grounding import Grounding
 from neurosym.problems import Problem
-from neurosym.related import relating, touching, unmet_relations
 from neurosym.tasks.places import GOAL, PARK, with_places
-from neurosym.world import FrameSink, Scene, World
+from neurosym.world import FrameSink, World
 
 ROUNDING = 1e-6
 """Lengths of two runs that are no farther apart than this are taken for the same, rounded otherwise [m]."""
@@ -69,70 +65,34 @@ def rerun(
             the problem does not have.
         InvalidValue: If a step carries an object to no place, or off the table.
     """
-    scene, records = problem.scene(), []
-    contacts = touching(problem) if isinstance(problem.touching, tuple) else None
-    _check_places(problem, grounding, run)
+    plan = [one.step for one in run.steps]
+    known = [step for step in plan if not step.place.startswith((GOAL, PARK))]  # those of new plans are not
+    check_aims(with_places(problem, grounding), grounding, known)
+    here, records = Situation(world, problem, grounding, on_frame), list[StepRecord]()
     for number, recorded in enumerate(run.steps, start=1):
-        moved = _nudged_before(number, scene, run, problem)
-        if watcher and watcher.before_step(Moment(number, moved, (recorded.step,))) == STOP:
+        _be_nudged(here, run, number)
+        if watcher and watcher.before_step(Moment(number, here.scene, (recorded.step,))) == STOP:
             break
-        scene = moved
-        step, put_down = recorded.step, recorded.put_down
-        outcome = perform(
-            world, problem, grounding, step, scene, put_down, on_frame, reference=recorded.reference
-        )
-        if outcome is None:
-            records.append(record_refusal(step, problem, scene))
-        else:
-            scene, contacts = outcome.end, outcome.contacts
-            outcome = levelled(outcome) if grounding.relations else outcome
-            records.append(record_of(step, problem, grounding, outcome, put_down=put_down))
+        records.append(here.perform(recorded.step, recorded.put_down, recorded.reference)[0])
         if on_step:
             on_step(records[-1])
         if _compare(recorded, records[-1]).course == "another":
             break
-    moved = _nudged_before(len(records) + 1, scene, run, problem)
-    contacts = contacts if moved is scene else None
-    scene = moved
-    now = seen_now(problem, scene, contacts if grounding.relations else None)
-    unmet = unmet_relations(now, grounding)
-    return msgspec.structs.replace(
-        run,
-        steps=tuple(records),
-        own=run.own if len(records) == len(run.steps) else own_steps(records, run.replannings),
-        reached=problem.is_met(scene.positions) and not unmet,
-        distances=problem.distances(scene.positions),
-        unmet=unmet if problem.related else msgspec.UNSET,
-    )
+    else:
+        _be_nudged(here, run, len(records) + 1)
+    own = run.own if len(records) == len(run.steps) else own_steps(records, run.replannings)
+    return msgspec.structs.replace(run, steps=tuple(records), own=own, **here.judge())
 
 
-def _nudged_before(number: int, scene: Scene, run: Run, problem: Problem) -> Scene:
-    """Return the scene once all is nudged that was nudged before a step."""
+def _be_nudged(here: Situation, run: Run, number: int) -> None:
+    """Nudge all that was nudged before a step."""
     for nudge in run.nudges:
         if nudge.before_step == number:
-            scene = nudged(scene, nudge, problem)
-    return scene
-
-
-def _check_places(problem: Problem, grounding: Grounding, run: Run) -> None:
-    """Refuse places that there cannot have been; those of new plans are not known by now."""
-    placed = with_places(problem, grounding)
-    for step in (one.step for one in run.steps):
-        if relating(step.base, grounding):
-            problem.object_named(step.place)
-        elif grounding.carries(grounding.operator_named(step.base)) and not step.place.startswith(
-            (GOAL, PARK)
-        ):
-            grounding.table.check(step.place, *placed.place_named(step.place))
+            here.be_nudged(nudge)
 
 
 def compare_runs(recorded: Run, again: Run) -> Agreement:
-    """Compare what happened when a record was run again with what it says.
-
-    Args:
-        recorded: The record.
-        again: What `rerun` made of it, as far as it went.
-    """
+    """Compare a record with what `rerun` made of it, as far as it went."""
     compared = []
     for number, (one, other) in enumerate(zip(recorded.steps, again.steps, strict=False), start=1):
         found = _compare(one, other, f" of step {number}, {one.operator} {one.object}")

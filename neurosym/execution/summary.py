@@ -38,12 +38,7 @@ class Execution(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
 
 
 def summarise_run(run: Run, grounding: Grounding) -> Execution:
-    """Keep of a run what is counted.
-
-    Args:
-        run: The run.
-        grounding: The learned domain, which knows the table.
-    """
+    """Keep of a run what is counted; the learned domain knows the table."""
     places = ((name, place) for record in run.steps for name, place in record.positions.items())
     off = {name for name, place in places if not grounding.table.contains(np.array(place))}
     return Execution(
@@ -62,11 +57,7 @@ def summarise_run(run: Run, grounding: Grounding) -> Execution:
 
 
 def failure(run: Run) -> str:
-    """Say in a few words why a run missed its goal: what ended it, or the worst thing that happened in it.
-
-    Args:
-        run: A run that did not reach its goal.
-    """
+    """Say in a few words why a run missed its goal: what ended it, or the worst thing that happened in it."""
     ends = {record.happened for record in run.steps}
     bystanders = {how for record in run.steps for how in record.disturbed.values()}
     if "lost" in ends | bystanders:

@@ -35,16 +35,9 @@ class Watcher(Protocol):
         """Say what shall happen before a step; asked again after each nudge, until nothing is wanted.
 
         A plan that is at its end is asked for once more, since a nudge may call for a new one.
-
-        Args:
-            moment: How the run stands.
         """
         ...
 
     def replanned(self, replanning: Replanning) -> None:
-        """Hear of a new plan, or that there is none.
-
-        Args:
-            replanning: Why the old plan would not do, and what was found.
-        """
+        """Hear of a new plan, or that there is none, and why the old one would not do."""
         ...

@@ -6,6 +6,8 @@ action parameters not waypoints of a hand, nothing is known of what they mean, a
 
 from collections.abc import Sequence
 
+from neurosym.operators import Primitive
+
 AXES = 3
 """Vectors of this many numbers are taken for x, y, z [m]."""
 
@@ -20,25 +22,20 @@ def displacement_in_words(vector: Sequence[float]) -> str:
         vector: Displacement along x, y, z [m], or along axes of another number and meaning.
     """
     if len(vector) != AXES:
-        return numbers_in_words(vector)
+        return _numbers(vector)
     return ", ".join(_parts(vector, "up", "down")) or "nowhere"
 
 
 def spread_in_words(vector: Sequence[float]) -> str:
     """Say how far something scatters on each axis: `± 24, 11, 2 mm`."""
     if len(vector) != AXES:
-        return f"± {numbers_in_words(vector)}"
+        return f"± {_numbers(vector)}"
     return f"± {', '.join(str(_millimetres(value)) for value in vector)} mm"
 
 
 def distance_in_words(distance: float, axes: int) -> str:
     """Say how long a vector of so many axes is."""
     return f"{1000 * distance:.0f} mm" if axes == AXES else f"{distance:.3g}"
-
-
-def numbers_in_words(values: Sequence[float]) -> str:
-    """Write numbers of unknown meaning."""
-    return ", ".join(f"{value:.3g}" for value in values)
 
 
 def action_in_words(action: Sequence[float], gripper: Sequence[bool] = ()) -> tuple[str, ...]:
@@ -49,7 +46,7 @@ def action_in_words(action: Sequence[float], gripper: Sequence[bool] = ()) -> tu
         gripper: Which of them are gripper values, as the world's action box says; empty if nobody knows.
     """
     if not action or len(action) % len(_WAYPOINT) or tuple(gripper) != _WAYPOINT * (len(action) // 4):
-        return (f"Its parameters are {numbers_in_words(action)}.",)
+        return (f"Its parameters are {_numbers(action)}.",)
     points = [action[i : i + AXES] for i in range(0, len(action), len(_WAYPOINT))]
     hands = ["open" if value >= _OPEN else "closed" for value in action[AXES :: len(_WAYPOINT)]]
     moves = [
@@ -65,6 +62,23 @@ def action_in_words(action: Sequence[float], gripper: Sequence[bool] = ()) -> tu
     )
 
 
+def aimed_action_in_words(
+    primitive: Primitive, gripper: Sequence[bool], reference: str = "the place"
+) -> tuple[str, ...]:
+    """Say what the hand does: two waypoints are relative to the object, the third to what it is aimed at.
+
+    Args:
+        primitive: The action.
+        gripper: Which action parameters are gripper values, as the world says; empty if nobody knows.
+        reference: What it is aimed at besides the object.
+    """
+    told = action_in_words(primitive.action, gripper)
+    if len(told) <= AXES:  # plain numbers
+        return told
+    spot = place_in_words(primitive.action[-4:-1], reference)
+    return (*told[:2], f"What it grips then it lifts, carries to {spot}, lowers and lets go.")
+
+
 def place_in_words(point: Sequence[float], what: str) -> str:
     """Say where a point lies: `42 mm back and 44 mm left of the centre, 25 mm below it`.
 
@@ -77,6 +91,10 @@ def place_in_words(point: Sequence[float], what: str) -> str:
     if not level:
         return f"{height or 'at'} {what}"
     return f"{level} of {what}" + (f", {height} it" if height else ", level with it")
+
+
+def _numbers(values: Sequence[float]) -> str:
+    return ", ".join(f"{value:.3g}" for value in values)
 
 
 def _gripper_in_words(before: str, after: str) -> str:

@@ -41,14 +41,12 @@ class SymbolExplanation:
         symbol: Its bits.
         title: What an action symbol does to which share of the objects; the name of a category.
         about: Sentences on what the hand does, or on which objects have the symbol.
-        compared: Sentences on which other symbol is most like it.
         effects: What an action symbol does, by category and mode; empty for object symbols.
     """
 
     symbol: Symbol
     title: str
     about: str
-    compared: str
     effects: tuple[EffectRow, ...] = ()
 
     @property
@@ -62,7 +60,7 @@ class Explanation:
     """What the symbols of a domain mean.
 
     Attributes:
-        summary: How many symbols there are, and how many do something of their own.
+        summary: How many symbols there are, and what is said of all.
         actions: The action symbols, in the order of their bits.
         objects: The object symbols, in the order of their bits.
         carrying: The symbols of actions that are aimed at a place, if these were learned.

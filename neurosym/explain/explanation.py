@@ -1,36 +1,98 @@
 """What the symbols of a domain mean, in sentences for a person: from the table of operators alone.
 
-Action symbols: what the hand does, what that does to each category, which other symbol does the most similar
-thing. Object symbols: which objects they hold, and to which other category the most similar things are done.
+Action symbols: what the hand does, and what that does to each category. Object symbols: which objects they
+hold. A table of operators is told in one way whatever its actions are aimed at; `_Words` says what differs.
 """
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import dataclass
 
 from neurosym.errors import InvalidValue
 from neurosym.explain.action_words import (
     AXES,
     action_in_words,
+    aimed_action_in_words,
     displacement_in_words,
     distance_in_words,
     spread_in_words,
 )
-from neurosym.explain.comparison_words import (
-    ENDS,
-    category_in_words,
-    competitor_in_words,
-    sorting_in_words,
-    verdict_in_words,
-)
 from neurosym.explain.explained import EffectRow, Explanation, SymbolExplanation
-from neurosym.explain.likeness import Likenesses, Sorting
 from neurosym.explain.object_words import objects_in_words
 from neurosym.naming import CARRIED
-from neurosym.operators import CONVERGED, TOLERANCE, Category, Mode, Operator, OperatorTable, Primitive
+from neurosym.operators import CONVERGED, TOLERANCE, Mode, Operator, OperatorTable, Primitive
+from neurosym.place_operators import NEVER_CARRIES, PlaceOperators
 from neurosym.symbols import Symbol
 from neurosym.wording import listed_briefly
+from neurosym.world import OutcomeKind
 
 WhyLeftOut = Callable[[Operator], str | None]
 """Says why an operator is not in the PDDL domain; None if it is."""
+_ENDS: dict[OutcomeKind, str] = {
+    "resting": "at rest",
+    "held": "held",
+    "toppled": "on another face",
+    "carried": "carried to the place",
+    "missed": "not carried to the place",
+    "lost": "off the table",
+}
+
+
+@dataclass(frozen=True)
+class _Words:
+    """What is said of a table of operators, by what its actions are aimed at.
+
+    Attributes:
+        title: Says what the operators of a symbol do to which share of objects.
+        action: Says what the hand does.
+        effect: Says where an object ends.
+        more: Says what else is known of the operators of a symbol.
+        domain: Says whether an operator is in the PDDL domain.
+    """
+
+    title: Callable[[OperatorTable, Sequence[Operator]], str]
+    action: Callable[[Primitive, Sequence[bool]], tuple[str, ...]]
+    effect: Callable[[Mode], str]
+    more: Callable[[OperatorTable, Sequence[Operator]], Iterable[str]]
+    domain: Callable[[Operator], str]
+
+    def of(self, table: OperatorTable, gripper: Sequence[bool]) -> tuple[SymbolExplanation, ...]:
+        """Say what each action symbol does."""
+        told = []
+        for symbol in table.symbols:
+            operators = [one for one in table.operators if one.primitive == symbol]
+            about = (*self._actions(table, symbol, operators, gripper), *self.more(table, operators))
+            rows = tuple(self._row(one, mode) for one in operators for mode in one.modes)
+            told.append(SymbolExplanation(symbol, self.title(table, operators), " ".join(about), rows))
+        return tuple(told)
+
+    def _actions(
+        self, table: OperatorTable, symbol: Symbol, operators: Sequence[Operator], gripper: Sequence[bool]
+    ) -> list[str]:
+        """Say what the hand does, and for which categories if the symbol has several actions."""
+        lines, names = [], _names(table)
+        of_symbol = [primitive for primitive in table.primitives if primitive.symbol == symbol]
+        performed = [one for one in of_symbol if any(one.label == operator.label for operator in operators)]
+        for primitive in performed or of_symbol[:1]:
+            if len(of_symbol) > 1:
+                on = (names[operator.category] for operator in operators if operator.label == primitive.label)
+                lines.append(f"{primitive.label} is for {', '.join(on) or 'no category'}.")
+            lines += self.action(primitive, gripper)
+            if not primitive.has_converged:
+                error = f"its error is {primitive.code_error:.2g}, {CONVERGED} at most"
+                lines.append(f"It hardly encodes to the symbol: {error}.")
+        return lines
+
+    def _row(self, operator: Operator, mode: Mode) -> EffectRow:
+        return EffectRow(
+            operator=operator.name,
+            trials=operator.trials,
+            promised=operator.successes,
+            share=mode.share,
+            ends=_ENDS[mode.kind],
+            effect=self.effect(mode),
+            spread=spread_in_words(mode.scatter) if mode.count > 1 else "seen once",
+            domain=self.domain(operator),
+        )
 
 
 def explain(
@@ -51,19 +113,68 @@ def explain(
     Raises:
         InvalidValue: If the table does not fit together.
     """
-    check_table(table)
-    likenesses = Likenesses(table)
-    sorting = likenesses.sort_out()
-    sorted_out = sorting_in_words(sorting, len(table.symbols), _axes(table))
-    summary = (*sorted_out, _measured(table), *_unused(table))
-    actions = [
-        _explain_action(table, symbol, likenesses, sorting, gripper, why_left_out) for symbol in table.symbols
-    ]
-    objects = [_explain_category(table, c, likenesses, feature_names) for c in table.categories]
-    return Explanation(summary, tuple(actions), tuple(objects))
+    _check_table(table)
+
+    def domain(operator: Operator) -> str:
+        reason = why_left_out(operator) if why_left_out else None
+        return "" if why_left_out is None else f"no: {reason}" if reason else "yes"
+
+    words = _Words(
+        _verbs,
+        lambda primitive, gripper: action_in_words(primitive.action, gripper),
+        mode_in_words,
+        lambda table, operators: (*_held(table, operators), *_never_tried(table, operators)),
+        domain,
+    )
+    objects = tuple(
+        SymbolExplanation(one.symbol, one.name, " ".join(objects_in_words(one, feature_names)))
+        for one in table.categories
+    )
+    summary = (_counted(table), _measured(table), *_unused(table))
+    return Explanation(summary, words.of(table, gripper), objects)
 
 
-def check_table(table: OperatorTable) -> None:
+def explain_carrying(places: PlaceOperators, gripper: Sequence[bool] = ()) -> tuple[SymbolExplanation, ...]:
+    """Say what each action symbol does that is aimed at a place.
+
+    Args:
+        places: What was rehearsed.
+        gripper: Which action parameters are gripper values, as the world says; empty if nobody knows.
+
+    Raises:
+        InvalidValue: If the table does not fit together.
+    """
+    _check_table(places.operators)
+    words = _Words(
+        _carried,
+        aimed_action_in_words,
+        lambda mode: mode_in_words(mode) if mode.kind == "carried" else "elsewhere",
+        lambda _, operators: _among_others(places, operators),
+        lambda operator: "yes" if operator.successes else f"no: {NEVER_CARRIES}",
+    )
+    return words.of(places.operators, gripper)
+
+
+def summary_of(carrying: Sequence[SymbolExplanation]) -> str:
+    """Say how many symbols carry something, of those that `explain_carrying` found."""
+    able = sum(any(row.promised for row in one.effects) for one in carrying)
+    return (
+        f"Of {len(carrying)} symbols of actions aimed at a place, {able} carry objects there; as promised is "
+        f"what stands within {distance_in_words(TOLERANCE, AXES)} of the promised spot beside the place."
+    )
+
+
+def mode_in_words(mode: Mode) -> str:
+    """Say where an object ends: relative to where it stood, or to the place that it was to be carried to."""
+    away = displacement_in_words(mode.outcome)
+    if mode.kind == "carried":
+        return "at the place" if away == "nowhere" else f"{away} of the place"
+    if mode.kind != "resting" or mode.peak_height <= CARRIED or len(mode.outcome) != AXES:
+        return away
+    return f"{away}, carried {distance_in_words(mode.peak_height, AXES)} high on the way"
+
+
+def _check_table(table: OperatorTable) -> None:
     """Raise `InvalidValue` unless the parts of a table fit together."""
     primitives, categories = table.symbols, tuple(_names(table))
     if not primitives or not categories:
@@ -85,6 +196,14 @@ def check_table(table: OperatorTable) -> None:
         raise InvalidValue("its effects have different numbers of axes")
 
 
+def _counted(table: OperatorTable) -> str:
+    order = ", forward, left and up" if _axes(table) == AXES else ""
+    return (
+        f"There are {len(table.symbols)} action symbols and {len(table.categories)} object symbols. ± is one "
+        f"standard deviation{order}; an operator promises its most frequent end at rest or held."
+    )
+
+
 def _measured(table: OperatorTable) -> str:
     aside = ", and not what the distilled parameters do" if table.measured == "data" else ""
     tolerance = distance_in_words(TOLERANCE, _axes(table))
@@ -103,60 +222,6 @@ def _unused(table: OperatorTable) -> tuple[str, ...]:
     return tuple(lines)
 
 
-def _explain_action(
-    table: OperatorTable,
-    symbol: Symbol,
-    likenesses: Likenesses,
-    sorting: Sorting,
-    gripper: Sequence[bool],
-    why_left_out: WhyLeftOut | None,
-) -> SymbolExplanation:
-    operators = [operator for operator in table.operators if operator.primitive == symbol]
-    about = [
-        *_actions_in_words(table, symbol, operators, gripper),
-        *_held_in_words(operators, table.trials),
-        *_never_tried(table, operators),
-    ]
-    nearest = likenesses.nearest_action(symbol)
-    compared = [
-        *verdict_in_words(symbol, sorting, _axes(table)),
-        competitor_in_words(symbol, nearest, _names(table), _axes(table)),
-    ]
-    rows = [_row(operator, mode, why_left_out) for operator in operators for mode in operator.modes]
-    title = _verbs(table, operators)
-    return SymbolExplanation(symbol, title, " ".join(about), " ".join(compared), tuple(rows))
-
-
-def _explain_category(
-    table: OperatorTable, category: Category, likenesses: Likenesses, feature_names: Sequence[str]
-) -> SymbolExplanation:
-    nearest = likenesses.nearest_category(category.symbol)
-    compared = category_in_words(nearest, _names(table), _axes(table)) if nearest else ""
-    about = " ".join(objects_in_words(category, feature_names))
-    return SymbolExplanation(category.symbol, category.name, about, compared)
-
-
-def _row(operator: Operator, mode: Mode, why_left_out: WhyLeftOut | None) -> EffectRow:
-    reason = why_left_out(operator) if why_left_out else None
-    return EffectRow(
-        operator=operator.name,
-        trials=operator.trials,
-        promised=operator.successes,
-        share=mode.share,
-        ends=ENDS[mode.kind],
-        effect=displacement_in_words(mode.outcome) + _carried(mode),
-        spread=spread_in_words(mode.scatter) if mode.count > 1 else "seen once",
-        domain="" if why_left_out is None else f"no: {reason}" if reason else "yes",
-    )
-
-
-def _carried(mode: Mode) -> str:
-    """Say how high an object was carried that rests again."""
-    if mode.kind != "resting" or mode.peak_height <= CARRIED or len(mode.outcome) != AXES:
-        return ""
-    return f", carried {distance_in_words(mode.peak_height, AXES)} high on the way"
-
-
 def _verbs(table: OperatorTable, operators: Sequence[Operator]) -> str:
     """Say what a primitive does to which share of the objects, in the words of the operators' names."""
     names = _names(table)
@@ -170,40 +235,35 @@ def _verbs(table: OperatorTable, operators: Sequence[Operator]) -> str:
     return ", ".join(f"{verb} ({share:.0%} of objects)" for verb, share in ordered) or "never tried"
 
 
-def _actions_in_words(
-    table: OperatorTable, symbol: Symbol, operators: Sequence[Operator], gripper: Sequence[bool]
-) -> tuple[str, ...]:
-    """Say what the hand does, and for which categories if the symbol has several actions."""
-    lines: list[str] = []
-    of_symbol = [primitive for primitive in table.primitives if primitive.symbol == symbol]
-    performed = [one for one in of_symbol if any(one.label == operator.label for operator in operators)]
-    names = _names(table)
-    for primitive in performed or of_symbol[:1]:
-        if len(of_symbol) > 1:
-            on = (names[operator.category] for operator in operators if operator.label == primitive.label)
-            lines.append(f"{primitive.label} is for {', '.join(on) or 'no category'}.")
-        lines += [*action_in_words(primitive.action, gripper), *_error_in_words(primitive)]
-    return tuple(lines)
+def _carried(table: OperatorTable, operators: Sequence[Operator]) -> str:
+    shares = {one.symbol: one.share for one in table.categories}
+    carried = sum(shares[one.category] * one.successes / one.trials for one in operators if one.trials)
+    return f"carries {carried:.0%} of objects to a place" if carried else "carries nothing"
 
 
-def _error_in_words(primitive: Primitive) -> tuple[str, ...]:
-    if primitive.has_converged:
-        return ()
-    return (
-        f"It hardly encodes to the symbol: its error is {primitive.code_error:.2g}, {CONVERGED} at most.",
-    )
-
-
-def _held_in_words(operators: Sequence[Operator], what: str) -> tuple[str, ...]:
+def _held(table: OperatorTable, operators: Sequence[Operator]) -> tuple[str, ...]:
     trials = sum(operator.trials for operator in operators)
     held = sum(mode.count for operator in operators for mode in operator.modes if mode.kind == "held")
-    return (f"The object hangs from the hand in {held or 'none'} of {trials} {what}.",) if trials else ()
+    said = f"The object hangs from the hand in {held or 'none'} of {trials} {table.trials}."
+    return (said,) if trials else ()
 
 
 def _never_tried(table: OperatorTable, operators: Sequence[Operator]) -> tuple[str, ...]:
     met = {operator.category for operator in operators}
     missing = [c.name for c in table.categories if c.share and c.symbol not in met]
     return (f"It was never tried on {', '.join(missing)}.",) if missing else ()
+
+
+def _among_others(places: PlaceOperators, operators: Sequence[Operator]) -> list[str]:
+    names = {one.name for one in operators}
+    tables = {"others close beside it": places.beside, "another object on the place": places.occupied}
+    said = []
+    for company, table in tables.items():
+        found = [one for one in table if one.name in names]
+        if trials := sum(one.trials for one in found):
+            kept = sum(one.kept for one in found)
+            said.append(f"With {company} it went as promised {kept} of {trials} times.")
+    return said
 
 
 def _names(table: OperatorTable) -> dict[Symbol, str]:

@@ -1,10 +1,20 @@
 """Explaining the symbols of a domain folder, from whatever of it is there."""
 
+from collections.abc import Iterator
+from contextlib import contextmanager
 from dataclasses import replace
-from typing import TYPE_CHECKING
+from pathlib import Path
 
+from neurosym.data.interactions import Interactions
 from neurosym.errors import InvalidFile, InvalidValue
+from neurosym.explain.explained import Explanation
+from neurosym.explain.explanation import explain, explain_carrying, summary_of
+from neurosym.explain.relating_words import summary_of_relations, with_relations
+from neurosym.grounding import FORMAT, Grounding
 from neurosym.operators import OperatorTable
+from neurosym.pddl.compiler import CELL, with_every_outcome
+from neurosym.place_operators import PlaceOperators
+from neurosym.relation_operators import RelationOperators
 from neurosym.stages.folder import DomainFolder
 from neurosym.stages.layout import (
     GROUNDING,
@@ -15,24 +25,16 @@ from neurosym.stages.layout import (
     TABLE_FILES,
     WORLD,
 )
-from neurosym.stages.practising import operator_table
-
-if TYPE_CHECKING:
-    from neurosym.explain.explained import Explanation, SymbolExplanation
-    from neurosym.grounding import Grounding
-    from neurosym.world import World
-
+from neurosym.stages.practised import operator_table
+from neurosym.world import World
+from neurosym.worlds.world_file import read_world
 
 _NO_WORLD = f"There is no {WORLD} here to say what the parameters of actions are: they are plain numbers."
-
-
 _ASSUMED = f"What is in the domain is said for cells of 5 mm; there is no {GROUNDING} yet."
-
-
 _OTHER_TABLE = f"{GROUNDING} was compiled from another {PRIMITIVES}; compile-domain makes it fit."
 
 
-def explain_folder(domain: DomainFolder) -> "Explanation":
+def explain_folder(domain: DomainFolder) -> Explanation:
     """Explain the symbols of a domain folder, from whatever of it is there beside the table of operators.
 
     Args:
@@ -42,88 +44,47 @@ def explain_folder(domain: DomainFolder) -> "Explanation":
         StageMissing: If there is no `primitives.json`.
         InvalidFile: If a file cannot be used.
     """
-    from neurosym.explain.carrying_words import summary_of
-    from neurosym.explain.explanation import explain as explain_table
-    from neurosym.explain.relating_words import (
-        explain_pairs,
-        explain_relating,
-        explain_states,
-        summary_of_relations,
-    )
-    from neurosym.relation_operators import RelationOperators
-
     path, table = domain.require(PRIMITIVES), operator_table(domain)
-    world = _world(domain)
-    grounding, remark = _grounding(domain, table, world)
-    try:
-        explanation = explain_table(
-            table,
-            feature_names=world.feature_names if world else _names_in_data(domain),
-            gripper=world.action_box.gripper.tolist() if world else (),
-            why_left_out=grounding.why_left_out if grounding else None,
-        )
-    except InvalidValue as error:
-        raise InvalidFile(path, str(error)) from error
-    outdated = [f"{line}." for line in domain.outdated(TABLE_FILES)]
-    carrying = _carrying(domain, world)
-    remarks = [summary_of(carrying)] if carrying else []
-    relations = RelationOperators.load(domain / RELATION_OPERATORS) if _has_relations(domain) else None
-    remarks += [summary_of_relations(relations)] if relations else []
-    remarks += [_NO_WORLD] * (world is None) + [remark] * bool(remark) + outdated
-    explanation = replace(explanation, summary=(*explanation.summary, *remarks), carrying=carrying)
-    if relations is None:
-        return explanation
+    world = read_world(domain / WORLD)() if (domain / WORLD).exists() else None
+    gripper = world.action_box.gripper.tolist() if world else ()
     names = world.feature_names if world else _names_in_data(domain)
-    return replace(
-        explanation,
-        relating=explain_relating(relations, world.action_box.gripper.tolist() if world else ()),
-        states=explain_states(relations),
-        pairs=explain_pairs(relations, names),
-    )
+    grounding, remark = _grounding(domain, table, world)
+    left_out = grounding.why_left_out if grounding else None
+    with _fitting(path):
+        told = explain(table, feature_names=names, gripper=gripper, why_left_out=left_out)
+    remarks = []
+    if (path := domain / PLACE_OPERATORS).is_file():
+        with _fitting(path):
+            told = replace(told, carrying=explain_carrying(PlaceOperators.load(path), gripper))
+        remarks.append(summary_of(told.carrying))
+    if (path := domain / RELATION_OPERATORS).is_file():
+        relations = RelationOperators.load(path)
+        told = with_relations(told, relations, names, gripper)
+        remarks.append(summary_of_relations(relations))
+    remarks += [_NO_WORLD] * (world is None) + [remark] * bool(remark)
+    remarks += [f"{line}." for line in domain.outdated(TABLE_FILES)]
+    return replace(told, summary=(*told.summary, *remarks))
 
 
-def _has_relations(domain: DomainFolder) -> bool:
-    return (domain / RELATION_OPERATORS).is_file()
-
-
-def _carrying(domain: DomainFolder, world: "World | None") -> "tuple[SymbolExplanation, ...]":
-    from neurosym.explain.carrying_words import explain_carrying
-    from neurosym.explain.explanation import check_table
-    from neurosym.place_operators import PlaceOperators
-
-    path = domain / PLACE_OPERATORS
-    if not path.is_file():
-        return ()
-    places = PlaceOperators.load(path)
+@contextmanager
+def _fitting(path: Path) -> Iterator[None]:
+    """Name the file whose table does not fit together."""
     try:
-        check_table(places.operators)
+        yield
     except InvalidValue as error:
         raise InvalidFile(path, str(error)) from error
-    return explain_carrying(places, world.action_box.gripper.tolist() if world else ())
-
-
-def _world(domain: DomainFolder) -> "World | None":
-    from neurosym.worlds.world_file import read_world
-
-    return read_world(domain / WORLD)() if (domain / WORLD).exists() else None
 
 
 def _names_in_data(domain: DomainFolder) -> tuple[str, ...]:
     """Return the names that data of a user's own give to features."""
-    from neurosym.data.interactions import Interactions
-
     path = domain / INTERACTIONS
     return tuple(Interactions.load(path).origin.get("feature_names", ())) if path.is_file() else ()
 
 
 def _grounding(
-    domain: DomainFolder, table: OperatorTable, world: "World | None"
-) -> "tuple[Grounding | None, str]":
+    domain: DomainFolder, table: OperatorTable, world: World | None
+) -> tuple[Grounding | None, str]:
     """Return what knows which operators are in the domain, and a remark on how it knows."""
-    from neurosym.grounding import FORMAT, Grounding
-    from neurosym.pddl.compiler import CELL
-    from neurosym.pddl.determinisation import with_every_outcome
-
     if (domain / GROUNDING).exists():
         grounding = Grounding.load(domain / GROUNDING)
         fits = grounding.operators in (table, with_every_outcome(table))

@@ -1,21 +1,13 @@
 """What is tried next: candidates are drawn, and a curious strategy picks the one it knows least about."""
 
-from collections.abc import Sequence
 from dataclasses import dataclass, field
 
 import numpy as np
 
-from neurosym.actions import Mirror
 from neurosym.arrays import Float
-from neurosym.data.dimensions import Dimensions
 from neurosym.errors import InvalidValue
-from neurosym.exploration.curiosity import Curiosity, LearningConfig, seed_of
-from neurosym.exploration.disagreement import Disagreement
-from neurosym.exploration.entropy import Entropy
-from neurosym.learning.direct_model import DirectModel
-from neurosym.learning.effect_model import EffectModel
-from neurosym.learning.losses import reproducible
-from neurosym.learning.model_config import DirectConfig, ModelConfig
+from neurosym.exploration.curiosity import Curiosity, LearningConfig
+from neurosym.learning.training_config import check_numbers
 from neurosym.world import Scene, World
 from neurosym.worlds.workers import Task
 
@@ -38,9 +30,7 @@ class ExplorationConfig:
     learning: LearningConfig = field(default_factory=LearningConfig)
 
     def __post_init__(self) -> None:
-        for name in ("candidates", "block"):
-            if getattr(self, name) < 1:
-                raise InvalidValue(f"{name} = {getattr(self, name)} must be at least 1.")
+        check_numbers("", self, counts=("candidates", "block"))
         if not 0 <= self.min_predicted_effect < np.inf:
             raise InvalidValue(
                 f"min_predicted_effect = {self.min_predicted_effect} m must be at least 0, and finite."
@@ -85,32 +75,3 @@ def _draw(world: World, scene: Scene, count: int, rng: np.random.Generator) -> F
     draw = getattr(world, "draw_actions", None)
     drawn: np.ndarray = draw(rng, scene, count) if draw else world.action_box.sample(rng, count)
     return drawn.astype(np.float32)
-
-
-def make_curiosity(
-    about: str,
-    dimensions: Dimensions,
-    model_config: ModelConfig,
-    config: LearningConfig,
-    mirrors: Sequence[Mirror],
-    seed: int,
-) -> Curiosity:
-    """Make the networks that a strategy is curious with.
-
-    Args:
-        about: "entropy" or "disagreement".
-        dimensions: What they read and write.
-        model_config: How the paper's network is built.
-        config: How they learn.
-        mirrors: Mirrors of the world.
-        seed: Of the exploration.
-    """
-    if about == "entropy":
-        with reproducible(seed_of(seed, 0, 0)):
-            return Entropy([EffectModel(dimensions, model_config).eval()], config, mirrors, seed)
-    direct = DirectConfig(config.ensemble_hidden, 0.0, model_config.gripper_sharpness, peaks=False)
-    networks = []
-    for number in range(config.ensemble):
-        with reproducible(seed_of(seed, 0, number)):
-            networks.append(DirectModel(dimensions, direct).eval())
-    return Disagreement(networks, config, mirrors, seed)

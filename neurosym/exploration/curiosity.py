@@ -11,14 +11,19 @@ from typing import Any
 
 import numpy as np
 import torch
-from torch import Tensor
+from torch import Tensor, nn
 
 from neurosym.actions import Mirror
 from neurosym.arrays import Float
+from neurosym.data.dimensions import Dimensions
 from neurosym.data.interactions import Interactions
 from neurosym.errors import InvalidValue
+from neurosym.learning.direct_model import DirectModel
+from neurosym.learning.effect_model import EffectModel
 from neurosym.learning.inputs import reflected
-from neurosym.learning.losses import reproducible, run_epochs
+from neurosym.learning.losses import reproducible, run_epochs, total_loss
+from neurosym.learning.model_config import DirectConfig, ModelConfig
+from neurosym.learning.training_config import check_numbers
 
 _STREAM = 0x626C  # keeps these draws apart from those of scenes and candidates
 
@@ -48,12 +53,8 @@ class LearningConfig:
     ensemble_hidden: int = 64
 
     def __post_init__(self) -> None:
-        for name in ("epochs", "batch"):
-            if getattr(self, name) < 1:
-                raise InvalidValue(f"{name} = {getattr(self, name)} must be at least 1.")
-        for name in ("learning_rate", "loss_coefficient", "temperature", "clip_norm"):
-            if not getattr(self, name) > 0:
-                raise InvalidValue(f"{name} = {getattr(self, name)} must be positive.")
+        positive = ("learning_rate", "loss_coefficient", "temperature", "clip_norm")
+        check_numbers("", self, counts=("epochs", "batch"), positive=positive)
         if self.ensemble < 2:
             raise InvalidValue(f"ensemble = {self.ensemble} must be at least 2.")
 
@@ -68,13 +69,7 @@ class Curiosity(ABC):
         seed: Of the exploration.
     """
 
-    def __init__(
-        self,
-        networks: Sequence[Any],
-        config: LearningConfig,
-        mirrors: Sequence[Mirror],
-        seed: int,
-    ):
+    def __init__(self, networks: Sequence[Any], config: LearningConfig, mirrors: Sequence[Mirror], seed: int):
         self.networks, self.config, self.mirrors, self.seed = networks, config, mirrors, seed
         self.optimisers = [
             torch.optim.Adam(network.parameters(), lr=config.learning_rate, fused=True)
@@ -186,6 +181,104 @@ class Curiosity(ABC):
                     raise ValueError(f"The moments of parameter {index} have the shapes {shapes}.")
             groups = optimiser.state_dict()["param_groups"]
             optimiser.load_state_dict({"state": moments, "param_groups": groups})
+
+
+class Entropy(Curiosity):
+    """The paper's network: the more entropy in the predicted effect, the less is known (Algorithm 1)."""
+
+    networks: Sequence[EffectModel]
+
+    def uncertainties(
+        self, features: Float[np.ndarray, "F"], candidates: Float[np.ndarray, "C A"]
+    ) -> Float[np.ndarray, "C"]:
+        """Compute the entropy of the predicted effect, averaged over the axes (lines 5-9)."""
+        return self.networks[0].mean_entropies(features, candidates)
+
+    def expected_sizes(
+        self, features: Float[np.ndarray, "F"], candidates: Float[np.ndarray, "C A"]
+    ) -> Float[np.ndarray, "C"]:
+        """Predict the sum of absolute displacements that each candidate leads to [m]."""
+        means, _ = self.networks[0].predict(np.tile(features, (len(candidates), 1)), candidates)
+        return np.asarray(np.abs(means).sum(1))
+
+    def loss(self, network: EffectModel, features: Tensor, actions: Tensor, effects: Tensor) -> Tensor:
+        """Compute eq. 9."""
+        config = self.config
+        coefficient, temperature = config.loss_coefficient, config.temperature
+        return total_loss(
+            network, features, actions, effects, coefficient=coefficient, temperature=temperature
+        )
+
+
+class Disagreement(Curiosity):
+    """Networks without a bottleneck, that differ in how they began: what they disagree about is not known."""
+
+    networks: Sequence[DirectModel]
+
+    def uncertainties(
+        self, features: Float[np.ndarray, "F"], candidates: Float[np.ndarray, "C A"]
+    ) -> Float[np.ndarray, "C"]:
+        """Compute the variance among the standardised predictions, averaged over the axes."""
+        scale = self.networks[0].effect_std.numpy()
+        return np.asarray((self._predictions(features, candidates) / scale).var(0).mean(1))
+
+    def pick(self, uncertainties: Float[np.ndarray, "C"], rng: np.random.Generator) -> int:
+        """Draw a candidate with a probability in proportion to the disagreement about it.
+
+        Until the networks learn again, the greatest disagreement is always about the same sort of action, of
+        which a few would do (Kirsch et al., 2023, Stochastic Batch Acquisition).
+
+        Args:
+            uncertainties: The variance of the predictions of each.
+            rng: Source of randomness, owned by the caller.
+        """
+        weights = uncertainties.astype(np.float64)
+        total = weights.sum()
+        return int(rng.choice(len(weights), p=weights / total if total > 0 else None))
+
+    def expected_sizes(
+        self, features: Float[np.ndarray, "F"], candidates: Float[np.ndarray, "C A"]
+    ) -> Float[np.ndarray, "C"]:
+        """Predict the sum of absolute displacements that each candidate leads to [m]."""
+        return np.asarray(np.abs(self._predictions(features, candidates).mean(0)).sum(1))
+
+    def loss(self, network: DirectModel, features: Tensor, actions: Tensor, effects: Tensor) -> Tensor:
+        """Compute the squared error of the standardised effect."""
+        targets = (effects - network.effect_mean) / network.effect_std
+        return nn.functional.mse_loss(network(features, actions), targets)
+
+    def _predictions(self, features: np.ndarray, candidates: np.ndarray) -> Float[np.ndarray, "R C E"]:
+        repeated = np.tile(features, (len(candidates), 1))
+        return np.stack([network.predict(repeated, candidates) for network in self.networks])
+
+
+def make_curiosity(
+    about: str,
+    dimensions: Dimensions,
+    model_config: ModelConfig,
+    config: LearningConfig,
+    mirrors: Sequence[Mirror],
+    seed: int,
+) -> Curiosity:
+    """Make the networks that a strategy is curious with.
+
+    Args:
+        about: "entropy" or "disagreement".
+        dimensions: What they read and write.
+        model_config: How the paper's network is built.
+        config: How they learn.
+        mirrors: Mirrors of the world.
+        seed: Of the exploration.
+    """
+    if about == "entropy":
+        with reproducible(seed_of(seed, 0, 0)):
+            return Entropy([EffectModel(dimensions, model_config).eval()], config, mirrors, seed)
+    direct = DirectConfig(config.ensemble_hidden, 0.0, model_config.gripper_sharpness, peaks=False)
+    networks = []
+    for number in range(config.ensemble):
+        with reproducible(seed_of(seed, 0, number)):
+            networks.append(DirectModel(dimensions, direct).eval())
+    return Disagreement(networks, config, mirrors, seed)
 
 
 def seed_of(seed: int, block: int, network: int) -> int:

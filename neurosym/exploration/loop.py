@@ -21,14 +21,14 @@ from neurosym.data.dimensions import Dimensions
 from neurosym.data.interactions import Interactions
 from neurosym.drafts import at_once
 from neurosym.errors import InvalidFile, InvalidValue
-from neurosym.exploration.choice import ExplorationConfig, choose_action, make_curiosity
+from neurosym.exploration.choice import ExplorationConfig, choose_action
+from neurosym.exploration.curiosity import make_curiosity
 from neurosym.guarded import made, placed
 from neurosym.learning.model_config import EXPLORING, ModelConfig
 from neurosym.progress import Progress
 from neurosym.strategies import DEFAULT_STRATEGY, StrategyName, own_name, strategy_named
 from neurosym.tensor_files import read_tensors, write_tensors
 from neurosym.world import Outcome, World, WorldFactory
-from neurosym.worlds.ray_workers import ray_crew
 from neurosym.worlds.workers import Perform, Task, crew
 
 FORMAT = "neurosym-exploration-3"
@@ -44,7 +44,6 @@ def explore(
     strategy: StrategyName = DEFAULT_STRATEGY,
     seed: int,
     workers: int = 1,
-    ray: str | None = None,
     checkpoint: Path | None = None,
     config: ExplorationConfig | None = None,
     model_config: ModelConfig | None = None,
@@ -59,7 +58,6 @@ def explore(
         strategy: One of `STRATEGIES` in `neurosym.strategies`.
         seed: Where all draws start.
         workers: How many processes perform the interactions; their number does not change the result.
-        ray: A Ray cluster that performs them instead: `auto`, or HOST:PORT; changes no byte, either.
         checkpoint: Folder to write the state to after each block, and to go on from if it is there.
         config: How exploration goes on.
         model_config: How the network is built whose entropy is asked for.
@@ -71,7 +69,6 @@ def explore(
         InvalidValue: If a number is impossible, or the checkpoint was made with other options, or already
             holds more steps.
         InvalidFile: If the checkpoint is damaged.
-        RayMissing, NoCluster: If a Ray cluster is asked for and cannot be had.
     """
     check_count("steps", steps)
     check_count("workers", workers)
@@ -96,8 +93,7 @@ def explore(
     )
     if checkpoint is not None:
         explorer.resume(checkpoint, steps)
-    hired = crew(world_factory, workers) if ray is None else ray_crew(world_factory, ray)
-    with hired as perform:
+    with crew(world_factory, workers) as perform:
         while len(explorer) < steps:
             explorer.advance(perform, steps, progress)
             if checkpoint is not None:

@@ -5,13 +5,12 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 
 import torch
-from torch import Tensor, nn
+from torch import Tensor
 from torch.nn import functional
 
 from neurosym.arrays import Float, Int
 from neurosym.learning.effect_model import EffectModel
 from neurosym.learning.network import one_thread
-from neurosym.learning.training_config import TrainingConfig
 
 BatchLoss = Callable[[Tensor], Tensor]
 """Gives the loss of a batch, from the numbers of its rows."""
@@ -130,66 +129,6 @@ def run_epochs(
             after_epoch(epoch + 1)
     for group, rate in zip(optimiser.param_groups, rates, strict=True):
         group["lr"] = rate
-
-
-def descend(
-    loss_of: BatchLoss,
-    rows: int,
-    parameters: list[nn.Parameter],
-    config: TrainingConfig,
-    generator: torch.Generator,
-    *,
-    epochs: int,
-    report: Callable[[float], None],
-) -> None:
-    """Descend a loss by Adam, as a configuration says.
-
-    Args:
-        loss_of: Loss of a batch.
-        rows: How many samples there are.
-        parameters: What is fitted.
-        config: Step size, its decay, and the size of mini-batches.
-        generator: Source of the order of samples, owned by the caller.
-        epochs: How often every sample is seen.
-        report: Called with the share that is done.
-    """
-    run_epochs(
-        loss_of,
-        rows,
-        torch.optim.Adam(parameters, lr=config.learning_rate, fused=True),
-        generator,
-        epochs=epochs,
-        batch=config.batch,
-        clip_norm=config.clip_norm,
-        decay=config.decay,
-        after_epoch=lambda done: report(done / epochs),
-    )
-
-
-def take_steps(
-    loss: Callable[[], Tensor],
-    parameters: list[nn.Parameter],
-    steps: int,
-    rate: float,
-    report: Callable[[float], None],
-) -> None:
-    """Descend a loss that draws its own batches, the step size rising to `rate` and falling to 0.
-
-    Args:
-        loss: Draws a batch and computes its loss.
-        parameters: What is fitted.
-        steps: How many steps.
-        rate: Greatest step size of Adam.
-        report: Called with the share that is done.
-    """
-    optimiser = torch.optim.Adam(parameters, lr=rate, fused=True)
-    schedule = torch.optim.lr_scheduler.OneCycleLR(optimiser, rate, total_steps=steps)
-    for step in range(steps):
-        optimiser.zero_grad()
-        loss().backward()  # type: ignore[no-untyped-call]
-        optimiser.step()
-        schedule.step()
-        report((step + 1) / steps)
 
 
 @contextmanager

@@ -22,7 +22,7 @@ from neurosym.learning.direct_model import DirectModel
 from neurosym.learning.effect_model import EffectModel
 from neurosym.learning.losses import FitProgress, reproducible
 from neurosym.learning.model_config import DEFAULT_BITS, ModelConfig
-from neurosym.learning.recipes import RECIPES, fit_direct
+from neurosym.learning.recipes import RECIPES, Fit, fit_direct
 from neurosym.learning.report import TrainingReport
 from neurosym.learning.samples import Samples, dimensions_of, samples_of
 from neurosym.learning.training_config import TrainingConfig
@@ -131,7 +131,7 @@ def _fit(
         model = EffectModel(direct.dimensions, model_config)
         if config.standardise:
             model.set_scale(samples.effects, samples.mirrored_axes)
-        RECIPES[config.recipe](model, direct, samples, config, generator, progress)
+        RECIPES[config.recipe](Fit(model, direct, samples, config, generator, progress))
     return model
 
 

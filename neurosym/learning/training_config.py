@@ -27,7 +27,7 @@ class TeacherConfig:
     weight_decay: float = 1e-2
 
     def __post_init__(self) -> None:
-        _check("teacher", self, counts=("epochs", "batch"), positive=("rate",))
+        check_numbers("teacher", self, counts=("epochs", "batch"), positive=("rate",))
 
 
 @dataclass(frozen=True, slots=True)
@@ -55,7 +55,7 @@ class NamingConfig:
     batch: int = 1024
 
     def __post_init__(self) -> None:
-        _check("naming", self, counts=self.__slots__)
+        check_numbers("naming", self, counts=self.__slots__)
 
 
 @dataclass(frozen=True, slots=True)
@@ -75,7 +75,7 @@ class CodingConfig:
     rate: float = 2e-3
 
     def __post_init__(self) -> None:
-        _check("coding", self, counts=("actions", "objects", "steps"), positive=("rate",))
+        check_numbers("coding", self, counts=("actions", "objects", "steps"), positive=("rate",))
 
 
 @dataclass(frozen=True, slots=True)
@@ -96,7 +96,7 @@ class DecoderConfig:
     epochs: int = 80
 
     def __post_init__(self) -> None:
-        _check("decoder", self, counts=("imagined", "imagined_epochs", "epochs"))
+        check_numbers("decoder", self, counts=("imagined", "imagined_epochs", "epochs"))
 
 
 @dataclass(frozen=True, slots=True)
@@ -144,7 +144,7 @@ class TrainingConfig:
 
     def __post_init__(self) -> None:
         positive = ("learning_rate", "loss_coefficient", "temperature", "clip_norm")
-        _check("", self, counts=("epochs", "batch", "restarts"), positive=positive)
+        check_numbers("", self, counts=("epochs", "batch", "restarts"), positive=positive)
         if not 0 < self.validation_share < 1:
             raise InvalidValue(f"validation_share = {self.validation_share} must lie between 0 and 1.")
         if self.recipe not in ("joint", "refit", "taught"):
@@ -201,8 +201,17 @@ _NAMING = {
 }
 
 
-def _check(part: str, config: object, counts: Iterable[str] = (), positive: Iterable[str] = ()) -> None:
-    """Raise `InvalidValue` unless some numbers are at least 1, and others positive."""
+def check_numbers(
+    part: str, config: object, counts: Iterable[str] = (), positive: Iterable[str] = ()
+) -> None:
+    """Raise `InvalidValue` unless some numbers of a configuration are at least 1, and others positive.
+
+    Args:
+        part: What messages call the configuration.
+        config: The configuration.
+        counts: Names of those that must be at least 1.
+        positive: Names of those that must be positive.
+    """
     prefix = f"{part}." if part else ""
     for name in counts:
         if getattr(config, name) < 1:

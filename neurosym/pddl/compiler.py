@@ -9,9 +9,8 @@ from neurosym.checks import check_kind, check_length
 from neurosym.choices import CELL as CELL
 from neurosym.errors import InvalidValue
 from neurosym.grounding import FORMAT, FORMAT_WITH_PLACES, FORMAT_WITH_RELATIONS, Grounding
-from neurosym.naming import counted_axes
-from neurosym.operators import OperatorTable
-from neurosym.pddl.determinisation import with_every_outcome
+from neurosym.naming import counted_axes, name_operator
+from neurosym.operators import MIN_CHANCE, OperatorTable
 from neurosym.pddl.strips import WORDS
 from neurosym.place_operators import PlaceOperators
 from neurosym.problems import LEGAL_NAME
@@ -78,6 +77,31 @@ def compile_domain(
         places=_with_objects(places) if places else None,
         relations=relations,
     )
+
+
+def with_every_outcome(table: OperatorTable) -> OperatorTable:
+    """Add to each operator those that promise its other outcomes, at rest or held.
+
+    A primitive that lifts two objects of a category out of three leaves the third where it is, and a planner
+    may want either. So each outcome that is seen often enough becomes an operator of its own, at a cost that
+    says how rare it is: the all-outcomes determinisation of FF-Replan (Yoon, Fern and Givan, 2007). Execution
+    sees what really happens, and replans if it was another.
+
+    Args:
+        table: A table whose operators promise what is most frequent.
+    """
+    names = {category.symbol: category.name for category in table.categories}
+    operators = [
+        msgspec.structs.replace(
+            operator,
+            name=name_operator(operator.label, names[operator.category], [mode]),
+            promised=mode.kind,
+        )
+        for operator in table.operators
+        for mode in operator.modes
+        if mode is not operator.promise and mode.kind in ("resting", "held") and mode.share >= MIN_CHANCE
+    ]
+    return msgspec.structs.replace(table, operators=(*table.operators, *operators))
 
 
 def _with_objects(places: PlaceOperators) -> PlaceOperators:

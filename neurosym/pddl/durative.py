@@ -5,18 +5,29 @@ no costs, no numbers, no constants. Its action is one motion of the robot, since
 for each. So nothing is noted between them: what must be free beside the place itself, the starts of objects
 that stand over it, is named by further parameters, and a goal is to stand at one place. What can only be
 pushed is not in it.
+
+Rehearsals do not record seconds, so durations follow from the waypoints and from how the hand moves
+(`motion`): down beside the object, to where it is gripped, up, over the table, down with the object, and up
+again. The way over the table counts as its diagonal, so that no carry takes much longer than it is said to.
 """
 
 import math
-from collections.abc import Mapping, Sequence
-from itertools import chain
+from collections.abc import Iterator, Mapping, Sequence
 
 from neurosym.errors import InvalidValue, UnknownChoice
 from neurosym.grounding import Grounding
-from neurosym.pddl.durations import carry_seconds
+from neurosym.motion import (
+    CLEARANCE,
+    FINGER_SPEED,
+    GRASP_TEST,
+    LOWERING_SPEED,
+    TRANSIT_CLEARANCE,
+    way_seconds,
+)
+from neurosym.operators import Operator
 from neurosym.pddl.encoding_names import DURATIVE, domain_name
 from neurosym.pddl.problem import check_object
-from neurosym.pddl.strips import NOWHERE, PLACE, THING, common_head
+from neurosym.pddl.strips import NOWHERE, common_head
 from neurosym.pddl.strips_plan import Misread
 from neurosym.pddl.syntax import Atom
 from neurosym.problems import Problem
@@ -26,12 +37,41 @@ from neurosym.tasks.steps import PlanStep
 from neurosym.tasks.task import Task, understand
 
 CARRY = "carry"
-REQUIREMENTS = ":strips :typing :durative-actions"
 MOST_OVER = 3
 """Objects that may stand over a place at first, at most; a place with more is not carried to."""
 LEAST_SECONDS = 0.001
 """What an action takes at least: durations are printed in whole milliseconds [s]."""
-_OVER = tuple(f"?over-{number}" for number in range(1, MOST_OVER + 1))
+STROKE = 0.07
+"""How far a finger travels at most; that of the UR10's hand [m]."""
+_NUMBERS = 12  # three waypoints (x, y, z, g)
+_HEIGHT = 2  # number of the feature that says how tall an object is
+_DOMAIN = """\
+{head}
+; The hand carries one object at a time, to a free place. The places where other objects stood
+; over it at first, up to 3, must be free, too; nowhere always is. What can only be
+; pushed is not in it. The duration follows from the waypoints, and from how fast the hand moves in
+; the simulator. It counts the way over the table as its diagonal, and not the way to the object.
+(define (domain {name})
+  (:requirements :strips :typing :durative-actions)
+  (:types thing place - object {categories} - thing)
+  (:predicates
+    (hand-empty)
+    (can-carry ?o - thing)
+    (stands ?o - thing ?p - place)
+    (free ?p - place)
+    (room ?o - thing ?p ?over-1 ?over-2 ?over-3 - place))
+  (:durative-action carry
+    :parameters (?o - thing ?from ?to ?over-1 ?over-2 ?over-3 - place)
+    :duration (= ?duration {seconds:.3f})
+    :condition (and {needs})
+    :effect (and {effects})))
+"""
+_NEEDS = (
+    *("(hand-empty)", "(can-carry ?o)", "(stands ?o ?from)", "(free ?to)"),
+    *("(room ?o ?to ?over-1 ?over-2 ?over-3)", "(free ?over-1)", "(free ?over-2)", "(free ?over-3)"),
+)
+_TAKEN = ("(not (hand-empty))", "(not (stands ?o ?from))", "(not (free ?to))")
+_LEFT = ("(stands ?o ?to)", "(free ?from)", "(hand-empty)")
 
 
 def durative_domain_text(grounding: Grounding, seconds: Mapping[str, float] | None = None) -> str:
@@ -45,10 +85,8 @@ def durative_domain_text(grounding: Grounding, seconds: Mapping[str, float] | No
         InvalidValue: If nothing carries objects to places, or it cannot be known how long that takes.
         UnknownChoice: If there are seconds for what carries nothing.
     """
-    carriers = carriers_of(grounding)
-    if not carriers:
-        raise InvalidValue(f"Nothing in the domain {grounding.name} carries objects to places.")
-    given, names = seconds or {}, [one.name for one in carriers]
+    given, carriers = seconds or {}, _carriers(grounding)
+    names = [one.name for one in carriers]
     if unknown := sorted(set(given) - set(names)):
         raise UnknownChoice("operator", unknown[0], names)
     lasting = {
@@ -57,35 +95,57 @@ def durative_domain_text(grounding: Grounding, seconds: Mapping[str, float] | No
     for name, value in lasting.items():
         if not LEAST_SECONDS <= value < math.inf:
             raise InvalidValue(f"{name} takes {value:g} s; valid: at least {LEAST_SECONDS} s.")
-    over = " ".join(_OVER)
-    needed = ["(hand-empty)", "(can-carry ?o)", "(stands ?o ?from)", "(free ?to)", f"(room ?o ?to {over})"]
-    needed += [f"(free {place})" for place in _OVER]
-    taken = ["(not (hand-empty))", "(not (stands ?o ?from))", "(not (free ?to))"]
-    left = ["(stands ?o ?to)", "(free ?from)", "(hand-empty)"]
-    after = [f"(at start {fact})" for fact in taken] + [f"(at end {fact})" for fact in left]
-    categories = " ".join(sorted(category.name for category in grounding.operators.categories))
-    lines = [
-        *(f"; {line}" for line in common_head(grounding)[:3]),
-        "; The hand carries one object at a time, to a free place. The places where other objects stood",
-        f"; over it at first, up to {MOST_OVER}, must be free, too; {NOWHERE} always is. What can only be",
-        "; pushed is not in it. The duration follows from the waypoints, and from how fast the hand moves in",
-        "; the simulator. It counts the way over the table as its diagonal, and not the way to the object.",
-        f"(define (domain {domain_name(grounding, DURATIVE)})",
-        f"  (:requirements {REQUIREMENTS})",
-        f"  (:types {THING} {PLACE} - object {categories} - {THING})",
-        "  (:predicates",
-        "    (hand-empty)",
-        f"    (can-carry ?o - {THING})",
-        f"    (stands ?o - {THING} ?p - {PLACE})",
-        f"    (free ?p - {PLACE})",
-        f"    (room ?o - {THING} ?p {over} - {PLACE}))",
-        f"  (:durative-action {CARRY}",
-        f"    :parameters (?o - {THING} ?from ?to {over} - {PLACE})",
-        f"    :duration (= ?duration {max(lasting.values()):.3f})",
-        f"    :condition (and {' '.join(f'(at start {fact})' for fact in needed)})",
-        f"    :effect (and {' '.join(after)})))",
+    return _DOMAIN.format(
+        head="\n".join(f"; {line}" for line in common_head(grounding)[:3]),
+        name=domain_name(grounding, DURATIVE),
+        categories=" ".join(sorted(category.name for category in grounding.operators.categories)),
+        seconds=max(lasting.values()),
+        needs=" ".join(f"(at start {fact})" for fact in _NEEDS),
+        effects=" ".join([f"(at start {fact})" for fact in _TAKEN] + [f"(at end {fact})" for fact in _LEFT]),
+    )
+
+
+def _carriers(grounding: Grounding) -> tuple[Operator, ...]:
+    """Return what carries objects to places, or refuse a domain in which nothing does."""
+    if carriers := carriers_of(grounding):
+        return carriers
+    raise InvalidValue(f"Nothing in the domain {grounding.name} carries objects to places.")
+
+
+def carry_seconds(operator: Operator, grounding: Grounding) -> float:
+    """Estimate how long an operator takes to carry an object of its category, rounded up to 0.1 s [s].
+
+    Objects count as tall as the mean of the tallest category, since they pass over one another.
+
+    Args:
+        operator: The operator.
+        grounding: The learned domain.
+
+    Raises:
+        InvalidValue: If its actions are not three waypoints, or objects have no height.
+    """
+    action = grounding.primitive_of(operator).action
+    means = (category.feature_means for category in grounding.operators.categories)
+    tallest = max((features[_HEIGHT] for features in means if len(features) > _HEIGHT), default=0.0)
+    if len(action) != _NUMBERS or not tallest:
+        raise InvalidValue(
+            f"How long {operator.name} takes cannot be known: its action is not three waypoints for objects "
+            "with a height; give its seconds."
+        )
+    first, second = action[:4], action[4:8]
+    above = max(GRASP_TEST, tallest + TRANSIT_CLEARANCE)
+    (left, right), (near, far) = grounding.table.x, grounding.table.y
+    ways = [
+        max(0.0, tallest / 2 + CLEARANCE - first[2]),
+        math.dist(first[:3], second[:3]),
+        GRASP_TEST,
+        above - GRASP_TEST,
+        math.hypot(right - left, far - near),
+        grounding.lift_height,
     ]
-    return "\n".join(lines) + "\n"
+    seconds = sum(map(way_seconds, ways)) + way_seconds(above + tallest / 2, LOWERING_SPEED)
+    changes = 1 + ((first[3] >= 0.5) != (second[3] >= 0.5))  # it lets go in the end
+    return math.ceil(10 * (seconds + changes * STROKE / FINGER_SPEED) - 1e-9) / 10
 
 
 def durative_problem_text(problem: Problem, grounding: Grounding) -> str:
@@ -107,13 +167,9 @@ def durative_problem_text(problem: Problem, grounding: Grounding) -> str:
         )
     for item in problem.objects:
         check_object(item, grounding)
-    if not carriers_of(grounding):
-        raise InvalidValue(f"Nothing in the domain {grounding.name} carries objects to places.")
-    if task.led:
-        raise InvalidValue(
-            f"{', '.join(task.led)} cannot be carried to where it shall be, "
-            f"so {problem.name} has no durative form."
-        )
+    if _carriers(grounding) and task.led:
+        said = f"{', '.join(task.led)} cannot be carried to where it shall be"
+        raise InvalidValue(f"{said}, so {problem.name} has no durative form.")
     starts = [f"{START}{name}" for name in task.names]
     goals = " ".join(f"(stands {name} {_goal_place(name, task)})" for name in sorted(problem.goals))
     lines = [
@@ -121,7 +177,7 @@ def durative_problem_text(problem: Problem, grounding: Grounding) -> str:
         f"; How it came about: {' '.join(problem.provenance.split())}.",
         f"(define (problem {problem.name})\n  (:domain {domain_name(grounding, DURATIVE)})\n  (:objects",
         *(f"    {item.name} - {grounding.category(item.category).name}" for item in problem.objects),
-        f"    {' '.join([*starts, *task.places, NOWHERE])} - {PLACE})",
+        f"    {' '.join([*starts, *task.places, NOWHERE])} - place)",
         f"  (:init\n    (hand-empty) (free {NOWHERE})",
         *(f"    {line}" for line in _facts(task)),
         f"  )\n  (:goal (and {goals})))",
@@ -129,50 +185,20 @@ def durative_problem_text(problem: Problem, grounding: Grounding) -> str:
     return "\n".join(lines) + "\n"
 
 
-def read_durative(actions: Sequence[Atom], task: Task) -> tuple[PlanStep, ...]:
-    """Read ground actions with durations as steps; what they do is for the exact replay to judge.
-
-    Args:
-        actions: The ground actions.
-        task: The task.
-
-    Raises:
-        Misread: If an action names nothing that can be carried, or no place.
-    """
-    steps = []
-    for number, (_, *arguments) in enumerate(actions):
-        if len(arguments) != 3 + MOST_OVER or arguments[0] not in task.carriers:
-            raise Misread(
-                f"nothing carries that; valid: ({CARRY} object from to and what stood there)", number
-            )
-        thing, _, place = arguments[:3]
-        try:
-            check_place(place, task.flat, task.grounding)
-        except (InvalidValue, UnknownChoice) as error:
-            raise Misread(str(error).rstrip("."), number) from error
-        steps.append(PlanStep(task.carriers[thing][0].name, thing, place))
-    return tuple(steps)
-
-
-def _facts(task: Task) -> list[str]:
+def _facts(task: Task) -> Iterator[str]:
     """List what holds at the start, a line for each object and each place."""
-    lines = []
     for name in task.names:
         can = f" (can-carry {name})" if name in task.carried else ""
-        lines.append(f"(stands {name} {START}{name}){can}")
-    for name, (x, y) in task.places.items():
-        lines.append(f"; {name} lies at ({x:.4f}, {y:.4f}) m")
-        over = {thing: task.blockers(thing, (x, y)) for thing in task.occupants[name]}
-        rooms = (_room(thing, name, over[thing]) for thing in over if len(over[thing]) <= MOST_OVER)
-        lines.append(" ".join(chain([f"(free {name})"], rooms)))
-    return lines
-
-
-def _room(thing: str, place: str, over: tuple[str, ...]) -> str:
-    """Say which places must be free for an object to have room at a place."""
-    starts = [f"{START}{other}" for other in over]
-    filled = starts + [NOWHERE] * (MOST_OVER - len(starts))
-    return f"(room {thing} {place} {' '.join(filled)})"
+        yield f"(stands {name} {START}{name}){can}"
+    for place, (x, y) in task.places.items():
+        yield f"; {place} lies at ({x:.4f}, {y:.4f}) m"
+        facts = [f"(free {place})"]
+        for name in task.occupants[place]:
+            starts = [f"{START}{other}" for other in task.blockers(name, (x, y))]
+            if len(starts) <= MOST_OVER:
+                filled = starts + [NOWHERE] * (MOST_OVER - len(starts))
+                facts.append(f"(room {name} {place} {' '.join(filled)})")
+        yield " ".join(facts)
 
 
 def _goal_place(name: str, task: Task) -> str:
@@ -184,3 +210,19 @@ def _goal_place(name: str, task: Task) -> str:
     goal, own = problem.goals[name][:2], f"{GOAL}{name}"
     near = {place: math.dist(spot, goal) for place, spot in task.places.items() if is_at(name, spot, problem)}
     return own if own in near else min(near, key=lambda place: (near[place], place))
+
+
+def read_durative(actions: Sequence[Atom], task: Task) -> tuple[PlanStep, ...]:
+    """Read ground actions with durations as steps; what they do is for the exact replay to judge."""
+    steps = []
+    for number, (name, *arguments) in enumerate(actions):
+        if name != CARRY or len(arguments) != 3 + MOST_OVER or arguments[0] not in task.carriers:
+            said = f"nothing carries that; valid: ({CARRY} object from to and what stood there)"
+            raise Misread(said, number)
+        thing, _, place = arguments[:3]
+        try:
+            check_place(place, task.flat, task.grounding)
+        except (InvalidValue, UnknownChoice) as error:
+            raise Misread(str(error).rstrip("."), number) from error
+        steps.append(PlanStep(task.carriers[thing][0].name, thing, place))
+    return tuple(steps)

@@ -21,10 +21,5 @@ FORMER = ("stepwise", "operators", "places", "relational", "relational-lifted")
 
 
 def domain_name(grounding: Grounding, encoding: str) -> str:
-    """Name the domain in an encoding, like `tabletop-numeric`; the page has the name of the domain itself.
-
-    Args:
-        grounding: The learned domain.
-        encoding: The encoding, or `durative`.
-    """
+    """Name the domain in an encoding, like `tabletop-numeric`; the page has the name of the domain itself."""
     return grounding.name if encoding in (STRIPS, SAS) else f"{grounding.name}-{encoding}"

@@ -15,44 +15,15 @@ from neurosym.pddl.encoding_names import ENCODINGS, FORMER, NUMERIC, STRIPS, Enc
 from neurosym.pddl.numeric import STEPS as NUMERIC_STEPS
 from neurosym.pddl.numeric import numeric_domain, numeric_problem, read_numeric, write_numeric
 from neurosym.pddl.strips import page
+from neurosym.pddl.strips_plan import GroundPlan as GroundPlan
 from neurosym.pddl.strips_plan import led_by, led_in, read, write
 from neurosym.pddl.strips_problem import StripsProblem
-from neurosym.pddl.syntax import Atom, Domain, PddlProblem, words
+from neurosym.pddl.syntax import Atom, Domain, PddlProblem
 from neurosym.problems import Problem
 from neurosym.tasks.steps import PlanStep
 from neurosym.tasks.task import Task, understand
 
 Plan = tuple[PlanStep, ...]
-
-
-@dataclass(frozen=True, slots=True)
-class GroundPlan:
-    """A plan as ground actions.
-
-    Attributes:
-        encoding: The encoding of the domain that has these actions.
-        lines: The ground actions, one a line.
-        facts: What must hold in the problem at the start beside what any plan may count on.
-        spots: Names of the spots that the problem must declare.
-        led: Names of the objects that are led over cells.
-        moves: Object and operator of what leads them.
-    """
-
-    encoding: EncodingName
-    lines: tuple[str, ...]
-    facts: tuple[Atom, ...] = ()
-    spots: tuple[str, ...] = ()
-    led: tuple[str, ...] = ()
-    moves: tuple[tuple[str, str], ...] = ()
-
-    @property
-    def text(self) -> str:
-        """The plan in IPC form."""
-        return "\n".join(self.lines) + "\n"
-
-    def missing(self, problem: str) -> tuple[str, ...]:
-        """Return the facts that the text of a problem lacks."""
-        return tuple(fact for fact in map(words, self.facts) if fact not in problem)
 
 
 @dataclass(frozen=True, slots=True)
@@ -76,15 +47,7 @@ class Encoding:
 
 
 def encoding_named(name: str) -> Encoding:
-    """Return an encoding that is printed.
-
-    Args:
-        name: Its name.
-
-    Raises:
-        InvalidValue: If earlier versions had it.
-        UnknownChoice: If there is none.
-    """
+    """Return an encoding that is printed, or refuse one that earlier versions had, or that there is not."""
     check_former(name)
     if name not in _VALUES:
         raise UnknownChoice("encoding", name, ENCODINGS)
@@ -135,13 +98,6 @@ def ground_plan(
     return _VALUES.get(encoding, PAGE).write(tuple(steps), understand(problem, grounding))
 
 
-def print_ground_plan(
-    steps: Iterable[PlanStep], problem: Problem, grounding: Grounding, encoding: EncodingName = STRIPS
-) -> str:
-    """Print a plan as ground actions; see `ground_plan`."""
-    return ground_plan(steps, problem, grounding, encoding).text
-
-
 def _page_problem(task: Task, plans: Sequence[GroundPlan], steps: int) -> PddlProblem:
     led = {name for plan in plans for name in plan.led}
     printed = StripsProblem(
@@ -150,21 +106,12 @@ def _page_problem(task: Task, plans: Sequence[GroundPlan], steps: int) -> PddlPr
         kept=[move for plan in plans for move in plan.moves],
         steps=steps,
     )
-    facts = [fact for plan in plans for fact in plan.facts]
-    spots = sorted({spot for plan in plans for spot in plan.spots})
-    return printed.data(sorted(facts), spots)
+    facts = sorted(fact for plan in plans for fact in plan.facts)
+    return printed.data(facts, sorted({spot for plan in plans for spot in plan.spots}))
 
 
 def _page_plan(steps: Plan, task: Task) -> GroundPlan:
-    found = write(steps, StripsProblem(task, led=led_by(steps, task)))
-    return GroundPlan(
-        STRIPS,
-        tuple(map(words, found.actions)),
-        tuple(dict.fromkeys(found.facts)),
-        tuple(dict.fromkeys(found.spots)),
-        tuple(found.led),
-        tuple(dict.fromkeys(found.moves)),
-    )
+    return write(steps, StripsProblem(task, led=led_by(steps, task)))
 
 
 def _read_page(actions: Sequence[Atom], task: Task) -> Plan:
@@ -177,7 +124,7 @@ def _numeric_problem(task: Task, plans: Sequence[GroundPlan], steps: int) -> Pdd
 
 
 def _numeric_plan(steps: Plan, task: Task) -> GroundPlan:
-    return GroundPlan(NUMERIC, tuple(map(words, write_numeric(steps, task))))
+    return GroundPlan(NUMERIC, tuple(write_numeric(steps, task)))
 
 
 PAGE = Encoding(STRIPS, page, _page_problem, _page_plan, _read_page)

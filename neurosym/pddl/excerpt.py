@@ -9,6 +9,7 @@ conditions speak of all objects (`exists`), every fact is kept.
 import re
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
+from itertools import chain
 
 from neurosym.errors import InvalidValue
 
@@ -40,13 +41,13 @@ def excerpt_for(domain: str, problem: str, actions: Sequence[Action]) -> Excerpt
     Raises:
         InvalidValue: If a text is no PDDL.
     """
-    parts = tree_of(domain)
-    first = next((str(part[1]) for part in parts if _is_action(part)), "")
-    names = {action[0] for action in actions} or {first}  # readers trip over no action
-    kept = [part for part in parts if not _is_action(part) or part[1] in names]
+    parts, task = tree_of(domain), tree_of(problem)
+    names = {action[0] for action in actions}
+    first = next((str(part[1]) for part in parts if _head(part) == ":action"), "")
+    names = names or {first}  # readers trip over no action
+    kept = [part for part in parts if _head(part) != ":action" or part[1] in names]
     words = {word for action in actions for word in action}
-    words |= {word for part in kept if _is_action(part) for word in _words(part)}
-    task = tree_of(problem)
+    words |= {word for part in kept if _head(part) == ":action" for word in _words(part)}
     words |= {word for part in task if _head(part) in (":goal", ":metric") for word in _words(part)}
     if words.isdisjoint(_QUANTIFIED):
         kept, task = ([_narrowed(part, words) for part in text] for text in (kept, task))
@@ -62,11 +63,13 @@ def parameters_of(domain: str) -> Mapping[str, int]:
     Raises:
         InvalidValue: If it is no PDDL.
     """
-    return {
-        str(part[1]): sum(str(word).startswith("?") for word in _parameters(part))
-        for part in tree_of(domain)
-        if _is_action(part)
-    }
+    found = dict[str, int]()
+    for part in tree_of(domain):
+        if _head(part) == ":action":
+            fields = list(part[2:])
+            declared = fields[fields.index(":parameters") + 1] if ":parameters" in fields else ()
+            found[str(part[1])] = sum(str(word).startswith("?") for word in declared)
+    return found
 
 
 def tree_of(text: str) -> Tree:
@@ -92,31 +95,19 @@ def tree_of(text: str) -> Tree:
     return open_trees[0][0]
 
 
-def _is_action(part: "Tree | str") -> bool:
-    return _head(part) in (":action", ":durative-action")
-
-
 def _head(part: "Tree | str") -> "Tree | str":
-    return part[0] if part and not isinstance(part, str) else ""
-
-
-def _parameters(action: "Tree | str") -> "Iterable[Tree | str]":
-    parts = list(action)
-    return parts[parts.index(":parameters") + 1] if ":parameters" in parts else ()
+    return part[0] if part and not isinstance(part, str) else part
 
 
 def _words(part: "Tree | str") -> Iterable[str]:
-    if isinstance(part, str):
-        yield part
-    else:
-        for each in part:
-            yield from _words(each)
+    return [part] if isinstance(part, str) else chain.from_iterable(map(_words, part))
 
 
 def _narrowed(part: "Tree | str", words: set[str]) -> "Tree | str":
     """Keep what occurs of the facts and values at the start, and of what is declared."""
-    if _head(part) == ":init":
-        return [fact for fact in part if isinstance(fact, str) or _subject(fact) <= words]
+    if _head(part) == ":init":  # of a value, what it is given to counts
+        subjects = [(fact, fact[1] if _head(fact) == "=" else fact) for fact in part[1:]]
+        return [":init", *(fact for fact, about in subjects if words.issuperset(_words(about)))]
     if _head(part) in (":objects", ":constants", ":functions", ":predicates"):
         return [_head(part), *_declared(list(part[1:]), words)]
     return part
@@ -132,14 +123,9 @@ def _declared(declared: Tree, words: set[str]) -> Tree:
             kind = next(rest, "object")
             kept += [*names, "-", kind] if names else []
             names = []
-        elif (one if isinstance(one, str) else _head(one)) in words:
+        elif _head(one) in words:
             names.append(one)
     return [*kept, *names]
-
-
-def _subject(fact: Tree) -> set[str]:
-    """Return the words of a fact, or of what a value is given to."""
-    return set(_words(fact[1] if fact and fact[0] == "=" else fact))
 
 
 def _text(part: "Tree | str") -> str:

@@ -156,12 +156,7 @@ def rounding(item: SceneObject, grounding: Grounding) -> Vector:
 
 
 def best_levels(misses: Mapping[int, float], tolerance: float) -> tuple[int, ...]:
-    """Choose the levels, nearest first, that leave the largest region: their number times the disc left.
-
-    Args:
-        misses: How far from the goal's height each level can be at most [m].
-        tolerance: Radius of the ball [m].
-    """
+    """Choose the levels, nearest first, that leave the largest region: their number times the disc left."""
     ordered = sorted((z for z in misses if misses[z] < tolerance), key=lambda z: (misses[z], z))
     choices = [tuple(ordered[:count]) for count in range(1, len(ordered) + 1)]
     return max(choices, key=lambda some: len(some) * (tolerance**2 - misses[some[-1]] ** 2), default=())

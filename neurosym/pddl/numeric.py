@@ -24,10 +24,19 @@ from neurosym.errors import InvalidValue
 from neurosym.grounding import Grounding
 from neurosym.pddl.encoding_names import NUMERIC, domain_name
 from neurosym.pddl.grid import AXES, best_levels, levels
-from neurosym.pddl.strips import LIFT, MOTION, PUSH, PUT_DOWN, THING, action, common_head, predicate
+from neurosym.pddl.strips import (
+    LIFT,
+    MOTION,
+    PUSH,
+    PUT_DOWN,
+    THING,
+    actions_in,
+    common_head,
+    predicates_in,
+    symbol_table,
+)
 from neurosym.pddl.strips_plan import Misread
 from neurosym.pddl.strips_problem import motion_name
-from neurosym.pddl.symbol_table import symbol_table
 from neurosym.pddl.syntax import OBJECT, Atom, Domain, Facts, PddlProblem
 from neurosym.problems import SceneObject
 from neurosym.tasks.moves import Move
@@ -47,19 +56,15 @@ _ALONG = ("along-x", "along-y", "along-z")
 
 
 def numeric_domain(grounding: Grounding) -> Domain:
-    """Return the page in numbers.
-
-    Args:
-        grounding: The learned domain; its cells do not matter, but for which operators are in the domain.
-    """
+    """Return the page in numbers; cells do not matter, but for which operators are in the domain."""
     shift, last = shift_of(grounding), _last(grounding)
     ends = [f"(+ ({axis} ?o) ({along} ?m))" for axis, along in zip(AXES, _ALONG, strict=True)]
-    stays = tuple(
-        test
+    stays = [
+        f"(>= {end} {_MARGIN + shift}) (<= {end} {most + shift})"
         for end, most in zip(ends, last, strict=False)
-        for test in (f"(>= {end} {_MARGIN + shift})", f"(<= {end} {most + shift})")
-    )
-    moved = tuple(f"(assign ({axis} ?o) (- {end} {shift}))" for axis, end in zip(AXES, ends, strict=True))
+    ]
+    moved = [f"(assign ({axis} ?o) (- {end} {shift}))" for axis, end in zip(AXES, ends, strict=True)]
+    moves = f"tests {' '.join(stays)}\n changes {' '.join(moved)}"
     categories = sorted(category.name for category in grounding.operators.categories)
     return Domain(
         name=domain_name(grounding, NUMERIC),
@@ -72,51 +77,32 @@ def numeric_domain(grounding: Grounding) -> Domain:
         ),
         types=((THING, OBJECT), (MOTION, OBJECT), *((name, THING) for name in categories)),
         constants=(),
-        predicates=(
-            predicate("(hand-empty)", "the hand holds nothing"),
-            predicate("(pushes ?o ?m)", "?m pushes ?o"),
-            predicate("(lifts ?o ?m)", "?m lifts ?o"),
-            predicate("(lowers ?m ?up)", "?m puts down what ?up lifted"),
-            predicate("(lifted ?o ?m)", "?m lifted ?o, and the hand holds it"),
-        ),
-        costs=(predicate("(cost ?m)", ""),),
-        actions=(
-            action(
-                PUSH,
-                "push ?o",
-                "?o ?m",
-                needs="(hand-empty) (pushes ?o ?m)",
-                adds="",
-                cost="(cost ?m)",
-                tests=stays,
-                changes=moved,
-            ),
-            action(
-                LIFT,
-                "lift ?o; with a full hand only put-down applies",
-                "?o ?m",
-                needs="(hand-empty) (lifts ?o ?m)",
-                adds="(lifted ?o ?m)",
-                deletes="(hand-empty)",
-                cost="(cost ?m)",
-                tests=stays,
-                changes=moved,
-            ),
-            action(
-                PUT_DOWN,
-                "put down what ?up lifted",
-                "?o ?m ?up",
-                needs="(lifted ?o ?up) (lowers ?m ?up)",
-                adds="(hand-empty)",
-                deletes="(lifted ?o ?up)",
-                tests=stays,
-                changes=moved,
-            ),
-        ),
-        functions=(
-            *(predicate(f"({axis} ?o)", "") for axis in AXES),
-            *(predicate(f"({along} ?m)", "") for along in _ALONG),
-        ),
+        predicates=predicates_in("""
+            (hand-empty) ; the hand holds nothing
+            (pushes ?o ?m) ; ?m pushes ?o
+            (lifts ?o ?m) ; ?m lifts ?o
+            (lowers ?m ?up) ; ?m puts down what ?up lifted
+            (lifted ?o ?m) ; ?m lifted ?o, and the hand holds it
+        """),
+        costs=predicates_in("(cost ?m)"),
+        actions=actions_in(f"""
+            (push ?o ?m) ; push ?o
+                needs (hand-empty) (pushes ?o ?m)
+                costs (cost ?m)
+                {moves}
+            (lift ?o ?m) ; lift ?o; with a full hand only put-down applies
+                needs (hand-empty) (lifts ?o ?m)
+                adds (lifted ?o ?m)
+                deletes (hand-empty)
+                costs (cost ?m)
+                {moves}
+            (put-down ?o ?m ?up) ; put down what ?up lifted
+                needs (lifted ?o ?up) (lowers ?m ?up)
+                adds (hand-empty)
+                deletes (lifted ?o ?up)
+                {moves}
+        """),
+        functions=predicates_in("(x ?o)\n(y ?o)\n(z ?o)\n(along-x ?m)\n(along-y ?m)\n(along-z ?m)"),
     )
 
 
@@ -170,15 +156,7 @@ def numeric_problem(task: Task, *, steps: int = STEPS) -> PddlProblem:
 
 
 def write_numeric(steps: Sequence[PlanStep], task: Task) -> list[Atom]:
-    """Write a plan as ground actions of the page in numbers.
-
-    Args:
-        steps: The plan.
-        task: The task.
-
-    Raises:
-        InvalidValue: If a step is nothing that the problem offers.
-    """
+    """Write a plan as ground actions of the page in numbers, or refuse a step that is not offered."""
     units, found = _in_units(task.grounding), list[Atom]()
     for step in steps:
         moves = {move.name: move for move in _moves(task, units, step.object)}
@@ -192,15 +170,7 @@ def write_numeric(steps: Sequence[PlanStep], task: Task) -> list[Atom]:
 
 
 def read_numeric(actions: Sequence[Atom], task: Task) -> tuple[PlanStep, ...]:
-    """Read ground actions of the page in numbers as steps; what they do is for the exact replay to judge.
-
-    Args:
-        actions: The ground actions.
-        task: The task.
-
-    Raises:
-        Misread: If an action is nothing that the problem offers.
-    """
+    """Read ground actions of the page in numbers as steps; what they do is for the exact replay to judge."""
     units, steps = _in_units(task.grounding), list[PlanStep]()
     for number, (name, *arguments) in enumerate(actions):
         thing = arguments[0] if arguments and arguments[0] in task.names else ""
@@ -221,11 +191,7 @@ def is_numeric(actions: Sequence[Atom]) -> bool:
 
 
 def shift_of(grounding: Grounding) -> int:
-    """Return what is added to all displacements: a power of ten, and more than any that was seen.
-
-    Args:
-        grounding: The learned domain.
-    """
+    """Return what is added to all displacements: a power of ten, and more than any that was seen."""
     farthest = 0.0
     for operator in grounding.live:
         seen = [(one.effect, one.resting_effect) for one in operator.rehearsals]

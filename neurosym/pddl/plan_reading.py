@@ -1,31 +1,32 @@
 """Reading plans: what a written plan means in a domain and a problem, as steps.
 
 A step is one primitive on one object. Planners write ground actions of the printed domain, several for one
-step; they are followed from the start, and each must be possible where it stands (`strips_plan`). Plans in
-short, and those of earlier versions, name operators instead (`step_words`).
+step; they are followed from the start, and each must be possible where it stands (`strips_plan`).
+
+Steps in short name the operator and its object, and the place or the other object if there is one. Plans of
+the encodings that earlier versions had name operators, too, with cells, counts and origins behind. These are
+passed over: they belong to files that are not printed any more, and the exact replay judges the steps.
 """
 
-import dataclasses
-import re
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from pathlib import Path
 
-from neurosym.errors import InvalidPlan, shortened
-from neurosym.grounding import Grounding
+from neurosym.errors import InvalidPlan, InvalidValue, UnknownChoice, shortened
+from neurosym.grounding import Grounding, is_lift
 from neurosym.pddl import strips
 from neurosym.pddl.durative import CARRY, read_durative
 from neurosym.pddl.encodings import NUMBERS, PAGE
+from neurosym.pddl.grid import AXES
 from neurosym.pddl.numeric import is_numeric
-from neurosym.pddl.plan_forms import FORMS
-from neurosym.pddl.plan_lines import Line, WrittenAction, unread
-from neurosym.pddl.step_words import FORMER_NOTES, Misnamed, is_step_word, read_steps
-from neurosym.pddl.strips import page
 from neurosym.pddl.strips_plan import Misread, led_in, read
 from neurosym.pddl.strips_problem import StripsProblem
-from neurosym.pddl.written_plans import written_plan
+from neurosym.pddl.written_plans import WrittenAction, written_plan
 from neurosym.problems import Problem
 from neurosym.reading import MEGABYTE, read_text
+from neurosym.related import relating
+from neurosym.relation_operators import RelationOperator
 from neurosym.tasks.moves import PUT_DOWN
+from neurosym.tasks.places import check_place
 from neurosym.tasks.steps import PlanStep
 from neurosym.tasks.task import Task, understand
 
@@ -34,20 +35,20 @@ MOST_PLAN = 16 * MEGABYTE
 LONGEST_ACTION = 200
 """So much of a ground action is quoted."""
 _REACHED = "reach-goal"
-_ALIKE = frozenset(FORMER_NOTES) | {strips.LEAVE}
-"""Actions of the page that earlier versions had, too."""
-_NO_STEPS = {
-    *FORMER_NOTES,
-    *(strips.MOVE_X, strips.MOVE_Y, strips.REACH_CELL, strips.REACH_LIFTED, strips.TAKE, strips.TAKE_OFF),
-    *(strips.NOTE_CLEAR, strips.LEAVE),
-}
+_FORMER_NOTES = {_REACHED, "look-on", "reach-place", "leave-start", *(f"move-{axis}" for axis in AXES)}
+"""Actions of earlier versions that are no step of their own; the page has some of that name, too."""
+_FINISH, _LEAVE, _LADEN = "finish-", "leave-", "-laden"
+"""What other actions of theirs began or ended with: what led an object on, took one away, or took a load."""
+_ORIGINS = ("from-place", "from-object")
+_FROM_TO = (2, 5)
+"""So many arguments follow an object that is carried from one place to another, 5 in durative plans."""
 
 
 def read_plan(path: Path, grounding: Grounding, problem: Problem) -> tuple[PlanStep, ...]:
-    """Read a plan file that any planner wrote.
+    """Read a plan file that any planner wrote, in any of the forms of docs/other-plans.md.
 
     Args:
-        path: The plan file, in any of the forms of `plan_forms`.
+        path: The plan file.
         grounding: The learned domain; every operator of its table may occur, in the domain or not.
         problem: The problem that the plan is for.
 
@@ -55,22 +56,23 @@ def read_plan(path: Path, grounding: Grounding, problem: Problem) -> tuple[PlanS
         InvalidPlan: If a line cannot be read, or says what is not so; see `parse_plan`.
         InvalidFile: If the file is far too large, or no text.
     """
-    text = read_text(path, MOST_PLAN)
-    return parse_plan(text, path, grounding, problem)
+    return parse_plan(read_text(path, MOST_PLAN), path, grounding, problem)
 
 
-def read_actions(path: Path) -> tuple[tuple[str, ...], ...]:
+def read_actions(path: Path, grounding: Grounding, problem: Problem) -> tuple[tuple[str, ...], ...]:
     """Read the ground actions of a plan file, each with its arguments, whatever they mean.
 
     Args:
-        path: The plan file, in any of the forms of `plan_forms`.
+        path: The plan file.
+        grounding: The learned domain.
+        problem: The problem that the plan is for.
 
     Raises:
         InvalidPlan: If a line cannot be read.
         InvalidFile: If the file is far too large, or no text.
     """
-    actions = map(_hyphenated, written_plan(read_text(path, MOST_PLAN), path).actions)
-    return tuple((one.name, *one.arguments) for one in actions)
+    is_known = _is_known(grounding, problem)
+    return tuple(map(_words, written_plan(read_text(path, MOST_PLAN), path, is_known)))
 
 
 def parse_plan(text: str, path: Path, grounding: Grounding, problem: Problem) -> tuple[PlanStep, ...]:
@@ -104,37 +106,52 @@ def read_answer(
     Raises:
         InvalidPlan: See `parse_plan`.
     """
-    plan, grounding = written_plan(text, path), task.grounding
-    known = _Names(grounding)
-    for line in plan.passed:
-        if name := known.named_in(line.text):
-            said = f"{shortened(line.text.strip())!r} names {name} and is no step in a form that is read"
-            raise InvalidPlan(path, line.number, f"{said}; valid: {_listed()}")
-    if not (plan.actions or plan.is_empty):
-        raise InvalidPlan(path, 1, f"what is written there has no steps; valid: {_listed()}")
-    actions = tuple(_hyphenated(one) for one in plan.actions)
-    for action in actions:
-        if action.is_plain and not known.is_action(action.name):
-            raise unread(Line(action.line, action.text), path)
-    rows = [(one.name, *one.arguments) for one in actions]
+    actions = written_plan(text, path, _is_known(task.grounding, task.problem))
+    rows = [_words(action) for action in actions]
     while rows and rows[-1] == (_REACHED,):  # which some planners add
         rows.pop()
     try:
         return _steps(rows, task, printed)
-    except (Misread, Misnamed) as error:
+    except Misread as error:
         action = actions[error.number]
-        written = shortened(action.text, LONGEST_ACTION)
-        step = _number_of(rows, error.number)
-        raise InvalidPlan(path, action.line, f"{error} (step {step}, `{written}`)") from error
+        said = f"{error} (step {error.number + 1}, `{shortened(action.text, LONGEST_ACTION)}`)"
+        raise InvalidPlan(path, action.line, said) from error
+
+
+def _words(action: WrittenAction) -> tuple[str, ...]:
+    """Return an action with hyphens for underscores, as some print them: no name has underscores."""
+    return tuple(word.replace("_", "-") for word in (action.name, *action.arguments))
+
+
+def _is_known(grounding: Grounding, problem: Problem) -> Callable[[str], bool]:
+    """Return what says whether a word names an object, or an action of the domain or of earlier versions."""
+    names = {CARRY, *_of_page(grounding), *problem.object_names}
+    names |= {one.name for one in grounding.every_operator}
+
+    def is_known(word: str) -> bool:
+        name = word.replace("_", "-")
+        bare = name.removeprefix(PUT_DOWN)
+        return bool({name, bare} & names) or _is_note(name, grounding) or bool(_put(bare, grounding))
+
+    return is_known
+
+
+def _put(name: str, grounding: Grounding) -> RelationOperator | None:
+    """Return what puts objects in relations by that name, which may say that the object bears something."""
+    return relating(name.removesuffix(_LADEN), grounding)
+
+
+def _of_page(grounding: Grounding) -> set[str]:
+    return {action.name for action in strips.page(grounding).actions}
 
 
 def _steps(
-    rows: list[tuple[str, ...]],
+    rows: Sequence[tuple[str, ...]],
     task: Task,
     printed: Callable[[tuple[str, ...]], StripsProblem] | None,
 ) -> tuple[PlanStep, ...]:
     """Read ground actions, of whichever encoding they are."""
-    names = {action.name for action in page(task.grounding).actions}
+    names = _of_page(task.grounding)
     if rows and all(words[0] == CARRY for words in rows):
         return read_durative(rows, task)
     if rows and all(words[0] in names for words in rows):
@@ -142,47 +159,60 @@ def _steps(
         if printed and encoding is PAGE:
             return read(rows, printed(led_in(rows, task)))
         return encoding.read(rows, task)
-    stray = next((number for number, words in enumerate(rows) if words[0] in names - _ALIKE), None)
-    if stray is not None:
-        name = rows[stray][0]
-        raise Misread(f"{name} is an action of the page, and others of the plan are not", stray)
-    return tuple(step for _, step in read_steps(rows, task.flat, task.grounding))
+    for number, (name, *_) in enumerate(rows):
+        if name in names - _FORMER_NOTES - {strips.LEAVE}:
+            raise Misread(f"{name} is an action of the page, and others of the plan are not", number)
+    return _in_short(rows, task)
 
 
-def _number_of(rows: list[tuple[str, ...]], at: int) -> int:
-    """Return the number of the step that an action belongs to, from 1; putting down belongs to its lift."""
-    begun = [words[0] for words in rows[: at + 1] if words[0] not in _NO_STEPS]
-    return max(1, sum(not name.startswith(PUT_DOWN) and name != strips.PUT_DOWN for name in begun))
+def _in_short(rows: Sequence[tuple[str, ...]], task: Task) -> tuple[PlanStep, ...]:
+    """Read actions that name operators."""
+    steps, grounding = list[PlanStep](), task.grounding
+    for number, (name, *arguments) in enumerate(rows):
+        if not steps and name.startswith((_FINISH, *(f"move-{axis}" for axis in AXES))):
+            raise Misread(f"nothing begins what {name} leads on", number)
+        if not _is_note(name, grounding):
+            try:
+                steps.append(_step(name, arguments, task.flat, grounding))
+            except (InvalidValue, UnknownChoice) as error:
+                raise Misread(str(error).rstrip("."), number) from error
+    return tuple(steps)
 
 
-def _listed() -> str:
-    return f"a step a line, like `{FORMS[0].example}`, or another form of `docs/other-plans.md`"
+def _is_note(name: str, grounding: Grounding) -> bool:
+    """Say whether an action of an earlier version is no step, but belonged to one or said what is so."""
+    if name.startswith(_LEAVE):
+        states = grounding.relations.states if grounding.relations else ()
+        return name.removeprefix(_LEAVE) in {"start", "place", *(state.name for state in states)}
+    whole, _, axis = name.removeprefix(_FINISH).rpartition("-")
+    led = {one.name for one in grounding.every_operator}
+    is_part = name.startswith(_FINISH) and axis in AXES and whole.removeprefix(PUT_DOWN) in led
+    return is_part or name in _FORMER_NOTES
 
 
-class _Names:
-    """The names that actions have in a domain.
-
-    Args:
-        grounding: The learned domain.
-    """
-
-    def __init__(self, grounding: Grounding):
-        self._grounding = grounding
-        self._page = {action.name for action in page(grounding).actions}
-
-    def is_action(self, name: str) -> bool:
-        """Say whether something in the domain has that name."""
-        return name == CARRY or name in self._page or is_step_word(name, self._grounding)
-
-    def named_in(self, text: str) -> str | None:
-        """Return the first word of a text that names an action, if one does."""
-        words = (word.lower().replace("_", "-") for word in re.findall(r"[\w-]+", text))
-        return next((word for word in words if self.is_action(word)), None)
-
-
-def _hyphenated(action: WrittenAction) -> WrittenAction:
-    """Return an action with hyphens for underscores, as some print them: no name has underscores."""
-    if "_" not in "".join((action.name, *action.arguments)):
-        return action
-    name, *arguments = (word.replace("_", "-") for word in (action.name, *action.arguments))
-    return dataclasses.replace(action, name=name, arguments=tuple(arguments))
+def _step(name: str, arguments: Sequence[str], problem: Problem, grounding: Grounding) -> PlanStep:
+    if not arguments:
+        raise InvalidValue("it names no object; valid: (operator object), and what else belongs to it")
+    thing, *others = arguments
+    item = problem.object_named(thing)
+    if put := _put(name, grounding):
+        rest = [one for one in problem.object_names if one != thing]
+        if "".join(others[:1]) not in rest:
+            said = f"no other object '{others[0]}'" if others else "it names no other object"
+            raise InvalidValue(f"{said}; valid: {', '.join(rest)}")
+        return PlanStep(put.name, thing, others[0])
+    step = PlanStep(name, thing)
+    operator = grounding.operator_named(step.base)
+    if operator.category != item.category:
+        raise InvalidValue(
+            f"{operator.name} is for objects of category {grounding.category(operator.category).name}, "
+            f"and {thing} is of category {grounding.category(item.category).name}"
+        )
+    if grounding.carries(operator):
+        from_to = len(others) in _FROM_TO and others[1] not in _ORIGINS
+        to = others[1] if from_to else "".join(others[:1])
+        check_place(to, problem, grounding)
+        return PlanStep(name, thing, to)
+    if step.puts_down and not is_lift(operator):
+        raise InvalidValue(f"{operator.name} does not end with the object held, so nothing can be put down")
+    return step

@@ -6,12 +6,11 @@ which ground actions there are. That takes it half a second an object. On the sa
 the same cost.
 """
 
-from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import NamedTuple
 
 from neurosym.grounding import Grounding
-from neurosym.pddl.grid import AXES, Grid, goal_region, grid_of
+from neurosym.pddl.grid import AXES, goal_region, grid_of
 from neurosym.pddl.problem import check_object
 from neurosym.pddl.strips_problem import STEPS
 from neurosym.problems import Problem, SceneObject
@@ -22,21 +21,6 @@ _EMPTY = "Atom hand-empty()"
 REACH_GOAL = "reach-goal"
 _FINISH = "finish-"
 _ANY = -1  # the value of a variable before an effect that does not ask for one
-
-
-@dataclass(frozen=True, slots=True)
-class _Variable:
-    """A variable of SAS+: its number among all, and the facts that its values stand for."""
-
-    number: int
-    values: Sequence[str]
-
-    def index(self, value: str) -> int:
-        return self.values.index(value)
-
-    def text(self) -> str:
-        about = ["begin_variable", f"var{self.number}", "-1", str(len(self.values))]
-        return "\n".join([*about, *self.values, "end_variable"])
 
 
 class _Operator(NamedTuple):
@@ -77,102 +61,110 @@ def sas_text(problem: Problem, grounding: Grounding, *, steps: int = STEPS, marg
         check_object(item, grounding)
     task = _Task(problem, grounding, steps, margin)
     operators = sorted(task.operators(), key=lambda one: one.name)
-    lines = ["begin_version", "3", "end_version", "begin_metric", "1", "end_metric"]
-    lines += [str(len(task.variables)), *(variable.text() for variable in task.variables)]
+    lines = ["begin_version", "3", "end_version", "begin_metric", "1", "end_metric", str(len(task.values))]
+    for number, values in enumerate(task.values.values()):
+        lines += ["begin_variable", f"var{number}", "-1", str(len(values)), *values, "end_variable"]
     lines += ["0"]  # groups of facts that exclude each other beside those of a variable
     lines += ["begin_state", *map(str, task.start()), "end_state"]
-    goals = [f"{task.done[name].number} 0" for name in task.names]
+    goals = [f"{task.numbers['done', item.name]} 0" for item in task.items]
     lines += ["begin_goal", str(len(goals)), *goals, "end_goal"]
     lines += [str(len(operators)), *(operator.text() for operator in operators)]
     return "\n".join([*lines, "0", ""])  # no axioms
 
 
 class _Task:
-    """The variables of a problem, and what its operators do with them."""
+    """The variables of a problem, and what its operators do with them.
+
+    Attributes:
+        items: The objects with goals.
+        values: What the values of each variable stand for, by what the variable is about.
+        numbers: The number of each variable.
+    """
 
     def __init__(self, problem: Problem, grounding: Grounding, steps: int, margin: int) -> None:
-        self.names = sorted(problem.goals)
-        self._items = [problem.object_named(name) for name in self.names]
-        self._problem, self._grounding = problem, grounding
-        self._steps, self._margin = steps, margin
-        self._grid: Grid = grid_of(grounding)
+        self.items = [problem.object_named(name) for name in sorted(problem.goals)]
+        self._problem, self._grounding, self._steps, self._margin = problem, grounding, steps, margin
+        self._grid = grid_of(grounding)
         self._cells = [self._grid.cell_names(axis) for axis in range(3)]
-        of_item = [
-            (item, move) for item in self._items for move in moves_for(item, grounding, problem.tolerance)
+        self._moves = [
+            (item, move) for item in self.items for move in moves_for(item, grounding, problem.tolerance)
         ]
-        held = [_holding(item, move) for item, move in of_item if move.kind == "lift"]
-        moving = [_lock(item, move, axis) for item, move in of_item for axis in move.axes[1:]]
-        self._moves = of_item
-        self.variables: list[_Variable] = []
-        self._at: dict[tuple[str, int], _Variable] = {}
-        self._axis_variables(2)
-        self._hand = self._variable([_EMPTY, *held])
-        self._axis_variables(0)
-        self._axis_variables(1)
-        self._ready = self._variable([*moving, _FREE])
-        self.done = {
-            name: self._variable([f"Atom done({name})", f"NegatedAtom done({name})"]) for name in self.names
+        held = [_holding(item, move) for item, move in self._moves if move.kind == "lift"]
+        moving = [_lock(item, move, axis) for item, move in self._moves for axis in move.axes[1:]]
+        self.values: Mapping[tuple[str, str], Sequence[str]] = {
+            **self._places(2),
+            ("hand", ""): [_EMPTY, *held],
+            **self._places(0),
+            **self._places(1),
+            ("ready", ""): [*moving, _FREE],
+            **{
+                ("done", item.name): [f"Atom done({item.name})", f"NegatedAtom done({item.name})"]
+                for item in self.items
+            },
+        }
+        self.numbers = {about: number for number, about in enumerate(self.values)}
+
+    def _places(self, axis: int) -> dict[tuple[str, str], Sequence[str]]:
+        """Return the variables for where objects are along an axis."""
+        letter = AXES[axis]
+        return {
+            (letter, item.name): [f"Atom at-{letter}({item.name}, {cell})" for cell in self._cells[axis]]
+            for item in self.items
         }
 
-    def _variable(self, values: Sequence[str]) -> _Variable:
-        self.variables.append(_Variable(len(self.variables), values))
-        return self.variables[-1]
-
-    def _axis_variables(self, axis: int) -> None:
-        for name in self.names:
-            values = [f"Atom at-{AXES[axis]}({name}, {cell})" for cell in self._cells[axis]]
-            self._at[name, axis] = self._variable(values)
+    def _value(self, about: str, fact: str) -> int:
+        """Return the value of the hand or the lock that a fact is."""
+        return self.values[about, ""].index(fact)
 
     def start(self) -> list[int]:
         """Return the value of each variable at the start."""
-        values = [0] * len(self.variables)
-        for item in self._items:
-            for axis, cell in enumerate(self._grid.anchor(item.position)):
-                values[self._at[item.name, axis].number] = cell
-            values[self.done[item.name].number] = 1
-        values[self._ready.number] = self._ready.index(_FREE)
-        return values
+        values = dict.fromkeys(self.numbers, 0) | {("ready", ""): self._value("ready", _FREE)}
+        for item in self.items:
+            anchor = self._grid.anchor(item.position)
+            values |= {(letter, item.name): cell for letter, cell in zip(AXES, anchor, strict=True)}
+            values["done", item.name] = 1
+        return list(values.values())
 
     def operators(self) -> Iterator[_Operator]:
         """List all ground actions."""
         for item, move in self._moves:
             yield from self._parts(item, move)
-        for item in self._items:
+        for item in self.items:
             yield from self._reaching(item)
 
     def _parts(self, item: SceneObject, move: Move) -> Iterator[_Operator]:
-        """List the ground actions of all parts of a move of an object."""
-        parts = _parts_of(move)
+        """List the ground actions of a move: of one with its name, and of one for each further axis."""
+        others = [(f"{_FINISH}{move.name}-{AXES[axis]}", (axis,)) for axis in move.axes[1:]]
+        parts: list[tuple[str, tuple[int, ...]]] = [(move.name, move.axes[:1]), *others]
         locks = [_FREE, *(_lock(item, move, axes[0]) for _, axes in parts[1:]), _FREE]
+        hand, ready = self.numbers["hand", ""], self.numbers["ready", ""]
         for number, (name, axes) in enumerate(parts):
             asked, changed = [], []
-            lock, then = (self._ready.index(locks[number + k]) for k in (0, 1))
+            lock, then = (self._value("ready", locks[number + k]) for k in (0, 1))
             if lock == then:
-                asked.append((self._ready.number, lock))
+                asked.append((ready, lock))
             else:
-                changed.append((self._ready.number, lock, then))
+                changed.append((ready, lock, then))
             if number == 0:
-                changed.append((self.done[item.name].number, _ANY, 1))
-                empty, held = self._hand.index(_EMPTY), _holding(item, move)
+                changed.append((self.numbers["done", item.name], _ANY, 1))
+                empty = self._value("hand", _EMPTY)
                 if move.kind == "rest":
-                    asked.append((self._hand.number, empty))
-                elif move.kind == "lift":
-                    changed.append((self._hand.number, empty, self._hand.index(held)))
+                    asked.append((hand, empty))
                 else:
-                    changed.append((self._hand.number, self._hand.index(held), empty))
+                    held = self._value("hand", _holding(item, move))
+                    changed.append((hand, empty, held) if move.kind == "lift" else (hand, held, empty))
             cost = move.cost if number == 0 else 0
-            stays, begin = tuple(asked), f"{name} {item.name}"
             for words, shifted in self._shifts(item, move, axes):
-                yield _Operator(begin + words, stays, (*changed, *shifted), cost)
+                yield _Operator(f"{name} {item.name}{words}", tuple(asked), (*changed, *shifted), cost)
 
     def _shifts(
-        self, item: SceneObject, move: Move, axes: tuple[int, ...]
+        self, item: SceneObject, move: Move, axes: Iterable[int]
     ) -> Iterator[tuple[str, tuple[tuple[int, int, int], ...]]]:
         """List from which cells to which a part leads: as words of a name, and as a change."""
         if not axes:
             yield "", ()
         for axis in axes:
-            number, names = self._at[item.name, axis].number, self._cells[axis]
+            number, names = self.numbers[AXES[axis], item.name], self._cells[axis]
             for before, after in self._grid.shifts(axis, move.cells[axis], self._margin):
                 yield f" {names[before]} {names[after]}", ((number, before, after),)
 
@@ -180,20 +172,14 @@ class _Task:
         """List the ground actions that note that an object is within its goal region."""
         goal, tolerance = self._problem.goals[item.name], self._problem.tolerance
         region = goal_region(item, goal, tolerance, self._grounding, steps=self._steps)
-        ready = (self._ready.number, self._ready.index(_FREE))
+        ready = (self.numbers["ready", ""], self._value("ready", _FREE))
+        noted = ((self.numbers["done", item.name], _ANY, 0),)
         for xy in region.xy:
             for z in region.z:
-                spot = tuple(enumerate((*xy, z)))
-                words = " ".join([self._cells[axis][cell] for axis, cell in spot])
-                at = tuple((self._at[item.name, axis].number, cell) for axis, cell in spot)
-                noted = ((self.done[item.name].number, _ANY, 0),)
+                cells = dict(zip(AXES, (*xy, z), strict=True))
+                words = " ".join(names[cell] for names, cell in zip(self._cells, cells.values(), strict=True))
+                at = tuple((self.numbers[axis, item.name], cell) for axis, cell in cells.items())
                 yield _Operator(f"{REACH_GOAL} {item.name} {words}", (ready, *at), noted, 0)
-
-
-def _parts_of(move: Move) -> tuple[tuple[str, tuple[int, ...]], ...]:
-    """List the actions that a move consists of, with its name and the axes of which it names cells."""
-    others = ((f"{_FINISH}{move.name}-{AXES[axis]}", (axis,)) for axis in move.axes[1:])
-    return ((move.name, move.axes[:1]), *others)
 
 
 def _lock(item: SceneObject, move: Move, axis: int) -> str:

@@ -11,15 +11,16 @@ rests on an object, so it counts what does.
 
 import re
 import textwrap
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
 
-from neurosym.grounding import Grounding
-from neurosym.pddl.symbol_table import symbol_table
+from neurosym.grounding import Grounding, is_lift
+from neurosym.operators import Operator
 from neurosym.pddl.syntax import OBJECT, Action, Atom, Domain, Predicate, Typed
 from neurosym.tasks.carriers import carriers_of
-from neurosym.tasks.puts import bearing_states, puts_of
+from neurosym.tasks.moves import chance
+from neurosym.tasks.puts import Put, bearing_states, puts_of
 
 WIDTH = 108
 """So many columns lines of comments have behind their semicolon, at most."""
@@ -56,6 +57,9 @@ WORDS = (
     *(NOTE_CLEAR, LEAVE, REACH_CELL, REACH_LIFTED, REACH_PLACE),
 )
 """What every page may call its types, constants and actions."""
+_NOTHING = "-"
+_ROW = "  "
+"""What rows of a table begin with."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -65,72 +69,51 @@ class _Part:
     Attributes:
         about: What readers must know of it, as one paragraph.
         types: Its types, beside things.
+        predicates: Its predicates, as `predicates_in` reads them.
+        actions: Its actions, as `actions_in` reads them.
         constants: Its constants.
-        predicates: Its predicates.
-        actions: Its actions.
         places: Its types of places.
     """
 
     about: str
     types: tuple[str, ...]
+    predicates: str
+    actions: str = ""
     constants: tuple[Typed, ...] = ()
-    predicates: tuple[Predicate, ...] = ()
-    actions: tuple[Action, ...] = ()
     places: tuple[str, ...] = ()
 
 
 @lru_cache(maxsize=8)
 def page(grounding: Grounding) -> Domain:
-    """Return the page of a learned domain.
-
-    Args:
-        grounding: The learned domain.
-    """
-    parts = [_common(), *([_leading()] if grounding.live else [])]
+    """Return the page of a learned domain."""
+    parts = [_COMMON, *([_LEADING] if grounding.live else [])]
     if puts_of(grounding):
         parts += [_carrying(grounding, "?from"), _relating(grounding)]
     elif carriers_of(grounding):
         parts += [_carrying(grounding)]
     categories = sorted(category.name for category in grounding.operators.categories)
-    kinds = [kind for part in parts for kind in part.types]
     return Domain(
         name=grounding.name,
         head=(
             *common_head(grounding),
-            *wrapped(part.about for part in parts),
+            *_wrapped(part.about for part in parts),
             *_guarantees(has_cells=bool(grounding.live), has_places=len(parts) > 2 or not grounding.live),
             *symbol_table(grounding),
         ),
         types=(
-            *((kind, OBJECT) for kind in (THING, *kinds)),
+            *((kind, OBJECT) for kind in (THING, *(kind for part in parts for kind in part.types))),
             *((kind, PLACE) for part in parts for kind in part.places),
             *((name, THING) for name in categories),
         ),
         constants=tuple(one for part in parts for one in part.constants),
-        predicates=tuple(one for part in parts for one in part.predicates),
-        costs=(predicate("(cost ?c)", ""),),
-        actions=tuple(one for part in parts for one in part.actions),
-    )
-
-
-def _common() -> _Part:
-    return _Part(
-        about="",
-        types=(PRICE,),
-        predicates=(
-            predicate("(hand-empty)", "the hand holds nothing"),
-            predicate("(ready)", "no motion is under way"),
-            predicate("(done ?o)", "?o was noted at its goal, and not moved since"),
-        ),
+        predicates=tuple(one for part in parts for one in predicates_in(part.predicates)),
+        costs=predicates_in("(cost ?c)"),
+        actions=tuple(one for part in parts for one in actions_in(part.actions)),
     )
 
 
 def common_head(grounding: Grounding) -> tuple[str, ...]:
-    """Return what every printed domain begins with.
-
-    Args:
-        grounding: The learned domain.
-    """
+    """Return what every printed domain begins with."""
     cost = (
         "Every motion costs 1; the other actions are free."
         if grounding.unit_costs
@@ -145,15 +128,11 @@ def common_head(grounding: Grounding) -> tuple[str, ...]:
         cost,
         data * (grounding.operators.measured == "data"),
     )
-    return wrapped(paragraphs)
+    return _wrapped(paragraphs)
 
 
-def wrapped(paragraphs: Iterable[str]) -> tuple[str, ...]:
-    """Break paragraphs into lines of comments.
-
-    Args:
-        paragraphs: The paragraphs; empty ones are left out.
-    """
+def _wrapped(paragraphs: Iterable[str]) -> tuple[str, ...]:
+    """Break paragraphs into lines of comments; empty ones are left out."""
     return tuple(line for text in paragraphs for line in textwrap.wrap(text, WIDTH, break_on_hyphens=False))
 
 
@@ -165,93 +144,71 @@ def _guarantees(*, has_cells: bool, has_places: bool) -> tuple[str, ...]:
         "finds that."
     )
     valid = f"A valid plan asks a full hand for nothing but to put down{carried}."
-    return wrapped([valid + collide * has_cells])
+    return _wrapped([valid + collide * has_cells])
 
 
-def _leading() -> _Part:
-    due = "(due-x ?o ?dx) (due-y ?o ?dy)"
-    here = "(at-x ?o ?x) (at-y ?o ?y) (goal-cell ?o ?x ?y)"
-    return _Part(
-        about="What is not carried is moved cell by cell: push, lift or put-down starts a motion ?m, named "
-        "by its symbol, which shifts ?o by ?dx and ?dy cells; move-x and then move-y carry it out.",
-        types=(MOTION, X_CELL, Y_CELL, X_SHIFT, Y_SHIFT),
-        predicates=(
-            predicate("(by-cells ?o)", "?o is moved cell by cell, until it is taken"),
-            predicate("(at-x ?o ?x)", "the centre of ?o is in that column of cells"),
-            predicate("(at-y ?o ?y)", "and in that row"),
-            predicate("(pushes ?o ?m ?dx ?dy ?c)", "?m pushes ?o by ?dx and ?dy"),
-            predicate("(lifts ?o ?m ?dx ?dy ?c)", "?m lifts ?o, and shifts it so"),
-            predicate("(lowers ?o ?m ?dx ?dy)", "putting down what ?m lifted shifts it so far"),
-            predicate("(on-table ?o)", "?o, moved by cells, is not lifted"),
-            predicate("(lifted ?o ?m)", "?m lifted ?o, and the hand holds it"),
-            predicate("(due-x ?o ?dx)", "?o is under way, and has to go so far along x"),
-            predicate("(due-y ?o ?dy)", "and so far along y"),
-            predicate("(went-x ?o)", "?o went along x already"),
-            predicate("(x-sum ?dx ?x ?to-x)", "from ?x, ?dx leads to ?to-x"),
-            predicate("(y-sum ?dy ?y ?to-y)", "from ?y, ?dy leads to ?to-y"),
-            predicate("(goal-cell ?o ?x ?y)", "over that cell ?o meets its goal"),
-            predicate("(goal-on-table ?o)", "the goal of ?o is on the table"),
-            predicate("(goal-lifted ?o ?m)", "the goal of ?o is as high as ?m lifts it"),
-        ),
-        actions=(
-            action(
-                PUSH,
-                "begin to push ?o",
-                "?o ?m ?dx ?dy ?c",
-                needs="(ready) (hand-empty) (by-cells ?o) (pushes ?o ?m ?dx ?dy ?c)",
-                adds=due,
-                deletes="(ready) (done ?o)",
-                cost="(cost ?c)",
-            ),
-            action(
-                LIFT,
-                "begin to lift ?o, which stays over cells; put-down sets it down",
-                "?o ?m ?dx ?dy ?c",
-                needs="(ready) (hand-empty) (by-cells ?o) (on-table ?o) (lifts ?o ?m ?dx ?dy ?c)",
-                adds=f"{due} (lifted ?o ?m)",
-                deletes="(ready) (hand-empty) (on-table ?o) (done ?o)",
-                cost="(cost ?c)",
-            ),
-            action(
-                PUT_DOWN,
-                "begin to put down what ?m lifted",
-                "?o ?m ?dx ?dy",
-                needs="(ready) (lifted ?o ?m) (lowers ?o ?m ?dx ?dy)",
-                adds=f"{due} (hand-empty) (on-table ?o)",
-                deletes="(ready) (lifted ?o ?m) (done ?o)",
-            ),
-            action(
-                MOVE_X,
-                "shift ?o along x",
-                "?o ?dx ?x ?to-x",
-                needs="(due-x ?o ?dx) (at-x ?o ?x) (x-sum ?dx ?x ?to-x)",
-                adds="(went-x ?o) (at-x ?o ?to-x)",
-                deletes="(due-x ?o ?dx) (at-x ?o ?x)",
-            ),
-            action(
-                MOVE_Y,
-                "and along y, which ends the motion",
-                "?o ?dy ?y ?to-y",
-                needs="(went-x ?o) (due-y ?o ?dy) (at-y ?o ?y) (y-sum ?dy ?y ?to-y)",
-                adds="(ready) (at-y ?o ?to-y)",
-                deletes="(went-x ?o) (due-y ?o ?dy) (at-y ?o ?y)",
-            ),
-            action(
-                REACH_CELL,
-                "note that ?o lies where its goal is",
-                "?o ?x ?y",
-                needs=f"(ready) (on-table ?o) (goal-on-table ?o) {here}",
-                adds="(done ?o)",
-            ),
-            action(
-                REACH_LIFTED,
-                "note that ?o is held where its goal is",
-                "?o ?m ?x ?y",
-                needs=f"(ready) (lifted ?o ?m) (goal-lifted ?o ?m) {here}",
-                adds="(done ?o)",
-            ),
-        ),
-    )
+_COMMON = _Part(
+    about="",
+    types=(PRICE,),
+    predicates="""
+        (hand-empty) ; the hand holds nothing
+        (ready) ; no motion is under way
+        (done ?o) ; ?o was noted at its goal, and not moved since
+    """,
+)
+_LEADING = _Part(
+    about="What is not carried is moved cell by cell: push, lift or put-down starts a motion ?m, named "
+    "by its symbol, which shifts ?o by ?dx and ?dy cells; move-x and then move-y carry it out.",
+    types=(MOTION, X_CELL, Y_CELL, X_SHIFT, Y_SHIFT),
+    predicates="""
+        (by-cells ?o) ; ?o is moved cell by cell, until it is taken
+        (at-x ?o ?x) ; the centre of ?o is in that column of cells
+        (at-y ?o ?y) ; and in that row
+        (pushes ?o ?m ?dx ?dy ?c) ; ?m pushes ?o by ?dx and ?dy
+        (lifts ?o ?m ?dx ?dy ?c) ; ?m lifts ?o, and shifts it so
+        (lowers ?o ?m ?dx ?dy) ; putting down what ?m lifted shifts it so far
+        (on-table ?o) ; ?o, moved by cells, is not lifted
+        (lifted ?o ?m) ; ?m lifted ?o, and the hand holds it
+        (due-x ?o ?dx) ; ?o is under way, and has to go so far along x
+        (due-y ?o ?dy) ; and so far along y
+        (went-x ?o) ; ?o went along x already
+        (x-sum ?dx ?x ?to-x) ; from ?x, ?dx leads to ?to-x
+        (y-sum ?dy ?y ?to-y) ; from ?y, ?dy leads to ?to-y
+        (goal-cell ?o ?x ?y) ; over that cell ?o meets its goal
+        (goal-on-table ?o) ; the goal of ?o is on the table
+        (goal-lifted ?o ?m) ; the goal of ?o is as high as ?m lifts it
+    """,
+    actions="""
+        (push ?o ?m ?dx ?dy ?c) ; begin to push ?o
+            needs (ready) (hand-empty) (by-cells ?o) (pushes ?o ?m ?dx ?dy ?c)
+            adds (due-x ?o ?dx) (due-y ?o ?dy)
+            deletes (ready) (done ?o)
+            costs (cost ?c)
+        (lift ?o ?m ?dx ?dy ?c) ; begin to lift ?o, which stays over cells; put-down sets it down
+            needs (ready) (hand-empty) (by-cells ?o) (on-table ?o) (lifts ?o ?m ?dx ?dy ?c)
+            adds (due-x ?o ?dx) (due-y ?o ?dy) (lifted ?o ?m)
+            deletes (ready) (hand-empty) (on-table ?o) (done ?o)
+            costs (cost ?c)
+        (put-down ?o ?m ?dx ?dy) ; begin to put down what ?m lifted
+            needs (ready) (lifted ?o ?m) (lowers ?o ?m ?dx ?dy)
+            adds (due-x ?o ?dx) (due-y ?o ?dy) (hand-empty) (on-table ?o)
+            deletes (ready) (lifted ?o ?m) (done ?o)
+        (move-x ?o ?dx ?x ?to-x) ; shift ?o along x
+            needs (due-x ?o ?dx) (at-x ?o ?x) (x-sum ?dx ?x ?to-x)
+            adds (went-x ?o) (at-x ?o ?to-x)
+            deletes (due-x ?o ?dx) (at-x ?o ?x)
+        (move-y ?o ?dy ?y ?to-y) ; and along y, which ends the motion
+            needs (went-x ?o) (due-y ?o ?dy) (at-y ?o ?y) (y-sum ?dy ?y ?to-y)
+            adds (ready) (at-y ?o ?to-y)
+            deletes (went-x ?o) (due-y ?o ?dy) (at-y ?o ?y)
+        (reach-cell ?o ?x ?y) ; note that ?o lies where its goal is
+            needs (ready) (on-table ?o) (goal-on-table ?o) (at-x ?o ?x) (at-y ?o ?y) (goal-cell ?o ?x ?y)
+            adds (done ?o)
+        (reach-lifted ?o ?m ?x ?y) ; note that ?o is held where its goal is
+            needs (ready) (lifted ?o ?m) (goal-lifted ?o ?m) (at-x ?o ?x) (at-y ?o ?y) (goal-cell ?o ?x ?y)
+            adds (done ?o)
+    """,
+)
 
 
 def _carrying(grounding: Grounding, origin: str = "") -> _Part:
@@ -261,87 +218,64 @@ def _carrying(grounding: Grounding, origin: str = "") -> _Part:
         grounding: The learned domain.
         origin: The variable for where an object in the hand is from, where it can be from another object.
     """
-    bare = "(bears ?o n0)" * bool(origin)
-    leave = action(
-        LEAVE,
-        "note that ?o, moved by cells to its goal, has left its spot",
-        "?o ?p",
-        needs="(ready) (done ?o) (by-cells ?o) (stands ?o ?p)",
-        adds="(free ?p)",
-        deletes="(stands ?o ?p)",
-    )
+    has_origins = bool(origin)
+    leave = """
+        (leave ?o ?p) ; note that ?o, moved by cells to its goal, has left its spot
+            needs (ready) (done ?o) (by-cells ?o) (stands ?o ?p)
+            adds (free ?p)
+            deletes (stands ?o ?p)
+    """
     return _Part(
         about="Things stand at spots. What can be carried is taken from one, and put at another that is "
         "free. Where it would overlap spots of the start there, note-clear goes through them until nowhere "
         "is left.",
         types=(PLACE, *([ORIGIN] if origin else [])),
         places=(SPOT, *([PERCH] if origin else [])),
-        constants=(
-            (NOWHERE, SPOT),
-            *(((FROM_SPOT, ORIGIN), (FROM_PERCH, ORIGIN)) if origin else ()),
-        ),
-        predicates=(
-            predicate("(stands ?o ?at)", "?o stands there, or was not noted to have left"),
-            predicate("(free ?p)", "nothing stands there"),
-            predicate("(can-take ?o)", "?o can be put somewhere, once it is taken"),
-            predicate(
-                f"(taken ?o {origin})", "the hand has ?o" + ", from a spot or from a perch" * bool(origin)
-            ),
-            predicate(f"(can-carry ?o {origin} ?c)", "?o can be put at spots, at that price"),
-            predicate("(check ?o ?p ?here)", "for ?o to be put at ?p, ?here must be free"),
-            predicate("(then ?o ?p ?here ?next)", "and after that ?next, if it is not nowhere"),
-            predicate("(goal-place ?o ?p)", "at that spot ?o meets its goal"),
-        ),
-        actions=(
-            action(
-                TAKE,
-                "take ?o from a spot",
-                "?o ?p",
-                needs=f"(ready) (hand-empty) (can-take ?o) (stands ?o ?p) {_unloaded(grounding)}",
-                adds=f"(taken ?o {FROM_SPOT * bool(origin)}) (free ?p)",
-                deletes=f"(hand-empty) (stands ?o ?p) {'(by-cells ?o)' * bool(grounding.live)} (done ?o)",
-            ),
-            action(
-                PUT_AT,
-                "put ?o, which was taken, at a spot",
-                f"?o ?p {origin} ?c",
-                needs=f"(taken ?o {origin}) {bare} (can-carry ?o {origin} ?c) (free ?p) "
-                f"(check ?o ?p {NOWHERE})",
-                adds="(hand-empty) (stands ?o ?p)",
-                deletes=f"(taken ?o {origin}) (free ?p)",
-                cost="(cost ?c)",
-            ),
-            action(
-                NOTE_CLEAR,
-                "note that ?here, which ?o at ?p would overlap, is free",
-                "?o ?p ?here ?next",
-                needs="(check ?o ?p ?here) (free ?here) (then ?o ?p ?here ?next)",
-                adds="(check ?o ?p ?next)",
-            ),
-            action(
-                REACH_PLACE,
-                "note that ?o stands where its goal is",
-                "?o ?p",
-                needs="(stands ?o ?p) (goal-place ?o ?p)",
-                adds="(done ?o)",
-            ),
-            *([leave] if grounding.live else []),
-        ),
+        constants=((NOWHERE, SPOT), *(((FROM_SPOT, ORIGIN), (FROM_PERCH, ORIGIN)) if origin else ())),
+        predicates=f"""
+            (stands ?o ?at) ; ?o stands there, or was not noted to have left
+            (free ?p) ; nothing stands there
+            (can-take ?o) ; ?o can be put somewhere, once it is taken
+            (taken ?o {origin}) ; the hand has ?o{", from a spot or from a perch" * has_origins}
+            (can-carry ?o {origin} ?c) ; ?o can be put at spots, at that price
+            (check ?o ?p ?here) ; for ?o to be put at ?p, ?here must be free
+            (then ?o ?p ?here ?next) ; and after that ?next, if it is not nowhere
+            (goal-place ?o ?p) ; at that spot ?o meets its goal
+        """,
+        actions=f"""
+            (take ?o ?p) ; take ?o from a spot
+                needs (ready) (hand-empty) (can-take ?o) (stands ?o ?p) {_unloaded(grounding)}
+                adds (taken ?o {FROM_SPOT * has_origins}) (free ?p)
+                deletes (hand-empty) (stands ?o ?p) {"(by-cells ?o)" * bool(grounding.live)} (done ?o)
+            (put-at ?o ?p {origin} ?c) ; put ?o, which was taken, at a spot
+                needs (taken ?o {origin}) {"(bears ?o n0)" * has_origins} (can-carry ?o {origin} ?c) (free ?p)
+                    (check ?o ?p {NOWHERE})
+                adds (hand-empty) (stands ?o ?p)
+                deletes (taken ?o {origin}) (free ?p)
+                costs (cost ?c)
+            (note-clear ?o ?p ?here ?next) ; note that ?here, which ?o at ?p would overlap, is free
+                needs (check ?o ?p ?here) (free ?here) (then ?o ?p ?here ?next)
+                adds (check ?o ?p ?next)
+            (reach-place ?o ?p) ; note that ?o stands where its goal is
+                needs (stands ?o ?p) (goal-place ?o ?p)
+                adds (done ?o)
+            {leave * bool(grounding.live)}
+        """,
     )
 
 
 def _relating(grounding: Grounding) -> _Part:
+    """Return what puts objects on and into one another."""
     put = "(bears ?b ?n) (next ?n ?more) (fee ?w ?from ?n ?c)"
-    put_loaded = action(
-        PUT_LOADED,
-        "the same with what rests on it, if ?b stands at a spot",
-        "?o ?q ?b ?from ?p ?less ?load ?n ?more ?w ?c",
-        needs="(taken ?o ?from) (bears ?o ?load) (next ?less ?load) (stands ?b ?p) "
-        f"(can-put-loaded ?o ?q ?w) (on ?q ?b) {put}",
-        adds="(hand-empty) (stands ?o ?q) (bears ?b ?more)",
-        deletes="(taken ?o ?from) (bears ?b ?n)",
-        cost="(cost ?c)",
-    )
+    about = "the same with what rests on it, if ?b stands at a spot"
+    put_loaded = f"""
+        (put-loaded ?o ?q ?b ?from ?p ?less ?load ?n ?more ?w ?c) ; {about}
+            needs (taken ?o ?from) (bears ?o ?load) (next ?less ?load) (stands ?b ?p)
+                (can-put-loaded ?o ?q ?w) (on ?q ?b) {put}
+            adds (hand-empty) (stands ?o ?q) (bears ?b ?more)
+            deletes (taken ?o ?from) (bears ?b ?n)
+            costs (cost ?c)
+    """
     loads = _takes_loads(grounding)
     relations = ", ".join(state.name for state in bearing_states(grounding))
     return _Part(
@@ -350,35 +284,27 @@ def _relating(grounding: Grounding) -> _Part:
         "many things ?b bears. Goals by relation are (stands ?o ?q), others (done ?o).",
         types=(COUNT, WAY),
         constants=((NONE, COUNT),),
-        predicates=(
-            predicate("(on ?q ?b)", "?q is a perch of ?b; this never changes"),
-            predicate("(bears ?o ?n)", "so many things rest directly on or in ?o"),
-            predicate("(next ?n ?more)", "?more is one more than ?n"),
-            predicate("(can-put ?o ?q ?w)", "?w puts ?o there"),
-            *([predicate("(can-put-loaded ?o ?q ?w)", "and its load with it")] if loads else []),
-            predicate("(fee ?w ?from ?n ?c)", "what ?w costs from there, onto what bears so many"),
-        ),
-        actions=(
-            action(
-                TAKE_OFF,
-                "take ?o from a thing that bears it",
-                "?o ?q ?b ?less ?n",
-                needs="(ready) (hand-empty) (can-take ?o) (stands ?o ?q) (on ?q ?b) (bears ?b ?n) "
-                f"(next ?less ?n) {_unloaded(grounding)}",
-                adds=f"(taken ?o {FROM_PERCH}) (bears ?b ?less)",
-                deletes="(hand-empty) (stands ?o ?q) (bears ?b ?n) (done ?o)",
-            ),
-            action(
-                PUT,
-                "put ?o, which was taken, on or into another thing",
-                "?o ?q ?b ?from ?n ?more ?w ?c",
-                needs=f"(taken ?o ?from) (bears ?o n0) (can-put ?o ?q ?w) (on ?q ?b) {put}",
-                adds="(hand-empty) (stands ?o ?q) (bears ?b ?more)",
-                deletes="(taken ?o ?from) (bears ?b ?n)",
-                cost="(cost ?c)",
-            ),
-            *([put_loaded] if loads else []),
-        ),
+        predicates=f"""
+            (on ?q ?b) ; ?q is a perch of ?b; this never changes
+            (bears ?o ?n) ; so many things rest directly on or in ?o
+            (next ?n ?more) ; ?more is one more than ?n
+            (can-put ?o ?q ?w) ; ?w puts ?o there
+            {"(can-put-loaded ?o ?q ?w) ; and its load with it" * loads}
+            (fee ?w ?from ?n ?c) ; what ?w costs from there, onto what bears so many
+        """,
+        actions=f"""
+            (take-off ?o ?q ?b ?less ?n) ; take ?o from a thing that bears it
+                needs (ready) (hand-empty) (can-take ?o) (stands ?o ?q) (on ?q ?b) (bears ?b ?n)
+                    (next ?less ?n) {_unloaded(grounding)}
+                adds (taken ?o {FROM_PERCH}) (bears ?b ?less)
+                deletes (hand-empty) (stands ?o ?q) (bears ?b ?n) (done ?o)
+            (put ?o ?q ?b ?from ?n ?more ?w ?c) ; put ?o, which was taken, on or into another thing
+                needs (taken ?o ?from) (bears ?o n0) (can-put ?o ?q ?w) (on ?q ?b) {put}
+                adds (hand-empty) (stands ?o ?q) (bears ?b ?more)
+                deletes (taken ?o ?from) (bears ?b ?n)
+                costs (cost ?c)
+            {put_loaded * loads}
+        """,
     )
 
 
@@ -392,33 +318,106 @@ def _unloaded(grounding: Grounding) -> str:
     return "(bears ?o n0)" if puts_of(grounding) and not _takes_loads(grounding) else ""
 
 
-def action(
-    name: str,
-    about: str,
-    parameters: str,
-    *,
-    needs: str,
-    adds: str,
-    deletes: str = "",
-    cost: str = "",
-    tests: tuple[str, ...] = (),
-    changes: tuple[str, ...] = (),
-) -> Action:
-    """Return an action, given as PDDL prints it; see `Action`."""
-    (price,) = _atoms(cost) or (None,)
-    atoms = (_atoms(needs), _atoms(adds), _atoms(deletes))
-    return Action(name, about, _typed(parameters), *atoms, price, tests, changes)
+def actions_in(text: str) -> tuple[Action, ...]:
+    """Read actions that are written as the page has them: a head, and under it what each needs and does."""
+    found = []
+    for block in filter(str.strip, re.split(r"\n(?=\s*\([^()]*\) ;)", text)):
+        head, *clauses = re.split(r"\s(needs|adds|deletes|costs|tests|changes)\s", block)
+        clause = dict(zip(clauses[::2], clauses[1::2], strict=True))
+        (one,) = predicates_in(head)
+        needs, adds, deletes = (_atoms(clause.get(name, "")) for name in ("needs", "adds", "deletes"))
+        (price,) = _atoms(clause.get("costs", "")) or (None,)
+        tests, changes = (
+            (" ".join(clause[name].split()),) if name in clause else () for name in ("tests", "changes")
+        )
+        atoms = (needs, adds, deletes)
+        found.append(Action(one.name, one.about, one.parameters, *atoms, price, tests, changes))
+    return tuple(found)
 
 
-def predicate(text: str, about: str) -> Predicate:
-    """Return a predicate, given as PDDL prints it."""
-    ((name, *parameters),) = _atoms(text)
-    return Predicate(name, _typed(" ".join(parameters)), about)
-
-
-def _typed(names: str) -> tuple[Typed, ...]:
-    return tuple((name, _TYPES[name]) for name in names.split())
+def predicates_in(text: str) -> tuple[Predicate, ...]:
+    """Read predicates, each on a line with what it says behind it."""
+    found = []
+    for line in filter(None, map(str.strip, text.splitlines())):
+        words, _, about = line.partition(" ; ")
+        ((name, *parameters),) = _atoms(words)
+        found.append(Predicate(name, tuple((one, _TYPES[one]) for one in parameters), about))
+    return tuple(found)
 
 
 def _atoms(text: str) -> tuple[Atom, ...]:
     return tuple(tuple(found.split()) for found in re.findall(r"\(([^()]*)\)", text))
+
+
+def symbol_table(grounding: Grounding, *, with_others: bool = True) -> tuple[str, ...]:
+    """Print what each action symbol does, a line each; with others, carrying and putting are told, too.
+
+    A symbol has several motions, with parameters of their own; it is told what the surest of them does.
+    """
+    categories = sorted(grounding.operators.categories, key=lambda one: one.symbol)
+    names = {category.symbol: category.name for category in categories}
+    rows = [["symbol", *names.values()], *_rows(grounding.live, names)]
+    carriers = _rows(carriers_of(grounding), names) if with_others else []
+    lines = [
+        "Learned action symbols: what the surest motion of each does to a category, how far in mm, how often."
+    ]
+    lines += _lines(rows)
+    if carriers:
+        lines += ["Symbols of carrying: how often each brings these categories, column by column, to places."]
+        lines += _lines(carriers)
+    if with_others and (puts := puts_of(grounding)):
+        lines += ["Symbols of putting on or in others: for how many learned kinds of pairs, and how often."]
+        lines += _of_pairs(puts)
+    return tuple(lines)
+
+
+def _lines(rows: Sequence[Sequence[str]]) -> list[str]:
+    """Print rows with columns as wide as they need."""
+    widths = [max(map(len, column)) for column in zip(*rows, strict=True)]
+    padded = (zip(row, widths, strict=True) for row in rows)
+    return [_ROW + "  ".join(cell.ljust(width) for cell, width in row).rstrip() for row in padded]
+
+
+def _rows(operators: Sequence[Operator], names: dict[str, str]) -> list[list[str]]:
+    """Return a row for each symbol, with what its surest motion does to each category."""
+    rows = []
+    for symbol in sorted({one.primitive for one in operators}):
+        surest = {
+            category: max(
+                (one for one in operators if (one.primitive, one.category) == (symbol, category)),
+                key=lambda one: (chance(one), one.name),
+                default=None,
+            )
+            for category in names
+        }
+        rows.append([symbol, *(_told(one) if one else _NOTHING for one in surest.values())])
+    return rows
+
+
+def _told(operator: Operator) -> str:
+    """Say what an operator does to its category, how far in mm, and how surely."""
+    verb = operator.name.split(f"-{operator.label}-")[0]
+    promise = operator.promise
+    if promise is None:
+        return _NOTHING
+    x, y, z = promise.outcome
+    far = f" {1000 * z:.0f}" if is_lift(operator) else f" {1000 * (x * x + y * y) ** 0.5:.0f}"
+    said = "" if verb.startswith("carry") else f"{verb}{far} "
+    return f"{said}{chance(operator):.0%}"
+
+
+def _of_pairs(puts: Iterable[Put]) -> list[str]:
+    """Print a row for each symbol, with the relations that it leads to."""
+    rows = dict[str, dict[str, list[float]]]()
+    for put in puts:
+        if put.kind:
+            rows.setdefault(put.operator.primitive, {}).setdefault(put.state.name, []).append(put.chance())
+    return [
+        f"{_ROW}{symbol}  "
+        + ", ".join(f"{state} {len(found)}, {_span(found)}" for state, found in sorted(of.items()))
+        for symbol, of in sorted(rows.items())
+    ]
+
+
+def _span(shares: Sequence[float]) -> str:
+    return " to ".join(dict.fromkeys(f"{share:.0%}" for share in (min(shares), max(shares))))

@@ -49,11 +49,7 @@ _AXES = (("x", X_CELL, X_SHIFT), ("y", Y_CELL, Y_SHIFT))
 
 
 def printed_cell(task: Task) -> float:
-    """Return how long the cells of a printed problem are [m]: the coarser, the larger the tolerance.
-
-    Args:
-        task: The task.
-    """
+    """Return how long the cells of a printed problem are [m]: the coarser, the larger the tolerance."""
     own = task.grounding.cell
     whole = math.floor(task.problem.tolerance / CELLS_IN_TOLERANCE / own + 1e-9)
     return own * min(max(whole, 1), COARSEST)
@@ -77,10 +73,7 @@ def price_name(cost: int) -> str:
 def perch_name(state: PairState, thing: str, grounding: Grounding) -> str:
     """Name a relation to a thing that bears something in it, like `rests-on-item-06`.
 
-    Args:
-        state: The relation.
-        thing: The thing.
-        grounding: The learned domain; its bits are named, too, if it has another relation of that name.
+    Its bits are named, too, if the domain has another relation of that name.
     """
     plain = _plain(state)
     is_only = sum(_plain(one) == plain for one in bearing_states(grounding)) < 2
@@ -308,12 +301,7 @@ class StripsProblem:
         }
 
     def way_of(self, pair: Pair, option: PutOption) -> str:
-        """Name the way that puts one object on or into another.
-
-        Args:
-            pair: Names of the two.
-            option: What is done.
-        """
+        """Name the way that puts one object on or into another."""
         rows = _by_state(self.task.put_options[pair], self.counts)
         same = (option.state, option.laden)
         return next(self._ways[row] for state, laden, row in rows if (state, laden) == same)

@@ -274,10 +274,5 @@ class Course:
 
 
 def ground(atoms: Iterable[Atom], given: Mapping[str, str]) -> list[Atom]:
-    """Put arguments in the place of parameters.
-
-    Args:
-        atoms: The atoms.
-        given: The argument of each parameter.
-    """
+    """Put arguments in the place of parameters."""
     return [tuple([given.get(word, word) for word in atom]) for atom in atoms]

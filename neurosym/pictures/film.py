@@ -1,10 +1,10 @@
 """Films: the pictures of an interaction or of a whole run, and which of them tell what happened."""
 
 import time
-from collections.abc import Container, Sequence
+from collections.abc import Callable, Container, Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Protocol, runtime_checkable
+from typing import Protocol, TypeVar, runtime_checkable
 
 import numpy as np
 
@@ -12,11 +12,13 @@ from neurosym.arrays import Float
 from neurosym.errors import InvalidValue
 from neurosym.execution.record import Run, StepRecord
 from neurosym.operators import TOLERANCE
-from neurosym.pictures.images import save_gif, save_strip, shrink
+from neurosym.pictures.images import Row, save_gif, save_sheet, shrink
+from neurosym.pictures.motions import Motion
 from neurosym.problems import Problem
 from neurosym.table import Reference
-from neurosym.world import Frame, Outcome, Pictured, Scene, World, relative_to
+from neurosym.world import Frame, FrameSink, Outcome, Pictured, Scene, World
 
+T = TypeVar("T")
 BEFORE = "start"
 """The phase in which everything comes to rest and the hand is not yet where the motion starts."""
 WINDOW_PAUSE = 2.0
@@ -40,11 +42,7 @@ class Windowed(Protocol):
     """A world that can show live what happens in it."""
 
     def open_window(self) -> None:
-        """Show everything that happens from now on in a window, in real time.
-
-        Raises:
-            InvalidValue: If there is no screen.
-        """
+        """Show all that happens from now on in a window; raise `InvalidValue` if there is no screen."""
         ...
 
 
@@ -63,28 +61,17 @@ class Take:
     phases: tuple[str, ...]
 
 
-def film(
-    world: World, scene: Scene, action: Float[np.ndarray, "A"], reference: Reference | None = None
-) -> Take:
-    """Perform an action on the first object of a scene, and keep every picture of the motion.
-
-    Args:
-        world: Where it is performed.
-        scene: The objects.
-        action: The action parameters.
-        reference: What the action is relative to besides its target, if anything.
-    """
-    frames: list[Frame] = []
-    phases: list[str] = []
+def film(world: World, motion: Motion) -> Take:
+    """Perform a motion, and keep every picture of it."""
+    pictures: list[tuple[Frame, str]] = []
 
     def keep(frame: Frame, phase: str) -> None:
         if phase != BEFORE:
-            frames.append(shrink(frame))
-            phases.append(phase)
+            pictures.append((shrink(frame), phase))
 
-    outcome = world.interact(scene, action, 0, on_frame=keep, **relative_to(world, reference))
-    _check_drawn(world, len(frames))
-    return Take(outcome, tuple(frames), tuple(phases))
+    outcome = motion.perform(world, keep)
+    _check_drawn(world, len(pictures))
+    return Take(outcome, tuple(frame for frame, _ in pictures), tuple(phase for _, phase in pictures))
 
 
 def film_phases(
@@ -92,16 +79,36 @@ def film_phases(
 ) -> Take:
     """Perform an action and keep how it starts, and how each phase of the motion ends.
 
-    A world that is `Sparing` performs it twice, first to tell when the phases end and then drawing only
-    these few pictures: the same interaction has the same phases again.
-
     Args:
         world: Where it is performed.
         scene: The objects.
         action: The action parameters.
         reference: What the action is relative to besides its target, if anything.
     """
-    aim = relative_to(world, reference)
+    motion = Motion("", scene, action, reference)
+    outcome, pictures = sparing(world, lambda keep: motion.perform(world, keep), telling)
+    return Take(outcome, tuple(frame for frame, _ in pictures), (BEFORE, *(p for _, p in pictures[1:])))
+
+
+def sparing(
+    world: World, attempt: Callable[[FrameSink], T], chosen: Callable[[Sequence[str]], Sequence[int]]
+) -> tuple[T, tuple[tuple[Frame, str], ...]]:
+    """Perform something, and keep only some of its pictures.
+
+    A world that is `Sparing` performs it twice, first to tell when the phases end and then drawing only
+    these few pictures: the same interaction has the same phases again.
+
+    Args:
+        world: Where it is performed.
+        attempt: Performs it.
+        chosen: Numbers the pictures to be kept, from the phase of each.
+
+    Returns:
+        What came of it, and each picture with its phase.
+
+    Raises:
+        InvalidValue: If the world draws no pictures.
+    """
     pictures: list[tuple[Frame, str]] = []
 
     def keep(frame: Frame, phase: str) -> None:
@@ -109,16 +116,14 @@ def film_phases(
 
     if isinstance(world, Sparing):
         world.wanted_pictures = ()
-        world.interact(scene, action, 0, on_frame=keep, **aim)
-        world.wanted_pictures = telling([phase for _, phase in pictures])
+        attempt(keep)
+        world.wanted_pictures = chosen([phase for _, phase in pictures])
         pictures.clear()
-    outcome = world.interact(scene, action, 0, on_frame=keep, **aim)
+    found = attempt(keep)
     if isinstance(world, Sparing):
         world.wanted_pictures = None
     _check_drawn(world, len(pictures))
-    numbers = telling([phase for _, phase in pictures])
-    phases = (BEFORE, *(pictures[number][1] for number in numbers[1:]))
-    return Take(outcome, tuple(pictures[number][0] for number in numbers), phases)
+    return found, tuple(pictures[number] for number in chosen([phase for _, phase in pictures]))
 
 
 def _check_drawn(world: World, pictures: int) -> None:
@@ -127,10 +132,9 @@ def _check_drawn(world: World, pictures: int) -> None:
 
 
 def telling(phases: Sequence[str]) -> tuple[int, ...]:
-    """Number the pictures that tell what happened: the first with the hand in place, the last of each phase.
+    """Number those of pictures with such phases that tell what happened.
 
-    Args:
-        phases: The phase of each picture.
+    That is the first with the hand in place, and the last of each phase.
     """
     shown = [number for number, phase in enumerate(phases) if phase != BEFORE] or [0]
     last = {phases[number]: number for number in shown}
@@ -138,11 +142,7 @@ def telling(phases: Sequence[str]) -> tuple[int, ...]:
 
 
 def open_window(world: World) -> None:
-    """Have a world show live what happens in it.
-
-    Raises:
-        InvalidValue: If it has no window, or there is no screen.
-    """
+    """Have a world show live what happens in it, or raise `InvalidValue` if it has no window."""
     if not isinstance(world, Windowed):
         raise InvalidValue(f"The {world.name} world has no window; leave out --gui to have pictures written.")
     world.open_window()
@@ -171,12 +171,7 @@ def ends_in_the_air(record: StepRecord, problem: Problem) -> bool:
 
 
 class Film:
-    """The pictures of a run, and where its steps end.
-
-    Args:
-        world: Where it happens.
-        problem: What the run is to solve.
-    """
+    """The pictures of a run, and where its steps end."""
 
     def __init__(self, world: World, problem: Problem):
         self._problem = problem
@@ -204,5 +199,6 @@ class Film:
             captions = [f"{self._problem.name}: start", *(caption for _, caption in self._ends)]
             captions[-1] += ", goal reached" if run.reached else ", goal missed"
             start = self._frames[0] if self._start is None else self._start
-            save_strip(strip, [start, *(self._frames[end] for end, _ in self._ends)], captions)
+            frames = (start, *(self._frames[end] for end, _ in self._ends))
+            save_sheet(strip, [Row("", frames, tuple(captions))])
         return True

@@ -45,12 +45,7 @@ class Row:
 
 
 def check_picture_path(path: Path, endings: Sequence[str] = ENDINGS) -> None:
-    """Raise `InvalidValue` unless a picture can be written to a file.
-
-    Args:
-        path: The file.
-        endings: How its name can end.
-    """
+    """Raise `InvalidValue` unless a picture can be written to a file, whose name can end so."""
     if path.suffix.lower() not in endings:
         raise InvalidValue(
             f"No picture can be written to {path}; name a file that ends in {' or '.join(endings)}."
@@ -70,13 +65,7 @@ def shrink(frame: Frame) -> UInt8[np.ndarray, "strip_height strip_width 3"]:
 
 
 def save_gif(path: Path, frames: Sequence[Frame], captions: Sequence[str] = ()) -> None:
-    """Write an animated GIF that pauses on its last picture.
-
-    Args:
-        path: Where the file shall stand.
-        frames: The pictures, at least one.
-        captions: A line for each, drawn at its foot, if given.
-    """
+    """Write one or more pictures as a GIF that pauses on the last, each with a line at its foot if given."""
     lines = captions or [""] * len(frames)
     images = _with_one_palette([_gif_image(*pair) for pair in zip(frames, lines, strict=True)])
     durations = [FRAME_MILLISECONDS] * (len(images) - 1) + [PAUSE_MILLISECONDS]
@@ -93,24 +82,8 @@ def _with_one_palette(images: Sequence[Image.Image]) -> list[Image.Image]:
     return [image.quantize(palette=palette, dither=Image.Dither.NONE) for image in images]
 
 
-def save_strip(path: Path, frames: Sequence[Frame], captions: Sequence[str]) -> None:
-    """Write pictures side by side, each with a caption, as a PNG.
-
-    Args:
-        path: Where the file shall stand.
-        frames: The pictures, at least one.
-        captions: A line under each.
-    """
-    save_sheet(path, [Row("", tuple(frames), tuple(captions))])
-
-
 def save_sheet(path: Path, rows: Sequence[Row]) -> None:
-    """Write rows of pictures one below the other, as a PNG.
-
-    Args:
-        path: Where the file shall stand.
-        rows: The rows, at least one.
-    """
+    """Write rows of pictures one below the other, as a PNG."""
     width = STRIP_SIZE[0] * max(len(row.frames) for row in rows)
     sheet = Image.new("RGB", (width, sum(row.height + _GAP for row in rows) - _GAP), "white")
     top = 0

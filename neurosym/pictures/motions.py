@@ -1,8 +1,10 @@
 """Motions worth looking at: explored interactions and rehearsed primitives, to be performed again."""
 
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
+from functools import partial
+from itertools import islice
 
 import numpy as np
 
@@ -11,16 +13,21 @@ from neurosym.data.interactions import Interactions
 from neurosym.errors import InvalidValue
 from neurosym.grounding import Grounding
 from neurosym.operators import TOLERANCE, Operator
+from neurosym.pair_sight import PairSight, nearest_kinds
+from neurosym.pair_states import describe_pair
 from neurosym.primitives.among_others import MARGIN
 from neurosym.primitives.rehearsal import rehearsal_sample
+from neurosym.relation_operators import RelationOperator, RelationOperators
 from neurosym.symbols import Categorise, Symbol
-from neurosym.table import Reference
+from neurosym.table import OtherObject, Reference
 from neurosym.tasks.carriers import carriers_of
-from neurosym.world import Outcome, Scene, World
+from neurosym.world import FrameSink, Outcome, Scene, World, relative_to
 from neurosym.worlds.aimed import Aimed, AimedScene
 
 TRIES = 5
-"""Sampled objects of a category on which a primitive is tried until one does as promised."""
+"""Sampled objects of a category, or pairs of a kind, that are tried until one does as promised."""
+DRAWS = 300
+"""How many scenes of two objects are drawn to find such pairs."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -38,6 +45,11 @@ class Motion:
     scene: Scene
     action: Float[np.ndarray, "A"]
     reference: Reference | None = None
+
+    def perform(self, world: World, on_frame: FrameSink | None = None) -> Outcome:
+        """Perform it in a world."""
+        aim = relative_to(world, self.reference)
+        return world.interact(self.scene, self.action, 0, on_frame=on_frame, **aim)
 
 
 def recall_interaction(world: World, interactions: Interactions, number: int) -> tuple[Motion, bool]:
@@ -66,16 +78,12 @@ def recall_interaction(world: World, interactions: Interactions, number: int) ->
             f"The data have {found[0]} features and {found[1]} action parameters; "
             f"the {world.name} world takes {sizes[0]} and {sizes[1]}."
         )
-    drawn = _drawn_scene(world, interactions.origin.get("seed"), number)
-    is_same = drawn is not None and drawn.features[0].astype(np.float32).tobytes() == features.tobytes()
-    scene = drawn if drawn is not None and is_same else _middle_scene(world, features)
+    seed, scene, is_same = interactions.origin.get("seed"), _middle_scene(world, features), False
+    if isinstance(seed, int) and seed >= 0:
+        drawn = world.sample_scene(np.random.default_rng([seed, number]), 1)
+        is_same = drawn.features[0].astype(np.float32).tobytes() == features.tobytes()
+        scene = drawn if is_same else scene
     return Motion(f"interaction {number}", scene, interactions.actions[number]), is_same
-
-
-def _drawn_scene(world: World, seed: object, number: int) -> Scene | None:
-    if not isinstance(seed, int) or seed < 0:
-        return None
-    return world.sample_scene(np.random.default_rng([seed, number]), 1)
 
 
 def _middle_scene(world: World, features: Float[np.ndarray, "F"]) -> Scene:
@@ -89,14 +97,7 @@ def _middle_scene(world: World, features: Float[np.ndarray, "F"]) -> Scene:
 
 
 def judge(interactions: Interactions, number: int, outcome: Outcome, is_same_scene: bool) -> str:
-    """Say whether an interaction that was performed again had the effect that is recorded.
-
-    Args:
-        interactions: The data.
-        number: Which row was performed.
-        outcome: What it did this time.
-        is_same_scene: Whether it started from the scene of the record.
-    """
+    """Say whether a row of the data that was performed again had the effect that is recorded."""
     recorded = interactions.effects[number]
     effect = outcome.effect.astype(np.float32)
     where = "" if is_same_scene else "its scene cannot be drawn again, so the object stood in the middle; "
@@ -107,40 +108,10 @@ def judge(interactions: Interactions, number: int, outcome: Outcome, is_same_sce
     return f"{where}the effect is not the recorded one, but {apart:.3g} mm from it{why}"
 
 
-def primitive_motions(
-    world: World, grounding: Grounding, label: str, categorise: Categorise, *, objects: int, seed: int
-) -> tuple[Motion, ...]:
-    """Choose a sampled object of each category, for a primitive to do there what the domain promises.
-
-    An action symbol stands for all of its actions, each on the categories that it is for.
-
-    The first object of the category is taken that does as promised, or else the first of the few tried.
-    If the domain promises nothing of the primitive, every category is shown.
-
-    Args:
-        world: The world to act in.
-        grounding: The learned domain.
-        label: The primitive's action symbol, or one of its labels.
-        categorise: Gives the object symbols of features.
-        objects: How many objects rehearsal sampled.
-        seed: Where rehearsal's draws started.
-
-    Raises:
-        UnknownChoice: If there is no such primitive.
-    """
-    operators = operators_of(grounding, label)
-    return operator_motions(world, grounding, operators, categorise, objects=objects, seed=seed)
-
-
 def operators_of(grounding: Grounding, label: str) -> tuple[Operator, ...]:
     """Name what a primitive does that the domain promises, or all that it was tried for if that is nothing.
 
-    Args:
-        grounding: The learned domain.
-        label: The primitive's action symbol, which stands for all of its actions, or one of its labels.
-
-    Raises:
-        UnknownChoice: If there is no such primitive.
+    An action symbol stands for all of its actions, a label for one.
     """
     symbol = grounding.primitive(label).symbol
     operators = tuple(
@@ -174,19 +145,52 @@ def operator_motions(
         objects: How many objects rehearsal sampled.
         seed: Where rehearsal's draws started.
     """
-    if any(map(grounding.carries, operators)):
-        world = Aimed(world, MARGIN)
-    scenes = rehearsal_sample(world, categorise, objects=objects, seed=seed).scenes
+    drawing = Aimed(world, MARGIN) if any(map(grounding.carries, operators)) else world
+    scenes = rehearsal_sample(drawing, categorise, objects=objects, seed=seed).scenes
     motions = []
     for operator in operators:
-        if members := scenes.get(operator.category, ()):
-            action = np.array(grounding.primitive_of(operator).action)
-            reason = grounding.why_left_out(operator)
-            title = operator.name if reason is None else f"{operator.name} (not in the domain: {reason})"
-            scene = _as_promised(world, operator, members, action)
-            reference = scene.reference if isinstance(scene, AimedScene) else None
-            motions.append(Motion(title, scene, action, reference))
+        action, reason = np.array(grounding.primitive_of(operator).action), grounding.why_left_out(operator)
+        title = operator.name if reason is None else f"{operator.name} (not in the domain: {reason})"
+        found = (
+            Motion(title, scene, action, scene.reference if isinstance(scene, AimedScene) else None)
+            for scene in scenes.get(operator.category, ())
+        )
+        motions += _as_promised(world, found, partial(_keeps_promise, operator))
     return tuple(motions)
+
+
+def pair_motion(
+    world: World, grounding: Grounding, operator: RelationOperator, sight: PairSight | None = None
+) -> Motion:
+    """Draw a pair of an operator's kind, for it to do there what it promises.
+
+    The first pair is taken on which it does so, or else the first of the few that are tried.
+
+    Args:
+        world: The world to act in.
+        grounding: The learned domain.
+        operator: The operator.
+        sight: What networks say of pairs; by default a pair is of the kind whose mean features are nearest.
+
+    Raises:
+        InvalidValue: If no such pair is drawn.
+    """
+    relations = grounding.relations
+    assert relations is not None, "the operator is one of its own"
+    give = sight.kinds if sight else (lambda features: nearest_kinds(features, relations.pairs))
+    action = np.array(relations.primitive_of(operator).action)
+    scenes = (world.sample_scene(np.random.default_rng([0, draw]), 2) for draw in range(DRAWS))
+    motions = (
+        Motion(operator.name, scene, action, OtherObject(1))
+        for scene in scenes
+        if operator.is_for(give(scene.features.reshape(1, -1))[0])
+    )
+    if found := _as_promised(world, motions, partial(_keeps_pair_promise, operator, relations)):
+        return found[0]
+    raise InvalidValue(
+        f"None of {DRAWS} scenes of two objects has a pair of the kind {operator.pair}, which "
+        f"{operator.name} is for."
+    )
 
 
 def surest_carriers(grounding: Grounding) -> tuple[Operator, ...]:
@@ -208,14 +212,25 @@ def surest_carriers(grounding: Grounding) -> tuple[Operator, ...]:
     return tuple(best[symbol][2] for symbol in sorted(best))
 
 
-def _as_promised(
-    world: World, operator: Operator, scenes: Sequence[Scene], action: Float[np.ndarray, "A"]
-) -> Scene:
-    tried = (scene for scene in scenes[:TRIES] if _keeps_promise(operator, world.interact(scene, action, 0)))
-    return next(tried, scenes[0])
+def _as_promised(world: World, motions: Iterable[Motion], keeps: Callable[[Outcome], bool]) -> list[Motion]:
+    """Return the first motion that does as promised, or else the first of the few tried, if there is any."""
+    tried = list[Motion]()
+    for motion in islice(motions, TRIES):
+        if keeps(motion.perform(world)):
+            return [motion]
+        tried.append(motion)
+    return tried[:1]
 
 
 def _keeps_promise(operator: Operator, outcome: Outcome) -> bool:
     promise = operator.promise or operator.modes[0]
     effect = outcome.effect if outcome.held else outcome.resting_effect
     return promise.kind == outcome.kind and math.dist(effect, promise.outcome) <= TOLERANCE
+
+
+def _keeps_pair_promise(operator: RelationOperator, relations: RelationOperators, outcome: Outcome) -> bool:
+    promise = operator.promise
+    if promise is None or outcome.kind != "carried":
+        return promise is None
+    described = describe_pair(outcome.end, 0, 1, outcome.contacts)
+    return relations.state_of(described.tolist()).symbol == promise.state

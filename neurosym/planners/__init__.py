@@ -1,10 +1,9 @@
 """Planners, interchangeable: each is a value that solves a problem, and returns a result."""
 
-from neurosym.planners.alternatives import alternatives as alternatives
 from neurosym.planners.catalogue import PLANNERS as PLANNERS
 from neurosym.planners.counting import fewest_steps as fewest_steps
 from neurosym.planners.counting import plan_counting as plan_counting
-from neurosym.planners.no_plan import plan_nearest as plan_nearest
+from neurosym.planners.counting import plan_nearest as plan_nearest
 from neurosym.planners.planner import Planner as Planner
 from neurosym.planners.refinement import pddl_planner as pddl_planner
 from neurosym.planners.registry import plan as plan

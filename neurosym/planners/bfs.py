@@ -1,10 +1,11 @@
 """Breadth-first search over predicted effects: the paper's planner (section III-D).
 
 Effects do not depend on where an object stands, so a branching table says it all: what each primitive does to
-each object. A sequence of d choices out of P primitives x M objects is a number with d digits, and counting
-through the numbers is breadth-first search. The last digit is handled for all its values at once, and the
-others in chunks, so memory stays bounded. What is not bounded is how many sequences there are: with 64
-primitives and four objects, 16.8 million of three. So it goes only as deep as `MOST_SEQUENCES` allow.
+each object, by the neural model or by what the operators promise. A sequence of d choices out of P primitives
+x M objects is a number with d digits, and counting through the numbers is breadth-first search. The last
+digit is handled for all its values at once, and the others in chunks, so memory stays bounded. What is not
+bounded is how many sequences there are: with 64 primitives and four objects, 16.8 million of three. So it
+goes only as deep as `MOST_SEQUENCES` allow.
 
 The world's rules hold here as in PDDL: what is lifted must be put down before the next primitive (free of
 charge: a step of the plan, but not of the depth), a plan may end with the object held, nobody leaves the
@@ -13,16 +14,20 @@ chosen.
 """
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 
 import numpy as np
 
 from neurosym.arrays import Bool, Float, Int
-from neurosym.planners.branching import Branching
+from neurosym.cells import at_rest
+from neurosym.grounding import Grounding, is_lift
+from neurosym.operators import Operator, Vector
 from neurosym.planners.effort import check_time, within
 from neurosym.planners.result import PlanResult, PlanStatus
-from neurosym.problems import Problem
+from neurosym.problems import Problem, SceneObject
+from neurosym.promises import promised, usable
+from neurosym.symbols import Symbol
 from neurosym.table import Table
 from neurosym.tasks.footprints import footprints_apart, overlapping
 from neurosym.tasks.moves import PUT_DOWN
@@ -34,6 +39,93 @@ DEPTH = 3
 MOST_SEQUENCES = 2_500_000
 """How many sequences of one length are looked at: three of 64 primitives on two objects, or of 8 on 16."""
 CHUNK = 4096
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Branching:
+    """What each choice is predicted to do to each object of a scene.
+
+    A choice is a primitive, or one of the outcomes that a primitive may have.
+
+    Attributes:
+        effects: Displacement at the end of the rise [m]; NaN where nothing is predicted.
+        resting_effects: Displacement once put down [m]; used where the object ends held.
+        held: Whether the object ends held.
+        names: Name of the operator of each choice, M rows of P; empty where there is none.
+    """
+
+    effects: Float[np.ndarray, "M P 3"]
+    resting_effects: Float[np.ndarray, "M P 3"]
+    held: Bool[np.ndarray, "M P"]
+    names: tuple[tuple[str, ...], ...]
+
+    @property
+    def settled(self) -> Float[np.ndarray, "M P 3"]:
+        """Displacement before the next primitive may begin [m]."""
+        return np.where(self.held[:, :, None], self.resting_effects, self.effects)
+
+    def usable(self, index: int) -> tuple[int, ...]:
+        """Return the choices that predict something for an object."""
+        predicted = np.isfinite(self.effects[index]) & np.isfinite(self.settled[index])
+        return tuple(np.flatnonzero(predicted.all(axis=-1)).tolist())
+
+
+def branching_of(problem: Problem, grounding: Grounding) -> Branching:
+    """Return what the live operators promise as a branching table.
+
+    Args:
+        problem: The problem whose M objects the table is for.
+        grounding: The learned domain; its operators are in the order of the table of operators, and P is the
+            greatest number of live ones of a category.
+    """
+    rows = [usable(grounding, item, problem.tolerance) for item in problem.objects]
+    width = max(1, *map(len, rows))
+    operators = tuple((*row, *[None] * (width - len(row))) for row in rows)
+    return _branching(operators, _table(operators, grounding.displacement))
+
+
+def predicted_branching(
+    problem: Problem, grounding: Grounding, effects: Float[np.ndarray, "M P 3"]
+) -> Branching:
+    """Return what the neural model predicts as a branching table.
+
+    The model predicts the effect at the end of the rise. Whether the object is held then, and where it comes
+    to rest if so, is what the rehearsals saw. Pairs that were never rehearsed are left out.
+
+    Args:
+        problem: The problem whose M objects the table is for.
+        grounding: The learned domain; its P primitives are in the order of the table of operators.
+        effects: Predicted displacements [m].
+    """
+    symbols = grounding.operators.symbols
+
+    def promise(item: SceneObject, symbol: Symbol) -> Operator | None:
+        learned = grounding.operator_for(item.category, symbol)
+        return learned and promised(grounding, item, problem.tolerance)[learned.name]
+
+    operators = tuple(tuple(promise(item, symbol) for symbol in symbols) for item in problem.objects)
+    rehearsed = np.array([[operator is not None for operator in row] for row in operators])
+    return _branching(operators, np.where(rehearsed[:, :, None], effects, np.nan))
+
+
+def _branching(
+    operators: tuple[tuple[Operator | None, ...], ...], effects: Float[np.ndarray, "M P 3"]
+) -> Branching:
+    held = np.array([[operator is not None and is_lift(operator) for operator in row] for row in operators])
+    names = tuple(tuple(operator.name if operator else "" for operator in row) for row in operators)
+    return Branching(effects, _table(operators, _resting), held, names)
+
+
+def _resting(operator: Operator) -> Vector:
+    promise = operator.promise
+    return at_rest(promise) if promise else (math.nan, math.nan, math.nan)
+
+
+def _table(
+    operators: tuple[tuple[Operator | None, ...], ...], entry: Callable[[Operator], Vector]
+) -> Float[np.ndarray, "M P 3"]:
+    none = (math.nan, math.nan, math.nan)
+    return np.array([[entry(operator) if operator else none for operator in row] for row in operators])
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -56,7 +148,6 @@ class _Level:
 def plan_bfs(
     problem: Problem,
     branching: Branching,
-    names: Sequence[Sequence[str]],
     table: Table,
     *,
     depth: int = DEPTH,
@@ -67,7 +158,6 @@ def plan_bfs(
     Args:
         problem: Where the objects are and shall be.
         branching: What each primitive does to each object.
-        names: Name of the operator for each object and primitive, M rows of P.
         table: Where objects may stand.
         depth: How many primitives a plan may have; fewer are looked at if `depth_within` says so.
         time_limit: The user's ceiling [s].
@@ -84,9 +174,10 @@ def plan_bfs(
                 check_time(deadline)
                 for choices, ends_down in _goals(level, goals, problem.tolerance):
                     if _keeps_clear(choices, ends_down, branching, start, apart):
-                        steps = _steps(choices, ends_down, branching, names, problem.object_names)
+                        steps = _steps(choices, ends_down, branching, problem.object_names)
                         return PlanResult(PlanStatus.SOLVED, steps, 0.0)
-        reason = _insufficient(depth) + why_not_deeper(branching, wanted)
+        reason = f"{counted(depth, 'primitive')} {'does' if depth == 1 else 'do'} not suffice"
+        reason += why_not_deeper(branching, wanted)
         return PlanResult(PlanStatus.NOT_FOUND, (), 0.0, reason, depth)
 
     return within(time_limit, search)
@@ -114,10 +205,6 @@ def why_not_deeper(branching: Branching, depth: int = DEPTH) -> str:
         return ""
     count = branching.held.size ** (deepest + 1)
     return f"; {deepest + 1} would be {count:,} sequences, more than {MOST_SEQUENCES:,}"
-
-
-def _insufficient(depth: int) -> str:
-    return f"{counted(depth, 'primitive')} {'does' if depth == 1 else 'do'} not suffice"
 
 
 def _levels(
@@ -204,16 +291,13 @@ def _keeps_clear(
 
 
 def _steps(
-    choices: tuple[int, ...],
-    ends_down: bool,
-    branching: Branching,
-    names: Sequence[Sequence[str]],
-    objects: Sequence[str],
+    choices: tuple[int, ...], ends_down: bool, branching: Branching, objects: Sequence[str]
 ) -> tuple[PlanStep, ...]:
     steps = []
     for position, choice in enumerate(choices, start=1):
         thing, primitive = divmod(choice, branching.held.shape[1])
-        steps.append(PlanStep(names[thing][primitive], objects[thing]))
+        name = branching.names[thing][primitive]
+        steps.append(PlanStep(name, objects[thing]))
         if branching.held[thing, primitive] and (position < len(choices) or ends_down):
-            steps.append(PlanStep(PUT_DOWN + names[thing][primitive], objects[thing]))
+            steps.append(PlanStep(PUT_DOWN + name, objects[thing]))
     return tuple(steps)

@@ -31,12 +31,12 @@ class WorkIsUp(Exception):
 
 @dataclasses.dataclass(slots=True)
 class Effort:
-    """What was spent of a budget of work.
+    """What was spent of a budget.
 
     Attributes:
-        work: How many beginnings of plans, and ways to join plans, may be looked at; or how many states.
+        work: How much may be looked at: states, or beginnings of plans and ways to join them.
         deadline: When the user's time is up, by `time.perf_counter()` [s].
-        spent: How many were.
+        spent: How much was.
     """
 
     work: int = sys.maxsize
@@ -98,7 +98,8 @@ def within(time_limit: float, search: Callable[[float], PlanResult]) -> PlanResu
     try:
         found = search(begin + time_limit)
     except TimeIsUp:
-        found = timed_out(time_limit)
+        reason = f"the time limit of {time_limit:g} s cut in"
+        found = PlanResult(PlanStatus.TIMEOUT, (), 0.0, reason)
     return dataclasses.replace(found, seconds=time.perf_counter() - begin)
 
 
@@ -106,8 +107,3 @@ def all_spent(work: int) -> PlanResult:
     """Return the result of searches that spent their common budget of work, without a plan."""
     reason = f"the budget of {work:,} states for a plan was used up"
     return PlanResult(PlanStatus.NOT_FOUND, (), 0.0, reason)
-
-
-def timed_out(time_limit: float) -> PlanResult:
-    """Return the result of a search that the user's ceiling [s] ended."""
-    return PlanResult(PlanStatus.TIMEOUT, (), 0.0, f"the time limit of {time_limit:g} s cut in")

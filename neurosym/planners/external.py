@@ -9,18 +9,19 @@ import shutil
 import sys
 import sysconfig
 import time
-from collections.abc import Callable, Sequence
+from collections.abc import Container, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
 from neurosym.planners.planner import PlannerMissing
-from neurosym.planners.process import Finished, read_text, run_limited
+from neurosym.planners.process import Finished, read_text, run_limited, scratch_folder
 from neurosym.planners.result import PlannerAnswer, PlanStatus
-from neurosym.planners.scratch import scratch_folder
 
 PLAN = "plan"
 """The file that programs are asked to write a plan to."""
-_OUT_OF_TIME = (21, 23, 24)  # of Fast Downward and its descendants
+UNSOLVABLE, OUT_OF_MEMORY = (10, 11), (20, 22)
+"""Exit codes of Fast Downward and its descendants."""
+_INCOMPLETE, _OUT_OF_TIME = 12, (21, 23, 24)
 
 
 @dataclass(frozen=True, slots=True)
@@ -30,27 +31,30 @@ class Program:
     Attributes:
         title: What it is called.
         package: The Python package that brings it.
-        distribution: What that is called in the Python index.
-        arguments: Gives the command, from the package's folder, the domain, the problem, and the limit [s].
+        command: The words of the command; in them, {python}, {scripts} and {package} stand for the
+            interpreter, the folder of installed commands and that of the package, {domain}, {problem} and
+            {plan} for files, and {seconds} for how long it may take.
         plans: Where it leaves plans, as a pattern; of several, the last is the best.
         unsolvable: Exit codes that mean that there is no plan.
         no_plan: What it prints if there is no plan.
         needs: A command that must be there too, and what brings that.
+        distribution: What the package is called in the Python index, if it is not its own name with hyphens.
     """
 
     title: str
     package: str
-    distribution: str
-    arguments: Callable[[Path, str, str, float], Sequence[str]]
+    command: Sequence[str]
     plans: str = PLAN
     unsolvable: tuple[int, ...] = ()
-    no_plan: str = "no plan, if it said so"
+    no_plan: str = ""
     needs: tuple[str, str] | None = None
+    distribution: str = ""
 
     def missing(self) -> str:
         """Say what to do about what is not installed, or nothing if everything is."""
         if _folder_of(self.package) is None:
-            return f"`pip install {self.distribution}` brings it"
+            named = self.distribution or self.package.replace("_", "-")
+            return f"`pip install {named}` brings it"
         if self.needs and shutil.which(self.needs[0]) is None:
             return f"it needs {self.needs[0]}, which {self.needs[1]} brings"
         return ""
@@ -73,22 +77,59 @@ def plan_program(domain: Path, problem: Path, *, time_limit: float, program: Pro
     if package is None or program.missing():
         raise PlannerMissing(program.title, program.missing())
     with scratch_folder() as folder:
-        files = (str(domain.resolve()), str(problem.resolve()))
-        finished = run_limited(program.arguments(package, *files, time_limit), folder, time_limit)
+        given = {
+            "{python}": sys.executable,
+            "{scripts}": sysconfig.get_path("scripts"),
+            "{package}": str(package),
+            "{domain}": str(domain.resolve()),
+            "{problem}": str(problem.resolve()),
+            "{plan}": PLAN,
+            "{seconds}": f"{max(0.8 * time_limit, 0.1):.1f}",
+        }
+        command = [_put_in(word, given) for word in program.command]
+        finished = run_limited(command, folder, time_limit)
         found = sorted(folder.glob(program.plans), key=lambda path: (len(path.name), path.name))
         text = read_text(found[-1]) if found else ""
-    status, reason = _judge(finished, "(" in text, program)
+    status, reason = PlanStatus.SOLVED, ""
+    if "(" not in text:
+        status, reason = judged(finished, program.title, program.unsolvable, program.no_plan)
+        if status is PlanStatus.SOLVED:
+            status, reason = _failed(finished, program.title)
     return PlannerAnswer(status, text, time.perf_counter() - begin, reason)
 
 
-def _judge(finished: Finished, has_plan: bool, program: Program) -> tuple[PlanStatus, str]:
-    if has_plan:
-        return PlanStatus.SOLVED, ""
-    if finished.code is None or finished.code in _OUT_OF_TIME:
-        return PlanStatus.TIMEOUT, f"{program.title} found no plan in time"
-    if finished.code in program.unsolvable or program.no_plan in finished.output:
-        return PlanStatus.UNSOLVABLE, f"{program.title} says that there is no plan"
-    return PlanStatus.FAILED, f"{program.title} ended with code {finished.code}: {finished.last_words}"
+def _put_in(word: str, given: Mapping[str, str]) -> str:
+    for name, value in given.items():
+        word = word.replace(name, value)
+    return word
+
+
+def judged(
+    finished: Finished, title: str, unsolvable: Container[int] = UNSOLVABLE, no_plan: str = ""
+) -> tuple[PlanStatus, str]:
+    """Say what the end of a program means; SOLVED if it ended well.
+
+    Args:
+        finished: How it ended.
+        title: What it is called.
+        unsolvable: Exit codes that mean that there is no plan.
+        no_plan: What it prints if there is no plan, if it does.
+    """
+    code = finished.code
+    if code is None or code in _OUT_OF_TIME:
+        return PlanStatus.TIMEOUT, f"{title} found no plan in time"
+    if code in unsolvable or (no_plan and no_plan in finished.output):
+        return PlanStatus.UNSOLVABLE, f"{title} says that there is no plan"
+    if code == _INCOMPLETE:
+        return PlanStatus.NOT_FOUND, f"{title} found no plan; its search does not look at everything"
+    if code in OUT_OF_MEMORY:
+        remedy = "ask for fewer goals at a time, or for another planner"
+        return PlanStatus.NOT_FOUND, f"{title} ran out of memory; {remedy}"
+    return (PlanStatus.SOLVED, "") if code == 0 else _failed(finished, title)
+
+
+def _failed(finished: Finished, title: str) -> tuple[PlanStatus, str]:
+    return PlanStatus.FAILED, f"{title} ended with code {finished.code}: {finished.last_words}"
 
 
 def _folder_of(package: str) -> Path | None:
@@ -96,67 +137,3 @@ def _folder_of(package: str) -> Path | None:
     spec = importlib.util.find_spec(package)
     places = spec.submodule_search_locations if spec else None
     return Path(next(iter(places))) if places else None
-
-
-def _kairos(_: Path, domain: str, problem: str, time_limit: float) -> Sequence[str]:
-    program = str(Path(sysconfig.get_path("scripts")) / "kairos")
-    limit = f"{max(0.8 * time_limit, 0.1):.1f}"
-    options = ("--timeout", limit, "--no-improvement", "1", "--threads", "1", "--output", PLAN)
-    return (program, "solve", domain, problem, *options)
-
-
-def _enhsp(package: Path, domain: str, problem: str, _: float) -> Sequence[str]:
-    java = ("java", "-Xmx1g", "-XX:CompressedClassSpaceSize=64m", "-XX:-UsePerfData")
-    jar = str(package / "ENHSP" / "enhsp.jar")
-    return (*java, "-jar", jar, "-o", domain, "-f", problem, "-planner", "sat-hadd", "-sp", PLAN)
-
-
-def _lpg(package: Path, domain: str, problem: str, _: float) -> Sequence[str]:
-    return (str(package / "lpg"), "-o", domain, "-f", problem, "-n", "1", "-seed", "1", "-out", PLAN)
-
-
-def _symk(package: Path, domain: str, problem: str, _: float) -> Sequence[str]:
-    driver = str(package / "symk" / "fast-downward.py")
-    return (
-        sys.executable,
-        driver,
-        *("--plan-file", PLAN, domain, problem, "--search-options", "--search", "sym_bd()"),
-    )
-
-
-def _kstar(package: Path, domain: str, problem: str, _: float) -> Sequence[str]:
-    build = str(package / "builds" / "release" / "bin")
-    search = "kstar(lmcut(),k=1,dump_plan_files=true)"
-    command = (sys.executable, "-B", "-m", "kstar_planner.driver.main", "--build", build)
-    return (*command, domain, problem, "--search", search)
-
-
-def _forbid_iterative(package: Path, domain: str, problem: str, _: float) -> Sequence[str]:
-    build = str(package / "builds" / "release" / "bin")
-    command = (sys.executable, "-B", "-m", "forbiditerative.plan", "--build", build, "--planner", "topk")
-    options = ("--number-of-plans", "1", "--symmetries", "--use-local-folder", "--clean-local-folder")
-    return (*command, "--domain", domain, "--problem", problem, *options)
-
-
-KAIROS = Program("Kairos", "kairos", "kairos-planner", _kairos, plans=f"{PLAN}*", unsolvable=(10,))
-ENHSP = Program(
-    "ENHSP",
-    "up_enhsp",
-    "up-enhsp",
-    _enhsp,
-    no_plan="nsolvable",
-    needs=("java", "a Java runtime of version 17 or later"),
-)
-LPG = Program("LPG", "up_lpg", "up-lpg", _lpg, plans=f"{PLAN}*", no_plan="The problem is unsolvable")
-SYMK = Program("SymK", "up_symk", "up-symk", _symk, unsolvable=(10, 11, 12))
-KSTAR = Program(
-    "K*", "kstar_planner", "kstar-planner", _kstar, plans="found_plans/*.1", unsolvable=(10, 11, 12)
-)
-FORBID_ITERATIVE = Program(
-    "Forbid-Iterative",
-    "forbiditerative",
-    "forbiditerative",
-    _forbid_iterative,
-    plans="found_plans/done/*.1",
-    no_plan="no solution",
-)

@@ -16,10 +16,10 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
+from neurosym.planners.external import OUT_OF_MEMORY, judged
 from neurosym.planners.planner import PlannerMissing
-from neurosym.planners.process import MEMORY, Finished, read_text, run_limited
+from neurosym.planners.process import MEMORY, read_text, run_limited, scratch_folder
 from neurosym.planners.result import PlannerAnswer, PlanStatus
-from neurosym.planners.scratch import scratch_folder
 from neurosym.reading import read_bytes
 
 LAMA_FIRST = (
@@ -90,10 +90,7 @@ than reading them takes, seven bytes for each of the task; or else it would go o
 """
 
 SAS_SUFFIX = ".sas"
-_UNSOLVABLE = (10, 11)
-_INCOMPLETE = 12
-_OUT_OF_TIME = (21, 23, 24)
-_OUT_OF_MEMORY = (20, 22)
+_TITLE = "Fast Downward"
 
 
 def plan_fast_downward(
@@ -105,14 +102,16 @@ def plan_fast_downward(
         domain: File of the domain in PDDL.
         problem: File of the problem in PDDL, or of both in SAS+ (`.sas`), which is not translated.
         time_limit: When to give up [s].
-        searches: What to try, one after another; see `usual_searches` for what is tried otherwise.
+        searches: What to try, one after another; by what the problem needs, if not given.
 
     Raises:
         PlannerMissing: If up-fast-downward is not installed.
     """
     begin = time.perf_counter()
     programs = _programs()
-    searches = searches or usual_searches(problem)
+    if programs is None:
+        raise PlannerMissing(_TITLE, missing())
+    searches = searches or _usual_searches(problem)
     with scratch_folder() as folder:
         status, reason, text, task, work = PlanStatus.SOLVED, "", "", problem.resolve(), 0
         if problem.suffix != SAS_SUFFIX:
@@ -126,12 +125,8 @@ def plan_fast_downward(
     return PlannerAnswer(status, text, time.perf_counter() - begin, reason, work)
 
 
-def usual_searches(problem: Path) -> Sequence[Search]:
-    """Return what is tried one after another, by what a problem needs.
-
-    Args:
-        problem: File of the problem.
-    """
+def _usual_searches(problem: Path) -> Sequence[Search]:
+    """Return what is tried one after another, by what a problem needs."""
     has_places = problem.suffix != SAS_SUFFIX and b" - spot" in read_bytes(problem)
     return FOR_PLACES if has_places else PORTFOLIO
 
@@ -142,7 +137,7 @@ def _translate(
     """Turn PDDL into SAS+; SOLVED says that this went well."""
     files = [str(file.resolve()) for file in (domain, problem)]
     command = [sys.executable, "-m", "fast_downward.translate", *files]
-    return _judge(run_limited(command, folder, time_limit, environment={"PYTHONPATH": str(programs)}))
+    return judged(run_limited(command, folder, time_limit, environment={"PYTHONPATH": str(programs)}), _TITLE)
 
 
 def _search(
@@ -157,38 +152,23 @@ def _search(
         left, memory = end - time.perf_counter(), search.memory_for(task)
         finished = run_limited(command, folder, left, stdin=task, memory=memory)
         work += search.work(finished.output, memory)
-        status, reason = _judge(finished)
-        if finished.code not in _OUT_OF_MEMORY:
+        status, reason = judged(finished, _TITLE)
+        if finished.code not in OUT_OF_MEMORY:
             break
-    if status is PlanStatus.SOLVED:
-        text = read_text(plan)
-        return (
-            (status, "", text, work) if text else (PlanStatus.FAILED, "Fast Downward wrote no plan", "", work)
-        )
-    return status, reason, "", work
+    text = read_text(plan) if status is PlanStatus.SOLVED else ""
+    if status is PlanStatus.SOLVED and not text:
+        status, reason = PlanStatus.FAILED, f"{_TITLE} wrote no plan"
+    return status, reason, text, work
 
 
-def _judge(finished: Finished) -> tuple[PlanStatus, str]:
-    """Map an exit code; SOLVED also for a translation that went well."""
-    if finished.code is None or finished.code in _OUT_OF_TIME:
-        return PlanStatus.TIMEOUT, "Fast Downward found no plan in time"
-    if finished.code == 0:
-        return PlanStatus.SOLVED, ""
-    if finished.code in _UNSOLVABLE:
-        return PlanStatus.UNSOLVABLE, "Fast Downward proved that there is no plan"
-    if finished.code == _INCOMPLETE:
-        return PlanStatus.NOT_FOUND, "Fast Downward found no plan; its search does not look at everything"
-    if finished.code in _OUT_OF_MEMORY:
-        remedy = "ask for fewer goals at a time, or for another planner"
-        return PlanStatus.NOT_FOUND, f"Fast Downward ran out of memory; {remedy}"
-    return PlanStatus.FAILED, f"Fast Downward ended with code {finished.code}: {finished.last_words}"
+def missing() -> str:
+    """Say what to do if it is not installed, or nothing if it is."""
+    return "" if _programs() else "`pip install up-fast-downward` brings it"
 
 
-def _programs() -> Path:
+def _programs() -> Path | None:
     """Find the folder of the compiled planner without importing unified-planning."""
     spec = importlib.util.find_spec("up_fast_downward")
-    for place in (spec.submodule_search_locations or []) if spec else []:
-        folder = Path(place) / "downward" / "builds" / "release" / "bin"
-        if (folder / "downward").is_file():
-            return folder
-    raise PlannerMissing("Fast Downward", "`pip install up-fast-downward` brings it")
+    places = (spec.submodule_search_locations if spec else None) or []
+    folders = (Path(place) / "downward" / "builds" / "release" / "bin" for place in places)
+    return next((folder for folder in folders if (folder / "downward").is_file()), None)

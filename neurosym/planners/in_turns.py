@@ -1,24 +1,28 @@
-"""Planning in turns for what can be carried and for what must be led over cells.
+"""Planning with places: objects that can be carried are, and only the others are led over cells, in turns.
 
 A plan for all at once does not know that what is led must keep clear of what was carried. So a way is looked
 for as if there were nothing that can be carried; what stands in it is carried out of it, and then it is free.
 """
 
 import dataclasses
-from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from functools import cached_property
 from itertools import islice, permutations
 
 import msgspec
+import numpy as np
 
+from neurosym.arrays import Bool, Float
 from neurosym.grounding import Grounding
 from neurosym.operators import Vector, vector
-from neurosym.planners.by_places import MOST_LED
-from neurosym.planners.making_way import Way
 from neurosym.planners.result import PlanResult, PlanStatus
 from neurosym.problems import Problem
 from neurosym.spots import spot_name
-from neurosym.tasks.places import with_places
+from neurosym.table import Table
+from neurosym.tasks.carriers import carriers_of
+from neurosym.tasks.footprints import footprints_apart, near_some, overlapping
+from neurosym.tasks.places import GAP, LEAST_GAP, PARK, with_places
 from neurosym.tasks.steps import PlanStep
 from neurosym.tasks.task import understand
 from neurosym.tasks.transition import validate
@@ -28,14 +32,120 @@ NEARER = 0.5
 
 What makes way comes as near to where it is to wait, lest it be set down beside that, and in the way.
 """
+ENOUGH = 0.08
+"""Room beside an object along y, along which the fingers open, beyond which more makes no difference [m]."""
+FINGER = 0.02
+"""An object that leaves so much room along x is not in the way of the fingers [m]."""
+MOST_LED = 4
+"""Objects that could be carried are led over cells, where no plan carries them, if there are no more.
+
+With eight, the search for such a plan took tens of seconds, though some of them had no goal.
+"""
 MOST_ORDERS = 6
 """In how many orders objects are led one after another at most, where all ways at once cannot be cleared."""
 IN_TURNS = "joined from plans of what is carried and what is led over cells, in turns"
 """What is said of a plan that was made so."""
+BESIDE = 0.02
+"""Room for the hand beside the way of what is led [m]."""
+_CANDIDATES = 2000
+_EDGE = 0.02  # how far inside the edge of the table objects are put aside [m]
+_Spots = Float[np.ndarray, "N 2"]
 _Solve = Callable[[Problem], PlanResult]
 _Goals = Mapping[str, Vector]
 _Turn = tuple[PlanResult, Problem]
 """A plan, and the problem with the objects where the plan leads them."""
+
+
+def is_by_places(problem: Problem, grounding: Grounding) -> bool:
+    """Say whether some object of a problem can be carried to its goal."""
+    if not (grounding.is_refined and carriers_of(grounding)):
+        return False
+    return any(name in problem.goals for name in understand(problem, grounding).carried)
+
+
+def plan_by_places(
+    problem: Problem, grounding: Grounding, solve: Callable[[Problem], PlanResult]
+) -> PlanResult:
+    """Plan for all objects at once, by whoever plans with places, and believe a plan that is true."""
+    problem = understand(problem, grounding).flat
+    result = solve(problem)
+    if result.status is PlanStatus.UNSOLVABLE:
+        return dataclasses.replace(result, status=PlanStatus.NOT_FOUND, reason=_why_none(problem))
+    if result.status is not PlanStatus.SOLVED:
+        return result
+    checked = validate(result.steps, problem, grounding)
+    if checked.valid:
+        return dataclasses.replace(result, steps=_carefully(result.steps, problem, grounding))
+    reason = f"the plan with places is not true when replayed: {checked.reason}"
+    return dataclasses.replace(result, status=PlanStatus.FAILED, steps=(), reason=reason)
+
+
+def _why_none(problem: Problem) -> str:
+    """Say with which places there is no plan; with others there may be one."""
+    parks = sum(name.startswith(PARK) for name in problem.places)
+    return f"there is no plan with the places of the problem, of which {parks} are free to park on"
+
+
+def _carefully(steps: tuple[PlanStep, ...], problem: Problem, grounding: Grounding) -> tuple[PlanStep, ...]:
+    """Carry first what has most room, if nothing else is done and the plan stays true."""
+    if not all(step.place for step in steps):
+        return steps
+    ordered = clearest_first(steps, problem)
+    return ordered if validate(ordered, problem, grounding).valid else steps
+
+
+def clearest_first(steps: Sequence[PlanStep], problem: Problem) -> tuple[PlanStep, ...]:
+    """Put steps that carry in another order: first what has most room where it stands and where it goes.
+
+    Steps with one object keep their order, and no object is carried to where another stands. If there is no
+    such order, nothing is changed.
+    """
+    names, apart = problem.object_names, footprints_apart(problem)
+    here = problem.scene().positions[:, :2].copy()
+    left, ordered = list(steps), list[PlanStep]()
+    while left:
+        rooms: list[tuple[float, int]] = []
+        for number, step in enumerate(left):
+            row = names.index(step.object)
+            if any(earlier.object == step.object for earlier in left[:number]):
+                continue
+            there = np.array(problem.place_named(step.place))
+            others = np.arange(len(names)) != row
+            if overlapping(there, here[others], apart[row, others]).any():
+                continue
+            gap = min(_gap(spot, here[others], apart[row, others]) for spot in (here[row], there))
+            rooms.append((-min(gap, ENOUGH), number))
+        if not rooms:
+            return tuple(steps)
+        step = left.pop(min(rooms)[1])
+        here[names.index(step.object)] = problem.place_named(step.place)
+        ordered.append(step)
+    return tuple(ordered)
+
+
+def _gap(
+    spot: Float[np.ndarray, "2"], others: Float[np.ndarray, "M 2"], apart: Float[np.ndarray, "M 2"]
+) -> float:
+    """Return the room along y between the footprint of an object and the next in the fingers' way [m]."""
+    room = np.abs(others - spot) - apart
+    return float(room[room[:, 0] < FINGER, 1].min(initial=np.inf))
+
+
+def not_proved(result: PlanResult) -> PlanResult:
+    """Say of what has no plan over cells that it was not found: something could have been carried."""
+    if result.status is not PlanStatus.UNSOLVABLE:
+        return result
+    reason = f"no plan with the places that were drawn; without: {result.reason or 'unsolvable'}"
+    return dataclasses.replace(result, status=PlanStatus.NOT_FOUND, reason=reason)
+
+
+def not_found(result: PlanResult) -> PlanResult:
+    """Say that there is no plan with the places that were drawn, and none over cells was looked for."""
+    if result.status is PlanStatus.TIMEOUT:
+        return result
+    said = result.reason or "no plan with the places that were drawn"
+    reason = f"{said}; among more than {MOST_LED} objects, none is led over cells that could be carried"
+    return dataclasses.replace(result, status=PlanStatus.NOT_FOUND, steps=(), reason=reason)
 
 
 def plan_in_turns(problem: Problem, grounding: Grounding, carry: _Solve, lead: _Solve) -> PlanResult:
@@ -58,7 +168,7 @@ def plan_in_turns(problem: Problem, grounding: Grounding, carry: _Solve, lead: _
     result = PlanResult(PlanStatus.FAILED, (), 0.0, "everything that has a goal can be carried")
     if not led:
         return result
-    turns = _Turns(problem, grounding, carry, lead, can_be, carried)
+    turns = _Turns(problem, grounding, _once(carry), _once(lead), can_be, carried)
     for result in turns.plans(led):
         if result.status in (PlanStatus.SOLVED, PlanStatus.UNSOLVABLE):
             return result
@@ -76,8 +186,6 @@ class _Turns:
         lead: Plans for others.
         can_be: Names of the objects that can be carried.
         carried: Goals of those among them that have one.
-        ways: The ways that were looked for already.
-        rounds: What was planned already.
     """
 
     problem: Problem
@@ -86,15 +194,9 @@ class _Turns:
     lead: _Solve
     can_be: Sequence[str]
     carried: _Goals
-    ways: dict[bytes, PlanResult] = field(default_factory=dict)
-    rounds: dict[bytes, _Turn] = field(default_factory=dict)
 
     def plans(self, led: _Goals) -> Iterator[PlanResult]:
-        """List what becomes of one attempt after another.
-
-        Args:
-            led: Goals of the objects that must be led.
-        """
+        """List what becomes of one attempt after another to lead objects to their goals."""
         for everything in (True, False):
             yield self._rounds((led,), 1.0, everything=everything)
         yield self._rounds((led,), NEARER, everything=False)
@@ -113,7 +215,7 @@ class _Turns:
         """Lead some objects after others, and then carry what is left to carry."""
         steps, now = tuple[PlanStep, ...](), self.problem
         for led in rounds:
-            result, now = self._round_once(now, led, near, everything=everything)
+            result, now = self._round(now, led, near, everything=everything)
             if result.status is not PlanStatus.SOLVED:
                 return result
             steps += result.steps
@@ -130,24 +232,17 @@ class _Turns:
             return dataclasses.replace(last, steps=steps, reason=IN_TURNS)
         return PlanResult(PlanStatus.FAILED, (), 0.0, checked.reason)
 
-    def _round_once(self, now: Problem, led: _Goals, near: float, *, everything: bool) -> _Turn:
-        """Clear the way of some objects, and lead them; orders that begin alike share their first rounds."""
-        case = msgspec.json.encode((now, led, near, everything))
-        if case not in self.rounds:
-            self.rounds[case] = self._round(now, led, near, everything=everything)
-        return self.rounds[case]
-
     def _round(self, now: Problem, led: _Goals, near: float, *, everything: bool) -> _Turn:
         """Look for a way, around what there is no room for elsewhere, then clear it and lead along it."""
         stays = frozenset[str]()
         while True:
             others = tuple(one for one in now.objects if one.name not in self.can_be or one.name in stays)
             alone = self._task(msgspec.structs.replace(now, objects=others, goals={}), led, near)
-            way = self._way(alone)
+            way = self.lead(alone) if alone.unmet else PlanResult(PlanStatus.SOLVED, (), 0.0)
             if way.status is not PlanStatus.SOLVED:
                 return way, now
             positions = validate(way.steps, alone, self.grounding).positions
-            to_clear = Way(positions, alone.object_names, now, self.grounding.table)
+            to_clear = _Way(positions, alone.object_names, now, self.grounding.table)
             can_be = [name for name in self.can_be if name not in stays]
             before = to_clear.cleared(can_be, self.carried, everything=everything)
             if not (stuck := to_clear.in_the_way(can_be) - before.keys()):
@@ -157,15 +252,6 @@ class _Turns:
         if first.status is not PlanStatus.SOLVED:
             return first, now
         return self._after(way, self._task(begun, led, near), first)
-
-    def _way(self, alone: Problem) -> PlanResult:
-        """Look for a way of objects among those that cannot be carried."""
-        if not alone.unmet:
-            return PlanResult(PlanStatus.SOLVED, (), 0.0)
-        case = msgspec.json.encode(alone)
-        if case not in self.ways:
-            self.ways[case] = self.lead(alone)
-        return self.ways[case]
 
     def _task(self, now: Problem, goals: _Goals, near: float = 1.0) -> Problem:
         tolerance = near * self.problem.tolerance
@@ -196,9 +282,117 @@ class _Turns:
         return PlanResult(PlanStatus.SOLVED, steps, 0.0), msgspec.structs.replace(task, objects=objects)
 
 
+def _once(solve: _Solve) -> _Solve:
+    """Have each problem planned for only once: orders that begin alike share their first rounds."""
+    known: dict[bytes, PlanResult] = {}
+
+    def solved(problem: Problem) -> PlanResult:
+        case = msgspec.json.encode(problem)
+        if case not in known:
+            known[case] = solve(problem)
+        return known[case]
+
+    return solved
+
+
 def _to_spot(step: PlanStep, now: Problem, printed: Problem) -> PlanStep:
     """Name the place of a step by where it lies, unless it has its name in the whole problem, too."""
-    known = printed.places if isinstance(printed.places, dict) else {}
-    if not step.place or known.get(step.place) == now.place_named(step.place):
+    if not step.place or printed.places.get(step.place) == now.place_named(step.place):
         return step
     return dataclasses.replace(step, place=spot_name(*now.place_named(step.place)))
+
+
+@dataclass(frozen=True, eq=False)
+class _Way:
+    """The way of what is led, among objects that can be carried out of it.
+
+    Attributes:
+        path: Where what cannot be carried stands after each step [m].
+        led: Names of these objects, in the order of the path.
+        now: The problem with the objects where they stand when the way is to be cleared; objects wait at its
+            places, or anywhere if it has none.
+        table: Where objects may stand.
+    """
+
+    path: Float[np.ndarray, "steps L 3"]
+    led: Sequence[str]
+    now: Problem
+    table: Table
+
+    @cached_property
+    def names(self) -> tuple[str, ...]:
+        """Names of all objects."""
+        return self.now.object_names
+
+    @cached_property
+    def apart(self) -> Float[np.ndarray, "M M 2"]:
+        """How far apart they must be [m]."""
+        return footprints_apart(self.now)
+
+    def cleared(self, can_be: Collection[str], goals: _Goals, *, everything: bool) -> dict[str, Vector]:
+        """Return where objects are to be carried before anything is led along the way [m].
+
+        What stands in the way goes to its goal if that is free and beside the way, and else aside, if there
+        is room; the largest first. If everything shall, others with goals beside the way go there, too.
+        """
+        items, in_it = [one for one in self.now.objects if one.name in can_be], self.in_the_way(can_be)
+        before = dict[str, Vector]()
+        for item in sorted(items, key=lambda one: (-max(one.features[:2]), one.name)):
+            is_in_it = item.name in in_it
+            if not is_in_it and not everything:
+                continue
+            goal = goals.get(item.name)
+            if goal and self._is_free(item.name, _spots(goal), before, BESIDE)[0]:
+                before[item.name] = goal
+            elif is_in_it and (spot := self._aside(item.name, before, goals)):
+                before[item.name] = (*spot, item.position[2])
+        return before
+
+    def in_the_way(self, names: Collection[str]) -> set[str]:
+        """Name those of some objects that stand in the way."""
+        items = [item for item in self.now.objects if item.name in names]
+        return {item.name for item in items if self._in_it(item.name, _spots(item.position))[0]}
+
+    def _aside(self, name: str, moved: _Goals, goals: _Goals) -> tuple[float, float] | None:
+        """Return a spot where an object can wait [m], off the goals of others if possible."""
+        spots = self._candidates(name)
+        others = [other for other in goals if other != name]
+        wanted = np.array([goals[other][:2] for other in others]).reshape(-1, 2)
+        rows = [self.names.index(other) for other in others]
+        apart = self.apart[self.names.index(name), rows]
+        for gap, keeps_off in ((GAP, True), (LEAST_GAP, True), (LEAST_GAP, False)):
+            fit = self._is_free(name, spots, moved, gap)
+            if keeps_off:
+                fit &= ~near_some(spots, wanted, apart + gap)
+            if fit.any():
+                x, y = spots[fit.argmax()].tolist()
+                return x, y
+        return None
+
+    def _candidates(self, name: str) -> _Spots:
+        """List where an object may wait: the same spots for the same object and table."""
+        if self.now.places:
+            return _spots(*self.now.places.values())
+        half = np.array(self.now.object_named(name).features[:2], dtype=float) / 2
+        low, high = np.array([self.table.x, self.table.y]).T
+        inside = np.minimum(half + _EDGE, (high - low) / 2)
+        drawn = np.random.default_rng(0).uniform(size=(_CANDIDATES, 2))
+        return np.asarray(low + inside + drawn * (high - low - 2 * inside))
+
+    def _is_free(self, name: str, spots: _Spots, moved: _Goals, gap: float) -> Bool[np.ndarray, " N"]:
+        """Say at which spots an object is out of the way and clear of others, some of which were moved."""
+        others = [row for row, other in enumerate(self.names) if other != name]
+        here = _spots(*(moved.get(item.name, item.position) for item in self.now.objects))
+        apart = self.apart[self.names.index(name), others] + gap
+        return np.asarray(~(near_some(spots, here[others], apart) | self._in_it(name, spots)))
+
+    def _in_it(self, name: str, spots: _Spots) -> Bool[np.ndarray, " N"]:
+        """Say at which spots an object would stand in the way."""
+        columns = [self.names.index(one) for one in self.led]
+        apart = self.apart[self.names.index(name), columns] + BESIDE
+        apart = np.broadcast_to(apart, (len(self.path), *apart.shape))  # (steps, L, 2)
+        return near_some(spots, self.path[..., :2].reshape(-1, 2), apart.reshape(-1, 2))
+
+
+def _spots(*positions: Sequence[float]) -> _Spots:
+    return np.array([position[:2] for position in positions], dtype=float).reshape(-1, 2)

@@ -1,17 +1,14 @@
 """What a process that plans would leave behind if it were killed, and the process that clears that away.
 
-A process that plans holds a lock on each temporary folder it makes, and puts its own number and time of start
-into the environment of what it starts. Its keeper is a process that outlives it: it clears away at once what
-others have left, waits for the end of its owner, and clears away what that has left. It ignores the signals
-that its owner may get; if it is killed together with its owner, the next one does the work.
+A process that plans puts its own number and time of start into the environment of what it starts, and its
+number into the names of its temporary folders. Its keeper is a process that outlives it: it waits for the end
+of its owner, and clears away what that has left. It ignores the signals that its owner may get.
 
-This module is also the program of the keeper, `python -I -S keeper.py FOLDER`. It imports nothing but the
-standard library, and starts in 15 ms.
+This module is also the program of the keeper, `python -I -S keeper.py FOLDER OWNER`. It imports nothing but
+the standard library, and starts in 15 ms.
 """
 
-import fcntl
 import os
-import re
 import select
 import signal
 import sys
@@ -22,10 +19,8 @@ from pathlib import Path
 
 MARK = "NEUROSYM_PLANNER_CALL"
 """The variable that names whoever started a planner, and which call it is."""
-FOLDER_PREFIX = "neurosym-scratch-"
+FOLDER_PREFIX = "neurosym-planner-"
 """What the names of temporary folders begin with; the number of their owner follows."""
-_FOLDER = re.compile(re.escape(FOLDER_PREFIX) + r"\d+-\w{8}")
-_OWNER = re.compile(rb"(?:^|\0)" + MARK.encode() + rb"=(\d+)\.(\d+)\.")
 _LOOK = 1.0  # how often to see whether the owner is still there, if its pipe does not say so [s]
 _PATIENCE = 5.0  # for what was killed to end; what the system does for it may take a while [s]
 _SETTLE = 0.2  # for what an owner was just starting when it was killed [s]
@@ -36,39 +31,18 @@ def this_process() -> str:
     return f"{os.getpid()}.{_born(os.getpid()) or 0}"
 
 
-def hold(folder: Path) -> int:
-    """Take the lock on a temporary folder, which says that its owner is alive.
-
-    Args:
-        folder: The folder.
-
-    Returns:
-        A descriptor; whoever closes it, or ends, gives the lock back.
-
-    Raises:
-        FileNotFoundError: If it was cleared away before.
-    """
-    descriptor = os.open(folder, os.O_RDONLY | os.O_DIRECTORY | os.O_NOFOLLOW)
-    fcntl.flock(descriptor, fcntl.LOCK_EX)
-    try:
-        folder.stat()
-    except FileNotFoundError:
-        os.close(descriptor)
-        raise
-    return descriptor
-
-
-def sweep(place: Path) -> None:
-    """Kill planners and remove temporary folders whose owners have ended.
+def clear(place: Path, owner: str) -> None:
+    """Kill the planners of a process and remove its temporary folders.
 
     Args:
         place: Where temporary folders are made.
+        owner: The process; see `this_process`.
     """
-    end_processes(lambda: {number for number in processes() if _is_orphan(number)})
-    with suppress(OSError):
-        for entry in os.scandir(place):
-            if _FOLDER.fullmatch(entry.name) and entry.is_dir(follow_symlinks=False):
-                _remove_unheld(Path(entry.path))
+    import shutil
+
+    end_processes(lambda: marked(f"{MARK}={owner}."))
+    for folder in place.glob(f"{FOLDER_PREFIX}{owner.partition('.')[0]}-*"):
+        shutil.rmtree(folder, ignore_errors=True)
 
 
 def end_processes(find: Callable[[], set[int]]) -> None:
@@ -103,22 +77,22 @@ def processes() -> list[int]:
         return []
 
 
-def about(process: int, what: str) -> bytes:
-    """Read what the system tells about a process; nothing if it has ended or is not ours."""
-    with suppress(OSError):
-        return Path(f"/proc/{process}/{what}").read_bytes()
-    return b""
-
-
 def marked(mark: str) -> set[int]:
     """Find processes that have something in their environment."""
-    return {number for number in processes() if mark.encode() in about(number, "environ")}
+    return {number for number in processes() if mark.encode() in _about(number, "environ")}
 
 
 def state_of(process: int) -> list[bytes]:
     """Return the fields of what the system tells about a process, from its state on; none if it is gone."""
     # The command's name, in brackets, may hold anything.
-    return about(process, "stat").rpartition(b")")[2].split()
+    return _about(process, "stat").rpartition(b")")[2].split()
+
+
+def _about(process: int, what: str) -> bytes:
+    """Read what the system tells about a process; nothing if it has ended or is not ours."""
+    with suppress(OSError):
+        return Path(f"/proc/{process}/{what}").read_bytes()
+    return b""
 
 
 def _born(process: int) -> int | None:
@@ -127,47 +101,24 @@ def _born(process: int) -> int | None:
     return int(fields[19]) if fields and fields[0] not in b"ZX" else None
 
 
-def _is_orphan(process: int) -> bool:
-    """Whether a process was started by an owner that has ended; those of other containers are let alone."""
-    owner = _OWNER.search(about(process, "environ"))
-    if owner is None or _born(int(owner[1])) == int(owner[2]):
-        return False
-    with suppress(OSError):
-        return Path(f"/proc/{process}/ns/pid").readlink() == Path("/proc/self/ns/pid").readlink()
-    return False
-
-
-def _remove_unheld(folder: Path) -> None:
-    import shutil
-
-    with suppress(OSError):
-        descriptor = os.open(folder, os.O_RDONLY | os.O_DIRECTORY | os.O_NOFOLLOW)
-        try:
-            fcntl.flock(descriptor, fcntl.LOCK_EX | fcntl.LOCK_NB)
-            shutil.rmtree(folder, ignore_errors=True)
-        finally:
-            os.close(descriptor)
-
-
 def _signal(process: int, number: signal.Signals) -> None:
     with suppress(ProcessLookupError, PermissionError):
         os.kill(process, number)
 
 
-def _keep(place: Path, owner: int) -> None:
-    """Clear away, wait for the owner to say that it is done or to end, and clear away again."""
+def _keep(place: Path, owner: str) -> None:
+    """Wait for the owner to say that it is done or to end, and then clear away."""
     for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
         signal.signal(number, signal.SIG_IGN)
-    sweep(place)
-    while os.getppid() == owner:
+    while os.getppid() == int(owner.partition(".")[0]):
         if select.select([0], [], [], _LOOK)[0]:
             if os.read(0, 1):
                 return
             break
     for wait in (0.0, _SETTLE):
         time.sleep(wait)
-        sweep(place)
+        clear(place, owner)
 
 
 if __name__ == "__main__":
-    _keep(Path(sys.argv[1]), int(sys.argv[2]))
+    _keep(Path(sys.argv[1]), sys.argv[2])

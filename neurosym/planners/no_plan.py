@@ -1,11 +1,16 @@
 """No plan is an answer: which goal cannot be met, why, and how near its object can come.
 
-Some of it is proved (see `impossible`): a goal is out of reach or off the table, however often primitives are
-done; two objects would have to be in the air, while there is one hand; there is no room at a goal. The rest
-is what counting saw (see `count_vectors`), up to where it looked: then a plan was not found, and there may
-be one.
+Some of it is proved: a goal is out of reach or off the table, however often primitives are done; two objects
+would have to be in the air, while there is one hand; there is no room at a goal. The rest is what counting
+saw (see `counting`), up to where it looked: then a plan was not found, and there may be one.
+
+Two things bound where an object can come to be, however often it is moved. It stays in its room. And every
+end at rest is the start plus a sum of displacements. If the goal lies beyond the cone of those sums, there
+is a direction in which no displacement leads, and in which the goal is farther away than allowed (Farkas'
+lemma). It is found by non-negative least squares, and then checked by itself.
 """
 
+import dataclasses
 import itertools
 import math
 from dataclasses import dataclass
@@ -16,21 +21,32 @@ import numpy as np
 from neurosym.arrays import Float
 from neurosym.grounding import Grounding
 from neurosym.operators import Vector
-from neurosym.planners.branching import Branching, Names, branching_of
-from neurosym.planners.count_vectors import Choices, candidates, looked_at, nearest
-from neurosym.planners.counting import MOST_WORK
-from neurosym.planners.effort import Effort, within
-from neurosym.planners.impossible import is_off_table, is_out_of_reach
-from neurosym.planners.joins import Join, choices_of
-from neurosym.planners.ordering import mend
+from neurosym.planners.bfs import Branching, branching_of
+from neurosym.planners.counting import (
+    DEPTH,
+    MOST_WORK,
+    Choices,
+    candidates,
+    choices_of,
+    looked_at,
+    nearest,
+    plan_counting,
+    plan_nearest,
+)
+from neurosym.planners.effort import Effort
+from neurosym.planners.planner import Planner
 from neurosym.planners.result import PlanResult, PlanStatus
 from neurosym.problems import Problem
+from neurosym.related import is_relational
 from neurosym.tasks.carriers import carriers_for
 from neurosym.tasks.footprints import footprints_apart
-from neurosym.wording import in_millimetres
+from neurosym.tasks.steps import primitives
+from neurosym.wording import counted, in_millimetres
 
-DEPTH = 8
-"""How many primitives with an object are looked at for how near it can come."""
+MOST_PRIMITIVES = 1_000_000
+"""Rounding is reckoned with for so many primitives."""
+WORK_TO_COUNT = 40_000
+"""How much counting looks at for a plan by the rehearsed effects, where the planner has none."""
 
 
 class Explanation(NamedTuple):
@@ -46,19 +62,14 @@ class Explanation(NamedTuple):
 
 
 def explain_no_plan(
-    problem: Problem,
-    grounding: Grounding,
-    *,
-    branching: tuple[Branching, Names] | None = None,
-    depth: int | None = None,
+    problem: Problem, grounding: Grounding, *, branching: Branching | None = None, depth: int | None = None
 ) -> Explanation:
     """Say which goals cannot be met, and why.
 
     Args:
         problem: The problem.
         grounding: The learned domain.
-        branching: What is predicted for each object, and the operators' names; what the live operators
-            promise, if not given.
+        branching: What is predicted for each object; what the live operators promise, if not given.
         depth: How many primitives the planner looks ahead, if it is limited.
     """
     found = _reaches(problem, grounding, branching)
@@ -73,16 +84,15 @@ def explain_no_plan(
         return Explanation(_in_the_way(problem, found))
     only = f"only {depth} {'is' if depth == 1 else 'are'} looked at"
     if deep := [f"{name} {count}" for name, count in needed.items() if count > depth]:
-        return Explanation(f"too deep: {_listed(deep)} primitives away from the goal, and {only}")
+        return Explanation(f"too deep: {' and '.join(deep)} primitives away from the goal, and {only}")
+    each = " and ".join(f"{name} {count}" for name, count in needed.items())
     return Explanation(
         f"too deep: each goal can be reached alone, but together they take {sum(needed.values())} primitives "
-        f"({_listed([f'{name} {count}' for name, count in needed.items()])}), and {only}"
+        f"({each}), and {only}"
     )
 
 
-def explain_clash(
-    problem: Problem, grounding: Grounding, *, branching: tuple[Branching, Names] | None = None
-) -> str:
+def explain_clash(problem: Problem, grounding: Grounding, *, branching: Branching | None = None) -> str:
     """Say which goals provably cannot be met together, however objects move; empty if none are known.
 
     Args:
@@ -100,36 +110,76 @@ def explain_clash(
         return ""
     found = _reaches(problem, grounding, branching)
     if len(high := [name for name in high if found[name].must_be_held()]) > 1:
-        return f"{_listed(high)} would have to be held at the end, and there is one hand"
+        return f"{' and '.join(high)} would have to be held at the end, and there is one hand"
     for name, other in crowded:
-        rests = [found[one].must_rest() for one in (name, other) if one in found]
-        if other in problem.goals and all(rests):
+        rests = all(found[one].must_rest() for one in (name, other) if one in found)
+        if rests and other in problem.goals:
             return f"there is no room for both {name} and {other}, so near are their goals"
-        if other not in problem.goals and all(rests) and _never_moves(problem, other, grounding, branching):
+        if rests and other not in problem.goals and _never_moves(problem, other, grounding, branching):
             return f"{other} stands where {name} is to end, and no primitive moves it"
     return ""
 
 
-def _reaches(
-    problem: Problem, grounding: Grounding, branching: tuple[Branching, Names] | None
-) -> dict[str, "_Reach"]:
+def look_again(
+    result: PlanResult,
+    problem: Problem,
+    grounding: Grounding,
+    planner: Planner,
+    *,
+    time_limit: float | None = None,
+    goes_near: bool = False,
+) -> PlanResult:
+    """Where there is no plan, say whether counting has one, or go as near to the goal as can be.
+
+    Args:
+        result: What the planner says.
+        problem: The problem.
+        grounding: The learned domain.
+        planner: The planner.
+        time_limit: The user's ceiling [s]; none if not given.
+        goes_near: Whether to plan to the nearest points that can be reached instead.
+    """
+    has_ended = result.status in (PlanStatus.UNSOLVABLE, PlanStatus.NOT_FOUND, PlanStatus.FAILED)
+    if is_relational(problem, grounding) or not has_ended:
+        return result
+    if goes_near:
+        ceiling = math.inf if time_limit is None else time_limit
+        return _nearest(result, plan_nearest(problem, grounding, time_limit=ceiling), grounding, planner)
+    is_open = planner.reads == "network" or result.status is not PlanStatus.UNSOLVABLE
+    if planner.is_exact or not is_open:
+        return result
+    found = plan_counting(problem, grounding, work=WORK_TO_COUNT)
+    if found.status is not PlanStatus.SOLVED:
+        return result
+    count = counted(primitives(found.steps), "primitive")
+    known = f"by the {grounding.operators.effects} there is a plan of {count}"
+    return dataclasses.replace(result, reason=f"{result.reason}; {known}: try another planner, say counting")
+
+
+def _nearest(none: PlanResult, found: PlanResult, grounding: Grounding, planner: Planner) -> PlanResult:
+    """Keep saying why the planner had no plan that comes nearer."""
+    if not found.has_plan:
+        status = found.status if found.status is PlanStatus.TIMEOUT else none.status
+        return PlanResult(status, (), none.seconds + found.seconds, f"{none.reason}; {found.reason}")
+    if found.status is PlanStatus.NEAREST:
+        return dataclasses.replace(found, reason=f"{found.reason}; {none.reason}")
+    over = ", over what the network predicts," if planner.reads == "network" else ""
+    said = f"it meets the goal by the {grounding.operators.effects}; {planner.name}{over} found none"
+    return dataclasses.replace(found, reason=said)
+
+
+def _reaches(problem: Problem, grounding: Grounding, branching: Branching | None) -> dict[str, "_Reach"]:
     """Say for each object with a goal what can be done to it."""
-    table, names = branching or branching_of(problem, grounding)
-    rows = zip(problem.objects, choices_of(problem, table, grounding, names), strict=True)
-    return {
-        item.name: _Reach(item.name, choices, problem.goals[item.name], problem.tolerance)
-        for item, choices in rows
-        if item.name in problem.goals
-    }
+    rows = zip(problem.object_names, choices_of(problem, grounding, branching), strict=True)
+    goals = problem.goals
+    return {name: _Reach(name, one, goals[name], problem.tolerance) for name, one in rows if name in goals}
 
 
-def _never_moves(
-    problem: Problem, name: str, grounding: Grounding, branching: tuple[Branching, Names] | None
-) -> bool:
+def _never_moves(problem: Problem, name: str, grounding: Grounding, branching: Branching | None) -> bool:
     """Say whether nothing is known to be done to an object."""
     if branching is None and carriers_for(problem.object_named(name), grounding, problem.tolerance):
         return False
-    table, _ = branching or branching_of(problem, grounding)
+    table = branching or branching_of(problem, grounding)
     return not table.usable(problem.object_names.index(name))
 
 
@@ -160,95 +210,78 @@ def _in_the_way(problem: Problem, found: dict[str, "_Reach"]) -> str:
     return ""
 
 
-def plan_nearest(problem: Problem, grounding: Grounding, *, time_limit: float = math.inf) -> PlanResult:
-    """Plan to the goals, where they can be reached, and else as near to them as objects come.
-
-    Args:
-        problem: The problem.
-        grounding: The learned domain.
-        time_limit: The user's ceiling [s].
-
-    Returns:
-        A plan that is solved, or nearest and says how far objects stay from their goals.
-
-    Raises:
-        UnknownChoice: If an object is of a category that the domain does not have.
-    """
-
-    def search(deadline: float) -> PlanResult:
-        join = Join(problem, grounding, Effort(MOST_WORK, deadline), nearest_depth=DEPTH)
-        for steps in join.plans():
-            ordered, checked = mend(steps, problem, grounding, join.effort)
-            if checked.valid:
-                return PlanResult(PlanStatus.SOLVED, ordered, 0.0)
-            if checked.possible:
-                return PlanResult(PlanStatus.NEAREST, ordered, 0.0, _misses(problem, checked.positions[-1]))
-            join.missed = checked.reason
-        return PlanResult(PlanStatus.NOT_FOUND, (), 0.0, f"no plan to the nearest point: {join.why_none()}")
-
-    return within(time_limit, search)
-
-
-def _misses(problem: Problem, ends: Float[np.ndarray, "M 3"]) -> str:
-    allowed = problem.tolerance
-    misses = problem.distances(ends).items()
-    far = [f"{name} {in_millimetres(miss, allowed)}" for name, miss in misses if miss > allowed]
-    goals = "its goal" if len(far) == 1 else "their goals"
-    return f"at the end, {_listed(far)} from {goals}; up to {DEPTH} primitives with each were looked at"
-
-
 @dataclass(frozen=True, slots=True, eq=False)
 class _Reach:
-    """One object and its goal."""
+    """One object, what can be done to it, and its goal [m]."""
 
     name: str
     choices: Choices
     goal: Vector
     tolerance: float
 
+    @property
+    def is_met(self) -> bool:
+        """Whether the object is at its goal already."""
+        return math.dist(self.choices.start, self.goal) <= self.tolerance
+
     def fewest(self) -> int | None:
         """Return how many primitives bring the object to its goal, or None if none were found to."""
-        effort = Effort(MOST_WORK)
-        found = next(candidates(self.choices, self.goal, self.tolerance, effort), None)
+        found = next(candidates(self.choices, self.goal, self.tolerance, Effort(MOST_WORK)), None)
         return None if found is None else len(found.moves)
 
     def is_impossible(self) -> bool:
         """Say whether it is proved that the object cannot meet its goal."""
-        if math.dist(self.choices.start, self.goal) <= self.tolerance:
-            return False
-        place = (self.choices, self.goal, self.tolerance)
-        return is_off_table(*place) or is_out_of_reach(*place)
+        return not self.is_met and (self.is_off_table() or self.is_out_of_reach())
 
     def must_be_held(self) -> bool:
         """Say whether it is proved that the object cannot meet its goal at rest."""
-        if math.dist(self.choices.start, self.goal) <= self.tolerance:
-            return False
-        return is_out_of_reach(self.choices, self.goal, self.tolerance, at_rest=True)
+        return not self.is_met and self.is_out_of_reach(at_rest=True)
 
     def must_rest(self) -> bool:
         """Say whether it is proved that no lift can end at the goal."""
-        lifts = np.flatnonzero(self.choices.held).tolist()
-        return all(
-            is_out_of_reach(self.choices.ending_with(lift), self.goal, self.tolerance) for lift in lifts
-        )
+        ends = map(self.choices.ending_with, np.flatnonzero(self.choices.held).tolist())
+        return all(_Reach(self.name, one, self.goal, self.tolerance).is_out_of_reach() for one in ends)
+
+    def is_off_table(self) -> bool:
+        """Say whether the object would have to leave its room to come near enough to its goal."""
+        spot = np.array(self.goal[:2])
+        return bool(np.linalg.norm(spot - np.clip(spot, *self.choices.room)) > self.tolerance)
+
+    def is_out_of_reach(self, *, at_rest: bool = False) -> bool:
+        """Say whether it is proved that the object cannot come near enough, on the table or anywhere."""
+        away = np.array(self.goal) - self.choices.start
+        lifts = np.zeros((0, 3)) if at_rest else self.choices.lifted[self.choices.held]
+        ends = (away - lift for lift in (np.zeros(3), *lifts))
+        return all(_is_beyond(self.choices.settled, end, self.tolerance) for end in ends)
 
     def explain(self, is_proved: bool) -> str:
         """Say why the goal cannot be met, or where it was looked for in vain."""
         depth, _ = looked_at(self.choices, DEPTH)
-        near = in_millimetres(nearest(self.choices, self.goal, depth=DEPTH).miss, self.tolerance)
+        near = in_millimetres(nearest(self.choices, self.goal).miss, self.tolerance)
         allowed = f"{near} from it, {1000 * self.tolerance:g} mm are allowed"
-        anywhere = nearest(self.choices, self.goal, depth=DEPTH, anywhere=True).miss <= self.tolerance
-        if is_proved and not is_off_table(self.choices, self.goal, self.tolerance):
+        if is_proved and not self.is_off_table():
             said = f"{self.name} cannot reach its goal: out of every primitive's reach"
         elif is_proved:
             said = f"{self.name} cannot reach its goal without leaving the table"
         else:
             steps, vectors = looked_at(self.choices)
+            anywhere = nearest(self.choices, self.goal, anywhere=True).miss <= self.tolerance
             said = f"{self.name} was not brought to its goal by up to {steps} primitives"
             said += " without leaving the table" if anywhere else ""
             said += f" ({vectors:,} combinations looked at)"
         return f"{said}; up to {depth} primitives bring it to {allowed}"
 
 
-def _listed(words: list[str]) -> str:
-    return " and ".join(words)
+def _is_beyond(moves: Float[np.ndarray, "k 3"], away: Float[np.ndarray, "3"], tolerance: float) -> bool:
+    """Say whether a point is farther than a tolerance from all sums of moves."""
+    gap = away
+    if len(moves):
+        from scipy.optimize import nnls
+
+        gap = away - moves.T @ nnls(moves.T, away)[0]
+    distance = float(np.linalg.norm(gap))
+    if distance <= tolerance:
+        return False
+    direction = gap / distance
+    along = max(0.0, float(np.max(moves @ direction, initial=0.0)))
+    return float(direction @ away) - MOST_PRIMITIVES * along > tolerance

@@ -7,7 +7,7 @@ import sys
 from collections.abc import Callable, Collection
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Literal, Protocol, runtime_checkable
+from typing import Literal, Protocol, get_args
 
 import numpy as np
 
@@ -70,7 +70,6 @@ class Query:
         check_kind("grounding", self.grounding, Grounding, "a Grounding")
 
 
-@runtime_checkable
 class PddlCall(Protocol):
     """Has a program read the files of a domain and a problem."""
 
@@ -151,22 +150,26 @@ class Planner:
     def __post_init__(self) -> None:
         if not isinstance(self.name, str) or not LEGAL_NAME.fullmatch(self.name):
             raise InvalidPlanner(repr(self.name), "is no name; valid: a lower-case letter, a-z, 0-9, hyphens")
-        for field, valid in (("solve", "a function of a Query"), ("missing", "a function that returns text")):
-            if not callable(getattr(self, field)):
-                raise InvalidPlanner(self.name, f"has {field} = {getattr(self, field)!r}; valid: {valid}")
-        if not isinstance(self.about, str):
-            raise InvalidPlanner(self.name, f"has about = {self.about!r}; valid: text")
-        if not isinstance(self.takes, Collection) or not {*self.takes} <= {"encoding", "whole", "unit-costs"}:
-            raise InvalidPlanner(self.name, f"has takes = {self.takes!r}; valid: encoding, whole, unit-costs")
-        is_number = isinstance(self.ceiling, int | float) and not isinstance(self.ceiling, bool)
-        if not (is_number and self.ceiling > 0):
-            raise InvalidPlanner(self.name, f"has ceiling = {self.ceiling!r}; valid: a time above 0 s")
-        if self.reads not in ("operators", "network"):
-            raise InvalidPlanner(self.name, f"has reads = {self.reads!r}; valid: operators, network")
-        known = (SAS, *ENCODINGS)
-        if self.program and not (self.program.encodings and {*self.program.encodings} <= {*known}):
-            said = f"has encodings = {self.program.encodings!r}"
-            raise InvalidPlanner(self.name, f"{said}; valid: one or more of {', '.join(sorted(known))}")
+        known = {SAS, *ENCODINGS}
+        is_time = isinstance(self.ceiling, int | float) and not isinstance(self.ceiling, bool)
+        takes = isinstance(self.takes, Collection) and {*self.takes} <= {*get_args(Option)}
+        encodings = self.encodings
+        for part, given, is_right, valid in (
+            ("solve", self.solve, callable(self.solve), "a function of a Query"),
+            ("missing", self.missing, callable(self.missing), "a function that returns text"),
+            ("about", self.about, isinstance(self.about, str), "text"),
+            ("takes", self.takes, takes, "encoding, whole, unit-costs"),
+            ("ceiling", self.ceiling, is_time and self.ceiling > 0, "a time above 0 s"),
+            ("reads", self.reads, self.reads in ("operators", "network"), "operators, network"),
+            (
+                "encodings",
+                encodings,
+                not self.program or (encodings and {*encodings} <= known),
+                f"one or more of {', '.join(sorted(known))}",
+            ),
+        ):
+            if not is_right:
+                raise InvalidPlanner(self.name, f"has {part} = {given!r}; valid: {valid}")
 
     @property
     def encodings(self) -> tuple[EncodingName, ...]:

@@ -1,28 +1,30 @@
 """Running a planner as a process that leaves nothing behind.
 
 Planners start processes of their own, some in sessions of their own, and write files wherever they stand, or
-where temporary files go. Callers give each call a folder of its own for both. When it ends or its time is up,
-all its descendants are killed; those that have cut their ties are known by a mark in their environment.
-When we are killed ourselves, the keeper does that (`keeper.py`).
+where temporary files go. Each call gets a folder of its own for both. When it ends or its time is up, all its
+descendants are killed; those that have cut their ties are known by a mark in their environment. When we are
+killed ourselves, the keeper does that (`keeper.py`).
 """
 
+import atexit
 import math
 import os
 import resource
 import signal
 import subprocess
+import sys
 import tempfile
 import textwrap
 import threading
 import uuid
-from collections.abc import Collection, Mapping, Sequence
-from contextlib import suppress
+from collections.abc import Collection, Iterator, Mapping, Sequence
+from contextlib import contextmanager, suppress
 from dataclasses import dataclass
 from pathlib import Path
 
 from neurosym.errors import CannotStart, InvalidFile
-from neurosym.planners.keeper import MARK, end_processes, marked, processes, state_of, this_process
-from neurosym.planners.scratch import kept
+from neurosym.planners import keeper
+from neurosym.planners.keeper import FOLDER_PREFIX, MARK, end_processes, marked, state_of, this_process
 from neurosym.reading import read_bytes
 
 MEMORY = 4 * 1024**3
@@ -30,7 +32,13 @@ MEMORY = 4 * 1024**3
 FILE_SIZE = 1024**3
 """How large a file a planner may write, its output included, unless this process may write less [bytes]."""
 _TOLD = 1024**2  # how much of its output is kept, from the end [bytes]
+_PATIENCE = 2.0  # for the keeper to end [s]
 _running: dict[int, "subprocess.Popen[bytes]"] = {}  # by the thread that waits for it
+_keepers: dict[int, "subprocess.Popen[bytes]"] = {}
+"""The keeper by the process that it was started for; a forked process has none yet."""
+_open: set[object] = set()
+"""What is being done, or was broken off by an error."""
+_starting = threading.Lock()
 
 
 @dataclass(frozen=True, slots=True)
@@ -100,7 +108,7 @@ def run_limited(
         finally:
             _running.pop(threading.get_ident(), None)
             # While it has not been waited for, its number is still its own.
-            kill_all(f"{MARK}={mark}", None if process.returncode is not None else process.pid)
+            _kill_all(f"{MARK}={mark}", None if process.returncode is not None else process.pid)
             process.wait()
         sink.seek(max(0, sink.seek(0, os.SEEK_END) - _TOLD))
         return Finished(code, sink.read().decode(errors="replace"))
@@ -124,16 +132,56 @@ def read_text(path: Path) -> str:
     return ""
 
 
-def kill_all(mark: str, root: int | None) -> None:
-    """Kill a process of ours with all its descendants, and whatever else bears its mark.
+@contextmanager
+def scratch_folder() -> Iterator[Path]:
+    """Make an empty folder, and remove it with all that is in it; also when this process is killed."""
+    prefix = f"{FOLDER_PREFIX}{os.getpid()}-"
+    with kept(), tempfile.TemporaryDirectory(prefix=prefix, ignore_cleanup_errors=True) as name:
+        yield Path(name)
 
-    They are stopped first, so that none can start another while they are being listed.
 
-    Args:
-        mark: NAME=VALUE in the environment that the process was started with.
-        root: The process, if it has not been waited for.
-    """
-    if root and not processes():  # a system that does not tell
+@contextmanager
+def kept() -> Iterator[None]:
+    """Have the keeper look after what is made and started inside, in case that it is not left in order."""
+    _start_keeper()
+    task = object()
+    _open.add(task)
+    yield
+    _open.discard(task)
+
+
+def _start_keeper() -> None:
+    """Start the process that clears away what this one leaves when it is killed; once for each process."""
+    with _starting:
+        if os.getpid() in _keepers:
+            return
+        program = [sys.executable, "-I", "-S", keeper.__file__, tempfile.gettempdir(), this_process()]
+        with suppress(OSError):
+            _keepers[os.getpid()] = subprocess.Popen(
+                program,
+                cwd="/",
+                stdin=subprocess.PIPE,
+                stdout=subprocess.DEVNULL,
+                stderr=subprocess.DEVNULL,
+                env={name: value for name, value in os.environ.items() if name != MARK},
+                start_new_session=True,
+            )
+
+
+@atexit.register
+def _dismiss() -> None:
+    """Clear away what was broken off, tell the keeper that nothing is left, and wait for its end."""
+    found = _keepers.pop(os.getpid(), None)
+    if found:
+        if _open:
+            keeper.clear(Path(tempfile.gettempdir()), this_process())
+        with suppress(OSError, subprocess.TimeoutExpired):
+            found.communicate(b".", timeout=_PATIENCE)
+
+
+def _kill_all(mark: str, root: int | None) -> None:
+    """Kill a process that was not waited for yet, its descendants, and whatever else bears its mark."""
+    if root and not keeper.processes():  # a system that does not tell
         with suppress(ProcessLookupError, PermissionError):
             os.killpg(root, signal.SIGKILL)
     end_processes(lambda: marked(mark) | (_descendants(root) if root else set()))
@@ -153,14 +201,9 @@ def _at_most(kind: int, most: int) -> int:
 
 
 def _descendants(root: int) -> set[int]:
-    children: dict[int, list[int]] = {}
-    for number in processes():
-        if fields := state_of(number):
-            children.setdefault(int(fields[1]), []).append(number)
-    found: set[int] = set()
-    waiting = [root]
-    while waiting:
-        process = waiting.pop()
-        found.add(process)
-        waiting += children.get(process, [])
+    parents = {number: int(fields[1]) for number in keeper.processes() if (fields := state_of(number))}
+    found, new = set[int](), {root}
+    while new:
+        found |= new
+        new = {number for number, parent in parents.items() if parent in new} - found
     return found

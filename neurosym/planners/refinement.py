@@ -8,49 +8,71 @@ import dataclasses
 import math
 import reprlib
 import textwrap
+import threading
 import time
 from collections import Counter
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
+from concurrent.futures import Future, ThreadPoolExecutor
 from functools import partial
 from pathlib import Path
 
 import msgspec
-import numpy as np
 
-from neurosym.arrays import Float
 from neurosym.drafts import naming
-from neurosym.errors import InvalidPlan, InvalidPlanner
+from neurosym.errors import CannotStart, InvalidPlan, InvalidPlanner
 from neurosym.factories import one_line
 from neurosym.grounding import Grounding
-from neurosym.pddl.encoding_names import SAS, STRIPS, EncodingName
-from neurosym.pddl.encodings import domain_text
-from neurosym.pddl.numeric import STEPS as NUMERIC_STEPS
-from neurosym.pddl.numeric import numeric_problem
+from neurosym.pddl.chances import expected_success
+from neurosym.pddl.encoding_names import NUMERIC, SAS, STRIPS, EncodingName
+from neurosym.pddl.encodings import NUMBERS, domain_text
 from neurosym.pddl.plan_reading import read_answer
 from neurosym.pddl.sas import sas_text
 from neurosym.pddl.strips_problem import STEPS, StripsProblem, printed_cell
-from neurosym.planners.aiming import aim
-from neurosym.planners.around import plan_around, plan_likeliest
-from neurosym.planners.by_places import MOST_LED, is_by_places, not_found, not_proved, plan_by_places
-from neurosym.planners.edges import away_from_edges
+from neurosym.planners.around import plan_around
+from neurosym.planners.counting import candidates, choices_of, plan_counting
 from neurosym.planners.effort import UNTOLD, Effort, TimeIsUp, WorkIsUp, all_spent, within
 from neurosym.planners.fast_downward import SAS_SUFFIX
-from neurosym.planners.in_turns import plan_in_turns
+from neurosym.planners.in_turns import (
+    MOST_LED,
+    is_by_places,
+    not_found,
+    not_proved,
+    plan_by_places,
+    plan_in_turns,
+)
 from neurosym.planners.no_plan import Explanation, explain_clash, explain_no_plan
-from neurosym.planners.one_by_one import plan_one_by_one
-from neurosym.planners.ordering import mend
+from neurosym.planners.ordering import ends_held, mend
 from neurosym.planners.planner import CEILING, ON_PAGE, Option, PddlCall, PddlProgram, Planner, Query
+from neurosym.planners.process import end_calls, scratch_folder
 from neurosym.planners.result import LONGEST_REASON, PlannerAnswer, PlanResult, PlanStatus
-from neurosym.planners.scratch import scratch_folder
 from neurosym.problems import Problem
 from neurosym.table import Table
+from neurosym.tasks.moves import step_cost
 from neurosym.tasks.steps import PlanStep
-from neurosym.tasks.task import understand
+from neurosym.tasks.task import Task, understand
+from neurosym.tasks.transition import operator_for, validate
 
 ATTEMPTS = 4
 """How often a problem is solved before its replay must be right; the later half on a finer grid."""
 FINER = 3
 """How many times finer that grid is."""
+STRIP = 0.04
+"""Width of the strip at the edges of the table that is left free if it can be [m]."""
+NEARER = (1.0, 0.75, 0.5)
+"""How near to the middle of its goal an object is to end, as shares of what is allowed."""
+WORKERS = 2
+"""How many objects are planned for at the same time."""
+WORK_TO_COUNT = 20_000
+"""How much counting looks at; see `Effort`."""
+JOINED = "joined from plans of single objects"
+"""What is said of a plan that was made so."""
+DEARER = 1.1
+"""What a way may cost beside the plan's own, to be likelier to come true."""
+LONGER = 1
+"""How many primitives more it may have."""
+MOST_WAYS = 3000
+"""How many ways of an object are judged."""
+_TRIED = 3  # of the likeliest ways of an object are put into the plan, until one fits
 
 
 @dataclasses.dataclass(frozen=True, slots=True)
@@ -108,7 +130,7 @@ def pddl_planner(
         raise InvalidPlanner(name, f"has encodings = {encodings!r}; valid: a tuple of their names")
     program = PddlProgram(partial(_answer, name, call), tuple(encodings), cell, aims, costs)
     takes: frozenset[Option] = frozenset({"encoding", "whole", "unit-costs"})
-    solve = partial(plan_pddl, name=name, program=program)
+    solve = partial(_plan_pddl, name=name, program=program)
     return Planner(name, about, solve, takes=takes, program=program, missing=missing, ceiling=ceiling)
 
 
@@ -125,19 +147,8 @@ def _answer(name: str, call: PddlCall, domain: Path, problem: Path, *, time_limi
     return dataclasses.replace(answer, reason=one_line(answer.reason, LONGEST_REASON))
 
 
-def plan_pddl(query: Query, *, name: str, program: PddlProgram) -> PlanResult:
-    """Solve a problem with a PDDL planner, and believe the plan only if its exact replay is right.
-
-    Args:
-        query: What is asked.
-        name: Name of the planner.
-        program: What reads the files.
-
-    Raises:
-        UnknownChoice: If an object's category is unknown.
-        InvalidValue: If the planner does not take the encoding.
-        InvalidValue: If an object stands off the table, or its name means something else in the domain.
-    """
+def _plan_pddl(query: Query, *, name: str, program: PddlProgram) -> PlanResult:
+    """Solve a problem with a PDDL planner, and believe the plan only if its exact replay is right."""
     problem, grounding = query.problem, query.grounding
     asked = _Asked(query, program, program.encoding_for(name, query.encoding))
     if problem.is_met(problem.scene().positions):
@@ -173,25 +184,17 @@ class _Asked:
     def _any_way(self, effort: Effort) -> PlanResult:
         """Carry what can be carried, or lead everything over cells."""
         query, problem, grounding = self.query, self.query.problem, self.query.grounding
-        takes_places = STRIPS in self.program.encodings and query.encoding in (None, STRIPS)
-        if not (takes_places and is_by_places(problem, grounding)):
+        says_places = STRIPS in self.program.encodings and query.encoding != NUMERIC  # which has no places
+        if not (says_places and is_by_places(problem, grounding)):
             return self._over_cells(problem, effort)
-        carry = partial(
-            self._solve,
-            grounding=grounding,
-            effort=effort,
-            encoding=STRIPS,
-            slack=_Slack(STEPS),
-            carries=True,
-        )
-        for way in (self._in_turns, self._at_once) if query.encoding is None else (self._at_once,):
+        solve = partial(self._solve, grounding=grounding, effort=effort, encoding=STRIPS)
+        carry = partial(solve, slack=_Slack(STEPS), carries=True)
+        for way in (self._in_turns, self._at_once):
             result = way(carry, effort)
             if result.status is PlanStatus.SOLVED:
                 return result
             if result.status is PlanStatus.UNSOLVABLE:
                 return not_proved(result)
-        if query.encoding == STRIPS:
-            return result
         if len(problem.objects) > MOST_LED:
             return not_found(result)
         return not_proved(self._over_cells(problem, effort))
@@ -214,10 +217,12 @@ class _Asked:
         self.query.tell(f"leading {', '.join(problem.unmet)} over cells")
         grounding = self.query.grounding
         if self.program.aims and not grounding.unit_costs:
-            careful = away_from_edges(grounding, problem)
+            careful = _away_from_edges(grounding, problem)
             result = self._attempt(problem, careful, effort)
             if result.status is PlanStatus.SOLVED:
-                return dataclasses.replace(result, steps=aim(result.steps, problem, careful, effort.deadline))
+                return dataclasses.replace(
+                    result, steps=_aim(result.steps, problem, careful, effort.deadline)
+                )
         result = self._attempt(problem, grounding, effort)
         if result.status is PlanStatus.FAILED and not self._is_at_once(problem) and not grounding.unit_costs:
             # The most reliable plans are long, and long ones stand in each other's way; shorter ones may not.
@@ -240,19 +245,19 @@ class _Asked:
                 return found
 
             def off_grid(task: Problem) -> PlanResult:
-                search = plan_likeliest if len(task.objects) == 1 else plan_around
-                found = search(task, grounding, deadline=spending.deadline)
+                found = _plan_likeliest(task, grounding, spending.deadline)
                 spending.spend(found.work)
                 return found
 
             try:
-                return _believed(task, grounding, solve, off_grid if self.program.aims else None)
+                is_quick = self.program.aims and len(task.objects) == 1
+                return _believed(task, grounding, solve, off_grid if is_quick else None)
             except WorkIsUp:
                 return all_spent(effort.work)
 
         if self._is_at_once(problem):
             return believed(problem, effort)
-        return plan_one_by_one(problem, grounding, believed, effort)
+        return _plan_one_by_one(problem, grounding, believed, effort)
 
     def _solve(
         self,
@@ -264,82 +269,224 @@ class _Asked:
         *,
         carries: bool = False,
     ) -> PlanResult:
-        """Print domain and problem, in one file if in SAS+, call the planner, and read what it wrote."""
+        """Print domain and problem, call the planner, and read what it wrote."""
         if problem.is_met(problem.scene().positions):
             return PlanResult(PlanStatus.SOLVED, (), 0.0)
         effort.check()
-        printed = _Printed(problem, grounding, encoding, slack, self.program, leads_all=not carries)
-        with scratch_folder() as folder:
-            domain, task = printed.write(folder)
-            answer = self.program.call(domain, task, time_limit=effort.deadline - time.perf_counter())
+        task, program = understand(problem, grounding), self.program
+        led = () if carries else tuple(name for name in task.names if name in problem.goals)
+        usual = printed_cell(task) if encoding == STRIPS else grounding.cell
+        grid = _fitted(grounding, problem, max(usual, program.cell) / slack.finer)
+        printed = _Printed(task, led or task.led, grid, slack, program.costs)
+        texts = _TEXTS[encoding](printed)
+        answer = ask(program, texts, _FILES.get(encoding, FILES), effort.deadline)
         effort.spend(UNTOLD if answer.work is None else answer.work)
+        return answered(answer, printed.read)
+
+
+def _plan_one_by_one(
+    problem: Problem, grounding: Grounding, believed: Callable[[Problem, Effort], PlanResult], effort: Effort
+) -> PlanResult:
+    """Solve a problem one object at a time; whole, if the hand would have to hold two in the end.
+
+    Objects do not interact but by standing in each other's way. So each gets a plan of its own, which is
+    cheap and makes every plan the cheapest; one that ends with its object held comes last. Where objects
+    would end in each other, or no order of the steps leads past one, ways around each other are looked for
+    (see `around`), and last the fewest primitives with which all objects end apart (see `counting`).
+    """
+    effort.check()
+    parts = [effort.part for _ in problem.goals]
+    tasks = zip(problem.goals, parts, strict=True)
+    results = _plan_together([partial(believed, problem.only(name), part) for name, part in tasks])
+    effort.spend(sum(part.spent for part in parts[: len(results)]))
+    if results[-1].status is not PlanStatus.SOLVED:
+        return results[-1]
+    plans = dict(zip(problem.goals, results, strict=True))
+    if sum(ends_held(plan.steps, grounding) for plan in results) > 1:
+        return believed(problem, effort)
+    held_last = sorted(problem.goals, key=lambda name: ends_held(plans[name].steps, grounding))
+    joined = [step for name in held_last for step in plans[name].steps]
+    steps, checked = mend(joined, problem, grounding)
+    if checked.valid:
+        said = "; ".join(dict.fromkeys((JOINED, *filter(None, (plan.reason for plan in results)))))
+        return PlanResult(PlanStatus.SOLVED, steps, 0.0, said)
+    for said, other in _other_ways(problem, grounding, effort):
+        effort.spend(other.work)
+        if other.status is PlanStatus.SOLVED:
+            said = f"{JOINED}: they would have stood in each other's way, so {said}"
+            return dataclasses.replace(other, reason=said)
+    reason = f"no plan was true when replayed; the last: {checked.reason}"
+    return PlanResult(PlanStatus.FAILED, (), 0.0, reason)
+
+
+def _other_ways(problem: Problem, grounding: Grounding, effort: Effort) -> Iterator[tuple[str, PlanResult]]:
+    """Plan for objects that stand in each other's way; say what that means, too."""
+    yield "ways around each other were taken", plan_around(problem, grounding, deadline=effort.deadline)
+    effort.check()
+    yield "as few steps as possible were taken", plan_counting(problem, grounding, work=WORK_TO_COUNT)
+
+
+def _plan_together(tasks: Sequence[Callable[[], PlanResult]]) -> tuple[PlanResult, ...]:
+    """Make several plans at the same time; the results up to the first without a plan, in order.
+
+    What still runs then, or when the user interrupts, is ended with all its processes.
+    """
+    threads: set[int] = set()
+
+    def run(task: Callable[[], PlanResult]) -> PlanResult:
+        threads.add(threading.get_ident())
+        return task()
+
+    futures: list[Future[PlanResult]] = []
+    results: list[PlanResult] = []
+    with ThreadPoolExecutor(WORKERS) as pool:
         try:
-            steps = printed.read(answer.text)
-        except InvalidPlan as error:
-            reason = f"what the planner wrote cannot be read: {textwrap.shorten(str(error), 200)}"
-            return PlanResult(PlanStatus.FAILED, (), answer.seconds, reason)
-        return PlanResult(answer.status, steps, answer.seconds, answer.reason)
+            for task in tasks:
+                futures.append(_submitted(pool, partial(run, task)))
+            for future in futures:
+                results.append(future.result())
+                if results[-1].status is not PlanStatus.SOLVED:
+                    break
+        finally:
+            for future in futures:
+                future.cancel()
+            while not all(future.done() for future in futures):
+                end_calls(threads)  # again until they give up: a portfolio starts its next search
+                time.sleep(0.02)
+    return tuple(results)
 
 
-class _Printed:
-    """What a program is given of a problem, and how its answer is read.
+def _submitted(pool: ThreadPoolExecutor, task: Callable[[], PlanResult]) -> Future[PlanResult]:
+    try:
+        return pool.submit(task)
+    except RuntimeError as error:
+        raise CannotStart("planner", str(error)) from error
+
+
+def _aim(
+    steps: Sequence[PlanStep], problem: Problem, grounding: Grounding, deadline: float
+) -> tuple[PlanStep, ...]:
+    """Return a plan that costs little more and is likelier to come true, or else the plan, which is valid.
+
+    A planner is content with any end in the goal ball, and small errors push what ends at its edge out of it.
+    So for each object other ways to its goal are listed that cost little more, and judged by how likely they
+    end inside, by the spreads that operators promise.
+    """
+    best = tuple(steps)
+    likely = expected_success(best, problem, grounding)
+    for name in problem.goals:
+        own = [step for step in best if step.object == name]
+        others = [step for step in best if step.object != name]
+        if not own or ends_held(others, grounding):
+            continue
+        for way in _ways(own, problem, grounding, Effort(MOST_WAYS, deadline)):
+            place = len(others) if ends_held(way, grounding) else best.index(own[0])
+            joined = (*others[:place], *way, *others[place:])
+            if not validate(joined, problem, grounding).valid:
+                continue  # others are in the way
+            if (found := expected_success(joined, problem, grounding)) > likely:
+                best, likely = joined, found
+                break
+    return best
+
+
+def _ways(
+    own: Sequence[PlanStep], problem: Problem, grounding: Grounding, effort: Effort
+) -> list[tuple[PlanStep, ...]]:
+    """List the likeliest ways to bring an object to its goal that cost little more than its own steps."""
+    alone = problem.only(own[0].object)
+    ((name, goal),) = alone.goals.items()
+    (choices,) = choices_of(alone, grounding)
+    made = [operator_for(step, problem, grounding) for step in own if not step.puts_down]
+    most = DEARER * sum(step_cost(operator, grounding) for operator in made)
+    near = candidates(choices, goal, alone.tolerance, effort, moves=len(made) + LONGER, cost=most)
+    ways = {
+        steps: expected_success(steps, alone, grounding)
+        for steps in (choices.steps(name, one.moves, held=one.held) for one in near)
+    }
+    return sorted(ways, key=lambda steps: -ways[steps])[:_TRIED]
+
+
+def ask(program: PddlProgram, texts: Sequence[str], names: Sequence[str], deadline: float) -> PlannerAnswer:
+    """Give domain and problem to a program.
 
     Args:
-        problem: The problem.
-        grounding: What is believed of the domain.
-        encoding: The encoding.
-        slack: How far plans must keep from the edge of what is allowed.
         program: The program.
-        leads_all: Whether every object with a goal is led over cells, even if it could be carried.
+        texts: Domain and problem.
+        names: How their files are called.
+        deadline: When the user's time is up, by `time.perf_counter()` [s].
+    """
+    with scratch_folder() as folder:
+        files = [folder / name for name in names]
+        for file, text in zip(files, texts, strict=True):
+            with naming(file):
+                file.write_text(text)
+        return program.call(*files, time_limit=deadline - time.perf_counter())
+
+
+def answered(answer: PlannerAnswer, read: Callable[[str], tuple[PlanStep, ...]]) -> PlanResult:
+    """Return what a program says as a result.
+
+    Args:
+        answer: What it says.
+        read: Reads a plan; raises `InvalidPlan` if it is none.
+    """
+    try:
+        return PlanResult(answer.status, read(answer.text), answer.seconds, answer.reason)
+    except InvalidPlan as error:
+        reason = f"what the planner wrote cannot be read: {textwrap.shorten(str(error), 200)}"
+        return PlanResult(PlanStatus.FAILED, (), answer.seconds, reason)
+
+
+@dataclasses.dataclass(frozen=True, slots=True)
+class _Printed:
+    """What a program is given of a task, and how its answer is read.
+
+    Attributes:
+        task: The task.
+        led: The objects that are led over cells.
+        grid: The learned domain with the cells, and the table, that they are led over.
+        slack: How far plans must keep from the edge of what is allowed.
+        costs: Whether the program is told what steps cost.
     """
 
-    def __init__(
-        self,
-        problem: Problem,
-        grounding: Grounding,
-        encoding: EncodingName,
-        slack: _Slack,
-        program: PddlProgram,
-        *,
-        leads_all: bool,
-    ):
-        self._task, self._encoding, self._slack = understand(problem, grounding), encoding, slack
-        self._costs = program.costs
-        self._led = tuple(name for name in self._task.names if name in problem.goals and leads_all)
-        self._led = self._led or self._task.led
-        usual = printed_cell(self._task) if encoding == STRIPS else grounding.cell
-        self._grid = _fitted(grounding, problem, max(usual, program.cell) / slack.finer)
+    task: Task
+    led: Sequence[str]
+    grid: Grounding
+    slack: _Slack
+    costs: bool
 
-    def write(self, folder: Path) -> tuple[Path, Path]:
-        """Print domain and problem into a folder, in one file if in SAS+, and return the two."""
-        slack, problem = self._slack, self._task.problem
-        if self._encoding == SAS:
-            both = folder / f"problem{SAS_SUFFIX}"
-            _write(both, sas_text(problem, self._grid, steps=slack.steps, margin=slack.margin))
-            return both, both
-        domain, task = folder / "domain.pddl", folder / "problem.pddl"
-        if self._encoding == STRIPS:
-            learned, data = self._task.grounding, self._on_page(self._led, every=False).data()
-        else:
-            learned = self._grid
-            data = numeric_problem(understand(problem, learned), steps=NUMERIC_STEPS * slack.steps)
-        _write(domain, domain_text(learned, self._encoding, costs=self._costs))
-        _write(task, data.text(costs=self._costs))
-        return domain, task
+    def page(self) -> tuple[str, str]:
+        """Print the page and its problem."""
+        problem = self._on_page(self.led, every=False).data()
+        return domain_text(self.task.grounding, costs=self.costs), problem.text(costs=self.costs)
+
+    def numbers(self) -> tuple[str, str]:
+        """Print the page in numbers and its problem."""
+        problem = NUMBERS.problem(understand(self.task.problem, self.grid), (), self.slack.steps)
+        return domain_text(self.grid, NUMERIC, costs=self.costs), problem.text(costs=self.costs)
+
+    def sas(self) -> tuple[str, str]:
+        """Print both in one in SAS+."""
+        text = sas_text(self.task.problem, self.grid, steps=self.slack.steps, margin=self.slack.margin)
+        return text, text
 
     def read(self, text: str) -> tuple[PlanStep, ...]:
-        """Read what a program wrote.
-
-        Raises:
-            InvalidPlan: If it is no plan of what was printed.
-        """
-        return read_answer(text, Path("its plan"), self._task, partial(self._on_page, every=True))
+        """Read a plan of what was printed."""
+        return read_answer(text, Path("its plan"), self.task, partial(self._on_page, every=True))
 
     def _on_page(self, led: Sequence[str], *, every: bool) -> StripsProblem:
-        slack = self._slack
+        slack = self.slack
         return StripsProblem(
-            self._task, led=led, grid=self._grid, steps=slack.steps, margin=slack.margin, every=every
+            self.task, led=led, grid=self.grid, steps=slack.steps, margin=slack.margin, every=every
         )
+
+
+_TEXTS = {STRIPS: _Printed.page, NUMERIC: _Printed.numbers, SAS: _Printed.sas}
+"""How domain and problem are printed for a program."""
+FILES = ("domain.pddl", "problem.pddl")
+"""How their files are called."""
+_FILES = {SAS: (f"problem{SAS_SUFFIX}",) * 2}
 
 
 def _believed(
@@ -347,10 +494,9 @@ def _believed(
 ) -> PlanResult:
     """Solve a problem until the replay of the plan is right; each time with more slack, and then finer.
 
-    What rounds off no place, if it is given, is tried last; for one object it is quick, and tried second.
+    What rounds off no place, if it is given, is tried second.
     """
     slack, said, wrong = _Slack(STEPS), "", ""
-    alone = len(problem.objects) == 1
     for attempt in range(1, ATTEMPTS + 1):
         result = solve(problem, slack)
         if result.status is PlanStatus.UNSOLVABLE and (slack.steps or slack.margin):
@@ -370,7 +516,7 @@ def _believed(
             wrong = checked.reason
             longest = max(Counter(step.object for step in steps).values(), default=0)
             finer = FINER if attempt >= ATTEMPTS // 2 else slack.finer
-        if off_grid and alone and attempt == 1:
+        if off_grid and attempt == 1:
             found = off_grid(problem)
             if found.status is PlanStatus.SOLVED:
                 return dataclasses.replace(found, reason=f"searched for without a grid, for on it: {wrong}")
@@ -378,16 +524,39 @@ def _believed(
         steps_reckoned = STEPS if finer > slack.finer else 2 * slack.steps
         slack = _Slack(max(steps_reckoned, longest), slack.margin + 1, finer)
     reason = f"no plan was true when replayed, in {ATTEMPTS} attempts; the last: {wrong}"
-    if off_grid and not alone:
-        found = off_grid(problem)
-        if found.status is PlanStatus.SOLVED:
-            return dataclasses.replace(found, reason=f"searched for without a grid: {reason}")
     return PlanResult(PlanStatus.FAILED, (), 0.0, reason)
 
 
-def _write(file: Path, text: str) -> None:
-    with naming(file):
-        file.write_text(text)
+def _plan_likeliest(problem: Problem, grounding: Grounding, deadline: float) -> PlanResult:
+    """Find the likeliest to come true of the cheapest and the shortest plans to ever smaller goals.
+
+    The cheapest plan ends where it happens to, often at the edge of what is allowed.
+    """
+    without_costs = msgspec.structs.replace(grounding, unit_costs=True)
+    results = [
+        plan_around(
+            msgspec.structs.replace(problem, tolerance=share * problem.tolerance), by, deadline=deadline
+        )
+        for share in NEARER
+        for by in (grounding, without_costs)
+    ]
+    solved = [result for result in results if result.status is PlanStatus.SOLVED]
+    best = max(solved, key=lambda one: expected_success(one.steps, problem, grounding), default=results[0])
+    return dataclasses.replace(best, work=sum(result.work for result in results))
+
+
+def _away_from_edges(grounding: Grounding, problem: Problem) -> Grounding:
+    """Leave a strip at the edges of the table free, but for goals there: what goes too far is lost."""
+    spots = [goal[:2] for goal in problem.goals.values()]
+
+    def kept(axis: int, bounds: tuple[float, float]) -> tuple[float, float]:
+        low, high = bounds
+        strip = min(STRIP, (high - low) / 4)
+        wanted = [spot[axis] for spot in spots]
+        return max(low, min(low + strip, *wanted)), min(high, max(high - strip, *wanted))
+
+    table = Table(x=kept(0, grounding.table.x), y=kept(1, grounding.table.y))
+    return msgspec.structs.replace(grounding, table=table)
 
 
 def _fitted(grounding: Grounding, problem: Problem, cell: float) -> Grounding:
@@ -395,17 +564,13 @@ def _fitted(grounding: Grounding, problem: Problem, cell: float) -> Grounding:
     categories = {item.category for item in problem.objects}
     kept = tuple(operator for operator in grounding.live if operator.category in categories)
     room = problem.room(grounding.table, rounded=0.0)
-    (x_low, y_low), (x_high, y_high) = (edge.tolist() for edge in _edges(room))
+    (x_low, y_low), (x_high, y_high) = room[0].min(axis=0).tolist(), room[1].max(axis=0).tolist()
     return msgspec.structs.replace(
         grounding,
         cell=cell,
         table=Table(x=(x_low, x_high), y=(y_low, y_high)),
         operators=msgspec.structs.replace(grounding.operators, operators=kept),
     )
-
-
-def _edges(room: Float[np.ndarray, "2 M 2"]) -> tuple[Float[np.ndarray, "2"], Float[np.ndarray, "2"]]:
-    return room[0].min(axis=0), room[1].max(axis=0)
 
 
 def _explained(result: PlanResult, why: Explanation, finer: int) -> PlanResult:

@@ -1,14 +1,10 @@
-"""Problems for unified-planning, plans from it, and planning with its engine that is called `fast-downward`.
+"""Problems for unified-planning, plans from it, and planning with its engines.
 
-The engine runs in a process of its own, because its import is slow, it writes files into the current folder,
-and its own time-outs leave processes behind. This module is also the program that runs there:
-`python -m neurosym.planners.unified_planning DOMAIN PROBLEM PLAN ENGINE`.
+An engine runs in a process of its own, because the import is slow, engines write files into the current
+folder, and their own time-outs leave processes behind.
 """
 
 import sys
-import time
-from collections.abc import Iterable, Sequence
-from itertools import islice, pairwise
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -19,23 +15,16 @@ from neurosym.pddl.encoding_names import STRIPS, EncodingName
 from neurosym.pddl.encodings import domain_text
 from neurosym.pddl.plan_reading import parse_plan
 from neurosym.pddl.problem import problem_text
-from neurosym.planners.process import Finished, read_text, run_limited
-from neurosym.planners.result import PlannerAnswer, PlanStatus
-from neurosym.planners.scratch import scratch_folder
+from neurosym.planners.external import UNSOLVABLE, Program
 from neurosym.problems import Problem
 from neurosym.tasks.steps import PlanStep
 
 if TYPE_CHECKING:
     from unified_planning.model import Problem as Task
-    from unified_planning.plans import ActionInstance, Plan
+    from unified_planning.plans import Plan
 
-_EXIT = {
-    PlanStatus.SOLVED: 0,
-    PlanStatus.FAILED: 3,
-    PlanStatus.UNSOLVABLE: 10,
-    PlanStatus.NOT_FOUND: 12,
-    PlanStatus.TIMEOUT: 21,
-}
+_EXIT = {"UNSOLVABLE_PROVEN": 10, "UNSOLVABLE_INCOMPLETELY": 12, "TIMEOUT": 21}
+"""How the process of an engine ends, as Fast Downward does, by what unified-planning says."""
 
 
 def to_unified_planning(
@@ -65,7 +54,7 @@ def from_unified_planning(plan: "Plan", problem: Problem, grounding: Grounding) 
     """Return the steps of a plan that an engine of unified-planning made, as `execute` takes them.
 
     Args:
-        plan: The plan; one of partial order, or with times, if it leaves only one sequence.
+        plan: The plan, a sequence.
         problem: The problem that `to_unified_planning` was given.
         grounding: The learned domain.
 
@@ -73,99 +62,53 @@ def from_unified_planning(plan: "Plan", problem: Problem, grounding: Grounding) 
         InvalidValue: If it is no sequence of actions.
         InvalidPlan: If it names an operator, object or pair that does not exist.
     """
+    from unified_planning.plans import SequentialPlan
+
     check_kind("problem", problem, Problem, "a Problem")
     check_kind("grounding", grounding, Grounding, "a Grounding")
-    return parse_plan(_text(_sequence(plan)), Path("the plan"), grounding, problem)
+    if not isinstance(plan, SequentialPlan):
+        raise InvalidValue(
+            f"A {type(plan).__name__} is no sequence of actions; valid: a SequentialPlan of unified-planning."
+        )
+    return parse_plan(_text(plan), Path("the plan"), grounding, problem)
 
 
-def _sequence(plan: "Plan") -> "Sequence[ActionInstance]":
-    """Return the actions of a plan one after another.
-
-    Raises:
-        InvalidValue: If it is no plan, or one that leaves open which action comes first.
-    """
-    from unified_planning.plans import PartialOrderPlan, SequentialPlan, TimeTriggeredPlan
-
-    if isinstance(plan, SequentialPlan):
-        return list(plan.actions)
-    if isinstance(plan, PartialOrderPlan):
-        first, *others = islice(plan.all_sequential_plans(), 2)
-        if others:
-            pairs = zip(first.actions, others[0].actions, strict=True)
-            one, other = next((one, other) for one, other in pairs if one != other)
-            raise InvalidValue(f"The plan leaves open whether {one} or {other} comes first; order them.")
-        return list(first.actions)
-    if isinstance(plan, TimeTriggeredPlan):
-        timed = sorted(plan.timed_actions, key=lambda row: row[0])
-        for (start, one, lasts), (then, other, _) in pairwise(timed):
-            if then < start + (lasts or 0) or then == start:
-                raise InvalidValue(f"{one} and {other} overlap in the plan; one hand does one after another.")
-        return [action for _, action, _ in timed]
-    raise InvalidValue(
-        f"A {type(plan).__name__} is no plan; valid: a SequentialPlan of unified-planning, or a "
-        "PartialOrderPlan or TimeTriggeredPlan that leaves only one sequence."
-    )
-
-
-def _text(actions: "Iterable[ActionInstance]") -> str:
-    lines = (" ".join((one.action.name, *map(str, one.actual_parameters))) for one in actions)
+def _text(plan: "Plan") -> str:
+    lines = (" ".join((one.action.name, *map(str, one.actual_parameters))) for one in plan.actions)
     return "".join(f"({line})\n" for line in lines)
 
 
-def plan_unified_planning(
-    domain: Path, problem: Path, *, time_limit: float, engine: str = "fast-downward"
-) -> PlannerAnswer:
-    """Solve a PDDL problem with an engine of unified-planning.
+def engine_program(engine: str, package: str = "unified_planning") -> Program:
+    """Return an engine of unified-planning as a program.
+
+    Args:
+        engine: What unified-planning calls it.
+        package: The Python package that brings it.
+    """
+    ours = str(Path(__file__).resolve().parents[2])
+    code = f"import sys; sys.path.insert(0, {ours!r}); import {__name__} as run; run.main(*sys.argv[1:])"
+    command = ("{python}", "-c", code, "{domain}", "{problem}", "{plan}", engine)
+    return Program(f"{engine} through unified-planning", package, command, unsolvable=UNSOLVABLE)
+
+
+def main(domain: str, problem: str, plan: str, engine: str) -> None:
+    """Read, solve and write the plan, or end with an exit code that says how it went.
 
     Args:
         domain: File of the domain.
         problem: File of the problem.
-        time_limit: When to give up [s].
+        plan: File that the plan is written to.
         engine: What unified-planning calls the engine.
     """
-    begin = time.perf_counter()
-    with scratch_folder() as folder:
-        plan = folder / "plan"
-        files = (str(domain.resolve()), str(problem.resolve()), str(plan))
-        command = [sys.executable, "-m", __spec__.name, *files, engine]
-        package = str(Path(__file__).resolve().parents[2])
-        finished = run_limited(command, folder, time_limit, environment={"PYTHONPATH": package})
-        status, reason = _judge(finished)
-        text = read_text(plan) if status is PlanStatus.SOLVED else ""
-    return PlannerAnswer(status, text, time.perf_counter() - begin, reason)
-
-
-def _judge(finished: Finished) -> tuple[PlanStatus, str]:
-    if finished.code is None:
-        return PlanStatus.TIMEOUT, "unified-planning found no plan in time"
-    for status, code in _EXIT.items():
-        if finished.code == code:
-            return status, "" if status is PlanStatus.SOLVED else finished.last_words
-    return PlanStatus.FAILED, f"unified-planning ended with code {finished.code}: {finished.last_words}"
-
-
-def _main(domain: str, problem: str, plan: str, engine: str) -> tuple[PlanStatus, str]:
-    """Read, solve, and write the plan; return how it went, and that in words."""
-    from unified_planning.engines import PlanGenerationResultStatus as Status
     from unified_planning.io import PDDLReader
+    from unified_planning.plans import PlanKind
     from unified_planning.shortcuts import OneshotPlanner, get_environment
 
     get_environment().credits_stream = None
     task = PDDLReader().parse_problem(domain, problem)
     with OneshotPlanner(name=engine) as planner:
         result = planner.solve(task)
-    said = f"{engine} through unified-planning says {result.status.name}"
-    if result.plan is not None:
-        Path(plan).write_text(_text(_sequence(result.plan)))
-        return PlanStatus.SOLVED, said
-    if result.status is Status.UNSOLVABLE_PROVEN:
-        return PlanStatus.UNSOLVABLE, said
-    if result.status is Status.UNSOLVABLE_INCOMPLETELY:
-        return PlanStatus.NOT_FOUND, said
-    return PlanStatus.TIMEOUT if result.status is Status.TIMEOUT else PlanStatus.FAILED, said
-
-
-if __name__ == "__main__":
-    status, said = _main(*sys.argv[1:])
-    print(said)  # the last words become the reason, if there is no plan
-    sys.exit(_EXIT[status])
+    if result.plan is None:
+        said = result.status.name
+        sys.exit(_EXIT.get(said, f"unified-planning says {said}"))
+    Path(plan).write_text(_text(result.plan.convert_to(PlanKind.SEQUENTIAL_PLAN, task)))

@@ -23,37 +23,24 @@ _SURE = 40  # as many rehearsals as make what was measured count as much as that
 def competence(operator: Operator, category: Category) -> float:
     """Estimate how often an operator does to an object of its category what it promises for it: 0 to 1.
 
-    Each rehearsal is compared with what the others promise.
-
-    Args:
-        operator: An operator whose rehearsals are kept.
-        category: Its category.
+    Each rehearsal, which are kept of it, is compared with what the others promise.
     """
     kept = keeps_promises(operator, category, NEAR)
     return (sum(kept) + 1) / (len(kept) + 2)
 
 
 def expected_gain(operator: Operator, category: Category, more: int) -> float:
-    """Extrapolate by how much more rehearsals would raise the competence of an operator.
+    """Extrapolate by how much so many more rehearsals would raise the competence of an operator.
 
     What is missing falls with the root of the number of rehearsals, as errors of regression do.
-
-    Args:
-        operator: An operator whose rehearsals are kept.
-        category: Its category.
-        more: How many rehearsals more.
     """
     count = len(operator.rehearsals)
     if count < 2 or more < 1:
         return 0.0
     now = competence(operator, category)
-    rise = now - competence(_first_half(operator, category), category)
+    objects = rehearsed_objects(operator, category)
+    half = msgspec.structs.replace(operator, rehearsals=operator.rehearsals[::2], objects=objects[::2])
+    rise = now - competence(half, category)
     weight = count / (count + _SURE)
     doubling = weight * max(rise, 0.0) / math.sqrt(2) + (1 - weight) * HOPE * (1 - now)
     return min(1 - now, doubling * (1 - math.sqrt(count / (count + more))) / (1 - math.sqrt(0.5)))
-
-
-def _first_half(operator: Operator, category: Category) -> Operator:
-    """Return an operator that has only every second of its rehearsals."""
-    objects = rehearsed_objects(operator, category)
-    return msgspec.structs.replace(operator, rehearsals=operator.rehearsals[::2], objects=objects[::2])

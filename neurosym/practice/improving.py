@@ -10,14 +10,12 @@ from neurosym.data.interactions import Interactions
 from neurosym.learning.direct_model import DirectModel
 from neurosym.learning.effect_model import EffectModel
 from neurosym.naming import name_operator
-from neurosym.operators import Category, Operator, Primitive
-from neurosym.primitives.categories import rounded
+from neurosym.operators import Category, Operator, Primitive, Rehearsal
 from neurosym.primitives.distillation import distill
 from neurosym.primitives.judging import Judgement, judge, performance
-from neurosym.primitives.modes import sort_into_modes
 from neurosym.primitives.own import DIFFERENT, ROUNDS, moved, shortlist_own
-from neurosym.primitives.performing import perform
-from neurosym.primitives.rehearsal import rehearsal_of
+from neurosym.primitives.performing import perform, tasks_of
+from neurosym.primitives.rehearsal import modes_of, rehearsal_of, rounded
 from neurosym.primitives.sampling import MOST_DRAWS, draw_scene
 from neurosym.promises import rehearsed_objects
 from neurosym.symbols import symbols_of
@@ -51,13 +49,7 @@ class Workshop:
     workers: int = 1
 
     def scenes(self, category: Category, count: int, turn: int) -> tuple[Scene, ...]:
-        """Draw objects of a category, others each turn; fewer if it is too rare.
-
-        Args:
-            category: The category.
-            count: How many.
-            turn: Number of the turn.
-        """
+        """Draw so many objects of a category, others each turn; fewer if it is too rare."""
         found: list[Scene] = []
         for number in range(MOST_DRAWS * count):
             scene = draw_scene(self.world, self.seed, _STREAM, turn * MOST_DRAWS * count + number)
@@ -67,13 +59,22 @@ class Workshop:
                 break
         return tuple(found)
 
-    def perform(self, tasks: Sequence[Task]) -> tuple[Outcome, ...]:
-        """Perform actions, each on the one object of a scene.
+    def rehearse(self, primitive: Primitive, scenes: Sequence[Scene]) -> tuple[Outcome, ...]:
+        """Perform a primitive on each of some objects."""
+        return self.perform(tasks_of(primitive, scenes))
 
-        Args:
-            tasks: The scenes and actions.
-        """
+    def perform(self, tasks: Sequence[Task]) -> tuple[Outcome, ...]:
+        """Perform actions, each on the one object of a scene."""
         return tuple(perform(self.world_factory, tasks, self.workers, None))
+
+
+@dataclass(frozen=True, slots=True)
+class Learner:
+    """An operator that is practised, the action it is performed with, and the category it is for."""
+
+    operator: Operator
+    primitive: Primitive
+    category: Category
 
 
 @dataclass(frozen=True, slots=True)
@@ -91,83 +92,53 @@ class Improved:
     interactions: int
 
 
-def rehearse_more(
-    shop: Workshop, operator: Operator, primitive: Primitive, category: Category, count: int, turn: int
-) -> Improved:
-    """Rehearse an operator on more objects of its category.
-
-    Args:
-        shop: What it is improved with.
-        operator: The operator.
-        primitive: The action that it is performed with.
-        category: Its category.
-        count: How many objects more.
-        turn: Number of the turn, for which objects are drawn.
-    """
-    scenes = shop.scenes(category, count, turn)
+def rehearse_more(shop: Workshop, learner: Learner, count: int, turn: int) -> Improved:
+    """Rehearse an operator on more objects of its category, which are drawn for a turn."""
+    operator = learner.operator
+    scenes = shop.scenes(learner.category, count, turn)
     if not scenes:
         return Improved(operator, None, 0)
-    outcomes = _rehearse(shop, primitive, scenes)
-    known, counted = rehearsed_objects(operator, category), operator.trials
-    objects = (*known[:counted], *_features(scenes), *known[counted:])
-    rows = operator.rehearsals
-    rehearsals = (*rows[:counted], *map(rehearsal_of, outcomes), *rows[counted:])
-    improved = msgspec.structs.replace(
-        operator, objects=objects, rehearsals=rehearsals, trials=counted + len(outcomes)
+    outcomes = shop.rehearse(learner.primitive, scenes)
+    known, rows = rehearsed_objects(operator, learner.category), operator.rehearsals
+    counted = operator.trials
+    improved = _tabulated(
+        operator,
+        (*known[:counted], *_features(scenes), *known[counted:]),
+        (*rows[:counted], *map(rehearsal_of, outcomes), *rows[counted:]),
+        counted + len(outcomes),
     )
-    improved = _tabulated(improved)
-    return Improved(renamed(improved, category, operator.variant), None, len(scenes))
+    return Improved(renamed(improved, learner.category, operator.variant), None, len(scenes))
 
 
-def audition_others(
-    shop: Workshop, operator: Operator, primitive: Primitive, category: Category, turn: int
-) -> Improved:
+def audition_others(shop: Workshop, learner: Learner, turn: int) -> Improved:
     """Audition other actions of the symbol that do much the same, and take the surest in place of this one.
 
     They are found as in distillation, from other interactions. Those predicted to do most exactly what this
     one does are performed, moved by a millimetre; the best of them once more. If one is surer than this one,
     it is rehearsed on as many objects as this one was.
-
-    Args:
-        shop: What it is improved with.
-        operator: The operator.
-        primitive: The action that it is performed with.
-        category: Its category.
-        turn: Number of the turn, for which candidates and objects are drawn.
     """
-    first, last = ROUNDS
-    scenes = shop.scenes(category, first.objects + last.objects, turn)
+    operator, (first, last) = learner.operator, ROUNDS
+    scenes = shop.scenes(learner.category, first.objects + last.objects, turn)
     if len(scenes) < first.objects + last.objects:
         return Improved(operator, None, 0)
-    rivals = [primitive, *_rivals(shop, primitive, category, turn)]
-    seen: list[list[Outcome]] = [[] for _ in rivals]
-    _audition(shop, rivals, seen, scenes[: first.objects], range(len(rivals)))
-    best = _ranked(seen)[: last.candidates]
-    _audition(shop, rivals, seen, scenes[first.objects :], sorted({0, *best}))
+    rivals = [learner.primitive, *_rivals(shop, learner.primitive, learner.category, turn)]
+    seen = _auditioned(shop, rivals, scenes[: first.objects])
+    left = sorted({0, *_ranked(seen)[: last.candidates]})
+    once_more = _auditioned(shop, [rivals[number] for number in left], scenes[first.objects :])
+    for number, outcomes in zip(left, once_more, strict=True):
+        seen[number] += outcomes
     spent = sum(map(len, seen))
-    winner = next(number for number in _ranked(seen) if number in {0, *best})
+    winner = next(number for number in _ranked(seen) if number in left)
     if winner == 0:
         return Improved(operator, None, spent)
-    chosen = rivals[winner]
-    rehearsed = shop.scenes(category, len(operator.rehearsals), turn + 1)
-    outcomes = _rehearse(shop, chosen, rehearsed)
-    improved = msgspec.structs.replace(
-        operator,
-        objects=_features(rehearsed),
-        rehearsals=tuple(map(rehearsal_of, outcomes)),
-        trials=len(outcomes),
-    )
-    return Improved(_tabulated(improved), chosen, spent + len(outcomes))
+    rehearsed = shop.scenes(learner.category, len(operator.rehearsals), turn + 1)
+    rows = tuple(map(rehearsal_of, shop.rehearse(rivals[winner], rehearsed)))
+    improved = _tabulated(operator, _features(rehearsed), rows, len(rows))
+    return Improved(improved, rivals[winner], spent + len(rows))
 
 
 def renamed(operator: Operator, category: Category, variant: str) -> Operator:
-    """Return an operator that is performed with another action of its symbol, by the name of what it does.
-
-    Args:
-        operator: The operator, as it was rehearsed with that action.
-        category: Its category.
-        variant: The letter of the action.
-    """
+    """Return an operator that is performed with another action of its symbol, by the name of what it does."""
     name = name_operator(operator.primitive + variant, category.name, operator.modes)
     return msgspec.structs.replace(operator, name=name, variant=variant)
 
@@ -192,23 +163,16 @@ def _rivals(shop: Workshop, primitive: Primitive, category: Category, turn: int)
     return shortlisted
 
 
-def _audition(
-    shop: Workshop,
-    rivals: Sequence[Primitive],
-    seen: list[list[Outcome]],
-    scenes: Sequence[Scene],
-    chosen: Sequence[int],
-) -> None:
-    """Have some of the rivals perform on objects, their actions moved a little."""
-    box = shop.world.action_box
+def _auditioned(shop: Workshop, rivals: Sequence[Primitive], scenes: Sequence[Scene]) -> list[list[Outcome]]:
+    """Have each of some rivals perform on objects, their actions moved a little."""
+    box, count = shop.world.action_box, len(scenes)
     tasks = [
         Task(scene, action)
-        for number in chosen
-        for scene, action in zip(scenes, moved(rivals[number], len(scenes), box, shop.seed), strict=True)
+        for rival in rivals
+        for scene, action in zip(scenes, moved(rival, count, box, shop.seed), strict=True)
     ]
     outcomes = iter(shop.perform(tasks))
-    for number in chosen:
-        seen[number] += [next(outcomes) for _ in scenes]
+    return [[next(outcomes) for _ in scenes] for _ in rivals]
 
 
 def _ranked(seen: Sequence[Sequence[Outcome]]) -> list[int]:
@@ -225,21 +189,13 @@ def _is_like(one: Judgement, other: Judgement) -> bool:
     return one.kind == other.kind and bool(np.linalg.norm(one.mean[:3] - other.mean[:3]) <= DIFFERENT)
 
 
-def _rehearse(shop: Workshop, primitive: Primitive, scenes: Sequence[Scene]) -> tuple[Outcome, ...]:
-    return shop.perform([Task(scene, np.array(primitive.action)) for scene in scenes])
-
-
 def _features(scenes: Sequence[Scene]) -> Rows:
     return tuple(rounded(scene.features[0]) for scene in scenes)
 
 
-def _tabulated(operator: Operator) -> Operator:
-    """Sort the rehearsals of an operator that are its trials into modes anew."""
-    rows = operator.rehearsals[: operator.trials]
-    modes = sort_into_modes(
-        [row.kind for row in rows],
-        np.array([row.effect for row in rows]),
-        np.array([row.resting_effect for row in rows]),
-        np.array([row.peak_height for row in rows]),
+def _tabulated(operator: Operator, objects: Rows, rehearsals: tuple[Rehearsal, ...], trials: int) -> Operator:
+    """Give an operator rehearsals on objects, those that are its trials sorted into modes anew."""
+    modes = modes_of(rehearsals[:trials])
+    return msgspec.structs.replace(
+        operator, objects=objects, rehearsals=rehearsals, trials=trials, modes=modes
     )
-    return msgspec.structs.replace(operator, modes=modes)

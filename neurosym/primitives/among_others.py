@@ -1,19 +1,20 @@
 """Rehearsing operators that carry where there are other objects: beside the target, or on the place."""
 
 from collections.abc import Mapping, Sequence
+from functools import partial
 
 import numpy as np
 
 from neurosym.operators import TOLERANCE, Operator, OperatorTable
-from neurosym.place_operators import Kept
-from neurosym.primitives.performing import perform
+from neurosym.place_operators import Kept, PlaceOperators
+from neurosym.primitives.performing import perform_each, tasks_of
 from neurosym.primitives.sampling import sample_by_category
+from neurosym.primitives.search import Search
 from neurosym.progress import Progress
-from neurosym.symbols import Categorise, Symbol
+from neurosym.symbols import Symbol
 from neurosym.world import Outcome, Scene, WorldFactory
 from neurosym.worlds.aimed import AimedFactory, AimedScene
-from neurosym.worlds.neighbours import CrowdedFactory
-from neurosym.worlds.workers import Task
+from neurosym.worlds.neighbours import CrowdedFactory, joined
 
 MARGIN = 0.06
 """How far inside the edge of the table the places of rehearsals lie, lest what is held askew be lost [m]."""
@@ -25,58 +26,30 @@ _LEVEL = 0.01  # what stands higher than it did stands on something else [m]
 _STREAM, _BESIDE = 0x6F63, 0x6273  # keep these draws apart from those of other rehearsals
 
 
-def rehearse_occupied(
-    world_factory: WorldFactory,
-    table: OperatorTable,
-    categorise: Categorise,
-    *,
-    seed: int,
-    workers: int = 1,
-    progress: Progress | None = None,
-) -> tuple[Kept, ...]:
-    """Rehearse operators with another object on the place, to see whether it must be free.
+def rehearse_among_others(search: Search, table: OperatorTable) -> PlaceOperators:
+    """Rehearse operators with another object on the place, and with others close around the target.
+
+    That says whether the place must be free, and whether others are left alone.
 
     Args:
-        world_factory: Builds the world, which takes places.
+        search: What they were found with.
         table: The operators.
-        categorise: Gives the object symbols of features.
-        seed: Where all draws start.
-        workers: How many processes; their number does not change the result.
-        progress: Called after each rehearsal.
     """
-    world = (factory := AimedFactory(world_factory, MARGIN))()
-    sample = sample_by_category(world, categorise, least=AMONG_OTHERS, seed=seed, stream=_STREAM)
-    rng = np.random.default_rng([seed, _STREAM])
+    factory = AimedFactory(search.world_factory, MARGIN)
+    world, rng = factory(), np.random.default_rng([search.seed, _STREAM])
+    sample = partial(sample_by_category, categorise=search.categorise, least=AMONG_OTHERS, seed=search.seed)
     drawn = {
         symbol: [_occupied(scene, world.sample_scene(rng, 1)) for scene in members]
-        for symbol, members in sample.scenes.items()
+        for symbol, members in sample(world, stream=_STREAM).scenes.items()
     }
-    scenes = {symbol: [one for one in among if one is not None] for symbol, among in drawn.items()}
-    return _kept(factory, table, scenes, workers, progress)
-
-
-def rehearse_beside(
-    world_factory: WorldFactory,
-    table: OperatorTable,
-    categorise: Categorise,
-    *,
-    seed: int,
-    workers: int = 1,
-    progress: Progress | None = None,
-) -> tuple[Kept, ...]:
-    """Rehearse operators with other objects close around the target, to see whether these are left alone.
-
-    Args:
-        world_factory: Builds the world, which takes places.
-        table: The operators.
-        categorise: Gives the object symbols of features.
-        seed: Where all draws start.
-        workers: How many processes; their number does not change the result.
-        progress: Called after each rehearsal.
-    """
-    factory = CrowdedFactory(world_factory, MARGIN)
-    sample = sample_by_category(factory(), categorise, least=AMONG_OTHERS, seed=seed, stream=_BESIDE)
-    return _kept(factory, table, sample.scenes, workers, progress)
+    on_place = {symbol: [one for one in among if one is not None] for symbol, among in drawn.items()}
+    crowded = CrowdedFactory(search.world_factory, MARGIN)
+    around = sample(crowded(), stream=_BESIDE).scenes
+    with search.open_bar("rehearsing on occupied places") as advance:
+        occupied = _kept(factory, table, on_place, search.workers, advance)
+    with search.open_bar("rehearsing among neighbours") as advance:
+        beside = _kept(crowded, table, around, search.workers, advance)
+    return PlaceOperators(operators=table, occupied=occupied, beside=beside)
 
 
 def _kept(
@@ -87,15 +60,13 @@ def _kept(
     progress: Progress | None,
 ) -> tuple[Kept, ...]:
     """Rehearse operators that ever carry in scenes for their category, and count what went as promised."""
-    actions = {one.label: np.array(one.action, dtype=np.float64) for one in table.primitives}
+    primitives = {one.label: one for one in table.primitives}
     worthy = [one for one in table.operators if one.successes and scenes.get(one.category)]
-    tasks = [Task(scene, actions[one.label]) for one in worthy for scene in scenes[one.category]]
-    outcomes = perform(factory, tasks, workers, progress)
-    found = []
-    for one in worthy:
-        ends = [next(outcomes) for _ in scenes[one.category]]
-        found.append(Kept(one.name, len(ends), sum(_stands_there(one, end) for end in ends)))
-    return tuple(found)
+    tasks = [tasks_of(primitives[one.label], scenes[one.category]) for one in worthy]
+    ended = zip(worthy, perform_each(factory, tasks, workers, progress), strict=True)
+    return tuple(
+        Kept(one.name, len(ends), sum(_stands_there(one, end) for end in ends)) for one, ends in ended
+    )
 
 
 def _occupied(scene: Scene, other: Scene) -> AimedScene | None:
@@ -105,12 +76,8 @@ def _occupied(scene: Scene, other: Scene) -> AimedScene | None:
     room = (scene.features[0, :2] + other.features[0, :2]) / 2
     if np.all(np.abs(scene.positions[0, :2] - centre[0, :2]) < room + GAP):
         return None
-    return AimedScene(
-        np.concatenate([scene.features, other.features]),
-        np.concatenate([scene.positions, centre]),
-        np.concatenate([scene.orientations, other.orientations]),
-        scene.reference,
-    )
+    every = joined([scene, Scene(other.features, centre, other.orientations)])
+    return AimedScene(every.features, every.positions, every.orientations, scene.reference)
 
 
 def _stands_there(operator: Operator, outcome: Outcome) -> bool:

@@ -9,7 +9,6 @@ takes the candidate whose embedding is nearest to the code.
 
 from collections.abc import Sequence
 from itertools import groupby
-from typing import Any
 
 import numpy as np
 
@@ -19,10 +18,11 @@ from neurosym.errors import InvalidValue, UnknownChoice
 from neurosym.guarded import made
 from neurosym.operators import Primitive
 from neurosym.primitives.own import choose_own
-from neurosym.primitives.rehearsal import perform_on_each
+from neurosym.primitives.performing import perform_each, tasks_of
 from neurosym.primitives.repertoire import Repertoire, shared_by_all
+from neurosym.primitives.search import Search
 from neurosym.primitives.variety import PredictOutcomes, best_set, observe, worth_in_place
-from neurosym.progress import OpenBar, Progress, part, silent
+from neurosym.progress import OpenBar, part, silent
 from neurosym.symbols import Categorise, symbols_of
 from neurosym.world import Scene, WorldFactory
 
@@ -77,21 +77,31 @@ def choose(
     check_count("workers", workers)
     if choice not in CHOICES:
         raise UnknownChoice("choice", choice, CHOICES)
-    if choice == "lowest-error":
-        return shared_by_all(lowest_error(candidates))
-    count = 1 if world_factory is None else AUDITIONED[0]
-    few = shortlist(candidates, predict, features[:OBJECTS_TO_PREDICT], categorise, count)
     if world_factory is None:
-        return shared_by_all(few)
-    options: Any = {"seed": seed, "workers": workers}
-    with open_bar("auditioning") as advance:
-        shared = audition(world_factory, few, categorise, **options, progress=advance)
-    if choice == "predictable":
-        return shared_by_all(shared)
-    with open_bar("auditioning for each category") as advance:
-        return choose_own(
-            world_factory, candidates, shared, predict, features, categorise, **options, progress=advance
-        )
+        few = shortlist(candidates, predict, features[:OBJECTS_TO_PREDICT], categorise, 1)
+        return shared_by_all(lowest_error(candidates) if choice == "lowest-error" else few)
+    search = Search(
+        tuple(candidates),
+        predict,
+        features,
+        categorise,
+        world_factory,
+        world_factory,
+        seed=seed,
+        workers=workers,
+        open_bar=open_bar,
+    )
+    return choose_among(search, choice)
+
+
+def choose_among(search: Search, choice: str) -> Repertoire:
+    """Choose among what is searched; see `choose`."""
+    if choice == "lowest-error":
+        return shared_by_all(lowest_error(search.candidates))
+    features = search.features[:OBJECTS_TO_PREDICT]
+    few = shortlist(search.candidates, search.predict, features, search.categorise, AUDITIONED[0])
+    shared = audition(search, few)
+    return shared_by_all(shared) if choice == "predictable" else choose_own(search, shared, search.shown)
 
 
 def lowest_error(candidates: Sequence[Primitive]) -> tuple[Primitive, ...]:
@@ -123,14 +133,7 @@ def shortlist(
 
 
 def audition(
-    world_factory: WorldFactory,
-    shortlisted: Sequence[Primitive],
-    categorise: Categorise,
-    *,
-    objects: int = AUDITION_OBJECTS,
-    seed: int,
-    workers: int = 1,
-    progress: Progress | None = None,
+    search: Search, shortlisted: Sequence[Primitive], *, objects: int = AUDITION_OBJECTS
 ) -> tuple[Primitive, ...]:
     """Perform the candidates on the same sampled objects, and choose those that together are worth most.
 
@@ -139,32 +142,31 @@ def audition(
     afterwards.
 
     Args:
-        world_factory: Builds the world; must survive pickling if there is more than one worker.
+        search: What the candidates are searched with.
         shortlisted: Candidates, one or more for each symbol.
-        categorise: Gives the object symbols of features.
         objects: How many objects are sampled for each audition.
-        seed: Where all draws start.
-        workers: How many processes; their number does not change the result.
-        progress: Called after each performance.
     """
-    world = made(world_factory)
+    world = made(search.shown)
     few, groups = _by_symbol(shortlisted)
     again = sum(min(AUDITIONED[1], len(group)) for group in groups)
     total, scenes, done = objects * (len(few) + again), list[Scene](), 0
     happened = [list[list[float]]() for _ in few]
-    for kept in (AUDITIONED[1], 1):
-        numbers = range(len(scenes), len(scenes) + objects)
-        scenes += [world.sample_scene(np.random.default_rng([seed, _STREAM, n]), 1) for n in numbers]
-        performed = perform_on_each(
-            world_factory, few, scenes[-objects:], workers, part(progress, done, total)
-        )
-        done += objects * len(few)
-        for rows, outcomes in zip(happened, performed, strict=True):
-            rows += [[*outcome.effect, outcome.peak_height] for outcome in outcomes]
-        symbols = np.array(symbols_of(categorise, np.concatenate([scene.features for scene in scenes])))
-        best = _best_of_each(groups, np.array(happened), symbols, kept)
-        few, happened = [few[number] for number in best], [happened[number] for number in best]
-        groups = _by_symbol(few)[1]
+    with search.open_bar("auditioning") as advance:
+        for kept in (AUDITIONED[1], 1):
+            numbers = range(len(scenes), len(scenes) + objects)
+            scenes += [
+                world.sample_scene(np.random.default_rng([search.seed, _STREAM, n]), 1) for n in numbers
+            ]
+            tasks = [tasks_of(one, scenes[-objects:]) for one in few]
+            performed = perform_each(search.shown, tasks, search.workers, part(advance, done, total))
+            done += objects * len(few)
+            for rows, outcomes in zip(happened, performed, strict=True):
+                rows += [[*outcome.effect, outcome.peak_height] for outcome in outcomes]
+            features = np.concatenate([scene.features for scene in scenes])
+            symbols = np.array(symbols_of(search.categorise, features))
+            best = _best_of_each(groups, np.array(happened), symbols, kept)
+            few, happened = [few[number] for number in best], [happened[number] for number in best]
+            groups = _by_symbol(few)[1]
     return tuple(few)
 
 

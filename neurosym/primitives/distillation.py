@@ -5,15 +5,13 @@ parameters of actions until their embedding is the +-1 code of the symbol. It st
 that already have the symbol: some of every kind of outcome they had, since rare ones are worth knowing, too.
 """
 
-from dataclasses import dataclass
-
 import numpy as np
 import torch
 from torch import Tensor
 
 from neurosym.actions import ActionBox
 from neurosym.arrays import Float
-from neurosym.checks import check_kind, check_seed
+from neurosym.checks import check_count, check_kind, check_seed
 from neurosym.data.interactions import Interactions
 from neurosym.errors import InvalidValue
 from neurosym.learning.coclustering import kmeans
@@ -23,34 +21,9 @@ from neurosym.operators import CONVERGED, Primitive
 from neurosym.progress import Progress
 from neurosym.symbols import all_symbols, signs
 
+_RATE, _MOMENTUM = 0.05, 0.9  # of a step, where the action box is scaled to [-1, 1]
 _KINDS_OF_OUTCOME = 12
 _STREAM = 0x6469  # keeps distillation's draws apart from those of other stages
-
-
-@dataclass(frozen=True, slots=True)
-class DistillationConfig:
-    """How parameters are distilled.
-
-    Attributes:
-        candidates: How many actions of the data are started from, for each symbol; each leads to up to two.
-        steps: How many steps of gradient descent.
-        learning_rate: Size of a step, where the action box is scaled to [-1, 1].
-        momentum: Share of the last step that is kept.
-    """
-
-    candidates: int = 128
-    steps: int = 300
-    learning_rate: float = 0.05
-    momentum: float = 0.9
-
-    def __post_init__(self) -> None:
-        if self.candidates < 1 or self.steps < 0:
-            raise InvalidValue(f"candidates = {self.candidates} must be at least 1, steps = {self.steps} 0.")
-        if not self.learning_rate > 0 or not 0 <= self.momentum < 1:
-            raise InvalidValue(
-                f"learning_rate = {self.learning_rate} must be positive, "
-                f"momentum = {self.momentum} in [0, 1)."
-            )
 
 
 def distill(
@@ -59,7 +32,8 @@ def distill(
     box: ActionBox,
     *,
     seed: int,
-    config: DistillationConfig | None = None,
+    candidates: int = 128,
+    steps: int = 300,
     progress: Progress | None = None,
 ) -> tuple[Primitive, ...]:
     """Find for each action symbol parameters whose embedding is its code: the candidates to choose from.
@@ -72,7 +46,8 @@ def distill(
         interactions: The training data, from whose actions the search starts.
         box: What the parameters must stay inside.
         seed: Decides which of the actions.
-        config: How it is done.
+        candidates: How many of them are started from, for each symbol; each leads to up to two.
+        steps: How many steps of gradient descent.
         progress: Called after each step.
 
     Returns:
@@ -82,21 +57,23 @@ def distill(
     Raises:
         InvalidValue: If something is not what it should be, or model, data and box have not the same widths.
     """
-    _check(model, interactions, box, seed, config)
-    config, actions = config or DistillationConfig(), np.asarray(interactions.actions)
+    _check(model, interactions, box, seed)
+    check_count("candidates", candidates)
+    check_count("steps", steps, least=0)
+    actions = np.asarray(interactions.actions)
     rng = np.random.default_rng([seed, _STREAM])
     symbols = all_symbols(model.config.action_bits)
     found = np.array(model.action_symbols(actions))
     outcomes = np.column_stack([interactions.effects, interactions.peak_heights])
     outcomes = outcomes / np.maximum(outcomes.std(0), 1e-9)
     starts = {
-        symbol: draw_of_every_kind(np.flatnonzero(found == symbol), outcomes, config.candidates, rng)
+        symbol: draw_of_every_kind(np.flatnonzero(found == symbol), outcomes, candidates, rng)
         for symbol in symbols
     }
     reached = [symbol for symbol in symbols if len(starts[symbol])]
     begin = np.concatenate([actions[starts[symbol]] for symbol in reached])
     owners = np.repeat(reached, [len(starts[symbol]) for symbol in reached])
-    ends = np.concatenate(_descend(model, begin, owners, box, config, progress))
+    ends = np.concatenate(_descend(model, begin, owners, box, steps, progress))
     owners = np.tile(owners, 2)
     errors = code_errors(model, ends, owners)
     errors[np.array(model.action_symbols(ends)) != owners] = np.inf
@@ -107,17 +84,10 @@ def distill(
     )
 
 
-def _check(
-    model: EffectModel,
-    interactions: Interactions,
-    box: ActionBox,
-    seed: int,
-    config: DistillationConfig | None,
-) -> None:
+def _check(model: EffectModel, interactions: Interactions, box: ActionBox, seed: int) -> None:
     check_kind("model", model, EffectModel, "an EffectModel, as train returns it in its `model`")
     check_kind("interactions", interactions, Interactions, "Interactions")
     check_kind("box", box, ActionBox, "an ActionBox, like a world's action_box")
-    check_kind("config", config, DistillationConfig | None, "a DistillationConfig")
     check_seed(seed)
     widths = model.dimensions.actions, interactions.actions.shape[1], len(box.low)
     if len(set(widths)) > 1:
@@ -153,7 +123,7 @@ def _descend(
     begin: Float[np.ndarray, "N A"],
     owners: np.ndarray,
     box: ActionBox,
-    config: DistillationConfig,
+    steps: int,
     progress: Progress | None,
 ) -> tuple[Float[np.ndarray, "N A"], Float[np.ndarray, "N A"]]:
     """Descend the error of every candidate at once, projected into the box.
@@ -165,25 +135,25 @@ def _descend(
     middle, half = _tensor((box.low + box.high) / 2), _tensor((box.high - box.low) / 2).clamp(min=1e-9)
     targets = _tensor(np.array([signs(symbol) for symbol in owners]))
     scaled = ((_tensor(begin) - middle) / half).clamp(-1, 1).requires_grad_()
-    optimiser = torch.optim.SGD([scaled], lr=config.learning_rate, momentum=config.momentum)
+    optimiser = torch.optim.SGD([scaled], lr=_RATE, momentum=_MOMENTUM)
     best, best_errors = scaled.detach().clone(), torch.full((len(begin),), torch.inf)
     first = best.clone()
     was_training = model.training
     model.eval()
     with one_thread():
-        for step in range(config.steps + 1):
+        for step in range(steps + 1):
             errors = ((model.embed_actions(middle + half * scaled) - targets) ** 2).mean(1)  # (N,)
             better = errors.detach() < best_errors
             searching = best_errors >= CONVERGED
             first[searching & better] = scaled.detach()[searching & better]
             best[better], best_errors[better] = scaled.detach()[better], errors.detach()[better]
-            if step < config.steps:
+            if step < steps:
                 (scaled.grad,) = torch.autograd.grad(errors.sum(), scaled)
                 optimiser.step()
                 with torch.no_grad():
                     scaled.clamp_(-1, 1)
             if progress is not None:
-                progress(step, config.steps)
+                progress(step, steps)
     model.train(was_training)
     ends = [(middle + half * found).numpy().astype(np.float64) for found in (first, best)]
     return np.clip(ends[0], box.low, box.high), np.clip(ends[1], box.low, box.high)

@@ -3,6 +3,9 @@
 Exactness counts on a scale of its own, not relative to how far the object moves: plans add up what misses by
 millimetres, however long the way. An object that is turned is not the one that was categorised, and what is
 done to it next misses by more; so turning counts against an action, too.
+
+An action that is aimed at another object is good for a kind of pair and a state in which the reference bears
+the target, if it surely brings that about, with the target not turned over, and nothing else moved.
 """
 
 import math
@@ -13,11 +16,16 @@ import numpy as np
 
 from neurosym.arrays import Float
 from neurosym.operators import PROMISING, Effect
+from neurosym.pair_states import describe_pair, touching_units
 from neurosym.primitives.variety import LITTLE
+from neurosym.relation_operators import PairStates
+from neurosym.table import OtherObject
 from neurosym.world import Outcome, OutcomeKind
 
 EXACT = 0.015
 """A spread at which an action is still 1 / sqrt(2) as sure as one without any [m]."""
+EXACT_PAIR = 0.5
+"""The same of ends relative to another object [touching units]."""
 TURNED = math.radians(15)
 """By how much an object may be turned without that it counts [rad]."""
 
@@ -119,18 +127,60 @@ def exactness(outcomes: Float[np.ndarray, "N E"]) -> float:
         outcomes: Displacements that should be the same [m].
     """
     square = float((outcomes.mean(0) ** 2).sum())
-    return square / (square + LITTLE**2) / _unlikeness(outcomes)
+    return square / (square + LITTLE**2) / math.sqrt(1 + _variance(outcomes) / EXACT**2)
 
 
-def likeness(outcomes: Float[np.ndarray, "N E"]) -> float:
+def likeness(outcomes: Float[np.ndarray, "N E"], exact: float = EXACT) -> float:
     """Say how nearly outcomes are the same, whatever they are: from 0 to 1.
 
     Args:
         outcomes: Displacements that should be the same [m].
+        exact: A spread at which it is 1 / sqrt(2), in the same unit.
     """
-    return 1 / _unlikeness(outcomes)
+    return 1 / math.sqrt(1 + _variance(outcomes) / exact**2)
 
 
-def _unlikeness(outcomes: Float[np.ndarray, "N E"]) -> float:
-    variance = float(((outcomes - outcomes.mean(0)) ** 2).sum(1).mean())
-    return math.sqrt(1 + variance / EXACT**2)
+def _variance(outcomes: Float[np.ndarray, "N E"]) -> float:
+    return float(((outcomes - outcomes.mean(0)) ** 2).sum(1).mean())
+
+
+def watch(outcome: Outcome, states: PairStates) -> Performance:
+    """Say of an outcome what is judged.
+
+    Args:
+        outcome: What happened, aimed at another object.
+        states: The states of pairs.
+    """
+    state = found if (found := end_state(outcome, states)) in states.bearing else ""
+    assert isinstance(outcome.reference, OtherObject), "aimed at another object"
+    where = touching_units(outcome.end, outcome.target, outcome.reference.index)
+    kind: OutcomeKind = "carried" if state else "missed"
+    return Performance(
+        kind, tuple(where.tolist()), outcome.peak_height, outcome.turn, bool(outcome.disturbed), state
+    )
+
+
+def end_state(outcome: Outcome, states: PairStates) -> str:
+    """Return the code of the state that a pair ended in; empty if the target was not carried there.
+
+    Args:
+        outcome: What happened, aimed at another object.
+        states: The states of pairs.
+    """
+    if not outcome.carried or outcome.lost or not isinstance(outcome.reference, OtherObject):
+        return ""
+    described = describe_pair(outcome.end, outcome.target, outcome.reference.index, outcome.contacts)
+    return states.of(described.tolist()).symbol
+
+
+def sureness(performances: Sequence[Performance], state: str) -> float:
+    """Say how surely an action brings pairs of a kind into a state, and how alike: from 0 to 1.
+
+    Args:
+        performances: One for each pair.
+        state: Code of the state.
+    """
+    good = [one for one in performances if one.state == state and not one.disturbs and one.turn <= TURNED]
+    if not good:
+        return 0.0
+    return len(good) / len(performances) * likeness(np.array([one.outcome for one in good]), EXACT_PAIR)

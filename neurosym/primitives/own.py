@@ -6,10 +6,10 @@ many candidates on a few of them first, then fewer on others. Each performance h
 millimetre, so that what lies on an edge, and does something else a hair beside it, looks as bad as it is.
 """
 
-from collections.abc import Iterable, Sequence
+from abc import ABC, abstractmethod
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from functools import cache
-from itertools import accumulate
 
 import numpy as np
 
@@ -25,9 +25,10 @@ from neurosym.primitives.judging import (
     judge,
     performance,
 )
-from neurosym.primitives.performing import perform
+from neurosym.primitives.performing import perform_each
 from neurosym.primitives.repertoire import Repertoire, with_own
 from neurosym.primitives.sampling import sample_by_category
+from neurosym.primitives.search import Search
 from neurosym.primitives.variety import (
     LITTLE,
     CandidateEffects,
@@ -36,8 +37,8 @@ from neurosym.primitives.variety import (
     worth_in_place,
 )
 from neurosym.progress import Progress, part
-from neurosym.symbols import Categorise, symbols_of
-from neurosym.world import Scene, WorldFactory
+from neurosym.symbols import symbols_of
+from neurosym.world import Outcome, Scene, WorldFactory
 from neurosym.worlds.workers import Task
 
 
@@ -71,78 +72,133 @@ WORTH_KEEPING = 0.25
 _STREAM, _MOVES = 0x6F77, 0x6F78  # keep these draws apart from those of other auditions and rehearsals
 
 
-@dataclass(frozen=True, slots=True, eq=False)
-class _Contest:
-    """The candidates for one category.
+@dataclass(slots=True, eq=False)
+class Contest(ABC):
+    """Candidates that perform in rounds, fewer of them in each.
 
     Attributes:
-        scenes: An object of the category in each.
-        groups: For each symbol, those that are left, the shared one first.
+        scenes: What they perform on, one object in each.
         seen: How they turned out.
     """
 
     scenes: tuple[Scene, ...]
-    groups: list[list[Primitive]]
-    seen: dict[Primitive, list[Performance]] = field(default_factory=dict)
+    seen: dict[Primitive, list[Performance]] = field(default_factory=dict, init=False)
 
-    def judged(self) -> list[list[Judgement]]:
-        """Judge those that are left."""
-        return [[judge(self.seen[one]) for one in group] for group in self.groups]
+    @abstractmethod
+    def left(self) -> list[Primitive]:
+        """Return those that are left."""
+
+    @abstractmethod
+    def most_left(self, candidates: int) -> int:
+        """Say how many are left at most when so many of a symbol are."""
+
+    @abstractmethod
+    def close_round(self, kept: int) -> None:
+        """Keep so many of a symbol, the best by what was seen."""
+
+
+def audition_in_rounds(
+    search: Search,
+    contests: Sequence[Contest],
+    rounds: Sequence[Round],
+    world_factory: WorldFactory,
+    observe: Callable[[Outcome], Performance],
+    progress: Progress,
+) -> None:
+    """Perform the candidates of all contests in rounds, their actions moved a little.
+
+    Args:
+        search: What the candidates are searched with.
+        contests: Who performs on what.
+        rounds: How many are left in each, and on how many scenes they perform.
+        world_factory: Builds the world of the auditions.
+        observe: Says of an outcome what is judged.
+        progress: Called after each performance.
+    """
+    box = made(world_factory).action_box
+    total = sum(one.objects * contest.most_left(one.candidates) for one in rounds for contest in contests)
+    done, end = 0, 0
+    for one, kept in zip(rounds, [*(one.candidates for one in rounds[1:]), 1], strict=True):
+        which = slice(end, end := end + one.objects)
+        jobs = [(contest, primitive) for contest in contests for primitive in contest.left()]
+        tasks = [
+            [
+                *map(
+                    Task,
+                    contest.scenes[which],
+                    moved(primitive, len(contest.scenes), box, search.seed)[which],
+                )
+            ]
+            for contest, primitive in jobs
+        ]
+        performed = perform_each(world_factory, tasks, search.workers, part(progress, done, total))
+        for (contest, primitive), outcomes in zip(jobs, performed, strict=True):
+            contest.seen.setdefault(primitive, []).extend(map(observe, outcomes))
+        done += sum(map(len, tasks))
+        for contest in contests:
+            contest.close_round(kept)
+    if done < total:
+        progress(total, total)
+
+
+@dataclass(slots=True, eq=False)
+class _OfCategory(Contest):
+    """The candidates for one category: for each symbol those that are left, the shared one first."""
+
+    groups: list[list[Primitive]]
+
+    def left(self) -> list[Primitive]:
+        return [one for group in self.groups for one in group]
+
+    def most_left(self, candidates: int) -> int:
+        return sum(min(len(group), 1 + candidates) for group in self.groups)
+
+    def close_round(self, kept: int) -> None:
+        """Keep the best of each symbol, best first; the shared one stays in front until the last."""
+        judged = [[judge(self.seen[one]) for one in group] for group in self.groups]
+        ranked = zip(self.groups, _ranked(judged), strict=True)
+        if kept == 1:
+            self.groups = [[group[best[0]], *([group[0]] if best[0] else [])] for group, best in ranked]
+        else:
+            self.groups = [
+                [group[0], *[group[number] for number in best if number][:kept]] for group, best in ranked
+            ]
 
 
 def choose_own(
-    world_factory: WorldFactory,
-    candidates: Sequence[Primitive],
+    search: Search,
     shared: Sequence[Primitive],
-    predict: PredictOutcomes,
-    features: Float[np.ndarray, "M F"],
-    categorise: Categorise,
+    world_factory: WorldFactory,
     *,
     foresee: Foresee = foresee_displacement,
     rounds: Sequence[Round] = ROUNDS,
-    seed: int,
-    workers: int = 1,
-    progress: Progress | None = None,
 ) -> Repertoire:
     """Choose for each category and symbol the candidate that does best there; keep the shared one if it adds.
 
     Args:
-        world_factory: Builds the world; must survive pickling if there is more than one worker.
-        candidates: Distilled actions.
+        search: What there is to choose from.
         shared: The action that each symbol shares among categories, in the order of the symbols.
-        predict: A network that sees the objects themselves and not their symbols.
-        features: Objects to predict the effects on.
-        categorise: Gives the object symbols of features.
+        world_factory: Builds the world of the auditions.
         foresee: How actions are judged by what is predicted.
         rounds: Of the auditions, with fewer candidates in each.
-        seed: Where all draws start.
-        workers: How many processes; their number does not change the result.
-        progress: Called after each performance.
     """
-    world = made(world_factory)
-    ends = list(accumulate(one.objects for one in rounds))
-    sample = sample_by_category(world, categorise, least=ends[-1], seed=seed, stream=_STREAM)
-    symbols = np.array(symbols_of(categorise, features))
+    world, features = made(world_factory), search.features
+    least = sum(one.objects for one in rounds)
+    sample = sample_by_category(world, search.categorise, least=least, seed=search.seed, stream=_STREAM)
+    symbols = np.array(symbols_of(search.categorise, features))
     rivals = [
-        [other for other in candidates if other.symbol == one.symbol and other != one] for one in shared
+        [other for other in search.candidates if other.symbol == one.symbol and other != one]
+        for one in shared
     ]
     contests = {}
     for category, scenes in sample.scenes.items():
         objects = np.concatenate([features[symbols == category], *(scene.features for scene in scenes)])
-        objects = objects[:OBJECTS_TO_PREDICT]
-        few = shortlist_own(rivals, predict, objects, world.action_box, rounds[0].candidates, seed, foresee)
+        objects, count = objects[:OBJECTS_TO_PREDICT], rounds[0].candidates
+        few = shortlist_own(rivals, search.predict, objects, world.action_box, count, search.seed, foresee)
         groups = [[one, *best] for one, best in zip(shared, few, strict=True)]
-        contests[category] = _Contest(scenes, groups)
-    kept = [one.candidates for one in rounds[1:]] + [1]
-    total, done = _performances(contests.values(), rounds), 0
-    for count, end, one in zip(kept, ends, rounds, strict=True):
-        tasks, owners = _tasks(contests.values(), slice(end - one.objects, end), world.action_box, seed)
-        outcomes = perform(world_factory, tasks, workers, part(progress, done, total))
-        for seen, outcome in zip(owners, outcomes, strict=True):
-            seen.append(performance(outcome))
-        done += len(tasks)
-        for contest in contests.values():
-            contest.groups[:] = _keep_best(contest, count)
+        contests[category] = _OfCategory(scenes, groups)
+    with search.open_bar("auditioning for each category") as advance:
+        audition_in_rounds(search, [*contests.values()], rounds, world_factory, performance, advance)
     return with_own(shared, {category: _chosen(contest) for category, contest in contests.items()})
 
 
@@ -200,41 +256,6 @@ def _moves(count: int, size: int, seed: int) -> Float[np.ndarray, "N A"]:
     return np.array([np.random.default_rng([seed, _MOVES, n]).normal(size=size) for n in range(count)])
 
 
-def _performances(contests: Iterable[_Contest], rounds: Sequence[Round]) -> int:
-    """Count the performances of all rounds."""
-    groups = [len(group) for contest in contests for group in contest.groups]
-    first, *others = rounds
-    return first.objects * sum(groups) + sum(
-        one.objects * min(group, 1 + one.candidates) for one in others for group in groups
-    )
-
-
-def _tasks(
-    contests: Iterable[_Contest], which: slice, box: ActionBox, seed: int
-) -> tuple[list[Task], list[list[Performance]]]:
-    """Have all that are left perform on a part of the objects of their category.
-
-    Returns:
-        What is to be performed, and for each task the list that its performance is to be added to.
-    """
-    tasks, owners = list[Task](), list[list[Performance]]()
-    for contest in contests:
-        for primitive in (one for group in contest.groups for one in group):
-            actions = moved(primitive, len(contest.scenes), box, seed)
-            for scene, action in zip(contest.scenes[which], actions[which], strict=True):
-                tasks.append(Task(scene, action))
-                owners.append(contest.seen.setdefault(primitive, []))
-    return tasks, owners
-
-
-def _keep_best(contest: _Contest, count: int) -> list[list[Primitive]]:
-    """Keep the best of each symbol, best first; the shared one stays, in the first place, until the last."""
-    ranked = zip(contest.groups, _ranked(contest.judged()), strict=True)
-    if count == 1:
-        return [[group[best[0]], *([group[0]] if best[0] else [])] for group, best in ranked]
-    return [[group[0], *[group[number] for number in best if number][:count]] for group, best in ranked]
-
-
 def _ranked(judged: Sequence[Sequence[Judgement]]) -> list[list[int]]:
     """Rank the candidates of each symbol by what they are worth beside the best of the others.
 
@@ -259,7 +280,7 @@ def _ranked(judged: Sequence[Sequence[Judgement]]) -> list[list[int]]:
     return ranked
 
 
-def _chosen(contest: _Contest) -> list[Primitive]:
+def _chosen(contest: _OfCategory) -> list[Primitive]:
     """Return the best of each symbol, and the shared ones that add something to them."""
     best = [group[0] for group in contest.groups]
     effects = {one: judge(contest.seen[one]) for group in contest.groups for one in group}

@@ -10,7 +10,8 @@ a kind into a state, there is no operator.
 
 from collections import Counter
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass
+from functools import partial
 
 import numpy as np
 
@@ -18,18 +19,14 @@ from neurosym.actions import ActionBox
 from neurosym.arrays import Float
 from neurosym.guarded import made
 from neurosym.operators import Primitive
-from neurosym.pair_sight import ChancesOfStates
-from neurosym.primitives.by_state import sureness, watch
-from neurosym.primitives.judging import Performance
-from neurosym.primitives.own import Round, moved
-from neurosym.primitives.performing import perform
+from neurosym.primitives.judging import sureness, watch
+from neurosym.primitives.own import Contest, Round, audition_in_rounds, moved
 from neurosym.primitives.repertoire import Repertoire, with_own
 from neurosym.primitives.sampling import sample_by_category
-from neurosym.progress import Progress
+from neurosym.primitives.search import Search
 from neurosym.relation_operators import PairStates
-from neurosym.symbols import Categorise, Symbol
-from neurosym.world import Scene, WorldFactory
-from neurosym.worlds.workers import Task
+from neurosym.symbols import Symbol
+from neurosym.world import Scene
 
 ROUNDS = Round(4, 4), Round(2, 6)
 """Auditions of one contest."""
@@ -48,32 +45,33 @@ _STREAM = 0x7063  # keeps these draws apart from those of other auditions and re
 
 
 @dataclass(slots=True, eq=False)
-class _Contest:
+class _OfState(Contest):
     """The candidates for some pairs of one kind, and one state.
 
     Attributes:
         state: Code of the state.
-        scenes: One of the pairs in each.
         foreseen: How surely each candidate brings these pairs into the state, as foreseen.
-        left: Those that are left, the surest first.
-        seen: How they turned out.
+        few: Those that are left, the surest first.
     """
 
     state: str
-    scenes: tuple[Scene, ...]
     foreseen: dict[Primitive, float]
-    left: list[Primitive]
-    seen: dict[Primitive, list[Performance]] = field(default_factory=dict)
+    few: list[Primitive]
+
+    def left(self) -> list[Primitive]:
+        return self.few
+
+    def most_left(self, candidates: int) -> int:
+        return min(candidates, len(self.few))
 
     def close_round(self, kept: int) -> None:
-        """Keep the surest of those that are left."""
-        sure = {one: self._sureness(one) for one in self.left}
-        ranked = sorted((one for one in self.left if sure[one] >= LEAST), key=lambda one: -sure[one])
-        self.left = ranked[:kept]
+        sure = {one: self._sureness(one) for one in self.few}
+        ranked = sorted((one for one in self.few if sure[one] >= LEAST), key=lambda one: -sure[one])
+        self.few = ranked[:kept]
 
     def won(self) -> list[Primitive]:
         """Return those that are left and that were seen to do it."""
-        return [one for one in self.left if sureness(self.seen[one], self.state) > 0]
+        return [one for one in self.few if sureness(self.seen[one], self.state) > 0]
 
     def _sureness(self, one: Primitive) -> float:
         seen = self.seen[one]
@@ -81,66 +79,43 @@ class _Contest:
         return weighed / (len(seen) + FORESEEN_COUNTS)
 
 
-def choose_for_pairs(
-    world_factory: WorldFactory,
-    candidates: Sequence[Primitive],
-    foresee: ChancesOfStates,
-    categorise: Categorise,
-    states: PairStates,
-    *,
-    seed: int,
-    workers: int = 1,
-    progress: Progress | None = None,
-) -> Repertoire:
+def choose_for_pairs(search: Search, states: PairStates) -> Repertoire:
     """Choose for each kind of pairs the actions that most surely bring it into each state.
 
     States in which targets lean are left out.
 
     Args:
-        world_factory: Builds the world in which actions are aimed at other objects.
-        candidates: Distilled actions.
-        foresee: Foresees the chances of the states that bear, in their order.
-        categorise: Gives the kinds of pairs of features.
+        search: What there is to choose from; the chances of the states that bear are predicted, in their
+            order.
         states: The states of pairs.
-        seed: Where all draws start.
-        workers: How many processes; their number does not change the result.
-        progress: Called after each performance.
     """
-    world = made(world_factory)
-    sample = sample_by_category(world, categorise, least=OF_A_KIND, seed=seed, stream=_STREAM)
-    foreseen = {
-        kind: _foreseen(candidates, foresee, scenes, world.action_box, seed)
-        for kind, scenes in sample.scenes.items()
-    }
-    contests: dict[Symbol, list[_Contest]] = {kind: [] for kind in foreseen}
+    world = made(search.shown)
+    sample = sample_by_category(world, search.categorise, least=OF_A_KIND, seed=search.seed, stream=_STREAM)
+    foreseen = {kind: _foreseen(search, scenes, world.action_box) for kind, scenes in sample.scenes.items()}
+    contests: dict[Symbol, list[_OfState]] = {kind: [] for kind in foreseen}
     for state in sorted(states.straight):
         column = states.bearing_order.index(state)
         of_state = {kind: chances[:, :, column] for kind, chances in foreseen.items()}
         reach = sum(sample.shares[kind] * chances.max(0).mean() for kind, chances in of_state.items())
         for kind, chances in of_state.items():
             worth = float(WORTH * reach / sample.shares[kind])
-            contests[kind] += _contests(candidates, chances, sample.scenes[kind], state, worth)
+            contests[kind] += _contests(search.candidates, chances, sample.scenes[kind], state, worth)
     every = [contest for of_kind in contests.values() for contest in of_kind]
-    _audition(every, world_factory, states, world.action_box, seed, workers, progress)
+    with search.open_bar("auditioning for each kind of pairs") as advance:
+        audition_in_rounds(search, every, ROUNDS, search.shown, partial(watch, states=states), advance)
     chosen = {
         kind: list(dict.fromkeys(one for contest in of_kind for one in contest.won()))
         for kind, of_kind in contests.items()
     }
-    return with_own(_one_each(candidates), chosen)
+    return with_own(_one_each(search.candidates), chosen)
 
 
-def _foreseen(
-    candidates: Sequence[Primitive],
-    foresee: ChancesOfStates,
-    scenes: Sequence[Scene],
-    box: ActionBox,
-    seed: int,
-) -> Float[np.ndarray, "C N S"]:
+def _foreseen(search: Search, scenes: Sequence[Scene], box: ActionBox) -> Float[np.ndarray, "C N S"]:
     """Foresee what each candidate does to each pair."""
     features = np.concatenate([scene.features for scene in scenes])
-    actions = np.concatenate([moved(one, len(features), box, seed) for one in candidates])
-    foreseen = foresee(np.tile(features, (len(candidates), 1)), actions)
-    return foreseen.reshape(len(candidates), len(features), -1)
+    actions = np.concatenate([moved(one, len(features), box, search.seed) for one in search.candidates])
+    foreseen = np.clip(search.predict(np.tile(features, (len(search.candidates), 1)), actions), 0.0, 1.0)
+    return foreseen.reshape(len(search.candidates), len(features), -1)
 
 
 def _contests(
@@ -149,17 +124,12 @@ def _contests(
     scenes: Sequence[Scene],
     state: str,
     worth: float,
-) -> list[_Contest]:
+) -> list[_OfState]:
     """Begin contests for a kind and a state: on those pairs first of which most can be brought there.
 
-    Args:
-        candidates: What may be done.
-        chances: How surely each candidate is foreseen to bring each pair into the state.
-        scenes: The pairs.
-        state: Code of the state.
-        worth: How much a further action adds to the mean chance, at least.
+    A further action adds so much to the mean chance, at least, that it is worth it.
     """
-    begun, known = list[_Contest](), np.zeros(len(scenes))
+    begun, known = list[_OfState](), np.zeros(len(scenes))
     while True:
         gains = np.maximum(chances - known, 0.0)
         best = int(gains.mean(1).argmax())
@@ -170,43 +140,8 @@ def _contests(
         likely = [number for number in np.argsort(-mean, kind="stable") if mean[number] >= LEAST]
         few = _few_of_a_symbol([candidates[number] for number in likely])[: ROUNDS[0].candidates]
         of_pairs = {one: float(sure) for one, sure in zip(candidates, mean, strict=True) if one in few}
-        begun.append(_Contest(state, tuple(scenes[row] for row in pairs), of_pairs, few))
+        begun.append(_OfState(tuple(scenes[row] for row in pairs), state, of_pairs, few))
         known = np.maximum(known, chances[best])
-
-
-def _audition(
-    contests: Sequence[_Contest],
-    world_factory: WorldFactory,
-    states: PairStates,
-    box: ActionBox,
-    seed: int,
-    workers: int,
-    progress: Progress | None,
-) -> None:
-    """Perform the candidates of all contests in rounds, until one is left in each, or none."""
-    total = sum(
-        min(one.candidates, len(contest.left)) * one.objects for contest in contests for one in ROUNDS
-    )
-    kept, done, first = [one.candidates for one in ROUNDS[1:]] + [1], 0, 0
-    for count, one in zip(kept, ROUNDS, strict=True):
-        tasks, owners = list[Task](), list[list[Performance]]()
-        for contest in contests:
-            scenes = contest.scenes[first : first + one.objects]
-            for primitive in contest.left:
-                actions = moved(primitive, first + len(scenes), box, seed)[first:]
-                for scene, action in zip(scenes, actions, strict=True):
-                    tasks.append(Task(scene, action))
-                    owners.append(contest.seen.setdefault(primitive, []))
-        for seen, outcome in zip(owners, perform(world_factory, tasks, workers, None), strict=True):
-            seen.append(watch(outcome, states))
-            done += 1
-            if progress is not None:
-                progress(min(done, total), total)
-        first += one.objects
-        for contest in contests:
-            contest.close_round(count)
-    if progress is not None and total:
-        progress(total, total)
 
 
 def _few_of_a_symbol(candidates: Sequence[Primitive]) -> list[Primitive]:

@@ -1,8 +1,6 @@
 """Rehearsals on pairs: into which states operators bring them, and where others rest on them already."""
 
-from collections import Counter
-from collections.abc import Collection, Iterator, Sequence
-from dataclasses import dataclass
+from collections.abc import Collection, Sequence
 
 import msgspec
 import numpy as np
@@ -11,17 +9,15 @@ from neurosym.naming import name_categories
 from neurosym.operators import Category
 from neurosym.pair_states import touching_units
 from neurosym.place_operators import Kept
-from neurosym.primitives.by_state import end_state
-from neurosym.primitives.categories import rounded
-from neurosym.primitives.performing import perform
-from neurosym.primitives.rehearsal import Rehearsals
-from neurosym.progress import Progress
+from neurosym.primitives.judging import end_state
+from neurosym.primitives.performing import perform_each, tasks_of
+from neurosym.primitives.rehearsal import Rehearsals, rounded
+from neurosym.primitives.search import Search
 from neurosym.relation_operators import SELDOM, PairEnd, PairStates, RelationOperator, RelationOperators
 from neurosym.symbols import Categorise, Symbol, symbols_of
 from neurosym.table import OtherObject
-from neurosym.world import Outcome, Scene, WorldFactory
-from neurosym.worlds.related import TARGET, RelatedScene, as_pair, taken
-from neurosym.worlds.workers import Task
+from neurosym.world import Outcome, Scene
+from neurosym.worlds.related import TARGET, RelatedFactory, RelatedScene, as_pair, taken
 
 AMONG = 12
 """Rehearsals of an operator at most where something rests on target or reference, or bears the target."""
@@ -72,66 +68,51 @@ def tabulate_pairs(
     return RelationOperators(states.states, states.scales, kinds, rehearsals.primitives, tuple(operators))
 
 
-def rehearse_among(
-    factory: WorldFactory,
-    table: RelationOperators,
-    rehearsals: Rehearsals,
-    categorise: Categorise,
-    *,
-    seed: int,
-    workers: int = 1,
-    progress: Progress | None = None,
-) -> RelationOperators:
+def rehearse_among(search: Search, table: RelationOperators, rehearsals: Rehearsals) -> RelationOperators:
     """Rehearse operators where a third object is borne, or bears, as earlier rehearsals left it.
 
     Args:
-        factory: Builds the world in which actions are aimed at other objects.
+        search: What they were found with.
         table: The operators.
         rehearsals: Those whose ends are begun from.
-        categorise: Gives the kinds of pairs of features.
-        seed: Where all draws start.
-        workers: How many processes; their number does not change the result.
-        progress: Called after each rehearsal.
     """
     states = PairStates(table.states, table.scales)
-    bearing = states.bearing
-    rng = np.random.default_rng([seed, _STREAM])
+    rng = np.random.default_rng([search.seed, _STREAM])
     ends = [
         outcome.end
         for row in rehearsals.outcomes
         for outcome in row
-        if outcome is not None and len(outcome.end) > 2 and end_state(outcome, states) in bearing
+        if outcome is not None and len(outcome.end) > 2 and end_state(outcome, states) in states.bearing
     ]
-    pool = _pool([ends[number] for number in rng.permutation(len(ends))], categorise)
-    worthy = [
-        one for one in table.operators if one.promise is not None and one.promise.state in states.straight
-    ]
-    tasks, owners = list[Task](), list[tuple[Symbol, str, str]]()
-    for pair, label in dict.fromkeys((one.pair, one.label) for one in worthy):
-        action = np.array(next(one.action for one in table.primitives if one.label == label))
-        for how, scenes in pool.items():
-            for scene in scenes.get(pair, [])[:AMONG]:
-                tasks.append(Task(scene, action))
-                owners.append((pair, label, how))
-    ended = Counter[tuple[Symbol, str, str, str]]()
-    for owner, outcome in zip(owners, perform(factory, tasks, workers, progress), strict=True):
-        others = {index for index, _ in outcome.disturbed} - ({_THIRD} if owner[-1] == "laden" else set())
-        if not others and (owner[-1] != "laden" or _went_along(outcome)):
-            ended[(*owner, end_state(outcome, states))] += 1
-    tried = Counter(owners)
+    pool = _pool([ends[number] for number in rng.permutation(len(ends))], search.categorise)
+    worthy = {
+        one.name: one for one in table.operators if one.promise and one.promise.state in states.straight
+    }
+    primitives = {one.label: one for one in table.primitives}
+    keys = [(*key, how) for key in {(one.pair, one.label): None for one in worthy.values()} for how in pool]
+    tasks = [tasks_of(primitives[label], pool[how].get(pair, [])[:AMONG]) for pair, label, how in keys]
+    factory = RelatedFactory(search.world_factory)
+    with search.open_bar("rehearsing where pairs bear others") as advance:
+        performed = dict(zip(keys, perform_each(factory, tasks, search.workers, advance), strict=True))
 
     def kept(one: RelationOperator, how: str) -> Kept:
-        if one not in worthy or one.promise is None:
+        if one.name not in worthy or one.promise is None:
             return Kept(one.name, 0, 0)
-        owner = one.pair, one.label, how
-        return Kept(one.name, tried[owner], ended[(*owner, one.promise.state)])
+        outcomes = performed[one.pair, one.label, how]
+        good = [end for end in outcomes if end_state(end, states) == one.promise.state and _left(end, how)]
+        return Kept(one.name, len(outcomes), len(good))
 
-    return msgspec.structs.replace(
-        table,
-        operators=tuple(
-            msgspec.structs.replace(one, **{how: kept(one, how) for how in pool}) for one in table.operators
-        ),
+    operators = (
+        msgspec.structs.replace(one, **{how: kept(one, how) for how in pool}) for one in table.operators
     )
+    return msgspec.structs.replace(table, operators=tuple(operators))
+
+
+def _left(outcome: Outcome, how: str) -> bool:
+    """Say whether others were left alone, and what rested on the target went along."""
+    if how != "laden":
+        return not outcome.disturbed
+    return {index for index, _ in outcome.disturbed} <= {_THIRD} and _went_along(outcome)
 
 
 def _pool(ends: Sequence[Scene], categorise: Categorise) -> dict[str, dict[Symbol, list[RelatedScene]]]:
@@ -167,36 +148,24 @@ def _promised(ends: Sequence[PairEnd], straight: Collection[str]) -> list[str]:
     return [end.state for end in (*carried[:1], *often)]
 
 
-@dataclass(frozen=True, slots=True)
-class _End:
-    """How one rehearsal ended."""
-
-    state: str
-    where: tuple[float, float, float]
-
-
 def _ends(outcomes: Sequence[Outcome], states: PairStates) -> tuple[PairEnd, ...]:
     """Sort what happened by the state that pairs ended in; what moved others counts as a miss."""
-    found = [*_found(outcomes, states)]
-    counts = Counter(end.state for end in found)
-    rows = {state: np.array([end.where for end in found if end.state == state]) for state in counts}
+    found: dict[str, list[np.ndarray]] = {}
+    for outcome in outcomes:
+        assert isinstance(outcome.reference, OtherObject), "aimed at another object"
+        where = touching_units(outcome.end, outcome.target, outcome.reference.index)
+        found.setdefault("" if outcome.disturbed else end_state(outcome, states), []).append(where)
+    nowhere = np.zeros((1, 3))
     return tuple(
         PairEnd(
             state,
-            count,
-            count / len(found),
-            rounded(rows[state].mean(0)) if state else (0.0, 0.0, 0.0),  # type: ignore[arg-type]
-            rounded(rows[state].std(0)) if state else (0.0, 0.0, 0.0),  # type: ignore[arg-type]
+            len(rows),
+            len(rows) / len(outcomes),
+            rounded(np.array(rows if state else nowhere).mean(0)),  # type: ignore[arg-type]
+            rounded(np.array(rows if state else nowhere).std(0)),  # type: ignore[arg-type]
         )
-        for state, count in sorted(counts.items(), key=lambda one: (-one[1], one[0]))
+        for state, rows in sorted(found.items(), key=lambda one: (-len(one[1]), one[0]))
     )
-
-
-def _found(outcomes: Sequence[Outcome], states: PairStates) -> Iterator[_End]:
-    for outcome in outcomes:
-        assert isinstance(outcome.reference, OtherObject), "aimed at another object"
-        x, y, z = touching_units(outcome.end, outcome.target, outcome.reference.index).tolist()
-        yield _End("" if outcome.disturbed else end_state(outcome, states), (x, y, z))
 
 
 def _kinds(rehearsals: Rehearsals, feature_names: Sequence[str]) -> tuple[Category, ...]:

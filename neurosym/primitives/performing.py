@@ -1,10 +1,13 @@
 """Performing actions, in order, by any number of workers."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
+
+import numpy as np
 
 from neurosym.guarded import placed
+from neurosym.operators import Primitive
 from neurosym.progress import Progress
-from neurosym.world import Outcome, WorldFactory
+from neurosym.world import Outcome, Scene, WorldFactory
 from neurosym.worlds.workers import Task, perform_all
 
 
@@ -26,3 +29,19 @@ def perform(
         if progress is not None:
             progress(number, len(tasks))
         yield outcome
+
+
+def perform_each(
+    world_factory: WorldFactory,
+    tasks: Sequence[Sequence[Task]],
+    workers: int,
+    progress: Progress | None = None,
+) -> list[list[Outcome]]:
+    """Perform several lists of actions, and give the outcomes of each; see `perform`."""
+    performed = perform(world_factory, [task for some in tasks for task in some], workers, progress)
+    return [[next(performed) for _ in some] for some in tasks]
+
+
+def tasks_of(primitive: Primitive, scenes: Iterable[Scene]) -> list[Task]:
+    """Return what it takes to perform an action in each of some scenes."""
+    return [Task(scene, np.array(primitive.action, dtype=np.float64)) for scene in scenes]

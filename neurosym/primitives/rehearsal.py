@@ -7,6 +7,7 @@ never averaged together, since the mean of "on the table" and "in the air" is a 
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from itertools import compress
 
 import numpy as np
 
@@ -14,31 +15,31 @@ from neurosym.arrays import Float
 from neurosym.checks import check_all, check_array, check_count, check_kind, check_seed, check_whole
 from neurosym.errors import InvalidValue
 from neurosym.guarded import made
-from neurosym.naming import name_operator
+from neurosym.naming import name_categories, name_operator
 from neurosym.operators import (
     TABLE_FORMAT,
+    TOLERANCE,
     Category,
+    Effect,
     Mode,
     Operator,
     OperatorTable,
     Primitive,
     Rehearsal,
 )
-from neurosym.primitives.categories import describe_categories, rounded
 from neurosym.primitives.judging import judge, performance
-from neurosym.primitives.modes import sort_into_modes
-from neurosym.primitives.performing import perform
+from neurosym.primitives.performing import perform_each, tasks_of
 from neurosym.primitives.repertoire import Repertoire, shared_by_all
 from neurosym.primitives.sampling import Sample, sample_by_category
 from neurosym.progress import Progress
-from neurosym.symbols import Categorise, Symbol
-from neurosym.world import Outcome, Scene, World, WorldFactory
-from neurosym.worlds.workers import Task
+from neurosym.symbols import Categorise, Symbol, all_symbols
+from neurosym.world import Outcome, OutcomeKind, World, WorldFactory
 
 LEAST = 30
 """Objects of a category that are rehearsed on, however rare it is, if at least so many are asked for."""
 _STREAM = 0x7265  # keeps rehearsal's draws apart from those of exploration
 _TURN_DIGITS = 3  # of what is kept of rehearsals [rad]
+_DIGITS = 5  # of lengths that are kept [m]
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -136,40 +137,16 @@ def rehearse(
         [repertoire.serves(primitive, symbol) for symbol in symbols] for primitive in repertoire.primitives
     ]
     tasks = [
-        Task(scene, np.array(primitive.action, dtype=np.float64))
+        tasks_of(primitive, compress(scenes, row))
         for primitive, row in zip(repertoire.primitives, served, strict=True)
-        for scene, performs in zip(scenes, row, strict=True)
-        if performs
     ]
-    performed = perform(world_factory, tasks, workers, progress)
-    outcomes = tuple(tuple(next(performed) if performs else None for performs in row) for row in served)
+    performed = map(iter, perform_each(world_factory, tasks, workers, progress))
+    outcomes = tuple(
+        tuple(next(done) if performs else None for performs in row)
+        for row, done in zip(served, performed, strict=True)
+    )
     features = np.concatenate([scene.features for scene in scenes])
     return Rehearsals(repertoire.primitives, features, np.array(symbols), outcomes, sample.shares)
-
-
-def perform_on_each(
-    world_factory: WorldFactory,
-    primitives: Sequence[Primitive],
-    scenes: Sequence[Scene],
-    workers: int,
-    progress: Progress | None,
-) -> tuple[tuple[Outcome, ...], ...]:
-    """Perform each primitive on the one object of each scene.
-
-    Args:
-        world_factory: Builds the world.
-        primitives: What to perform.
-        scenes: On what.
-        workers: How many processes.
-        progress: Called after each performance.
-
-    Returns:
-        For each primitive, an outcome for each scene.
-    """
-    actions = [np.array(primitive.action, dtype=np.float64) for primitive in primitives]
-    tasks = [Task(scene, action) for action in actions for scene in scenes]
-    outcomes = tuple(perform(world_factory, tasks, workers, progress))
-    return tuple(outcomes[row : row + len(scenes)] for row in range(0, len(outcomes), len(scenes)))
 
 
 def tabulate(
@@ -223,18 +200,48 @@ def rehearsal_sample(world: World, categorise: Categorise, *, objects: int, seed
     return sample_by_category(world, categorise, least=least, typical=objects, seed=seed, stream=_STREAM)
 
 
-def modes_of(outcomes: Sequence[Outcome]) -> tuple[Mode, ...]:
-    """Sort outcomes into modes, most frequent first.
-
-    Args:
-        outcomes: Outcomes of one primitive on objects of one category.
-    """
+def modes_of(outcomes: Sequence[Outcome] | Sequence[Rehearsal]) -> tuple[Mode, ...]:
+    """Sort outcomes of one primitive on objects of one category into modes, most frequent first."""
     return sort_into_modes(
         [outcome.kind for outcome in outcomes],
         np.array([outcome.effect for outcome in outcomes]),  # (N, 3)
         np.array([outcome.resting_effect for outcome in outcomes]),
         np.array([outcome.peak_height for outcome in outcomes]),
     )
+
+
+def sort_into_modes(
+    kinds: Sequence[OutcomeKind],
+    effects: Float[np.ndarray, "N E"],
+    resting_effects: Float[np.ndarray, "N E"],
+    peak_heights: Float[np.ndarray, "N"],
+) -> tuple[Mode, ...]:
+    """Sort outcomes into modes, most frequent first.
+
+    Args:
+        kinds: How each outcome ended.
+        effects: Displacements at the end of the rise [m].
+        resting_effects: Displacements once everything is put down [m].
+        peak_heights: Greatest heights on the way [m].
+    """
+    ended, modes = np.array(kinds), []
+    for kind in dict.fromkeys(kinds):
+        rows = ended == kind
+        judged = (effects if kind == "held" else resting_effects)[rows]
+        distances = np.linalg.norm(judged - judged.mean(0), axis=1)
+        mode = Mode(
+            kind=kind,
+            count=int(rows.sum()),
+            share=int(rows.sum()) / len(kinds),
+            effect=tuple(effects[rows].mean(0).tolist()),
+            spread=tuple(effects[rows].std(0).tolist()),
+            resting_effect=tuple(resting_effects[rows].mean(0).tolist()),
+            resting_spread=tuple(resting_effects[rows].std(0).tolist()),
+            peak_height=float(peak_heights[rows].mean()),
+            near_mean=int(np.sum(distances <= TOLERANCE)),
+        )
+        modes.append(mode)
+    return tuple(sorted(modes, key=lambda mode: (-mode.count, mode.kind)))
 
 
 def _operator(primitive: Primitive, category: Category, outcomes: Sequence[Outcome]) -> Operator:
@@ -264,3 +271,55 @@ def rehearsal_of(outcome: Outcome) -> Rehearsal:
         peak_height,
         round(outcome.turn, _TURN_DIGITS),
     )
+
+
+def describe_categories(
+    features: Float[np.ndarray, "N F"],
+    symbols: np.ndarray,
+    feature_names: Sequence[str],
+    shares: Mapping[Symbol, float] | None = None,
+) -> tuple[Category, ...]:
+    """Describe and name the categories, in the order of their symbols.
+
+    A symbol that no object has is called `unseen`: problems may meet one later, and nothing is known of it.
+
+    Args:
+        features: Features of the objects.
+        symbols: Symbol of each object.
+        feature_names: What the features are.
+        shares: Share of each category, if these are the objects that it was rehearsed on; they are kept then.
+    """
+    present = sorted(set(symbols.tolist()))
+    members = [features[symbols == symbol] for symbol in present]
+    means = np.array([_means_for_naming(rows, feature_names) for rows in members])
+    names = name_categories(present, means, feature_names)
+    seen = {
+        symbol: Category(
+            symbol=symbol,
+            name=name,
+            share=len(rows) / len(features) if shares is None else shares[symbol],
+            feature_means=tuple(rows.mean(0).tolist()),
+            feature_spreads=tuple(rows.std(0).tolist()),
+            objects=() if shares is None else tuple(rounded(row) for row in rows),
+        )
+        for symbol, name, rows in zip(present, names, members, strict=True)
+    }
+    return tuple(
+        seen.get(symbol) or Category(symbol, f"unseen-{symbol}", 0.0, (), ())
+        for symbol in all_symbols(len(present[0]))
+    )
+
+
+def _means_for_naming(rows: Float[np.ndarray, "N F"], feature_names: Sequence[str]) -> np.ndarray:
+    """Average features, where a type counts as hollow or not, however it is open."""
+    is_type = np.array(feature_names) == "t"
+    return np.asarray(np.where(is_type, rows >= 0.5, rows).mean(0))
+
+
+def rounded(values: Float[np.ndarray, "N"]) -> Effect:
+    """Round to the digits that are kept, without a negative zero.
+
+    Args:
+        values: Lengths [m], or types.
+    """
+    return tuple(round(float(value), _DIGITS) + 0.0 for value in values)

@@ -13,15 +13,13 @@ import numpy as np
 from neurosym.arrays import Float
 from neurosym.guarded import made
 from neurosym.operators import Category, Operator, OperatorTable, Rehearsal
-from neurosym.primitives.categories import rounded
-from neurosym.primitives.performing import perform
-from neurosym.primitives.rehearsal import rehearsal_of
+from neurosym.primitives.performing import perform_each, tasks_of
+from neurosym.primitives.rehearsal import rehearsal_of, rounded
 from neurosym.primitives.sampling import sample_by_category
-from neurosym.progress import Progress, part
+from neurosym.primitives.search import Search
+from neurosym.progress import part
 from neurosym.promises import chances_of, rehearsed_objects
-from neurosym.symbols import Categorise
-from neurosym.world import Scene, WorldFactory
-from neurosym.worlds.workers import Task
+from neurosym.world import Scene
 
 ROUNDS = 3
 """How often operators are rehearsed again."""
@@ -50,61 +48,50 @@ class _Pool:
     features: Float[np.ndarray, "P F"]
 
 
-def rehearse_unsure(
-    world_factory: WorldFactory,
-    table: OperatorTable,
-    categorise: Categorise,
-    *,
-    objects: int = 100,
-    seed: int,
-    workers: int = 1,
-    progress: Progress | None = None,
-) -> OperatorTable:
+def rehearse_unsure(search: Search, table: OperatorTable) -> OperatorTable:
     """Rehearse operators on objects for which it is unsure whether their promise is kept.
 
     The other rehearsals come first, and are those that trials and modes count: their objects are drawn as
     the world draws them.
 
     Args:
-        world_factory: Builds the world; must survive pickling if there is more than one worker.
+        search: What the operators were found with.
         table: Operators, with their rehearsals.
-        categorise: Gives the object symbols of features.
-        objects: How many objects each operator was rehearsed on.
-        seed: Where all draws start.
-        workers: How many processes; their number does not change the result.
-        progress: Called after each rehearsal; the total grows with each round.
     """
-    if not (count := int(SHARE * objects)):
+    if not (count := int(SHARE * search.objects)):
         return table
-    world = made(world_factory)
     sample = sample_by_category(
-        world, categorise, least=1, typical=POOLED * objects, seed=seed, stream=_STREAM
+        made(search.shown),
+        search.categorise,
+        least=1,
+        typical=POOLED * search.objects,
+        seed=search.seed,
+        stream=_STREAM,
     )
     pools = {
-        one.symbol: _pool(one, scenes)
+        one.symbol: _Pool(one, scenes, np.concatenate([scene.features for scene in scenes]))
         for one in table.categories
         if (scenes := sample.scenes.get(one.symbol))
     }
-    actions = {one.label: np.array(one.action, dtype=np.float64) for one in table.primitives}
+    primitives = {one.label: one for one in table.primitives}
     operators, done = list(table.operators), 0
-    met = [place for place, one in enumerate(operators) if one.category in pools]
-    free = {place: np.ones(len(pools[operators[place].category].scenes), dtype=bool) for place in met}
-    for _ in range(ROUNDS):
-        chosen = {
-            place: _unsure(operators[place], pools[operators[place].category], free[place], count)
-            for place in met
-        }
-        tasks = [
-            Task(pools[operators[place].category].scenes[number], actions[operators[place].label])
-            for place, numbers in chosen.items()
-            for number in numbers
-        ]
-        outcomes = perform(world_factory, tasks, workers, part(progress, done))
-        done += len(tasks)
-        for place, numbers in chosen.items():
-            rows = tuple(rehearsal_of(next(outcomes)) for _ in numbers)
-            operators[place] = _with_rows(operators[place], pools[operators[place].category], numbers, rows)
-            free[place][numbers] = False
+    pool_of = {place: pools[one.category] for place, one in enumerate(operators) if one.category in pools}
+    free = {place: np.ones(len(pool.scenes), dtype=bool) for place, pool in pool_of.items()}
+    with search.open_bar("rehearsing what is unsure") as advance:
+        for _ in range(ROUNDS):
+            chosen = {
+                place: _unsure(operators[place], pool, free[place], count) for place, pool in pool_of.items()
+            }
+            tasks = [
+                tasks_of(primitives[operators[place].label], [pool_of[place].scenes[n] for n in numbers])
+                for place, numbers in chosen.items()
+            ]
+            performed = perform_each(search.shown, tasks, search.workers, part(advance, done))
+            done += sum(map(len, tasks))
+            for (place, numbers), outcomes in zip(chosen.items(), performed, strict=True):
+                rows = tuple(map(rehearsal_of, outcomes))
+                operators[place] = _with_rows(operators[place], pool_of[place], numbers, rows)
+                free[place][numbers] = False
     return msgspec.structs.replace(table, operators=tuple(operators))
 
 
@@ -115,10 +102,6 @@ def _with_rows(operator: Operator, pool: _Pool, numbers: list[int], rows: tuple[
     known = rehearsed_objects(operator, pool.category)
     objects = (*known, *(rounded(pool.features[number]) for number in numbers))
     return msgspec.structs.replace(operator, objects=objects, rehearsals=(*operator.rehearsals, *rows))
-
-
-def _pool(category: Category, scenes: tuple[Scene, ...]) -> _Pool:
-    return _Pool(category, scenes, np.concatenate([scene.features for scene in scenes]))
 
 
 def _unsure(operator: Operator, pool: _Pool, free: np.ndarray, count: int) -> list[int]:

@@ -1,20 +1,20 @@
-"""Charts as geometry: what a template needs to draw lines, areas and dots as SVG."""
+"""Charts as geometry: what a template needs to draw areas and dots as SVG."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from itertools import cycle
 
 import numpy as np
 
-from neurosym.arrays import Float
+from neurosym.arrays import Bool, Float
 
 WIDTH, HEIGHT = 520, 320
 LEFT, RIGHT, TOP, BOTTOM = 52.0, 26.0, 12.0, 44.0
 """Room around the plot, for what stands at the axes [pixels]."""
 ASPECT = (WIDTH - LEFT - RIGHT) / (HEIGHT - TOP - BOTTOM)
 """How much wider than high the plot is."""
+Groups = Mapping[str, Bool[np.ndarray, "P"]]
+"""Which points are of each group."""
 _STEPS = (1, 2, 2.5, 5, 10)
-_LINE_COLOURS = (4, 0, 3, 2)
 
 
 @dataclass(frozen=True, slots=True)
@@ -39,7 +39,7 @@ class Chart:
     """A chart, ready to be drawn.
 
     Attributes:
-        kind: "area", "line" or "dots".
+        kind: "area" or "dots".
         title: What it shows.
         alt: The same for who does not see it, with its main figures.
         x_label: What stands along x.
@@ -92,12 +92,7 @@ class Axis:
 
 
 def round_values(low: float, high: float) -> tuple[float, ...]:
-    """List round values between two.
-
-    Args:
-        low: The least.
-        high: The greatest, above it.
-    """
+    """List round values between a low one and a high one."""
     rough = (high - low) / 5
     power = 10.0 ** np.floor(np.log10(rough))
     step = next(step * power for step in _STEPS if step * power >= rough * 0.999)
@@ -105,52 +100,19 @@ def round_values(low: float, high: float) -> tuple[float, ...]:
     return tuple(float(f"{number * step:.12g}") + 0.0 for number in range(first, last + 1))
 
 
-def dots(title: str, alt: str, x: Axis, y: Axis, groups: Mapping[str, Float[np.ndarray, "P 2"]]) -> Chart:
-    """Make a chart of points, in a colour for each group; those outside the axes are left out.
-
-    Args:
-        title: What it shows.
-        alt: The same in a sentence.
-        x: What is along x.
-        y: What is along y.
-        groups: Points by the name of their group; empty groups have a colour, too.
-    """
-    series = []
-    for number, (name, points) in enumerate(groups.items()):
-        inside = (points >= (x.low, y.low)).all(1) & (points <= (x.high, y.high)).all(1)
+def dots(title: str, alt: str, x: Axis, y: Axis, points: Float[np.ndarray, "P 2"], groups: Groups) -> Chart:
+    """Make a chart of points, in a colour for each group; those outside the axes are left out."""
+    series, within = [], (points >= (x.low, y.low)).all(1) & (points <= (x.high, y.high)).all(1)
+    for number, (name, rows) in enumerate(groups.items()):
+        inside = rows & within
         if inside.any():
             places = zip(*_places(points[inside], x, y), strict=True)
             series.append(Series(name, number, "".join(f"M{a:.1f} {b:.1f}h0" for a, b in places)))
     return _chart("dots", title, alt, x, y, series)
 
 
-def lines(title: str, alt: str, x: Axis, y: Axis, curves: Mapping[str, Float[np.ndarray, "P 2"]]) -> Chart:
-    """Make a chart of lines through points.
-
-    Args:
-        title: What it shows.
-        alt: The same in a sentence.
-        x: What is along x.
-        y: What is along y.
-        curves: The points of each line, by its name.
-    """
-    series = [
-        Series(name, colour, _line(*_places(points, x, y)))
-        for colour, (name, points) in zip(cycle(_LINE_COLOURS), curves.items(), strict=False)
-    ]
-    return _chart("line", title, alt, x, y, series)
-
-
 def areas(title: str, alt: str, x: Axis, at: Sequence[float], shares: Mapping[str, Sequence[float]]) -> Chart:
-    """Make a chart of shares that add up to one, stacked from below.
-
-    Args:
-        title: What it shows.
-        alt: The same in a sentence.
-        x: What is along x.
-        at: Where along x the shares were measured.
-        shares: The shares of each group, by its name.
-    """
+    """Make a chart of shares of groups that add up to one, stacked from below, at some values of x."""
     y, series, below = Axis("share", 0.0, 1.0, is_percent=True), [], np.zeros(len(at))
     for number, (name, values) in enumerate(shares.items()):
         above = below + np.asarray(values)

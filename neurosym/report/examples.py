@@ -46,12 +46,7 @@ class Example:
 
 
 def spared(read: Callable[[], Record], notify: Notify) -> Record | None:
-    """Read a record; one that is damaged is named in a note, and None.
-
-    Args:
-        read: Reads it.
-        notify: Takes the note.
-    """
+    """Read a record; one that is damaged is named in a note, and None."""
     try:
         return read()
     except (InvalidFile, StageMissing) as error:
@@ -60,11 +55,7 @@ def spared(read: Callable[[], Record], notify: Notify) -> Record | None:
 
 
 def problem_reader(folder: DomainFolder) -> ProblemReader:
-    """Return what reads each problem of a folder once; None for one that is damaged or no longer there.
-
-    Args:
-        folder: The domain folder.
-    """
+    """Return what reads each problem of a folder once; None for one that is damaged or no longer there."""
     known = folder.problem_names()
     return cache(
         lambda name: spared(partial(load_problem, folder, name), folder.notify) if name in known else None
@@ -72,12 +63,7 @@ def problem_reader(folder: DomainFolder) -> ProblemReader:
 
 
 def runs_of(folder: DomainFolder, read_problem: ProblemReader) -> tuple[Example, ...]:
-    """Read the runs of a folder, by name, as far as they and their problems can be read.
-
-    Args:
-        folder: The domain folder.
-        read_problem: Reads the problems.
-    """
+    """Read the runs of a folder, by name, as far as they and their problems can be read."""
     found = []
     for path in sorted((folder / RUNS).glob(f"*{RECORD}")):
         run = spared(partial(read_json, path, Run), folder.notify)
@@ -91,9 +77,6 @@ def telling_examples(runs: Sequence[Example]) -> tuple[Example, ...]:
 
     Each problem comes once, and those with one object and with several take turns. Runs without a step, or
     with too many for a row of pictures, are left out.
-
-    Args:
-        runs: The runs.
     """
     shown = [example for example in runs if 1 <= len(example.run.steps) <= MOST_STEPS]
     ordered = sorted(shown, key=_rank)

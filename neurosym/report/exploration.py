@@ -1,14 +1,13 @@
 """What was explored, for the page: what became of the objects, when, and by which actions."""
 
-from collections.abc import Mapping
 from dataclasses import dataclass
 
 import numpy as np
 
-from neurosym.arrays import Bool, Float
+from neurosym.arrays import Float
 from neurosym.data.interactions import Interactions
-from neurosym.naming import CARRIED, NO_EFFECT, name_axes
-from neurosym.report.charts import ASPECT, Axis, Chart, areas, dots
+from neurosym.naming import CARRIED, NO_EFFECT
+from neurosym.report.charts import ASPECT, Axis, Chart, Groups, areas, dots
 from neurosym.worlds.aimed import PLACE_AXES
 
 MOST_DOTS = 2000
@@ -37,11 +36,7 @@ class Explored:
 
 
 def explored(interactions: Interactions) -> Explored:
-    """Describe a data set.
-
-    Args:
-        interactions: The data set, with one row or more.
-    """
+    """Describe a data set that has one row or more."""
     kinds = what_became(interactions)
     shares = tuple((name, float(rows.mean())) for name, rows in kinds.items() if rows.any())
     return Explored(
@@ -52,36 +47,17 @@ def explored(interactions: Interactions) -> Explored:
     )
 
 
-@dataclass(frozen=True, slots=True)
-class Aimed:
-    """What was explored by actions that are aimed at places.
-
-    Attributes:
-        count: How many interactions there are.
-        carried: In which share of them the object was carried to the place.
-    """
-
-    count: int
-    carried: float
-
-
-def aimed(interactions: Interactions) -> Aimed | None:
-    """Describe a data set of actions that are aimed at places; None if it is empty or none.
-
-    Args:
-        interactions: The data set.
-    """
+def aimed_in_words(interactions: Interactions) -> str:
+    """Tell of a data set of actions that are aimed at places; nothing if it is empty or none."""
     if not len(interactions) or interactions.effects.shape[1] != PLACE_AXES:
-        return None
-    return Aimed(len(interactions), float(interactions.effects[:, PLACE_AXES - 1].mean()))
+        return ""
+    carried = float(interactions.effects[:, PLACE_AXES - 1].mean())
+    more = f"{len(interactions):,} more interactions were aimed at places"
+    return f"{more}; {carried:.0%} of them carried their object there."
 
 
-def what_became(interactions: Interactions) -> Mapping[str, Bool[np.ndarray, "N"]]:
-    """Sort interactions by what became of the object; each is of one kind.
-
-    Args:
-        interactions: The data set.
-    """
+def what_became(interactions: Interactions) -> Groups:
+    """Sort interactions by what became of the object; each is of one kind."""
     moved = np.linalg.norm(interactions.effects, axis=1) > NO_EFFECT
     left = np.ones(len(interactions), dtype=bool)
     found = {}
@@ -105,7 +81,7 @@ def _origin(interactions: Interactions) -> str:
     return f"explored by {origin['strategy']}, seed {origin.get('seed', 'unknown')}"
 
 
-def _over_time(kinds: Mapping[str, Bool[np.ndarray, "N"]]) -> Chart:
+def _over_time(kinds: Groups) -> Chart:
     count = len(next(iter(kinds.values())))
     blocks = np.array_split(np.arange(count), max(2, min(MOST_BLOCKS, count // BLOCK)))
     blocks = [block for block in blocks if len(block)]
@@ -122,13 +98,13 @@ def _over_time(kinds: Mapping[str, Bool[np.ndarray, "N"]]) -> Chart:
     )
 
 
-def _scatters(interactions: Interactions, kinds: Mapping[str, Bool[np.ndarray, "N"]]) -> list[Chart]:
+def _scatters(interactions: Interactions, kinds: Groups) -> list[Chart]:
     rows = np.unique(np.linspace(0, len(interactions) - 1, min(MOST_DOTS, len(interactions))).astype(int))
     effects = interactions.effects[rows].astype(float)
     groups = {name: found[rows] for name, found in kinds.items()}
     shown = f"{len(rows):,} of {len(interactions):,} interactions"
     if effects.shape[1] != 3:
-        return [] if effects.shape[1] < 2 else [_plain(effects, groups, shown)]
+        return []
     away = _from_above(effects)
     level = np.hypot(away[:, 0], away[:, 1])
     charts = [
@@ -138,7 +114,8 @@ def _scatters(interactions: Interactions, kinds: Mapping[str, Bool[np.ndarray, "
             f"How far and how high the objects of {shown} were moved, at the end of the rise.",
             Axis("distance along the table [mm]", 0.0, _reach(level)),
             Axis("height [mm]", *_range(_MILLIMETRES * effects[:, 2])),
-            _grouped(np.column_stack([level, _MILLIMETRES * effects[:, 2]]), groups),
+            np.column_stack([level, _MILLIMETRES * effects[:, 2]]),
+            groups,
         ),
     ]
     actions = interactions.actions[rows].astype(float)
@@ -154,34 +131,16 @@ def _from_above(vectors: Float[np.ndarray, "P 3"]) -> Float[np.ndarray, "P 2"]:
     return _MILLIMETRES * np.column_stack([-vectors[:, 1], vectors[:, 0]])
 
 
-def _seen_from_above(
-    title: str, what: str, points: Float[np.ndarray, "P 2"], groups: Mapping[str, Bool[np.ndarray, "P"]]
-) -> Chart:
+def _seen_from_above(title: str, what: str, points: Float[np.ndarray, "P 2"], groups: Groups) -> Chart:
     reach = _reach(np.maximum(np.abs(points[:, 0]) / ASPECT, np.abs(points[:, 1])))
     return dots(
         title,
         f"{what}: right is to the right, forward is up.",
         Axis("right [mm]", -ASPECT * reach, ASPECT * reach),
         Axis("forward [mm]", -reach, reach),
-        _grouped(points, groups),
+        points,
+        groups,
     )
-
-
-def _plain(effects: np.ndarray, groups: Mapping[str, Bool[np.ndarray, "P"]], shown: str) -> Chart:
-    names = name_axes(effects.shape[1])
-    return dots(
-        "Effects along the first two axes",
-        f"The effects of {shown} along {names[0]} and {names[1]}.",
-        Axis(names[0], *_range(effects[:, 0])),
-        Axis(names[1], *_range(effects[:, 1])),
-        _grouped(effects[:, :2], groups),
-    )
-
-
-def _grouped(
-    points: Float[np.ndarray, "P 2"], groups: Mapping[str, Bool[np.ndarray, "P"]]
-) -> dict[str, Float[np.ndarray, "Q 2"]]:
-    return {name: points[rows] for name, rows in groups.items()}
 
 
 def _reach(distances: Float[np.ndarray, "P"]) -> float:

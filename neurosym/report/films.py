@@ -26,11 +26,7 @@ class Films:
 
 
 def films_of(pages: Mapping[str, bytes]) -> Films | None:
-    """Take films apart that have the same viewer; None if there are none.
-
-    Args:
-        pages: The films as whole pages, by the name of the run.
-    """
+    """Take films, as whole pages by run, apart that have the same viewer; None if there are none."""
     viewers, seen = dict[tuple[str, str], None](), dict[str, str]()
     for name, page in pages.items():
         before, begin, rest = page.decode().partition(_BEGIN)

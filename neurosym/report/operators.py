@@ -2,10 +2,10 @@
 
 from dataclasses import dataclass
 
-from neurosym.explain.action_words import displacement_in_words, spread_in_words
-from neurosym.explain.carrying_words import end_in_words
+from neurosym.explain.action_words import spread_in_words
+from neurosym.explain.explanation import mode_in_words
 from neurosym.grounding import Grounding
-from neurosym.operators import Mode, OperatorTable
+from neurosym.operators import OperatorTable
 from neurosym.tasks.moves import cost
 
 
@@ -35,16 +35,10 @@ class OperatorRow:
 
 
 def operator_rows(table: OperatorTable, grounding: Grounding | None) -> tuple[OperatorRow, ...]:
-    """List operators, those first that are in the domain.
-
-    Args:
-        table: What was distilled.
-        grounding: What the domain was compiled to, if it was; its operators are listed then.
-    """
+    """List operators, those of the domain if it was compiled, and those first that are in it."""
     rows = []
     for operator in grounding.every_operator if grounding else table.operators:
         promise = operator.promise
-        carries = promise is not None and promise.kind == "carried"
         reason = grounding.why_left_out(operator) if grounding else None
         in_domain = grounding is not None and reason is None
         rows.append(
@@ -53,14 +47,10 @@ def operator_rows(table: OperatorTable, grounding: Grounding | None) -> tuple[Op
                 trials=operator.trials,
                 promised=operator.successes,
                 ends=f"{promise.kind} {promise.share:.0%}" if promise else "never as it could promise",
-                effect=(end_in_words if carries else _moved_in_words)(promise) if promise else "",
+                effect=mode_in_words(promise) if promise else "",
                 spread=spread_in_words(promise.scatter) if promise else "",
                 cost=cost(operator) if in_domain else None,
                 left_out=reason or "",
             )
         )
     return tuple(sorted(rows, key=lambda row: row.left_out != ""))
-
-
-def _moved_in_words(promise: Mode) -> str:
-    return displacement_in_words(promise.outcome)

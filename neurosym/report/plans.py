@@ -5,6 +5,7 @@ from dataclasses import dataclass
 from functools import partial
 
 from neurosym.execution.record import Run
+from neurosym.problems import Problem
 from neurosym.reading import read_json
 from neurosym.report.examples import Example, ProblemReader, spared
 from neurosym.stages.folder import DomainFolder
@@ -42,57 +43,42 @@ class PlanRow:
 def plan_rows(
     folder: DomainFolder, examples: Sequence[Example], read_problem: ProblemReader
 ) -> tuple[PlanRow, ...]:
-    """List the plans of a folder, by problem and planner, with their runs, as far as they can be read.
-
-    Args:
-        folder: The domain folder.
-        examples: The runs.
-        read_problem: Reads the problems.
-    """
+    """List the plans of a folder, by problem and planner, with their runs, as far as they can be read."""
     runs = {example.name: example for example in examples}
     rows = []
     for path in sorted((folder / PLANS).glob("*.json")):
         record = spared(partial(read_json, path, PlanRecord), folder.notify)
-        problem = read_problem(record.problem) if record else None
-        if record is None or problem is None:
-            continue
-        example = runs.pop(path.stem, None) if record.solved else None
-        rows.append(
-            PlanRow(
-                problem=record.problem,
-                objects=len(problem.objects),
-                planner=record.planner,
-                status=record.status.value,
-                steps=record.primitives if record.solved else None,
-                seconds=record.seconds,
-                reached=example.run.reached if example else None,
-                own=_own(example.run) if example else None,
-                reason=_remark(example.run if example else record, record.reason),
-            )
-        )
-    for example in runs.values():
-        rows.append(
-            PlanRow(
-                problem=example.problem.name,
-                objects=len(example.problem.objects),
-                planner=example.planner,
-                status="given",
-                steps=len(example.run.plan),
-                seconds=None,
-                reached=example.run.reached,
-                own=_own(example.run),
-                reason=_remark(example.run),
-            )
-        )
+        if record and (problem := read_problem(record.problem)):
+            rows.append(_row(problem, record, runs.pop(path.stem, None) if record.solved else None))
+    rows += [_row(example.problem, None, example) for example in runs.values()]
     return tuple(sorted(rows, key=lambda row: (row.problem, row.planner)))
 
 
-def _own(run: Run) -> tuple[int, int]:
-    return run.own_steps, len(run.steps)
+def _row(problem: Problem, record: PlanRecord | None, example: Example | None) -> PlanRow:
+    """Tell of a plan with its run, or of a run alone, whose plan was given."""
+    run = example.run if example else None
+    if record:
+        planner, status, seconds = record.planner, record.status.value, record.seconds
+        steps = record.primitives if record.solved else None
+    else:
+        assert example, "either is there"
+        planner, status, seconds, steps = example.planner, "given", None, len(example.run.plan)
+    return PlanRow(
+        problem=problem.name,
+        objects=len(problem.objects),
+        planner=planner,
+        status=status,
+        steps=steps,
+        seconds=seconds,
+        reached=run.reached if run else None,
+        own=(run.own_steps, len(run.steps)) if run else None,
+        reason=_remark(run or record, record.reason if record else ""),
+    )
 
 
-def _remark(record: PlanRecord | Run, otherwise: str = "") -> str:
+def _remark(record: PlanRecord | Run | None, otherwise: str) -> str:
     """Say what is to be said about a plan or its run, and by which tolerance it is judged if by its own."""
+    assert record, "either is there"
     within = "" if record.tolerance is None else f"within {1000 * record.tolerance:g} mm"
     return ": ".join(filter(None, (within, record.reason or otherwise)))
 
@@ -109,18 +95,20 @@ class PlannerSummary:
     alone: int
 
 
-def summaries(rows: tuple[PlanRow, ...]) -> tuple[PlannerSummary, ...]:
+def summaries(rows: Sequence[PlanRow]) -> tuple[PlannerSummary, ...]:
     """Count for each planner the plans it found and the runs that reached their goals."""
-    planners = sorted({row.planner for row in rows})
-    return tuple(_summary(planner, [row for row in rows if row.planner == planner]) for planner in planners)
-
-
-def _summary(planner: str, rows: list[PlanRow]) -> PlannerSummary:
-    return PlannerSummary(
-        planner=planner,
-        problems=len(rows),
-        found=sum(row.steps is not None for row in rows),
-        runs=sum(row.reached is not None for row in rows),
-        reached=sum(row.reached is True for row in rows),
-        alone=sum(row.reached is True and len({*(row.own or ())}) == 1 for row in rows),
-    )
+    found = []
+    for planner in sorted({row.planner for row in rows}):
+        own = [row for row in rows if row.planner == planner]
+        reached = [row for row in own if row.reached]
+        found.append(
+            PlannerSummary(
+                planner=planner,
+                problems=len(own),
+                found=sum(row.steps is not None for row in own),
+                runs=sum(row.reached is not None for row in own),
+                reached=len(reached),
+                alone=sum(len({*(row.own or ())}) == 1 for row in reached),
+            )
+        )
+    return tuple(found)

@@ -1,4 +1,4 @@
-"""What the page needs and takes long to make: pictures and the learning curve, each made once."""
+"""What the page needs and takes long to make: pictures, each made once."""
 
 import base64
 import io
@@ -12,15 +12,14 @@ import numpy as np
 from PIL import Image
 
 from neurosym.files import make_folder, write_atomically, write_json
-from neurosym.pictures.stills import Stills, operator_stills, primitive_stills, run_stills
-from neurosym.progress import Progress
+from neurosym.grounding import Grounding
+from neurosym.pictures.images import Row
+from neurosym.pictures.stills import motion_stills, run_stills
 from neurosym.reading import read_bytes, read_json
 from neurosym.report.examples import Example
 from neurosym.stages.folder import DomainFolder
 from neurosym.stages.layout import (
-    CURVE,
     GROUNDING,
-    INTERACTIONS,
     MODEL,
     REPORT_PICTURES,
     RUNS,
@@ -28,7 +27,7 @@ from neurosym.stages.layout import (
     scene_file,
 )
 from neurosym.stages.manifest import Claim, Stage, rehearsal_options
-from neurosym.world import Frame
+from neurosym.world import Frame, World
 
 STILL_SIZE = (480, 360)
 _QUALITY = 80
@@ -62,19 +61,6 @@ class Shown(msgspec.Struct, frozen=True):
     height: int
 
 
-def curve_stage(folder: DomainFolder, progress: Progress | None = None) -> Stage:
-    """Fit to the first 512, 1024, ... interactions: `interactions.npz` -> `learning_curve.json`."""
-
-    def work() -> None:
-        from neurosym.data.interactions import Interactions
-        from neurosym.learning.learning_curve import learning_curve
-
-        interactions = Interactions.load(folder.require(INTERACTIONS))
-        write_json(folder / CURVE, learning_curve(interactions, progress=progress))
-
-    return Stage("learning curve", (INTERACTIONS,), (CURVE,), work, claim=Claim.NONE)
-
-
 Drawn = tuple[bytes, Strip]
 """An image, and what it shows."""
 
@@ -96,12 +82,7 @@ class Picture:
     options: dict[str, int]
 
     def stage(self, folder: DomainFolder, make: Callable[[], Drawn] | None = None) -> Stage:
-        """Return the stage that makes the strip and writes it into the folder.
-
-        Args:
-            folder: The domain folder.
-            make: Returns the strip if it is made elsewhere.
-        """
+        """Return the stage that makes the strip, or takes it if it is made elsewhere, into the folder."""
         files = image_file, about_file = (
             f"{REPORT_PICTURES}/{self.name}.webp",
             f"{REPORT_PICTURES}/{self.name}.json",
@@ -116,20 +97,11 @@ class Picture:
         return Stage(f"picture {self.name}", self.inputs, files, work, self.options, Claim.NONE)
 
 
-def primitive_picture(folder: DomainFolder, symbol: str) -> Picture:
-    """Perform a primitive: world, model and grounding -> `pictures/report/primitive-CODE.webp`."""
-    return _motion(folder, f"primitive-{symbol}", symbol, primitive_stills)
-
-
-def operator_picture(folder: DomainFolder, name: str) -> Picture:
-    """Perform an operator: world, model and grounding -> `pictures/report/operator-NAME.webp`."""
-    return _motion(folder, f"operator-{name}", name, operator_stills)
-
-
-def _motion(folder: DomainFolder, name: str, what: str, stills: Callable[..., Stills]) -> Picture:
+def motion_picture(folder: DomainFolder, kind: str, what: str) -> Picture:
+    """Perform a primitive or an operator: world, model and grounding -> `pictures/report/KIND-NAME.webp`."""
     objects, seed = rehearsal_options(folder.manifest())
-    make = partial(_draw_motion, folder.path, what, stills, objects, seed)
-    return Picture(name, (WORLD, GROUNDING, MODEL), make, {"objects": objects, "seed": seed})
+    make = partial(_draw_motion, folder.path, what, objects, seed)
+    return Picture(f"{kind}-{what}", (WORLD, GROUNDING, MODEL), make, {"objects": objects, "seed": seed})
 
 
 def run_picture(folder: DomainFolder, example: Example) -> Picture:
@@ -138,33 +110,29 @@ def run_picture(folder: DomainFolder, example: Example) -> Picture:
     return Picture(f"run-{example.name}", inputs, partial(_draw_run, folder.path, example), {})
 
 
-def _draw_motion(path: Path, what: str, stills: Callable[..., Stills], objects: int, seed: int) -> Drawn:
-    from neurosym.grounding import Grounding
+def _draw_motion(path: Path, what: str, objects: int, seed: int) -> Drawn:
     from neurosym.learning.effect_model import EffectModel
-    from neurosym.worlds.world_file import read_world
 
-    folder = DomainFolder(path)
-    world = read_world(folder.require(WORLD))()
-    grounding = Grounding.load(folder.require(GROUNDING))
-    categorise = EffectModel.load(folder.require(MODEL)).object_symbols
-    return _drawn(stills(world, grounding, what, categorise, objects=objects, seed=seed))
+    world, grounding = _learned(path)
+    categorise = EffectModel.load(path / MODEL).object_symbols
+    return _drawn(motion_stills(world, grounding, what, categorise, objects=objects, seed=seed))
 
 
 def _draw_run(path: Path, example: Example) -> Drawn:
-    from neurosym.grounding import Grounding
+    return _drawn(run_stills(*_learned(path), example.problem, example.run))
+
+
+def _learned(path: Path) -> tuple[World, Grounding]:
     from neurosym.worlds.world_file import read_world
 
-    folder = DomainFolder(path)
-    world = read_world(folder.require(WORLD))()
-    grounding = Grounding.load(folder.require(GROUNDING))
-    return _drawn(run_stills(world, example.problem, grounding, example.run))
+    return read_world(path / WORLD)(), Grounding.load(path / GROUNDING)
 
 
-def _drawn(stills: Stills) -> Drawn:
-    return side_by_side(stills.frames), Strip(stills.title, stills.captions)
+def _drawn(row: Row) -> Drawn:
+    return _side_by_side(row.frames), Strip(row.title, row.captions)
 
 
-def side_by_side(frames: Sequence[Frame]) -> bytes:
+def _side_by_side(frames: Sequence[Frame]) -> bytes:
     """Return pictures side by side, as a WebP image."""
     small = [Image.fromarray(frame).resize(STILL_SIZE, Image.Resampling.LANCZOS) for frame in frames]
     buffer = io.BytesIO()
@@ -177,9 +145,5 @@ def shown(folder: DomainFolder, stage: Stage) -> Shown:
     image_file, about_file = stage.outputs
     strip = read_json(folder / about_file, Strip)
     width, height = STILL_SIZE
-    return Shown(strip, data_uri(folder / image_file), width * len(strip.captions), height)
-
-
-def data_uri(path: Path) -> str:
-    """Return a WebP image as text that a page can hold."""
-    return f"data:image/webp;base64,{base64.b64encode(read_bytes(path)).decode()}"
+    image = base64.b64encode(read_bytes(folder / image_file)).decode()
+    return Shown(strip, f"data:image/webp;base64,{image}", width * len(strip.captions), height)

@@ -4,8 +4,7 @@ Each finger is set to what it will be told, and what that moves is looked at in 
 """
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
-from functools import lru_cache
+from dataclasses import dataclass, replace
 from itertools import chain, product
 
 import numpy as np
@@ -13,11 +12,15 @@ import numpy as np
 from neurosym.arrays import Float
 from neurosym.errors import InvalidArm
 from neurosym.sim.arm import TOOL_DOWN, Arm, check_reach, corners
-from neurosym.sim.bullet import pybullet
+from neurosym.sim.bullet import Client, pybullet
 from neurosym.sim.config import TabletopConfig
+from neurosym.sim.interaction import MARGIN, Interaction
 from neurosym.sim.numeric_inverse import forward, read_chain
 from neurosym.sim.robot import LOWEST_TOOL_POINT
+from neurosym.sim.shapes import SOLID
+from neurosym.sim.simulation import Simulation
 from neurosym.sim.urdf import loaded
+from neurosym.world import Scene
 
 OFF, OFF_TURN = 0.001, 0.01
 """How far the tool may be from where it is wanted [m], [rad], and a finger from its way [m]."""
@@ -26,6 +29,8 @@ LOOSE = 0.01
 BESIDE = 0.005
 """How far the fingertips may be beside the tool point [m]."""
 _FARTHEST = 10.0
+_LEAST_LIFTED = 0.8  # share of the way of the hand by which the plain box must rise
+_OPEN, _CLOSED = 1.0, 0.0
 
 
 @dataclass(frozen=True, slots=True)
@@ -55,16 +60,6 @@ class Link:
         return bool(self.kind != pybullet.JOINT_FIXED)
 
 
-@dataclass(frozen=True, slots=True)
-class Driven:
-    """What of an arm is driven; see `Arm`."""
-
-    joints: tuple[int, ...]
-    fingers: tuple[int, ...]
-    tool: int
-    half_opening: float
-
-
 def check_arm(config: TabletopConfig, arm: Arm) -> None:
     """Raise unless an arm is as its file says, and reaches over the whole table.
 
@@ -76,7 +71,7 @@ def check_arm(config: TabletopConfig, arm: Arm) -> None:
         InvalidArm: If its file cannot be read, or says otherwise.
         InvalidValue: If it reaches too little.
     """
-    _check_file(arm.urdf, Driven(tuple(arm.joints), tuple(arm.fingers), arm.tool, arm.half_opening))
+    _check_file(arm)
     check_reach(config, arm)
     points = corners(config)
     angles = np.asarray(arm.inverse_kinematics(points), dtype=float)
@@ -96,60 +91,53 @@ def check_arm(config: TabletopConfig, arm: Arm) -> None:
             )
 
 
-@lru_cache
-def _check_file(urdf: str, driven: Driven) -> None:
-    with loaded(urdf) as (client, body):
+def _check_file(arm: Arm) -> None:
+    with loaded(arm.urdf) as (client, body):
         links = _links(client, body)
-        problems = chain(
-            _problems(links, driven),
-            _masses(client, body, links),
-            _motions(client, body, links, driven),
-        )
+        problems = chain(_problems(links, arm), _motions(client, body, links, arm))
         if problem := next(problems, None):  # the first: each check relies on those before
-            raise InvalidArm(f"of {urdf} {problem}")
+            raise InvalidArm(f"of {arm.urdf} {problem}")
 
 
-def _links(client: int, body: int) -> tuple[Link, ...]:
+def _links(client: Client, body: int) -> tuple[Link, ...]:
     links: list[Link] = []
-    for index in range(pybullet.getNumJoints(body, physicsClientId=client)):
-        info = pybullet.getJointInfo(body, index, physicsClientId=client)
+    for index in range(client.getNumJoints(body)):
+        info = client.getJointInfo(body, index)
         above = () if info[16] < 0 else (*links[info[16]].above, info[16])
         links.append(Link(index, info[1].decode(errors="replace"), info[2], (info[8], info[9]), above))
     return tuple(links)
 
 
-def _problems(links: Sequence[Link], driven: Driven) -> Iterator[str]:
+def _problems(links: Sequence[Link], arm: Arm) -> Iterator[str]:
     """Tell what is wrong with the joints."""
-    for index in (*driven.joints, *driven.fingers, driven.tool):
+    for index in (*arm.joints, *arm.fingers, arm.tool):
         if not 0 <= index < len(links):
             yield f"has no joint or link {index}; valid: 0 to {len(links) - 1}, as getJointInfo counts them"
-    for link in (links[index] for index in driven.joints):
+    for link in (links[index] for index in arm.joints):
         if link.kind not in (pybullet.JOINT_REVOLUTE, pybullet.JOINT_PRISMATIC):
             yield f"has the joint {link}, which neither turns nor slides; valid: one that does"
-        if link.limits[0] == link.limits[1]:
-            yield f"has the joint {link}, which its limits hold at {link.limits[0]:g}; valid: room to move"
-    if [*driven.joints] != sorted(driven.joints):
-        yield f"has joints = {driven.joints}; valid: in the order from base to tool"
-    for link in (links[index] for index in driven.fingers):
-        yield from _finger(links, link, driven)
-    tool = links[driven.tool]
-    for finger in driven.fingers:
+    if [*arm.joints] != sorted(arm.joints):
+        yield f"has joints = {arm.joints}; valid: in the order from base to tool"
+    for link in (links[index] for index in arm.fingers):
+        yield from _finger(links, link, arm)
+    tool = links[arm.tool]
+    for finger in arm.fingers:
         if finger in (tool.index, *tool.above):
             yield f"has the tool {tool}, which the finger {links[finger]} moves; valid: a link of the palm"
-    yield from _not_driven(links, (*tool.above, tool.index), driven.joints, f"the tool {tool}")
+    yield from _not_driven(links, (*tool.above, tool.index), arm.joints, f"the tool {tool}")
 
 
-def _finger(links: Sequence[Link], finger: Link, driven: Driven) -> Iterator[str]:
+def _finger(links: Sequence[Link], finger: Link, arm: Arm) -> Iterator[str]:
     if finger.kind != pybullet.JOINT_PRISMATIC:
         how = "is fixed" if not finger.moves else "does not slide"
         yield f"has the finger {finger}, whose joint {how}; valid: two fingers on sliding joints"
-    (least, greatest), wanted = finger.limits, driven.half_opening
+    (least, greatest), wanted = finger.limits, arm.half_opening
     if least > OFF or greatest < wanted - OFF:
         yield (
             f"has the finger {finger}, whose limits are {least:g} and {greatest:g} m; valid: from 0 (or "
             f"less) to half_opening = {wanted:g} m (or more), opening in the positive sense"
         )
-    yield from _not_driven(links, finger.above, driven.joints, f"the finger {finger}")
+    yield from _not_driven(links, finger.above, arm.joints, f"the finger {finger}")
     for link in links:
         if finger.index in link.above and link.moves:
             yield f"has the joint {link} on the finger {finger}, which nothing drives; valid: a fixed joint"
@@ -165,22 +153,15 @@ def _not_driven(links: Sequence[Link], way: Sequence[int], joints: Sequence[int]
             yield f"has the joint {links[index]} among its joints, which does not move {what}"
 
 
-def _masses(client: int, body: int, links: Sequence[Link]) -> Iterator[str]:
-    for link in links:
-        mass, _, inertia, *_ = pybullet.getDynamicsInfo(body, link.index, physicsClientId=client)
-        if not all(0 <= number < np.inf for number in (mass, *inertia)):
-            yield f"has mass {mass:g} kg and inertia {inertia} on the joint {link}; valid: 0 or more"
-
-
-def _motions(client: int, body: int, links: Sequence[Link], driven: Driven) -> Iterator[str]:
+def _motions(client: Client, body: int, links: Sequence[Link], arm: Arm) -> Iterator[str]:
     """Tell what the fingers do amiss in the tool's frame, which is made the world's."""
-    wanted, fingers = driven.half_opening, driven.fingers
+    wanted, fingers = arm.half_opening, arm.fingers
     named = " and ".join(str(links[finger]) for finger in fingers)
     parts = [_parts(client, body, links, finger) for finger in fingers]
     for finger, shapes in zip(fingers, parts, strict=True):
         if not shapes:
             yield f"has the finger {links[finger]}, which has no collision shape; valid: one that touches"
-    _bring_tool_home(client, body, links, driven.tool)
+    _bring_tool_home(client, body, links, arm.tool)
     closed = _origins(client, body, fingers, 0.0)
     (gap, middle), (low, high) = _gap(client, body, *parts), _extent(client, body, [*parts[0], *parts[1]])
     ways = _origins(client, body, fingers, wanted) - closed  # (2, 3)
@@ -189,7 +170,7 @@ def _motions(client: int, body: int, links: Sequence[Link], driven: Driven) -> I
         if abs(abs(way[1]) - wanted) > OFF or np.abs(way[[0, 2]]).max() > OFF:
             yield (
                 f"has the finger {links[finger]}, which goes by {_said(way)} m in the frame of the tool "
-                f"{links[driven.tool]} when its joint goes by {wanted:g} m; valid: by that along the y axis"
+                f"{links[arm.tool]} when its joint goes by {wanted:g} m; valid: by that along the y axis"
             )
     if ways[0, 1] * ways[1, 1] > 0:
         yield f"has the fingers {named}, which both open to one side; valid: axes that point apart"
@@ -200,7 +181,7 @@ def _motions(client: int, body: int, links: Sequence[Link], driven: Driven) -> I
         )
     if abs(middle) > BESIDE or not _is_between(low, high):
         yield (
-            f"has the tool {links[driven.tool]}, in whose frame the fingers reach from {_said(low)} to "
+            f"has the tool {links[arm.tool]}, in whose frame the fingers reach from {_said(low)} to "
             f"{_said(high)} m; valid: the point where the tips meet, at most {LOWEST_TOOL_POINT:g} m before "
             "their ends, z pointing out of the hand"
         )
@@ -212,46 +193,96 @@ def _is_between(low: Float[np.ndarray, "3"], high: Float[np.ndarray, "3"]) -> bo
     return bool(around and -BESIDE <= high[2] <= LOWEST_TOOL_POINT + BESIDE)
 
 
-def _bring_tool_home(client: int, body: int, links: Sequence[Link], tool: int) -> None:
+def _bring_tool_home(client: Client, body: int, links: Sequence[Link], tool: int) -> None:
     """Set all joints to zero and move the robot such that the tool's frame is the world's."""
     for link in links:
-        pybullet.resetJointState(body, link.index, 0.0, physicsClientId=client)
-    state = pybullet.getLinkState(body, tool, computeForwardKinematics=1, physicsClientId=client)
-    base = pybullet.getBasePositionAndOrientation(body, physicsClientId=client)
+        client.resetJointState(body, link.index, 0.0)
+    state = client.getLinkState(body, tool, computeForwardKinematics=1)
+    base = client.getBasePositionAndOrientation(body)
     moved = pybullet.multiplyTransforms(*pybullet.invertTransform(*state[4:6]), *base)
-    pybullet.resetBasePositionAndOrientation(body, *moved, physicsClientId=client)
+    client.resetBasePositionAndOrientation(body, *moved)
 
 
-def _origins(client: int, body: int, fingers: Sequence[int], position: float) -> Float[np.ndarray, "2 3"]:
+def _origins(client: Client, body: int, fingers: Sequence[int], position: float) -> Float[np.ndarray, "2 3"]:
     """Set both fingers and return where the origins of their frames are [m]."""
     for finger in fingers:
-        pybullet.resetJointState(body, finger, position, physicsClientId=client)
-    states = pybullet.getLinkStates(body, fingers, computeForwardKinematics=1, physicsClientId=client)
+        client.resetJointState(body, finger, position)
+    states = client.getLinkStates(body, fingers, computeForwardKinematics=1)
     return np.array([state[4] for state in states])
 
 
-def _parts(client: int, body: int, links: Sequence[Link], finger: int) -> list[int]:
+def _parts(client: Client, body: int, links: Sequence[Link], finger: int) -> list[int]:
     """List the links that move with a finger and can touch something."""
     moving = [link.index for link in links if finger in (link.index, *link.above)]
-    return [link for link in moving if pybullet.getCollisionShapeData(body, link, physicsClientId=client)]
+    return [link for link in moving if client.getCollisionShapeData(body, link)]
 
 
-def _gap(client: int, body: int, one: Sequence[int], other: Sequence[int]) -> tuple[float, float]:
+def _gap(client: Client, body: int, one: Sequence[int], other: Sequence[int]) -> tuple[float, float]:
     """Return how far two fingers are apart [m], and where the middle of that is along y [m]."""
     return min(
         (point[8], (point[5][1] + point[6][1]) / 2)
         for pair in product(one, other)
-        for point in pybullet.getClosestPoints(body, body, _FARTHEST, *pair, physicsClientId=client)
+        for point in client.getClosestPoints(body, body, _FARTHEST, *pair)
     )
 
 
 def _extent(
-    client: int, body: int, parts: Sequence[int]
+    client: Client, body: int, parts: Sequence[int]
 ) -> tuple[Float[np.ndarray, "3"], Float[np.ndarray, "3"]]:
     """Return between which coordinates both fingers are [m]."""
-    boxes = np.array([pybullet.getAABB(body, part, physicsClientId=client) for part in parts])  # (P, 2, 3)
+    boxes = np.array([client.getAABB(body, part) for part in parts])  # (P, 2, 3)
     return boxes[:, 0].min(0), boxes[:, 1].max(0)
 
 
 def _said(point: Float[np.ndarray, "3"]) -> str:
     return f"({', '.join(f'{number:.3f}' for number in point + 0.0)})"
+
+
+def check_lift(client: Client, config: TabletopConfig, arm: Arm) -> None:
+    """Raise unless a hand closes on a plain box in the middle of the table and lifts it.
+
+    The box has the usual mass and friction, so this judges the hand alone. If no object of the world fits
+    between the fingers, nothing is tried.
+
+    Args:
+        client: The physics client; everything in it is replaced.
+        config: The world's options.
+        arm: The arm.
+
+    Raises:
+        InvalidArm: If it does not.
+    """
+    usual = TabletopConfig()
+    config = replace(config, mass=usual.mass, friction=usual.friction)
+    width = max(config.size[0], min(arm.half_opening, config.size[1]))
+    height = max(config.height[0], min(width, config.height[1]))
+    if width / 2 + MARGIN > arm.half_opening:
+        return
+    interaction = Interaction(Simulation(client, config, _box(config, width, height)), arm, 0)
+    outcome = interaction.perform(_lift(height, arm.finger_length), put_down=True)
+    x, y, z = (outcome.lifted.positions - outcome.start.positions)[0]
+    if not (outcome.held and z >= _LEAST_LIFTED * config.lift_height):
+        raise InvalidArm(
+            f"of {arm.urdf} does not lift a plain box of {width:g} x {width:g} x {height:g} m: when the hand "
+            f"had closed and risen by {config.lift_height:g} m, the box was {_metres(z)} m higher and "
+            f"{_metres(np.hypot(x, y))} m aside; valid: fingers that hold it, and forces that fit the masses"
+        )
+
+
+def _box(config: TabletopConfig, width: float, height: float) -> Scene:
+    x, y = (sum(side) / 2 for side in (config.table_x, config.table_y))
+    return Scene(
+        features=np.array([[width, width, height, SOLID]]),
+        positions=np.array([[x, y, height / 2]]),
+        orientations=np.array([[0.0, 0.0, 0.0, 1.0]]),
+    )
+
+
+def _lift(height: float, finger_length: float) -> Float[np.ndarray, "12"]:
+    """Open around the box and close there, no deeper than half the fingers are long."""
+    grasp = max(0.0, (height - finger_length) / 2)
+    return np.array([(0.0, 0.0, grasp, gripper) for gripper in (_OPEN, _CLOSED, _CLOSED)]).ravel()
+
+
+def _metres(length: float) -> str:
+    return f"{round(float(length), 3) + 0.0:g}"  # no -0

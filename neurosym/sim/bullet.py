@@ -7,6 +7,9 @@ import os
 import tempfile
 from collections.abc import Iterator
 from contextlib import contextmanager
+from functools import partial
+from threading import Lock
+from typing import Any
 
 _saved, _nowhere = os.dup(2), os.open(os.devnull, os.O_WRONLY)
 try:
@@ -17,7 +20,24 @@ finally:
     os.close(_saved)
     os.close(_nowhere)
 
-__all__ = ["overheard", "pybullet"]
+__all__ = ["Client", "overheard", "pybullet"]
+_HEARING = Lock()
+
+
+class Client:
+    """A physics client; its methods are PyBullet's functions of that name, for this client.
+
+    Args:
+        mode: How it connects: without a screen, or in a window.
+    """
+
+    def __init__(self, mode: int = pybullet.DIRECT):
+        self.number = int(pybullet.connect(mode))
+
+    def __getattr__(self, name: str) -> Any:
+        """Return a function of PyBullet's, and keep it at hand."""
+        method = self.__dict__[name] = partial(getattr(pybullet, name), physicsClientId=self.number)
+        return method
 
 
 @contextmanager
@@ -27,7 +47,7 @@ def overheard(words: list[str]) -> Iterator[None]:
     Args:
         words: What it says is appended to these.
     """
-    with tempfile.TemporaryFile() as file:
+    with _HEARING, tempfile.TemporaryFile() as file:
         shown = os.dup(1)
         os.dup2(file.fileno(), 1)
         try:

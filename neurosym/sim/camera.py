@@ -1,20 +1,37 @@
 """Pictures of the simulation, rendered without a screen, or a window that shows it live."""
 
-from collections.abc import Container
+import ctypes
+import sys
+import time
+from collections.abc import Container, Sequence
+from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
 
 from neurosym.arrays import Float
-from neurosym.sim.bullet import pybullet
+from neurosym.errors import InvalidValue
+from neurosym.sim.bullet import Client, pybullet
 from neurosym.sim.config import TabletopConfig
-from neurosym.sim.ghosts import Colour, Ghosts, draw_ghosts
-from neurosym.sim.lens import HEIGHT, WIDTH, lens_over
+from neurosym.sim.shapes import boxes_of
 from neurosym.sim.simulation import Simulation
-from neurosym.sim.window import Window, is_window
-from neurosym.waypoint_dots import draw_dots
+from neurosym.waypoint_dots import DOT_COLOURS, draw_dots
 from neurosym.world import Frame
 
+Colour = tuple[float, float, float, float]
+Depths = Float[np.ndarray, "height width"]
+"""A depth buffer: 0 near the camera, 1 where nothing is."""
+
+WIDTH, HEIGHT = 640, 480
+DISTANCE, YAW, PITCH = 1.3, 52.0, -30.0
+"""The camera looks at the robot over the table, from its right [m, degrees, degrees]."""
+WINDOW_DISTANCE = 1.0
+"""Of the camera of a window [m], which has a wider view than pictures."""
+LOOKS_AT_HEIGHT = 0.12
+FIELD_OF_VIEW = 36.0
+LIGHT_FROM = (0.5, 0.7, 1.6)
+LIGHT_DISTANCE = 4.0
+"""Of the light from the origin [m]: near ones take longer to cast shadows, which are grown far too large."""
 OBJECT_COLOURS: tuple[Colour, ...] = (
     (0.26, 0.53, 0.82, 1.0),
     (0.36, 0.70, 0.36, 1.0),
@@ -32,13 +49,78 @@ BORDER_WIDTH = 0.004
 BORDER_HEIGHT, BORDER_PIECES = 0.0005, 12
 """How far it lies above the table [m], and into how many pieces each of its sides is cut."""
 TABLE_COLOUR: Colour = (0.86, 0.82, 0.76, 1.0)
-DOT_RADIUS = WIDTH / 120
+OPACITY = 0.45
+"""Of the ghosts: objects where they shall come to be."""
+DOT_RADIUS, BALL_RADIUS = WIDTH / 120, 0.007
+"""Of the waypoints of an action, in pictures [pixels] and in a window [m]."""
 BLANK: Frame = np.full((HEIGHT, WIDTH, 3), 255, dtype=np.uint8)
 """Stands for a picture that nobody wants to see."""
+NO_SCREEN = "No window can be opened here, for want of a screen; leave out --gui to have pictures written."
+
+
+@dataclass(frozen=True, slots=True)
+class Lens:
+    """Where a camera stands still, what it draws, and where a point in the world lies in its pictures.
+
+    Attributes:
+        target: The point it looks at [m].
+        view: OpenGL's view matrix, column by column.
+        projection: OpenGL's projection matrix, column by column.
+    """
+
+    target: tuple[float, float, float]
+    view: tuple[float, ...]
+    projection: tuple[float, ...]
+
+    def pixels(self, points: Float[np.ndarray, "N 3"]) -> Float[np.ndarray, "N 2"]:
+        """Return where points lie in a picture, rightwards and downwards from its upper left corner.
+
+        Args:
+            points: In the world [m], in front of the camera.
+        """
+        view, projection = (np.reshape(matrix, (4, 4)).T for matrix in (self.view, self.projection))
+        clip = np.column_stack([points, np.ones(len(points))]) @ (projection @ view).T  # (N, 4)
+        return np.asarray((clip[:, :2] / clip[:, 3:] * [1, -1] + 1) / 2 * [WIDTH, HEIGHT])
+
+    def draw(self, client: Client) -> tuple[Frame, Depths]:
+        """Render what is in a physics client, without a screen.
+
+        Args:
+            client: The physics client.
+        """
+        _, _, colours, depths, _ = client.getCameraImage(
+            WIDTH,
+            HEIGHT,
+            self.view,
+            self.projection,
+            lightDirection=LIGHT_FROM,
+            lightDistance=LIGHT_DISTANCE,
+            shadow=1,
+            renderer=pybullet.ER_TINY_RENDERER,
+            flags=pybullet.ER_NO_SEGMENTATION_MASK,
+        )
+        frame = np.array(colours, dtype=np.uint8).reshape(HEIGHT, WIDTH, 4)[:, :, :3]
+        return frame, np.array(depths, dtype=float).reshape(HEIGHT, WIDTH)
+
+
+def lens_over(config: TabletopConfig) -> Lens:
+    """Return the lens that has the whole table, the hand and the arm in view.
+
+    Args:
+        config: Where the table is.
+    """
+    target = (sum(config.table_x) / 2, sum(config.table_y) / 2, LOOKS_AT_HEIGHT)
+    view = pybullet.computeViewMatrixFromYawPitchRoll(
+        cameraTargetPosition=target, distance=DISTANCE, yaw=YAW, pitch=PITCH, roll=0, upAxisIndex=2
+    )
+    projection = pybullet.computeProjectionMatrixFOV(
+        fov=FIELD_OF_VIEW, aspect=WIDTH / HEIGHT, nearVal=0.05, farVal=5
+    )
+    return Lens(target, view, projection)
 
 
 class Camera:
-    """A camera that looks over the table at the robot.
+    """A camera that looks over the table at the robot, or what a window shows of one interaction.
 
     Args:
         simulation: The scene, whose objects are coloured by their number.
@@ -52,54 +134,98 @@ class Camera:
         ghosts: Float[np.ndarray, "M 3"] | None = None,
         wanted: Container[int] | None = None,
     ):
-        self._client = client = simulation.client
+        self._simulation, self._client = simulation, simulation.client
         self._lens = lens_over(simulation.config)
-        self._wanted = wanted
+        self._wanted, self._centres = wanted, ghosts
         self._taken = 0
         self._waypoints: Float[np.ndarray, "3 3"] | None = None
-        colours = [OBJECT_COLOURS[index % len(OBJECT_COLOURS)] for index in range(len(simulation.bodies))]
-        for body, colour in zip(
-            (simulation.table, *simulation.bodies), (TABLE_COLOUR, *colours), strict=True
-        ):
-            pybullet.changeVisualShape(body, -1, rgbaColor=colour, physicsClientId=client)
-        _draw_border(client, simulation.config)
-        shown = None if ghosts is None else (simulation.observe(), ghosts, colours, simulation.config.wall)
-        self._window = Window(simulation, self._lens, shown) if is_window(client) else None
-        self._shown = shown
+        count = len(simulation.bodies)
+        self._colours = [OBJECT_COLOURS[index % len(OBJECT_COLOURS)] for index in range(count)]
+        bodies, colours = (simulation.table, *simulation.bodies), (TABLE_COLOUR, *self._colours)
+        for body, colour in zip(bodies, colours, strict=True):
+            self._client.changeVisualShape(body, -1, rgbaColor=colour)
+        _draw_border(self._client, simulation.config)
+        self._scene = simulation.observe()
+        self._is_live = _is_window(self._client)
+        if self._is_live:
+            self._began = time.monotonic() - simulation.ticks * simulation.config.time_step
+            self._client.resetDebugVisualizerCamera(WINDOW_DISTANCE, YAW, PITCH, self._lens.target)
+            self._add_ghosts(self._client, [(*colour[:3], OPACITY) for colour in self._colours])
 
     @cached_property
-    def _ghosts(self) -> Ghosts | None:
-        """What shines through the pictures; drawn with the first that is wanted."""
-        return draw_ghosts(*self._shown, self._lens) if self._shown else None
+    def _ghosts(self) -> tuple[Frame, Depths] | None:
+        """The ghosts as the camera sees them, and nothing else; drawn with the first picture that is wanted.
+
+        TinyRenderer draws nothing transparently. So they stand in a physics client of their own, are rendered
+        once, and are blended into each picture wherever nothing in it is nearer to the camera. The world that
+        is pictured never holds them, so they cannot change what happens in it.
+        """
+        if self._centres is None:
+            return None
+        client = Client()
+        try:
+            self._add_ghosts(client, self._colours)
+            return self._lens.draw(client)
+        finally:
+            client.disconnect()
+
+    def _add_ghosts(self, client: Client, colours: Sequence[Colour]) -> None:
+        """Add bodies that can be seen and not touched, but for objects whose centre is NaN."""
+        if self._centres is None:
+            return
+        for index in np.flatnonzero(np.all(np.isfinite(self._centres), axis=1)).tolist():
+            boxes = boxes_of(self._scene.features[index], self._simulation.config.wall)
+            shape = client.createVisualShapeArray(
+                shapeTypes=[pybullet.GEOM_BOX] * len(boxes),
+                halfExtents=[list(half) for half, _, _ in boxes],
+                visualFramePositions=[list(centre) for _, centre, _ in boxes],
+                visualFrameOrientations=[pybullet.getQuaternionFromEuler((0, 0, turn)) for *_, turn in boxes],
+                rgbaColors=[list(colours[index])] * len(boxes),
+            )
+            pose = self._centres[index].tolist(), self._scene.orientations[index].tolist()
+            client.createMultiBody(0, -1, shape, *pose)
 
     def mark(self, waypoints: Float[np.ndarray, "3 3"]) -> None:
-        """Show the waypoints of an action as dots in the pictures to come.
+        """Show the waypoints of an action as dots in the pictures to come, or as small balls in a window.
 
         Args:
             waypoints: In the world [m].
         """
         self._waypoints = waypoints
-        if self._window:
-            self._window.mark(waypoints)
+        for place, colour in zip(waypoints.tolist() if self._is_live else (), DOT_COLOURS, strict=False):
+            ball = self._client.createVisualShape(
+                pybullet.GEOM_SPHERE, radius=BALL_RADIUS, rgbaColor=[*(part / 255 for part in colour), 1.0]
+            )
+            self._client.createMultiBody(0, -1, ball, place)
 
     def picture(self) -> Frame:
         """Render what the camera sees now; blank if it is not wanted, or is seen live in a window."""
         number = self._taken
         self._taken += 1
-        if self._window:
-            self._window.keep_time()
+        if self._is_live:  # wait until as much time has passed as in the simulation
+            due = self._began + self._simulation.ticks * self._simulation.config.time_step
+            time.sleep(max(0.0, due - time.monotonic()))
             return BLANK
         if self._wanted is not None and number not in self._wanted:
             return BLANK
         frame, depths = self._lens.draw(self._client)
         if self._ghosts:
-            frame = self._ghosts.over(frame, depths)
+            frame = _blended(frame, depths, *self._ghosts)
         if self._waypoints is not None:
             frame = draw_dots(frame, self._lens.pixels(self._waypoints), DOT_RADIUS)
         return frame
 
 
-def _draw_border(client: int, config: TabletopConfig) -> None:
+def _blended(frame: Frame, depths: Depths, ghosts: Frame, ghost_depths: Depths) -> Frame:
+    """Blend the ghosts into a picture."""
+    rows, columns = np.nonzero((ghost_depths < 1) & (ghost_depths <= depths))
+    behind = (1 - OPACITY) * frame[rows, columns]
+    blended = frame.copy()
+    blended[rows, columns] = np.rint(behind + OPACITY * ghosts[rows, columns])
+    return blended
+
+
+def _draw_border(client: Client, config: TabletopConfig) -> None:
     """Draw a line around the table, that can be seen and not touched.
 
     The renderer looks at every pixel of the upright rectangle around a triangle. So a line that lies aslant
@@ -119,12 +245,50 @@ def _draw_border(client: int, config: TabletopConfig) -> None:
     here = np.arange(len(inner))
     there, out = np.roll(here, -1), len(inner)
     triangles = np.stack([here + out, there + out, there, here + out, there, here], axis=1)  # (P, 6)
-    shape = pybullet.createVisualShape(
+    shape = client.createVisualShape(
         pybullet.GEOM_MESH,
         vertices=np.concatenate([inner, outer]).tolist(),
         indices=triangles.ravel().tolist(),
         normals=[(0.0, 0.0, 1.0)] * (2 * len(inner)),
         rgbaColor=BORDER_COLOUR,
-        physicsClientId=client,
     )
-    pybullet.createMultiBody(0, -1, shape, (0, 0, 0), physicsClientId=client)
+    client.createMultiBody(0, -1, shape, (0, 0, 0))
+
+
+def open_window() -> Client:
+    """Open a window and return the physics client behind it.
+
+    Raises:
+        InvalidValue: If there is no screen.
+    """
+    if not _has_screen():
+        raise InvalidValue(NO_SCREEN)
+    try:
+        client = Client(pybullet.GUI)
+    except pybullet.error as error:
+        raise InvalidValue(NO_SCREEN) from error
+    if client.number < 0:
+        raise InvalidValue(NO_SCREEN)
+    for panel in (pybullet.COV_ENABLE_GUI, pybullet.COV_ENABLE_KEYBOARD_SHORTCUTS):
+        client.configureDebugVisualizer(panel, 0)
+    return client
+
+
+def _has_screen() -> bool:
+    """Say whether a window can be opened; PyBullet ends the whole process if it finds no X server."""
+    if sys.platform != "linux":
+        return True
+    try:
+        x11 = ctypes.CDLL("libX11.so.6")
+    except OSError:
+        return False
+    x11.XOpenDisplay.restype = ctypes.c_void_p
+    display = x11.XOpenDisplay(None)
+    if display:
+        x11.XCloseDisplay(ctypes.c_void_p(display))
+    return bool(display)
+
+
+def _is_window(client: Client) -> bool:
+    """Say whether a physics client is shown in a window."""
+    return bool(client.getConnectionInfo()["connectionMethod"] == pybullet.GUI)

@@ -11,7 +11,7 @@ be neighbours.
 """
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 
 import numpy as np
 
@@ -21,13 +21,10 @@ from neurosym.poses import PoseSink
 from neurosym.sim.arm import Arm
 from neurosym.sim.bullet import pybullet
 from neurosym.sim.camera import Camera
-from neurosym.sim.contacts import connected
-from neurosym.sim.landing import landing_shift
-from neurosym.sim.opening import NARROW_RELEASE, WIDE_RELEASE, grasp_opening
 from neurosym.sim.posing import Poser
 from neurosym.sim.robot import LOWEST_TOOL_POINT, Robot
+from neurosym.sim.shapes import OPEN_THROUGH, OPEN_TOP
 from neurosym.sim.simulation import Simulation
-from neurosym.sim.toppling import has_toppled, rotation
 from neurosym.table import Reference, centre_of
 from neurosym.world import Disturbance, FrameSink, Outcome, Scene
 
@@ -35,6 +32,14 @@ PARKING_CLEARANCE, LEAST_PARKING_CLEARANCE = 0.25, 0.05
 """How far above the tallest object there can be the hand waits at first; and at least above any stack [m]."""
 LEAST_DISTURBANCE = 0.005
 """A bystander that ends further away than this has been moved [m]."""
+MARGIN = 0.006
+"""How far each finger stays from the object that it comes down beside [m]."""
+_WIDE_RELEASE = (0.005, 0.015)
+"""How far each finger opens, first to let a standing object fall flat, then to leave it behind [m]."""
+_NARROW_RELEASE = (0.005, 0.005)
+"""The same where neighbours may stand close by [m]."""
+_TOPPLED_COSINE = math.cos(math.radians(30))  # an object has toppled whose up axis has turned by more
+_ROUND_CORNERS = 24
 _WATCH_EVERY, _TOUCH_EVERY = 8, 4
 
 
@@ -117,7 +122,7 @@ class Interaction:
             end=end,
             target=self._target,
             held=held,
-            toppled=has_toppled(start, end, self._target),
+            toppled=_has_toppled(start, end, self._target),
             lost=not self._simulation.config.table.contains(end.positions[self._target]),
             peak_height=self._peak - float(centre[2]),
             touched=tuple(sorted(self._touched)),
@@ -173,7 +178,7 @@ class Interaction:
         )
         heights = [0.0]
         for body in self._simulation.bodies:
-            low, high = pybullet.getAABB(body, physicsClientId=self._simulation.client)
+            low, high = self._simulation.client.getAABB(body)
             for y, (half_x, half_y), above_tool_point in parts:
                 if (
                     low[0] - half_x < point[0] + CLEARANCE
@@ -187,7 +192,7 @@ class Interaction:
     def _opening(self, y: float) -> float:
         """Return how far each finger opens where the middle of the hand is there along y [m]."""
         widest = self._arm.half_opening
-        return grasp_opening(self._simulation, self._target, y, widest) if self._is_narrow else widest
+        return _grasp_opening(self._simulation, self._target, y, widest) if self._is_narrow else widest
 
     def _set_gripper(self, is_open: bool) -> None:
         if is_open == self._robot.is_open:
@@ -205,8 +210,8 @@ class Interaction:
         """List the objects that the robot carries, in its hand or on one another, clear of the table."""
         bodies = self._simulation.bodies
         touching = {body: self._simulation.touched_by(body) for body in bodies}
-        standing = connected(self._simulation.table, touching)
-        carried = connected(self._robot.body, touching)
+        standing = _connected(self._simulation.table, touching)
+        carried = _connected(self._robot.body, touching)
         return [index for index, body in enumerate(bodies) if body in carried - standing]
 
     def _carry(self, point: Float[np.ndarray, "3"]) -> bool:
@@ -247,10 +252,7 @@ class Interaction:
 
     def _heights(self) -> list[tuple[float, float]]:
         """Return from which height to which each object reaches [m]."""
-        boxes = (
-            pybullet.getAABB(body, physicsClientId=self._simulation.client)
-            for body in self._simulation.bodies
-        )
+        boxes = (self._simulation.client.getAABB(body) for body in self._simulation.bodies)
         return [(low[2], high[2]) for low, high in boxes]
 
     def _set_down(self, hanging: Sequence[int]) -> None:
@@ -261,14 +263,14 @@ class Interaction:
         self._phase = "put down"
         heeded = self._target if self._target in hanging else hanging[0]
         tilt = rotation(self._simulation.observe().orientations[heeded])
-        shift_x, shift_y = landing_shift(self._simulation.features[heeded], tilt)
+        shift_x, shift_y = _landing_shift(self._simulation.features[heeded], tilt)
         x, y, _ = self._robot.tool_point()
         self._robot.move_to(
             np.array([x - shift_x, y - shift_y, 0.0]),
             peak_speed=LOWERING_SPEED,
             until=lambda: self._has_landed(hanging),
         )
-        for opening in NARROW_RELEASE if self._is_narrow else WIDE_RELEASE:
+        for opening in _NARROW_RELEASE if self._is_narrow else _WIDE_RELEASE:
             self._robot.open(self._robot.half_opening() + opening)
 
     def _has_landed(self, hanging: Sequence[int]) -> bool:
@@ -293,7 +295,69 @@ class Interaction:
                 continue
             if not table.contains(end.positions[index]):
                 yield index, "lost"
-            elif has_toppled(start, end, index):
+            elif _has_toppled(start, end, index):
                 yield index, "toppled"
             elif math.dist(end.positions[index], start.positions[index]) > LEAST_DISTURBANCE:
                 yield index, "moved"
+
+
+def _connected(body: int, touching: Mapping[int, set[int]]) -> set[int]:
+    """Return the objects that touch the table or the robot, those that touch them, and so on."""
+    found: set[int] = set()
+    front = {body}
+    while front:
+        front = {other for other, touched in touching.items() if touched & front} - found
+        found |= front
+    return found
+
+
+def _grasp_opening(simulation: Simulation, target: int, y: float, widest: float) -> float:
+    """Return how far each finger opens, at most `widest`, to come down on both sides of an object [m].
+
+    If the object is too wide for that, one finger comes down beside it and the other inside or on it.
+    """
+    low, high = simulation.client.getAABB(simulation.bodies[target])
+    nearest, farthest = sorted((abs(low[1] - y), abs(high[1] - y)))
+    around = farthest + MARGIN
+    return float(around if around <= widest else min(nearest + MARGIN, widest))
+
+
+def _has_toppled(start: Scene, end: Scene, target: int) -> bool:
+    """Say whether an object of a scene lies on another face at the end."""
+    before, after = (rotation(scene.orientations[target])[:, 2] for scene in (start, end))
+    return bool(before @ after < _TOPPLED_COSINE)
+
+
+def rotation(quaternion: Float[np.ndarray, "4"]) -> Float[np.ndarray, "3 3"]:
+    """Return the matrix of an orientation."""
+    return np.array(pybullet.getMatrixFromQuaternion(quaternion)).reshape(3, 3)
+
+
+def _landing_shift(
+    features: Float[np.ndarray, "F"], object_in_world: Float[np.ndarray, "3 3"]
+) -> Float[np.ndarray, "2"]:
+    """Say how far an object's centre moves over the table when it is let go standing on its lowest corner.
+
+    It turns about that corner until the face that points down most lies flat.
+    """
+    corners = _corners(features) @ object_in_world.T  # (corners, 3)
+    pivot = corners[np.argmin(corners[:, 2])]
+    face = object_in_world[:, np.argmax(np.abs(object_in_world[2]))]
+    return np.asarray((pivot - _upright(face * np.sign(face[2])) @ pivot)[:2])
+
+
+def _corners(features: Float[np.ndarray, "F"]) -> Float[np.ndarray, "corners 3"]:
+    x, y, z = features[:3] / 2
+    if features[3] > (OPEN_TOP + OPEN_THROUGH) / 2:
+        angles = np.linspace(0, 2 * np.pi, _ROUND_CORNERS, endpoint=False)
+        outline = np.column_stack([x * np.cos(angles), y * np.sin(angles)])
+    else:
+        outline = np.array([[x, y], [x, -y], [-x, y], [-x, -y]])
+    return np.vstack([np.column_stack([outline, np.full(len(outline), side)]) for side in (-z, z)])
+
+
+def _upright(axis: Float[np.ndarray, "3"]) -> Float[np.ndarray, "3 3"]:
+    """Return the smallest rotation that brings an upward axis to the vertical (Rodrigues' formula)."""
+    x, y, z = axis
+    cross = np.array([[0.0, 0.0, -x], [0.0, 0.0, -y], [x, y, 0.0]])  # of the axis and the vertical
+    return np.asarray(np.eye(3) + cross + cross @ cross / (1 + z))

@@ -16,7 +16,7 @@ import numpy as np
 from neurosym.arrays import Bool, Float
 from neurosym.errors import InvalidArm, InvalidValue
 from neurosym.sim.arm import TOOL_DOWN
-from neurosym.sim.bullet import pybullet
+from neurosym.sim.bullet import Client, pybullet
 from neurosym.sim.urdf import loaded
 
 MOST_STEPS = 100
@@ -88,7 +88,7 @@ class NumericInverse:
         """
         chain = read_chain(self.urdf, self.base, self.joints, self.tool)
         home = np.array(self.home, dtype=float)
-        joints, solved = solve(chain, points, home)
+        joints, solved = _solve(chain, points, home)
         within = (joints >= chain.limits[:, 0]) & (joints <= chain.limits[:, 1])
         reached = solved & within.all(axis=1)
         if not reached.all():
@@ -97,16 +97,10 @@ class NumericInverse:
         return joints
 
 
-def solve(
+def _solve(
     chain: Chain, points: Float[np.ndarray, "N 3"], home: Float[np.ndarray, "J"]
 ) -> tuple[Float[np.ndarray, "N J"], Bool[np.ndarray, "N"]]:
-    """Find the joint angles nearest to home that bring the tool to each point, and which points were reached.
-
-    Args:
-        chain: The arm.
-        points: Tool points in the world [m].
-        home: Where the search begins [rad].
-    """
+    """Find the joint angles nearest to home that bring the tool to each point, and which were reached."""
     joints = np.tile(home, (len(points), 1))
     open_ = np.arange(len(points))  # points not solved for yet
     for _ in range(MOST_STEPS):
@@ -190,17 +184,17 @@ def read_chain(urdf: str, base: tuple[float, float, float], joints: tuple[int, .
         return _read_chain(client, body, joints, tool)
 
 
-def _read_chain(client: int, body: int, joints: tuple[int, ...], tool: int) -> Chain:
-    count = pybullet.getNumJoints(body, physicsClientId=client)
+def _read_chain(client: Client, body: int, joints: tuple[int, ...], tool: int) -> Chain:
+    count = client.getNumJoints(body)
     for number in (*joints, tool):
         if not 0 <= number < count:
             raise InvalidArm(f"has no joint or link {number}; valid: 0 to {count - 1}")
-    infos = [pybullet.getJointInfo(body, joint, physicsClientId=client) for joint in joints]
+    infos = [client.getJointInfo(body, joint) for joint in joints]
     for info in infos:
         if info[2] not in (pybullet.JOINT_REVOLUTE, pybullet.JOINT_PRISMATIC):
             raise InvalidValue(f"Joint {info[0]} ({info[1].decode()}) neither turns nor slides.")
     for joint in range(count):
-        pybullet.resetJointState(body, joint, 0.0, physicsClientId=client)
+        client.resetJointState(body, joint, 0.0)
     frames = np.array([_frame(client, body, link) for link in (*joints, tool)])  # (J + 1, 4, 4)
     lower, upper = (np.array([info[column] for info in infos]) for column in (8, 9))
     unlimited = lower >= upper  # as PyBullet says it of continuous joints
@@ -214,8 +208,8 @@ def _read_chain(client: int, body: int, joints: tuple[int, ...], tool: int) -> C
     )
 
 
-def _frame(client: int, body: int, link: int) -> Float[np.ndarray, "4 4"]:
-    state = pybullet.getLinkState(body, link, computeForwardKinematics=1, physicsClientId=client)
+def _frame(client: Client, body: int, link: int) -> Float[np.ndarray, "4 4"]:
+    state = client.getLinkState(body, link, computeForwardKinematics=1)
     frame = np.eye(4)
     frame[:3, :3] = np.array(pybullet.getMatrixFromQuaternion(state[5])).reshape(3, 3)
     frame[:3, 3] = state[4]

@@ -1,19 +1,18 @@
 """Poses of the simulation, and the simple bodies that the robot and the objects are drawn with."""
 
 import math
-from pathlib import Path
-from xml.etree import ElementTree
+from collections.abc import Callable, Sequence
 
 import numpy as np
 
 from neurosym.arrays import Float
-from neurosym.poses import POSE_SECONDS, Part, Pose, PoseSink
-from neurosym.reading import read_text
+from neurosym.poses import POSE_SECONDS, Part, PartKind, Pose, PoseSink
 from neurosym.sim.arm import Arm
-from neurosym.sim.bullet import pybullet
+from neurosym.sim.bullet import Client, pybullet
 from neurosym.sim.robot import Robot
 from neurosym.sim.shapes import boxes_of
 from neurosym.sim.simulation import Simulation
+from neurosym.sim.urdf import loaded
 
 REST_HEIGHT = 0.35
 """How far above the tallest object there can be a hand waits that is only looked at [m]."""
@@ -31,7 +30,7 @@ class Poser:
     def __init__(self, simulation: Simulation, robot: Robot, sink: PoseSink):
         self._simulation, self._body, self._sink = simulation, robot.body, sink
         self._every = max(1, round(POSE_SECONDS / simulation.config.time_step))
-        self._links = [*range(pybullet.getNumJoints(robot.body, physicsClientId=simulation.client))]
+        self._links = [*range(simulation.client.getNumJoints(robot.body))]
 
     def look(self, phase: str) -> None:
         """Hand over a pose, if it is time for one.
@@ -57,16 +56,16 @@ def links_at_rest(simulation: Simulation, arm: Arm) -> Float[np.ndarray, "L 7"]:
     c, robot = simulation.config, Robot(simulation, arm)
     point = np.array([c.table_x[0], sum(c.table_y) / 2, c.height[1] + REST_HEIGHT])
     robot.place_at(point, arm.half_opening)
-    links = [*range(pybullet.getNumJoints(robot.body, physicsClientId=simulation.client))]
+    links = [*range(simulation.client.getNumJoints(robot.body))]
     return _links(robot.body, links, simulation.client)
 
 
-def _links(body: int, links: list[int], client: int) -> Float[np.ndarray, "L 7"]:
+def _links(body: int, links: list[int], client: Client) -> Float[np.ndarray, "L 7"]:
     """Return where the frames of the base and of all links are."""
-    base = pybullet.getBasePositionAndOrientation(body, physicsClientId=client)
-    inertial = pybullet.getDynamicsInfo(body, -1, physicsClientId=client)[3:5]
+    base = client.getBasePositionAndOrientation(body)
+    inertial = client.getDynamicsInfo(body, -1)[3:5]
     frame = pybullet.multiplyTransforms(*base, *pybullet.invertTransform(*inertial))
-    states = pybullet.getLinkStates(body, links, physicsClientId=client)
+    states = client.getLinkStates(body, links)
     return np.array([[*frame[0], *frame[1]], *([*state[4], *state[5]] for state in states)])
 
 
@@ -94,62 +93,18 @@ def robot_parts(arm: Arm) -> tuple[Part, ...]:
     Args:
         arm: The arm. Its links are numbered as the simulator does, the base being 0.
     """
-    robot = ElementTree.fromstring(read_text(Path(arm.urdf)))
-    colours = {
-        one.get("name", ""): _colour(one) for one in robot.iter("material") if one.find("color") is not None
-    }
-    links = {link.get("name", ""): link for link in robot.iter("link")}
-    parts = []
-    for number, name in enumerate(_order(robot, [*links])):
-        for visual in links[name].iter("visual"):
-            if part := _part(visual, number, colours):
-                parts.append(part)
-    return tuple(parts)
+    with loaded(arm.urdf, arm.base, visible=True) as (client, body):
+        found = client.getVisualShapeData(body)
+    return tuple(
+        Part(*_KINDS[kind](size), place, turn, link + 1, colour[:3])
+        for _, link, kind, size, _, place, turn, colour, *_ in found
+        if kind in _KINDS
+    )
 
 
-def _order(robot: ElementTree.Element, links: list[str]) -> list[str]:
-    """List the links as the simulator numbers them: from the root, each with all that hangs on it."""
-    ends = [(one.find("parent"), one.find("child")) for one in robot.findall("joint")]
-    pairs = [
-        (above.get("link", ""), below.get("link", ""))
-        for above, below in ends
-        if above is not None and below is not None
-    ]
-    below = {child for _, child in pairs}
-    ordered: list[str] = []
-    waiting = [name for name in links if name not in below]
-    while waiting:
-        name = waiting.pop(0)
-        ordered.append(name)
-        waiting = [child for parent, child in pairs if parent == name] + waiting
-    return ordered
-
-
-def _part(
-    visual: ElementTree.Element, link: int, colours: dict[str, tuple[float, float, float]]
-) -> Part | None:
-    shape, origin, material = visual.find("geometry/*"), visual.find("origin"), visual.find("material")
-    place = origin.attrib if origin is not None else {}
-    x, y, z = _numbers(place.get("xyz", "0 0 0"))
-    turn = pybullet.getQuaternionFromEuler(_numbers(place.get("rpy", "0 0 0")))
-    colour = colours.get(material.get("name", "")) if material is not None else None
-    if shape is None:
-        return None
-    if shape.tag == "box":
-        return Part("box", _numbers(shape.get("size", "")), (x, y, z), turn, link, colour)
-    if shape.tag == "cylinder":
-        size = (float(shape.get("radius", 0)), float(shape.get("length", 0)))
-        return Part("cylinder", size, (x, y, z), turn, link, colour)
-    if shape.tag == "sphere":
-        return Part("sphere", (float(shape.get("radius", 0)),), (x, y, z), turn, link, colour)
-    return None
-
-
-def _colour(material: ElementTree.Element) -> tuple[float, float, float]:
-    colour = material.find("color")
-    red, green, blue, *_ = _numbers(colour.get("rgba", "") if colour is not None else "1 1 1")
-    return red, green, blue
-
-
-def _numbers(text: str) -> tuple[float, ...]:
-    return tuple(float(word) for word in text.split())
+_KINDS: dict[int, Callable[[Sequence[float]], tuple[PartKind, tuple[float, ...]]]] = {
+    pybullet.GEOM_BOX: lambda size: ("box", tuple(size)),
+    pybullet.GEOM_CYLINDER: lambda size: ("cylinder", (size[1], size[0])),
+    pybullet.GEOM_SPHERE: lambda size: ("sphere", (size[0],)),
+}
+"""What PyBullet's shapes are as parts; it gives a cylinder's length before its radius."""

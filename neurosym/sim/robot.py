@@ -38,23 +38,21 @@ class Robot:
         self._time_step = simulation.config.time_step
         self._step = simulation.step
         self._arm = arm
-        self.body = pybullet.loadURDF(
+        self.body = self._client.loadURDF(
             arm.urdf,
             arm.base,
             useFixedBase=True,
             flags=pybullet.URDF_USE_INERTIA_FROM_FILE
             | (0 if visible else pybullet.URDF_IGNORE_VISUAL_SHAPES),
-            physicsClientId=self._client,
         )
         self._scale_masses()
         for finger in arm.fingers:
-            pybullet.changeDynamics(
+            self._client.changeDynamics(
                 self.body,
                 finger,
                 lateralFriction=FINGER_FRICTION,
                 spinningFriction=FINGER_TWISTING_FRICTION,
                 jointLowerLimit=0.0,
-                physicsClientId=self._client,
             )
         self._couple_fingers()
         self.is_open = True
@@ -62,27 +60,17 @@ class Robot:
     def _scale_masses(self) -> None:
         if self._arm.mass_scale == 1.0:
             return
-        for link in range(pybullet.getNumJoints(self.body, physicsClientId=self._client)):
-            info = pybullet.getDynamicsInfo(self.body, link, physicsClientId=self._client)
+        for link in range(self._client.getNumJoints(self.body)):
+            info = self._client.getDynamicsInfo(self.body, link)
             mass, inertia = info[0] * self._arm.mass_scale, [self._arm.mass_scale * axis for axis in info[2]]
-            pybullet.changeDynamics(
-                self.body, link, mass=mass, localInertiaDiagonal=inertia, physicsClientId=self._client
-            )
+            self._client.changeDynamics(self.body, link, mass=mass, localInertiaDiagonal=inertia)
 
     def _couple_fingers(self) -> None:
         left, right = self._arm.fingers
-        gear = pybullet.createConstraint(
-            self.body,
-            left,
-            self.body,
-            right,
-            pybullet.JOINT_GEAR,
-            [0, 1, 0],
-            [0, 0, 0],
-            [0, 0, 0],
-            physicsClientId=self._client,
+        gear = self._client.createConstraint(
+            self.body, left, self.body, right, pybullet.JOINT_GEAR, [0, 1, 0], [0, 0, 0], [0, 0, 0]
         )
-        pybullet.changeConstraint(gear, gearRatio=-1, maxForce=200, erp=0.5, physicsClientId=self._client)
+        self._client.changeConstraint(gear, gearRatio=-1, maxForce=200, erp=0.5)
 
     def place_at(self, point: Float[np.ndarray, "3"], half_opening: float) -> None:
         """Put the hand somewhere at once, motionless, pointing down.
@@ -93,21 +81,21 @@ class Robot:
         """
         angles = self._angles_at(point)
         for joint, angle in zip(self._arm.joints, angles, strict=True):
-            pybullet.resetJointState(self.body, joint, angle, 0.0, physicsClientId=self._client)
+            self._client.resetJointState(self.body, joint, angle, 0.0)
         for finger in self._arm.fingers:
-            pybullet.resetJointState(self.body, finger, half_opening, 0.0, physicsClientId=self._client)
+            self._client.resetJointState(self.body, finger, half_opening, 0.0)
         self.is_open = half_opening > 0
         self._drive_fingers(half_opening, HOLDING_FORCE if self.is_open else CLOSING_FORCE)
         self._drive_arm(angles, [0.0] * len(angles))
 
     def tool_point(self) -> Float[np.ndarray, "3"]:
         """Return where the tool point is in the world [m]."""
-        state = pybullet.getLinkState(self.body, self._arm.tool, physicsClientId=self._client)
+        state = self._client.getLinkState(self.body, self._arm.tool)
         return np.array(state[4])
 
     def half_opening(self) -> float:
         """Return how far each finger stands from the middle [m]."""
-        return float(pybullet.getJointState(self.body, self._arm.fingers[0], physicsClientId=self._client)[0])
+        return float(self._client.getJointState(self.body, self._arm.fingers[0])[0])
 
     def move_to(
         self,
@@ -186,26 +174,24 @@ class Robot:
             last = now
 
     def _drive_arm(self, angles: Sequence[float], velocities: Sequence[float]) -> None:
-        pybullet.setJointMotorControlArray(
+        self._client.setJointMotorControlArray(
             self.body,
             self._arm.joints,
             pybullet.POSITION_CONTROL,
             targetPositions=angles,
             targetVelocities=velocities,
             forces=self._arm.forces,
-            physicsClientId=self._client,
         )
 
     def _drive_fingers(self, half_opening: float, force: float) -> None:
         for finger in self._arm.fingers:
-            pybullet.setJointMotorControl2(
+            self._client.setJointMotorControl2(
                 self.body,
                 finger,
                 pybullet.POSITION_CONTROL,
                 targetPosition=half_opening,
                 force=force,
                 maxVelocity=FINGER_SPEED,
-                physicsClientId=self._client,
             )
 
 

@@ -5,7 +5,7 @@ import numpy as np
 from neurosym.arrays import Float
 from neurosym.errors import InvalidValue
 from neurosym.sim.config import TabletopConfig
-from neurosym.sim.shapes import FEATURE_NAMES, SHAPES
+from neurosym.sim.shapes import SHAPES
 from neurosym.world import Scene
 
 ROOMY = 2
@@ -39,22 +39,6 @@ def sample_scene(config: TabletopConfig, rng: np.random.Generator, objects: int)
                 orientations=np.tile([0.0, 0.0, 0.0, 1.0], (objects, 1)),
             )
     raise InvalidValue(f"{objects} objects do not fit on the table; ask for fewer.")
-
-
-def check_scene(scene: Scene) -> None:
-    """Raise `InvalidValue` unless a scene can be built: as many poses as objects, and sizes above 0."""
-    count, width = scene.features.shape
-    if width != len(FEATURE_NAMES):
-        raise InvalidValue(f"Objects have {width} features; valid: {', '.join(FEATURE_NAMES)}.")
-    if scene.positions.shape != (count, 3) or scene.orientations.shape != (count, 4):
-        raise InvalidValue(
-            f"The scene has {count} objects, positions of shape {scene.positions.shape} and orientations of "
-            f"shape {scene.orientations.shape}; valid: ({count}, 3) and ({count}, 4)."
-        )
-    if not all(np.all(np.isfinite(part)) for part in (scene.features, scene.positions, scene.orientations)):
-        raise InvalidValue("The scene holds a value that is not finite.")
-    if count and not scene.features[:, :3].min() > 0:
-        raise InvalidValue("An object of the scene has a size that is not greater than 0.")
 
 
 def sample_features(

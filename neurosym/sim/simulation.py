@@ -4,7 +4,7 @@ from collections.abc import Callable
 
 import numpy as np
 
-from neurosym.sim.bullet import pybullet
+from neurosym.sim.bullet import Client, pybullet
 from neurosym.sim.config import TabletopConfig
 from neurosym.sim.shapes import boxes_of
 from neurosym.world import Scene
@@ -31,7 +31,7 @@ class Simulation:
         after_step: Called after each step, once it is set.
     """
 
-    def __init__(self, client: int, config: TabletopConfig, scene: Scene):
+    def __init__(self, client: Client, config: TabletopConfig, scene: Scene):
         self.client = client
         self.config = config
         self.features = scene.features
@@ -42,56 +42,40 @@ class Simulation:
         self.bodies = [self._make_object(scene, index) for index in range(len(scene))]
 
     def _reset(self) -> None:
-        pybullet.resetSimulation(physicsClientId=self.client)
-        pybullet.setPhysicsEngineParameter(
-            fixedTimeStep=self.config.time_step,
-            numSolverIterations=50,
-            deterministicOverlappingPairs=1,
-            physicsClientId=self.client,
+        self.client.resetSimulation()
+        self.client.setPhysicsEngineParameter(
+            fixedTimeStep=self.config.time_step, numSolverIterations=50, deterministicOverlappingPairs=1
         )
-        pybullet.setGravity(0, 0, -9.81, physicsClientId=self.client)
+        self.client.setGravity(0, 0, -9.81)
 
     def _make_table(self) -> int:
         c = self.config
         half = (np.ptp(c.table_x) / 2 + 0.25, np.ptp(c.table_y) / 2 + 0.25, 0.02)
-        shape = pybullet.createCollisionShape(
-            pybullet.GEOM_BOX, halfExtents=half, physicsClientId=self.client
-        )
+        shape = self.client.createCollisionShape(pybullet.GEOM_BOX, halfExtents=half)
         centre = (sum(c.table_x) / 2, sum(c.table_y) / 2, -0.02)
-        table = pybullet.createMultiBody(0, shape, -1, centre, physicsClientId=self.client)
-        pybullet.changeDynamics(table, -1, lateralFriction=TABLE_FRICTION, physicsClientId=self.client)
+        table = self.client.createMultiBody(0, shape, -1, centre)
+        self.client.changeDynamics(table, -1, lateralFriction=TABLE_FRICTION)
         return int(table)
 
     def _make_object(self, scene: Scene, index: int) -> int:
         boxes = boxes_of(scene.features[index], self.config.wall)
-        shape = pybullet.createCollisionShapeArray(
+        shape = self.client.createCollisionShapeArray(
             shapeTypes=[pybullet.GEOM_BOX] * len(boxes),
             halfExtents=[list(half) for half, _, _ in boxes],
             collisionFramePositions=[list(centre) for _, centre, _ in boxes],
             collisionFrameOrientations=[pybullet.getQuaternionFromEuler((0, 0, turn)) for *_, turn in boxes],
-            physicsClientId=self.client,
         )
-        body = pybullet.createMultiBody(
-            self.config.mass,
-            shape,
-            -1,
-            scene.positions[index].tolist(),
-            scene.orientations[index].tolist(),
-            physicsClientId=self.client,
+        body = self.client.createMultiBody(
+            self.config.mass, shape, -1, scene.positions[index].tolist(), scene.orientations[index].tolist()
         )
-        pybullet.changeDynamics(
-            body,
-            -1,
-            lateralFriction=self.config.friction,
-            spinningFriction=0.002,
-            rollingFriction=0.0,
-            physicsClientId=self.client,
+        self.client.changeDynamics(
+            body, -1, lateralFriction=self.config.friction, spinningFriction=0.002, rollingFriction=0.0
         )
         return int(body)
 
     def step(self) -> None:
         """Advance time by one step."""
-        pybullet.stepSimulation(physicsClientId=self.client)
+        self.client.stepSimulation()
         self.ticks += 1
         if self.after_step is not None:
             self.after_step()
@@ -108,16 +92,14 @@ class Simulation:
 
     def _is_quiet(self) -> bool:
         for body in self.bodies:
-            linear, angular = pybullet.getBaseVelocity(body, physicsClientId=self.client)
+            linear, angular = self.client.getBaseVelocity(body)
             if max(map(abs, linear)) > REST_SPEED or max(map(abs, angular)) > 10 * REST_SPEED:
                 return False
         return True
 
     def observe(self) -> Scene:
         """Return where everything is now."""
-        poses = [
-            pybullet.getBasePositionAndOrientation(body, physicsClientId=self.client) for body in self.bodies
-        ]
+        poses = [self.client.getBasePositionAndOrientation(body) for body in self.bodies]
         return Scene(
             features=self.features,
             positions=np.array([position for position, _ in poses]),
@@ -126,14 +108,14 @@ class Simulation:
 
     def height_of(self, index: int) -> float:
         """Return the height of an object's centre [m]."""
-        position, _ = pybullet.getBasePositionAndOrientation(self.bodies[index], physicsClientId=self.client)
+        position, _ = self.client.getBasePositionAndOrientation(self.bodies[index])
         return float(position[2])
 
     def touch(self, body: int, other: int) -> bool:
         """Say whether two bodies touch."""
-        return bool(pybullet.getContactPoints(body, other, physicsClientId=self.client))
+        return bool(self.client.getContactPoints(body, other))
 
     def touched_by(self, body: int) -> set[int]:
         """Return the bodies that a body touches."""
-        contacts = pybullet.getContactPoints(body, physicsClientId=self.client)
+        contacts = self.client.getContactPoints(body)
         return {contact[2] for contact in contacts} - {body}

@@ -12,18 +12,16 @@ from neurosym.errors import InvalidValue
 from neurosym.object_limits import ObjectLimits
 from neurosym.poses import Part, PoseSink
 from neurosym.sim.arm import Arm, check_reach
-from neurosym.sim.arm_check import check_arm
-from neurosym.sim.bullet import pybullet
-from neurosym.sim.camera import Camera
+from neurosym.sim.arm_check import check_arm, check_lift
+from neurosym.sim.bullet import Client, pybullet
+from neurosym.sim.camera import Camera, open_window
 from neurosym.sim.config import MOST_OBJECTS, TabletopConfig
 from neurosym.sim.interaction import Interaction
 from neurosym.sim.posing import links_at_rest, object_parts, robot_parts
-from neurosym.sim.scenes import check_scene, sample_scene
+from neurosym.sim.scenes import sample_scene
 from neurosym.sim.shapes import FEATURE_NAMES
 from neurosym.sim.simulation import Simulation
-from neurosym.sim.trial import check_lift
 from neurosym.sim.ur10 import UR10
-from neurosym.sim.window import open_window
 from neurosym.table import Reference, ReferenceKind, Table
 from neurosym.world import Frame, FrameSink, Outcome, Scene, check_action
 
@@ -55,7 +53,7 @@ class Tabletop:
     references: ClassVar[tuple[ReferenceKind, ...]] = ("place", "object")
     wanted_pictures: Container[int] | None = field(default=None, init=False)
     on_pose: PoseSink | None = field(default=None, init=False)
-    _client: int | None = field(default=None, init=False)
+    _client: Client | None = field(default=None, init=False)
 
     def __post_init__(self) -> None:
         check = check_reach if self.arm is UR10 else check_arm  # a test compares the UR10 with its file
@@ -82,15 +80,7 @@ class Tabletop:
         return self.config.lift_height
 
     def sample_scene(self, rng: np.random.Generator, objects: int) -> Scene:
-        """Draw objects of random shape and size at rest on the table, not overlapping.
-
-        Args:
-            rng: Source of randomness, owned by the caller.
-            objects: How many objects.
-
-        Raises:
-            InvalidValue: If so many objects do not fit.
-        """
+        """Draw objects of random shape and size at rest on the table (see `World.sample_scene`)."""
         return sample_scene(self.config, rng, objects)
 
     def interact(
@@ -105,8 +95,9 @@ class Tabletop:
         reference: Reference | None = None,
     ) -> Outcome:
         """Perform one action on one object, from empty hand to empty hand (see `World.interact`)."""
-        check_scene(scene)
         check_action(self, scene, action, target, reference)
+        if not scene.features[:, :3].min() > 0:
+            raise InvalidValue("An object of the scene has a size that is not greater than 0.")
         if len(scene) > MOST_OBJECTS:
             raise InvalidValue(
                 f"The scene has {len(scene)} objects; the simulator takes at most {MOST_OBJECTS}, "
@@ -119,7 +110,7 @@ class Tabletop:
             interaction = Interaction(simulation, self.arm, target, on_frame, camera, self.on_pose)
             return interaction.perform(np.asarray(action, dtype=float), put_down, reference)
         except pybullet.error as error:
-            if pybullet.isConnected(self.client()):
+            if self.client().isConnected():
                 raise
             raise InvalidValue("The window was closed before the motion ended.") from error
 
@@ -153,10 +144,10 @@ class Tabletop:
         self._client = open_window()
         self.config = replace(self.config, frame_every=WINDOW_EVERY)
 
-    def client(self) -> int:
+    def client(self) -> Client:
         """Return this process's physics client, connecting on first use."""
         if self._client is None:
-            self._client = pybullet.connect(pybullet.DIRECT)
+            self._client = Client()
         return self._client
 
     def __getstate__(self) -> tuple[TabletopConfig, str, Arm]:

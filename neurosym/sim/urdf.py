@@ -4,16 +4,13 @@ import re
 from collections import Counter
 from collections.abc import Iterator
 from contextlib import contextmanager
-from functools import cache
 from pathlib import Path
-from threading import Lock
 from xml.etree import ElementTree
 
 from neurosym.errors import InvalidArm, InvalidFile
 from neurosym.reading import read_text
-from neurosym.sim.bullet import overheard, pybullet
+from neurosym.sim.bullet import Client, overheard, pybullet
 
-_READING = Lock()
 _HEADINGS = re.compile(r"b3\w+\[[^\]]*\]:\s*")
 """What PyBullet puts before each piece of what it says: where in its sources it says it."""
 _MESH = re.compile(
@@ -23,44 +20,42 @@ _MESH = re.compile(
 
 @contextmanager
 def loaded(
-    urdf: str, base: tuple[float, float, float] = (0.0, 0.0, 0.0), *, collides: bool = True
-) -> Iterator[tuple[int, int]]:
+    urdf: str,
+    base: tuple[float, float, float] = (0.0, 0.0, 0.0),
+    *,
+    collides: bool = True,
+    visible: bool = False,
+) -> Iterator[tuple[Client, int]]:
     """Load a robot into a simulation that is used for nothing else, and yield that and the robot.
 
     Args:
         urdf: The file.
         base: Where the base stands in the world [m].
         collides: Whether collision shapes are loaded, too.
+        visible: Whether its looks are loaded, too.
 
     Raises:
         InvalidArm: If the file cannot be read.
     """
-    shapes = 0 if collides else pybullet.URDF_IGNORE_COLLISION_SHAPES
-    flags = pybullet.URDF_USE_INERTIA_FROM_FILE | pybullet.URDF_IGNORE_VISUAL_SHAPES | shapes
-    with _READING:
-        client = _client()
-        try:
-            yield client, _load(client, urdf, base, flags)
-        finally:
-            pybullet.resetSimulation(physicsClientId=client)
+    flags = pybullet.URDF_USE_INERTIA_FROM_FILE
+    flags |= 0 if collides else pybullet.URDF_IGNORE_COLLISION_SHAPES
+    flags |= 0 if visible else pybullet.URDF_IGNORE_VISUAL_SHAPES
+    client = Client()
+    try:
+        client.setPhysicsEngineParameter(enableFileCaching=0)  # it may be mended
+        yield client, _load(client, urdf, base, flags)
+    finally:
+        client.disconnect()
 
 
-@cache
-def _client() -> int:
-    """Connect once, which takes longer than reading a robot; a file that was mended is read anew."""
-    client = int(pybullet.connect(pybullet.DIRECT))
-    pybullet.setPhysicsEngineParameter(enableFileCaching=0, physicsClientId=client)
-    return client
-
-
-def _load(client: int, urdf: str, base: tuple[float, float, float], flags: int) -> int:
+def _load(client: Client, urdf: str, base: tuple[float, float, float], flags: int) -> int:
     robot = _parsed(urdf)
     if problem := _tree_problem(robot):
         raise _unreadable(urdf, problem)  # PyBullet would crash
     said: list[str] = []
     try:
         with overheard(said):
-            body = pybullet.loadURDF(urdf, base, useFixedBase=True, flags=flags, physicsClientId=client)
+            body = client.loadURDF(urdf, base, useFixedBase=True, flags=flags)
     except pybullet.error as error:
         raise _unreadable(urdf, _mesh_problem(robot, said[0]) or _plainly(said[0])) from error
     if problem := _mesh_problem(robot, said[0]):

@@ -4,37 +4,32 @@ from neurosym.errors import InvalidFile, InvalidValue
 from neurosym.files import remove, write_atomically
 from neurosym.fits import save_fits
 from neurosym.grounding import Grounding
-from neurosym.pddl import compile_domain, domain_text
-from neurosym.pddl.compiler import check_axes
+from neurosym.pddl.compiler import check_axes, compile_domain
 from neurosym.pddl.encoding_names import NUMERIC
+from neurosym.pddl.encodings import domain_text
 from neurosym.place_operators import PlaceOperators
 from neurosym.promises import fits_of
 from neurosym.relation_operators import RelationOperators
 from neurosym.stages.folder import DomainFolder, load_scene
 from neurosym.stages.layout import (
     DOMAIN,
+    DURATIVE_DOMAIN,
     FORMER,
     FORMER_DOMAINS,
     GROUNDING,
     NUMERIC_DOMAIN,
     PLACE_OPERATORS,
+    PLAIN_DOMAIN,
     PROBLEMS,
     RELATION_OPERATORS,
     SCENE,
     TABLE_FILES,
     WORLD,
-    planviz_file,
 )
 from neurosym.stages.manifest import Claim, Stage
-from neurosym.stages.other_tools import (
-    write_durative_domain,
-    write_durative_problem,
-    write_pictures,
-    write_plain_domain,
-    write_plain_problem,
-)
+from neurosym.stages.other_tools import write_domains, write_problem
 from neurosym.stages.plan_records import recorded_plans
-from neurosym.stages.practising import operator_table
+from neurosym.stages.practised import operator_table
 from neurosym.stages.problem_printing import placed, texts_of
 from neurosym.wording import quoted
 from neurosym.worlds.world_file import read_world
@@ -89,21 +84,17 @@ def compile_stage(
         write_atomically(folder / DOMAIN, domain_text(grounding))
         write_atomically(folder / NUMERIC_DOMAIN, domain_text(grounding, NUMERIC))
         _remove_former(folder)
-        write_plain_domain(folder, grounding, is_wanted=plain)
-        write_durative_domain(folder, grounding, is_wanted=durative)
+        write_domains(folder, grounding, wanted)
         grounding.save(folder / GROUNDING)
         save_fits(folder / GROUNDING, fits_of(grounding))
-        problems = []
         for scene in sorted((folder / PROBLEMS).glob(f"*{SCENE}")):
             problem = placed(load_scene(scene), grounding)
             plans = recorded_plans(folder, problem, grounding)
             for file, text in texts_of(problem, grounding, plans).items():
                 write_atomically(folder / file, text)
-            write_plain_problem(folder, problem, grounding, is_wanted=plain)
-            write_durative_problem(folder, problem, grounding, is_wanted=durative)
-            problems.append(problem)
-        write_pictures(folder, grounding, problems, durative=durative)
+            write_problem(folder, problem, grounding, wanted)
 
+    wanted = [name for name, asked in ((PLAIN_DOMAIN, plain), (DURATIVE_DOMAIN, durative)) if asked]
     has_places = (folder / PLACE_OPERATORS).exists() if with_places is None else with_places
     has_relations = (folder / RELATION_OPERATORS).exists() if with_relations is None else with_relations
     inputs = (WORLD, *TABLE_FILES, *([PLACE_OPERATORS] if has_places else []))
@@ -116,7 +107,7 @@ def compile_stage(
 def _remove_former(folder: DomainFolder) -> None:
     """Remove what earlier versions printed, and is on the page now."""
     files = [folder / name for name in FORMER_DOMAINS]
-    files += [folder / planviz_file(name) for name in FORMER_DOMAINS]
+    files += [folder / "planviz.js", *folder.path.glob("*.planviz.json")]
     files += [file for ending in FORMER for file in (folder / PROBLEMS).glob(f"*{ending}")]
     for file in files:
         remove(file)

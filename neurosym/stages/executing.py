@@ -17,9 +17,9 @@ from neurosym.execution.watching import Watcher
 from neurosym.files import make_folder, write_json
 from neurosym.grounding import Grounding
 from neurosym.pddl.plan_reading import read_plan
-from neurosym.planners import Planner, PlanResult, PlanStatus, plan, planner_named
-from neurosym.planners.planner import Tell
-from neurosym.planners.registry import Replanner
+from neurosym.planners.planner import Planner, Tell
+from neurosym.planners.registry import Replanner, plan, planner_named
+from neurosym.planners.result import PlanResult, PlanStatus
 from neurosym.problems import Problem
 from neurosym.reading import digest, read_json
 from neurosym.related import relating
@@ -28,7 +28,7 @@ from neurosym.stages.layout import GROUNDING, RUNS, WORLD, run_file, run_name, s
 from neurosym.stages.manifest import Stage
 from neurosym.stages.plan_records import planned_tolerance, record_beside
 from neurosym.stages.planning import load_problem
-from neurosym.stages.remarks import remarks_on_own_scene
+from neurosym.stages.remarks import remarks_on_objects
 from neurosym.tasks.transition import hand_problem
 from neurosym.world import FrameSink, World
 from neurosym.worlds.world_file import read_world
@@ -108,8 +108,9 @@ def execute_stage(
         world = read_world(folder.require(WORLD))()
         own = load_problem(folder, name, world)
         problem = own.within(tolerance)
-        for remark in remarks_on_own_scene(folder, own, grounding):
-            folder.notify(remark)
+        if not folder.is_as_made(scene_file(name)):
+            for remark in remarks_on_objects(folder, own, grounding):
+                folder.notify(remark)
         steps = read_plan(plan_file, grounding, own.within(planned_tolerance(plan_file)))
         if impossible := hand_problem(steps, grounding):
             raise InvalidFile(plan_file, impossible)

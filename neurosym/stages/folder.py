@@ -32,6 +32,7 @@ from neurosym.stages.layout import (
     GROUNDING,
     INTERACTIONS,
     MANIFEST,
+    MODEL,
     PICTURES,
     PLACES,
     PLANS,
@@ -41,9 +42,9 @@ from neurosym.stages.layout import (
     SCENE,
     WORLD,
     problem_of,
+    scene_file,
 )
 from neurosym.stages.manifest import Claim, Manifest, Stage, StageRecord, versions
-from neurosym.stages.outdated import refuse_damaged, remarks_on_outdated
 from neurosym.wording import quoted
 
 if TYPE_CHECKING:
@@ -87,7 +88,7 @@ class DomainFolder:
         path = self.path / name
         refuse_other_kinds(path)
         if not path.is_file():
-            command, besides = f"neurosym {COMMANDS[name]} {quoted(self.path)}", ""
+            command, besides = f"neurosym {COMMANDS[path.name]} {quoted(self.path)}", ""
             if name == INTERACTIONS:
                 besides = ", or a script of yours (docs/data.md)"
             if name == WORLD and self._has_own_data():
@@ -197,7 +198,7 @@ class DomainFolder:
             return False
         self.prepare(*stage.outputs, MANIFEST)
         if remarks := self.outdated(stage.inputs):
-            refuse_damaged(self.path, stage.inputs)
+            _refuse_damaged(self.path, stage.inputs)
         for remark in remarks:
             self.notify(remark)
         inputs = self._digests(stage.inputs)
@@ -252,7 +253,17 @@ class DomainFolder:
         Args:
             names: Files, relative to the folder.
         """
-        return remarks_on_outdated(self.path, self.manifest(), names)
+        remarks = []
+        for stage, record in self.manifest().stages.items():
+            made = {name: made for name, made in record.outputs.items() if name in names}
+            if not made or made != self._digests(tuple(made)):
+                continue
+            now = self._digests(tuple(record.inputs))
+            if changed := [name for name, digested in now.items() if digested != record.inputs[name]]:
+                files, others = " and ".join(made), " and ".join(changed)
+                command = _command(self.path, stage, next(iter(made)))
+                remarks.append(f"{files} came from another {others}; `{command}` makes it anew")
+        return remarks
 
     def is_as_made(self, name: str) -> bool:
         """Say whether a file is as a command wrote it, and was not put there or changed since.
@@ -293,3 +304,31 @@ def load_scene(path: Path) -> "Problem":
         return problem if problem.name == name else msgspec.structs.replace(problem, name=name)
     except InvalidValue as error:
         raise InvalidFile(path, str(error).rstrip(".")) from error
+
+
+def _refuse_damaged(folder: Path, names: tuple[str, ...]) -> None:
+    """Raise `InvalidFile` if one of some files that decide most can no longer be read."""
+    from neurosym.grounding import Grounding
+    from neurosym.worlds.world_file import read_world
+
+    for name, read in ((WORLD, read_world), (GROUNDING, Grounding.load), (MODEL, _read_model)):
+        if name in names and (folder / name).is_file():
+            read(folder / name)
+
+
+def _command(folder: Path, stage: str, made: str) -> str:
+    """Return what to type to perform a stage once more, which made a file."""
+    command, *of = stage.split()
+    if (verb := command.partition("-")[0]) in ("explore", "train", "distill"):
+        command = verb  # whatever it is aimed at
+    typed = f"neurosym {COMMANDS.get(made, command)} {quoted(folder)}"
+    if command == "new-problem":
+        scene = folder / scene_file(of[0])  # taken over as it is, so that the task stays the same
+        return f"{typed} --name {of[0]}" + (f" --scene {quoted(scene)}" if scene.exists() else "")
+    return f"{typed} {of[0].split('.')[0]}" if command in ("plan", "execute") else typed
+
+
+def _read_model(path: Path) -> None:
+    from neurosym.learning.effect_model import EffectModel
+
+    EffectModel.load(path)

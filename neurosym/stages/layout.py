@@ -34,11 +34,12 @@ RELATIONS = "relations"
 """What was learned of actions that are aimed at other objects, in files that are called likewise."""
 RELATION_INTERACTIONS = f"{RELATIONS}/{INTERACTIONS}"
 """`explore --relations`: a row for each interaction that was aimed at another object."""
-RELATION_MODEL, RELATION_CHANCES = f"{RELATIONS}/{MODEL}", f"{RELATIONS}/chances.safetensors"
+CHANCES, STATES = "chances.safetensors", "states.json"
+RELATION_MODEL, RELATION_CHANCES = f"{RELATIONS}/{MODEL}", f"{RELATIONS}/{CHANCES}"
 """`train`: the networks that were fitted to these; the object symbols are kinds of pairs."""
 RELATION_TRAINING = f"{RELATIONS}/{TRAINING}"
 """`train`: how well they fit."""
-RELATION_STATES = f"{RELATIONS}/states.json"
+RELATION_STATES = f"{RELATIONS}/{STATES}"
 """`train`: the states that pairs of objects can be in."""
 RELATION_OPERATORS = f"{RELATIONS}/operators.json"
 """`distill`: what brings which pairs of objects into which state, and how surely."""
@@ -58,8 +59,6 @@ DOMAIN_FILES = {"strips": DOMAIN, "numeric": NUMERIC_DOMAIN}
 """The file of a domain by its encoding."""
 GROUNDING = "grounding.json"
 """`compile-domain`: what planning and execution need to know; no network is needed from here on."""
-PLANVIZ_SCRIPT = "planviz.js"
-"""`compile-domain`, `new-problem`: draws plans from above in an editor, with the scenes of all problems."""
 PROBLEMS = "problems"
 """`new-problem`: NAME.scene.json (the problem), NAME.pddl and NAME.numeric.pddl (for other planners)."""
 PLANS = "plans"
@@ -67,15 +66,13 @@ PLANS = "plans"
 RUNS = "runs"
 """`execute`: what became of each plan."""
 PICTURES = "pictures"
-"""`show` and `figures`: pictures; those of the page are in `report`."""
+"""`show`: pictures; those of the page are in `report`."""
 REPORT_PICTURES = "pictures/report"
 """`report`: the pictures of the page."""
 COMPARISONS = "comparison"
 """`compare`: a folder for each kind of task, with a file for each task."""
 KINDS_FOUND = "kinds.json"
 """`evaluate`: the kinds of primitive that there are."""
-CURVE = "learning_curve.json"
-"""`report --curve`: how the fit grows with the data."""
 PAGE = "report.html"
 """`report`: the page."""
 MANIFEST = "manifest.json"
@@ -87,20 +84,14 @@ COMMANDS = {
     MODEL: "train",
     DIRECT_MODEL: "train",
     PRIMITIVES: "distill",
-    PLACE_INTERACTIONS: "explore",
-    PLACE_MODEL: "train",
-    PLACE_DIRECT_MODEL: "train",
-    PLACE_OPERATORS: "distill",
-    RELATION_INTERACTIONS: "explore",
-    RELATION_MODEL: "train",
-    RELATION_CHANCES: "train",
-    RELATION_STATES: "train",
-    RELATION_OPERATORS: "distill",
+    CHANCES: "train",
+    STATES: "train",
+    Path(PLACE_OPERATORS).name: "distill",
     DOMAIN: "compile-domain",
     NUMERIC_DOMAIN: "compile-domain",
     GROUNDING: "compile-domain",
 }
-"""Which command writes each file that a later stage reads."""
+"""Which command writes each file that a later stage reads, by its name without the folder."""
 
 SCENE = ".scene.json"
 """What the file of a problem as we read it ends with."""
@@ -116,8 +107,6 @@ FORMER_DOMAINS = tuple(
 """The domains that earlier versions printed, and no longer are."""
 DURATIVE = ".durative.pddl"
 """What the file of a problem with durative actions ends with."""
-PLANVIZ = ".planviz.json"
-"""What the file ends with that names the script to an editor; it is called as the domain beside it is."""
 PLAN, STEPS = ".plan", ".steps"
 """What the file of a plan of the printed domain and problem ends with, and that of steps that are none.
 
@@ -145,11 +134,6 @@ def plain_file(problem: str) -> str:
 def durative_file(problem: str) -> str:
     """Name a problem's file for temporal planners."""
     return f"{PROBLEMS}/{problem}{DURATIVE}"
-
-
-def planviz_file(domain: str) -> str:
-    """Name the file that says what draws the plans of a domain, from the name of the domain's file."""
-    return domain.removesuffix(".pddl") + PLANVIZ
 
 
 def plan_files(problem: str, planner: str) -> tuple[str, str]:

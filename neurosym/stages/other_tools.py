@@ -1,148 +1,73 @@
-"""What a domain folder holds for other tools: problems for temporal planners, and pictures for an editor.
+"""What a domain folder holds for other planners: the page without costs, and with durative actions.
 
 No command reads these files, so no stage is out of date for want of them.
 """
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Collection
+from functools import partial
+from typing import NamedTuple
 
-from neurosym.errors import InvalidFile, InvalidValue, NeurosymError
+from neurosym.errors import InvalidValue
 from neurosym.files import write_atomically
 from neurosym.grounding import Grounding
-from neurosym.pddl import domain_text, problem_text
 from neurosym.pddl.durative import durative_domain_text, durative_problem_text
-from neurosym.pddl.planviz import planviz_json, planviz_script, scenes_of
+from neurosym.pddl.encodings import domain_text
+from neurosym.pddl.problem import problem_text
 from neurosym.problems import Problem
-from neurosym.reading import read_text
-from neurosym.stages.folder import DomainFolder, load_scene
-from neurosym.stages.layout import (
-    DOMAIN,
-    DURATIVE_DOMAIN,
-    PLAIN_DOMAIN,
-    PLANVIZ_SCRIPT,
-    PROBLEMS,
-    SCENE,
-    durative_file,
-    plain_file,
-    planviz_file,
+from neurosym.stages.folder import DomainFolder
+from neurosym.stages.layout import DURATIVE_DOMAIN, PLAIN_DOMAIN, durative_file, plain_file
+
+
+class _Form(NamedTuple):
+    """One more way to print a domain: its files, and what writes them."""
+
+    domain: str
+    problem_file: Callable[[str], str]
+    domain_text: Callable[[Grounding], str]
+    problem_text: Callable[[Problem, Grounding], str]
+
+
+_FORMS = (
+    _Form(PLAIN_DOMAIN, plain_file, partial(domain_text, costs=False), partial(problem_text, costs=False)),
+    _Form(DURATIVE_DOMAIN, durative_file, durative_domain_text, durative_problem_text),
 )
-from neurosym.tasks.carriers import carriers_of
 
 
-def write_new_problem(folder: DomainFolder, problem: Problem, grounding: Grounding) -> None:
-    """Write what there is for other tools of a problem that was made or printed just now.
-
-    Args:
-        folder: The domain folder.
-        problem: The problem, whose scene may not be in its place yet.
-        grounding: The learned domain.
-    """
-    write_plain_problem(folder, problem, grounding)
-    write_durative_problem(folder, problem, grounding)
-    found = scenes_of(_former_script(folder))
-    there = {scene.name: scene for scene in _scenes(folder)} | {problem.name: problem}
-    known = {name: scene for name, scene in found.items() if name in there}
-    unknown = [scene for name, scene in there.items() if name not in known or name == problem.name]
-    _write_pictures(folder, planviz_script(grounding, unknown, known))
-
-
-def write_pictures(
-    folder: DomainFolder, grounding: Grounding, problems: Iterable[Problem], *, durative: bool
-) -> None:
-    """Write what draws plans in an editor, for each domain whose states say where objects are.
+def write_domains(folder: DomainFolder, grounding: Grounding, wanted: Collection[str]) -> None:
+    """Write the domain in each form that is wanted, or was before.
 
     Args:
         folder: The domain folder.
         grounding: The learned domain.
-        problems: All problems of the folder.
-        durative: Whether the domain with durative actions is about to be there.
-    """
-    _write_pictures(folder, planviz_script(grounding, problems), durative=durative)
-
-
-def _write_pictures(folder: DomainFolder, script: str, *, durative: bool = False) -> None:
-    write_atomically(folder / PLANVIZ_SCRIPT, script)
-    has_durative = durative or (folder / DURATIVE_DOMAIN).exists()
-    for domain in [DOMAIN, *([DURATIVE_DOMAIN] if has_durative else [])]:
-        write_atomically(folder / planviz_file(domain), planviz_json())
-
-
-def _former_script(folder: DomainFolder) -> str:
-    try:
-        return read_text(folder / PLANVIZ_SCRIPT)
-    except InvalidFile:
-        return ""
-
-
-def _scenes(folder: DomainFolder) -> Iterator[Problem]:
-    """Yield the problems of a folder that can be read."""
-    for path in sorted((folder / PROBLEMS).glob(f"*{SCENE}")):
-        try:
-            yield load_scene(path)
-        except NeurosymError:
-            continue
-
-
-def write_durative_domain(folder: DomainFolder, grounding: Grounding, *, is_wanted: bool) -> None:
-    """Write the domain with durative actions, if it is wanted, or was before.
-
-    Args:
-        folder: The domain folder.
-        grounding: The learned domain.
-        is_wanted: Whether it is asked for now.
+        wanted: Names of the files that are asked for now.
 
     Raises:
-        InvalidValue: If it is asked for, and nothing carries objects to places.
+        InvalidValue: If it is asked for durative actions, and nothing carries objects to places.
     """
-    if is_wanted or ((folder / DURATIVE_DOMAIN).exists() and carriers_of(grounding)):
-        write_atomically(folder / DURATIVE_DOMAIN, durative_domain_text(grounding))
+    for form in _FORMS:
+        if form.domain in wanted or (folder / form.domain).exists():
+            try:
+                write_atomically(folder / form.domain, form.domain_text(grounding))
+            except InvalidValue:
+                if form.domain in wanted:
+                    raise
 
 
-def write_durative_problem(
-    folder: DomainFolder, problem: Problem, grounding: Grounding, *, is_wanted: bool = False
+def write_problem(
+    folder: DomainFolder, problem: Problem, grounding: Grounding, wanted: Collection[str] = ()
 ) -> None:
-    """Write a problem for the domain with durative actions, where there is such a domain.
-
-    If an object cannot be carried to its goal, there is no such file, and none is left from before.
+    """Write a problem in each form that there is a domain in; none is left from before where it has none.
 
     Args:
         folder: The domain folder.
         problem: The problem.
         grounding: The learned domain.
-        is_wanted: Whether the domain is about to be there.
+        wanted: Names of the domains that are about to be there.
     """
-    if not is_wanted and not (folder / DURATIVE_DOMAIN).exists():
-        return
-    file = folder / durative_file(problem.name)
-    try:
-        text = durative_problem_text(problem, grounding)
-    except InvalidValue:
-        file.unlink(missing_ok=True)
-        return
-    write_atomically(file, text)
-
-
-def write_plain_domain(folder: DomainFolder, grounding: Grounding, *, is_wanted: bool) -> None:
-    """Write the page without costs, if it is wanted, or was before.
-
-    Args:
-        folder: The domain folder.
-        grounding: The learned domain.
-        is_wanted: Whether it is asked for now.
-    """
-    if is_wanted or (folder / PLAIN_DOMAIN).exists():
-        write_atomically(folder / PLAIN_DOMAIN, domain_text(grounding, costs=False))
-
-
-def write_plain_problem(
-    folder: DomainFolder, problem: Problem, grounding: Grounding, *, is_wanted: bool = False
-) -> None:
-    """Write a problem for the page without costs, where there is such a domain.
-
-    Args:
-        folder: The domain folder.
-        problem: The problem.
-        grounding: The learned domain.
-        is_wanted: Whether the domain is about to be there.
-    """
-    if is_wanted or (folder / PLAIN_DOMAIN).exists():
-        write_atomically(folder / plain_file(problem.name), problem_text(problem, grounding, costs=False))
+    for form in _FORMS:
+        if form.domain in wanted or (folder / form.domain).exists():
+            file = folder / form.problem_file(problem.name)
+            try:
+                write_atomically(file, form.problem_text(problem, grounding))
+            except InvalidValue:  # an object cannot be carried to its goal
+                file.unlink(missing_ok=True)

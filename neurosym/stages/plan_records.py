@@ -3,6 +3,7 @@
 import re
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from functools import partial
 from hashlib import sha256
 from pathlib import Path
 
@@ -14,8 +15,7 @@ from neurosym.grounding import Grounding
 from neurosym.pddl.chances import expected_success, expected_within
 from neurosym.pddl.encoding_names import NUMERIC, STRIPS, EncodingName
 from neurosym.pddl.encodings import GroundPlan, ground_plan
-from neurosym.planners import PlanStatus
-from neurosym.planners.second_look import Planned
+from neurosym.planners.result import PlanResult, PlanStatus
 from neurosym.problems import Problem
 from neurosym.reading import digest, read_json
 from neurosym.stages.folder import DomainFolder
@@ -55,7 +55,7 @@ class PlanRecord(msgspec.Struct, frozen=True, forbid_unknown_fields=True, omit_d
         seconds: How long it took [s].
         reason: Why there is no plan, or what is to be said about the one found.
         chance: The chance that all steps go as promised; None without a plan.
-        alternatives: The next-best plans, if they were asked for.
+        alternatives: The next-best plans, in files of earlier versions.
         tolerance: How near objects had to come [m]; None if it was the problem's own tolerance.
         chance_replanned: The chance that the goal is reached with at most `MORE_MOTIONS` motions more than
             primitives, planned anew on the way; None without a plan, and if the plan is known to miss.
@@ -103,10 +103,10 @@ def write_plans(
     own: Problem,
     problem: Problem,
     grounding: Grounding,
-    planned: Planned,
+    result: PlanResult,
     encoding: EncodingName,
 ) -> tuple[GroundPlan, ...]:
-    """Write what was found for a problem: plan, next-best plans and record.
+    """Write what was found for a problem: plan and record.
 
     What is no plan of the printed domain and problem is written in short, and its file is called otherwise.
 
@@ -116,25 +116,20 @@ def write_plans(
         own: The problem as it stands in the folder, which is what is printed.
         problem: The same with the tolerance that was asked for.
         grounding: The learned domain.
-        planned: What was found.
+        result: What was found.
         encoding: The encoding that plans are printed for.
 
     Returns:
         The plans that were written, which the printed problem has to fit.
     """
-    result = planned.result
     plan_file, record_file = plan_files(own.name, planner)
     make_folder(folder / PLANS)
     stem = plan_file.removesuffix(PLAN)
     for former in (*folder.path.glob(f"{stem}-alt-*"), folder / plan_file, folder / steps_file(plan_file)):
         remove(former)
-    write = _Writer(folder, own, grounding, encoding)
+    write = partial(_write, folder, own, grounding, encoding)
     misses = validate(result.steps, problem, grounding).reason if result.status is PlanStatus.SOLVED else ""
-    main = write(plan_file, result.steps) if result.has_plan else _NOTHING
-    others = [
-        (steps, write(f"{stem}-alt-{number}{PLAN}", steps))
-        for number, steps in enumerate(planned.alternatives, start=1)
-    ]
+    main = write(plan_file, result.steps) if result.has_plan else _File()
     leads_there = result.has_plan and not misses
     record = PlanRecord(
         problem=own.name,
@@ -144,10 +139,6 @@ def write_plans(
         seconds=round(result.seconds, 3),
         reason=result.reason,
         chance=_chance(result.steps, problem, grounding) if result.has_plan else None,
-        alternatives=tuple(
-            PlannedSteps(file.name, named_steps(steps), _chance(steps, problem, grounding), file.digest)
-            for steps, file in others
-        ),
         tolerance=None if problem.tolerance == own.tolerance else problem.tolerance,
         chance_replanned=_chance_replanned(result.steps, problem, grounding) if leads_there else None,
         misses=misses,
@@ -156,7 +147,7 @@ def write_plans(
         digest=main.digest,
     )
     write_json(folder / record_file, record)
-    return tuple(file.plan for file in (main, *(file for _, file in others)) if file.plan)
+    return (main.plan,) if main.plan else ()
 
 
 @dataclass(frozen=True, slots=True)
@@ -169,27 +160,22 @@ class _File:
     why_no_plan: str = ""
 
 
-_NOTHING = _File()
-
-
-@dataclass(frozen=True, slots=True)
-class _Writer:
-    """Writes steps for a problem, as a plan of the printed domain if they are one."""
-
-    folder: DomainFolder
-    problem: Problem
-    grounding: Grounding
-    encoding: EncodingName
-
-    def __call__(self, plan_file: str, steps: Sequence[PlanStep]) -> _File:
-        """Write steps, and say what was written."""
-        found = _printed(steps, self.problem, self.grounding, self.encoding)
-        if isinstance(found, GroundPlan):
-            name, text, plan, why = plan_file, found.text, found, ""
-        else:
-            name, text, plan, why = steps_file(plan_file), print_plan(steps, found), None, found
-        write_atomically(self.folder / name, text)
-        return _File(name, sha256(text.encode()).hexdigest(), plan, why)
+def _write(
+    folder: DomainFolder,
+    problem: Problem,
+    grounding: Grounding,
+    encoding: EncodingName,
+    plan_file: str,
+    steps: Sequence[PlanStep],
+) -> _File:
+    """Write steps for a problem, as a plan of the printed domain if they are one."""
+    found = _printed(steps, problem, grounding, encoding)
+    if isinstance(found, GroundPlan):
+        name, text, plan, why = plan_file, found.text, found, ""
+    else:
+        name, text, plan, why = steps_file(plan_file), print_plan(steps, found), None, found
+    write_atomically(folder / name, text)
+    return _File(name, sha256(text.encode()).hexdigest(), plan, why)
 
 
 def _printed(

@@ -7,12 +7,12 @@ import msgspec
 
 from neurosym.errors import InvalidPlan, InvalidValue
 from neurosym.grounding import Grounding
-from neurosym.pddl import problem_text
 from neurosym.pddl.chances import expected_success
 from neurosym.pddl.encoding_names import ENCODINGS, NUMERIC, EncodingName
 from neurosym.pddl.encodings import ground_plan
-from neurosym.pddl.excerpt import Action, parameters_of, tree_of
+from neurosym.pddl.excerpt import Action, parameters_of
 from neurosym.pddl.plan_reading import read_actions, read_plan
+from neurosym.pddl.problem import problem_text
 from neurosym.planners.plan_validator import PddlVerdict, validate_pddl
 from neurosym.problems import Problem
 from neurosym.reading import read_text
@@ -74,19 +74,21 @@ def judge_plan(
         tolerance: How near objects must come by the replay [m]; as the problem says if not given.
 
     Raises:
-        InvalidPlan: If the file holds nothing that can be read as actions.
+        InvalidPlan: If the file cannot be read as a plan of this domain, nor of any printed one.
         UnknownChoice: If there is no such problem.
         StageMissing: If domain or scene is missing.
     """
     grounding = Grounding.load(folder.require(GROUNDING))
     own = load_problem(folder, name)
-    actions = read_actions(plan_file)
+    actions = read_actions(plan_file, grounding, own)
     try:
         steps, unread = read_plan(plan_file, grounding, own.within(planned_tolerance(plan_file))), ""
     except InvalidPlan as error:
+        if not any(_has(domain, actions) for _, domain in _domains(folder)):
+            raise
         steps, unread = (), str(error)
     replay = None if unread else validate(steps, own.within(tolerance), grounding)
-    judged = _best(list(_verdicts(folder, own, grounding, actions, steps)))
+    judged = _by_pddl(folder, own, grounding, actions, steps)
     return PlanVerdict(
         problem=name,
         plan=str(plan_file),
@@ -114,43 +116,31 @@ class _Judged(msgspec.Struct, frozen=True):
 _NONE = _Judged("", PddlVerdict(False, "no printed domain has all of its actions"))
 
 
-def _best(judged: list[_Judged]) -> _Judged:
-    """Return the verdict of a domain that takes the plan, or else the first."""
-    return next((one for one in judged if one.verdict.valid), judged[0] if judged else _NONE)
-
-
-def _verdicts(
+def _by_pddl(
     folder: DomainFolder,
     problem: Problem,
     grounding: Grounding,
     actions: Sequence[Action],
     steps: Sequence[PlanStep],
-) -> Iterator[_Judged]:
-    """Judge a plan by each printed domain that has its actions, until one takes it."""
-    is_judged = False
+) -> _Judged:
+    """Judge a plan by each printed domain that has its actions, until one takes it; or else written out."""
+    judged = list[_Judged]()
     relates = understand(problem, grounding).relates
     for encoding, domain in _domains(folder):
         if _has(domain, actions) and not (relates and encoding == NUMERIC):
-            is_judged = True
-            found = _Judged(
-                DOMAIN_FILES[encoding], _judged(domain, folder, problem, grounding, encoding, actions)
-            )
-            yield found
-            if found.verdict.valid:
-                return
-    if steps and not is_judged:
-        try:
-            plan = ground_plan(steps, problem, grounding)
-        except InvalidValue as error:
-            yield _Judged("", PddlVerdict(False, str(error).rstrip(".")), written_out=True)
-            return
-        domain = read_text(folder.require(DOMAIN_FILES[plan.encoding]))
-        whole = [tuple(map(str, tree_of(line))) for line in plan.lines]
-        yield _Judged(
-            DOMAIN_FILES[plan.encoding],
-            _judged(domain, folder, problem, grounding, plan.encoding, whole),
-            written_out=True,
-        )
+            verdict = _judged(domain, folder, problem, grounding, encoding, actions)
+            judged.append(_Judged(DOMAIN_FILES[encoding], verdict))
+            if verdict.valid:
+                return judged[-1]
+    if judged or not steps:
+        return judged[0] if judged else _NONE
+    try:
+        plan = ground_plan(steps, problem, grounding)
+    except InvalidValue as error:
+        return _Judged("", PddlVerdict(False, str(error).rstrip(".")), written_out=True)
+    domain = read_text(folder.require(DOMAIN_FILES[plan.encoding]))
+    verdict = _judged(domain, folder, problem, grounding, plan.encoding, plan.actions)
+    return _Judged(DOMAIN_FILES[plan.encoding], verdict, written_out=True)
 
 
 def _domains(folder: DomainFolder) -> Iterator[tuple[EncodingName, str]]:

@@ -8,34 +8,20 @@ from neurosym.errors import InvalidFile, InvalidPlanner, InvalidValue, StageMiss
 from neurosym.factories import is_factory
 from neurosym.grounding import Grounding
 from neurosym.object_limits import limits_of
-from neurosym.pair_sight import with_pairs
 from neurosym.pddl.encoding_names import ENCODINGS, SAS, STRIPS, EncodingName
 from neurosym.pddl.grid import check_on_table
 from neurosym.pddl.problem_check import check_problem
-from neurosym.planners import planner_named
+from neurosym.planners.no_plan import look_again
 from neurosym.planners.planner import PredictEffects
-from neurosym.planners.registry import check_options
-from neurosym.planners.second_look import plan_with_second_look
+from neurosym.planners.registry import check_options, plan, planner_named
 from neurosym.problems import Problem
+from neurosym.related import is_relational
 from neurosym.stages.folder import DomainFolder, load_scene
-from neurosym.stages.layout import (
-    GROUNDING,
-    MODEL,
-    WORLD,
-    plan_files,
-    printed_file,
-    scene_file,
-    steps_file,
-)
+from neurosym.stages.layout import GROUNDING, MODEL, WORLD, plan_files, printed_file, scene_file, steps_file
 from neurosym.stages.manifest import Stage
 from neurosym.stages.plan_records import write_plans
 from neurosym.stages.problem_printing import print_beside, print_problem
-from neurosym.stages.remarks import (
-    remarks_on_blocked,
-    remarks_on_number,
-    remarks_on_own_scene,
-    remarks_on_places,
-)
+from neurosym.stages.remarks import tell_remarks
 from neurosym.tasks.task import understand
 from neurosym.wording import quoted
 from neurosym.world import World
@@ -94,9 +80,7 @@ def plan_stage(
     time_limit: float | None = None,
     encoding: EncodingName | None = None,
     whole: bool = False,
-    unit_costs: bool = False,
     nearest: bool = False,
-    more: int = 0,
     tolerance: float | None = None,
 ) -> Stage:
     """Plan: problem and grounding (and model, for BFS) -> `plans/NAME.PLANNER.plan` and `.json`.
@@ -111,21 +95,16 @@ def plan_stage(
         time_limit: The user's ceiling [s]; the planner's own if not given.
         encoding: For PDDL planners, the encoding of the domain, if not the usual one.
         whole: For PDDL planners, plan for all objects at once.
-        unit_costs: Whether every step costs the same.
         nearest: Whether to plan to the nearest points that can be reached, if there is no plan to the goals.
-        more: How many of the next-best plans to write, too: `plans/NAME.PLANNER-alt-1.plan` and so on.
         tolerance: How near objects must come to their goals [m], if not as the problem says.
 
     Raises:
         UnknownChoice: If there is no such planner.
         InvalidPlanner: If it cannot be used, or has the name of another one, by which there is a plan.
-        InvalidValue: If the planner does not take the encoding or an option, or fewer than no plans are
-            asked for.
+        InvalidValue: If the planner does not take the encoding or an option.
     """
     chosen = planner_named(planner, folder.path)
-    check_options(chosen, encoding=encoding, whole=whole, costs=not unit_costs)
-    if more < 0:
-        raise InvalidValue(f"alternatives = {more} must be at least 0.")
+    check_options(chosen, encoding=encoding, whole=whole, costs=True)
     plan_file, record_file = plan_files(name, chosen.name)
     stage, made_by = f"plan {name} {chosen.name}", planner if is_factory(planner) else ""
     if made_by and (folder / plan_file).exists():
@@ -138,17 +117,16 @@ def plan_stage(
         own = load_problem(folder, name)
         if not any((folder / file).is_file() for file in printed_again):  # somebody put the scene there
             print_problem(folder, own, grounding)
-        problem = with_pairs(own.within(tolerance), grounding.relations)
+        problem = own.within(tolerance)
         for item in problem.objects:
             check_on_table(item, grounding)
-        for remark in (
-            *remarks_on_own_scene(folder, own, grounding),
-            *remarks_on_places(problem, grounding),
-            *remarks_on_blocked(problem, grounding),
-            *remarks_on_number(folder, problem),
-        ):
-            folder.notify(remark)
-        planned = plan_with_second_look(
+        tell_remarks(folder, problem, grounding, is_new=not folder.is_as_made(scene_file(name)))
+        if nearest and is_relational(problem, grounding):
+            raise InvalidValue(
+                f"The problem {problem.name} is one of relations, for which there are no nearest points; "
+                "leave this option out."
+            )
+        result = plan(
             problem,
             grounding,
             chosen,
@@ -156,17 +134,15 @@ def plan_stage(
             time_limit=time_limit,
             encoding=encoding,
             whole=whole,
-            costs=not unit_costs,
-            nearest=nearest,
-            more=more,
         )
+        result = look_again(result, problem, grounding, chosen, time_limit=time_limit, goes_near=nearest)
         printed = chosen.program.encoding_for(chosen.name, encoding) if chosen.program else STRIPS
         printed = STRIPS if printed == SAS or understand(own, grounding).relates else printed
-        plans = write_plans(folder, chosen.name, own, problem, grounding, planned, printed)
+        plans = write_plans(folder, chosen.name, own, problem, grounding, result, printed)
         print_beside(folder, own, grounding, printed, plans, chosen.name)
 
-    asked: dict[str, Any] = {"whole": whole, "unit_costs": unit_costs, "nearest": nearest}
-    asked |= {"alternatives": more, "tolerance": tolerance, "factory": made_by}
+    asked: dict[str, Any] = {"whole": whole, "nearest": nearest}
+    asked |= {"tolerance": tolerance, "factory": made_by}
     options = {"time_limit": time_limit, "encoding": encoding, **_asked_for(asked)}
     outputs = (plan_file, record_file, steps_file(plan_file))
     return Stage(stage, inputs, outputs, work, options, renews=printed_again)

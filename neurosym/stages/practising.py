@@ -1,19 +1,18 @@
 """The stage that practises: what was learned, and `primitives.json` -> `practice.json`."""
 
+from functools import partial
 from typing import TYPE_CHECKING, Any
 
-import msgspec
-
+from neurosym.checks import check_count
 from neurosym.console import progress_bar
 from neurosym.drafts import at_once
 from neurosym.errors import InvalidFile, InvalidValue
 from neurosym.files import write_json
-from neurosym.grounding import Grounding
 from neurosym.guarded import made
 from neurosym.operators import OperatorTable
-from neurosym.pddl import compile_domain
+from neurosym.pddl.compiler import compile_domain
 from neurosym.practice.rounds import Practised
-from neurosym.reading import digest, read_json
+from neurosym.reading import digest
 from neurosym.stages.folder import DomainFolder, load_scene
 from neurosym.stages.layout import (
     DIRECT_MODEL,
@@ -26,65 +25,13 @@ from neurosym.stages.layout import (
     WORLD,
 )
 from neurosym.stages.manifest import Claim, Stage
+from neurosym.stages.practised import FORMAT, PracticeFile, practice_of
 from neurosym.wording import quoted
 from neurosym.worlds.workers import check_workers
 from neurosym.worlds.world_file import read_world
 
 if TYPE_CHECKING:
     from neurosym.practice.improving import Workshop
-
-FORMAT = "neurosym-practice-1"
-
-
-class PracticeFile(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
-    """What was practised.
-
-    Attributes:
-        format: Version of this file.
-        of: SHA-256 of the `primitives.json` that practice began with.
-        seed: Where its draws started.
-        evenly: Whether all operators were rehearsed in turn instead.
-        practised: The operators that it came to, and the rounds.
-    """
-
-    format: str
-    of: str
-    seed: int
-    evenly: bool
-    practised: Practised
-
-
-def practice_of(folder: DomainFolder) -> PracticeFile | None:
-    """Return what was practised with the operators that the folder has; None if nothing was.
-
-    Args:
-        folder: The domain folder.
-
-    Raises:
-        InvalidFile: If the file is none.
-    """
-    path = folder / PRACTICE
-    if not (path.is_file() and (folder / PRIMITIVES).is_file()):
-        return None
-    found = read_json(path, PracticeFile, "; remove it to go back to what was distilled")
-    if found.format != FORMAT:
-        raise InvalidFile(path, f"it is of the format {found.format!r}, and this version reads {FORMAT!r}")
-    return found if found.of == digest(folder / PRIMITIVES) else None
-
-
-def operator_table(folder: DomainFolder) -> OperatorTable:
-    """Read the operators as they are now: after practice, those that it came to.
-
-    Args:
-        folder: The domain folder.
-
-    Raises:
-        StageMissing: If there is no `primitives.json`.
-        InvalidFile: If a file is none, or of another version.
-    """
-    distilled = OperatorTable.load(folder.require(PRIMITIVES))
-    found = practice_of(folder)
-    return found.practised.table if found else distilled
 
 
 def practise_stage(
@@ -101,8 +48,7 @@ def practise_stage(
         workers: How many processes; their number does not change the result.
         evenly: Rehearse all operators in turn instead.
     """
-    if interactions < 1:
-        raise InvalidValue(f"interactions = {interactions} must be at least 1.")
+    check_count("interactions", interactions)
     check_workers(workers)
 
     def work() -> None:
@@ -112,13 +58,10 @@ def practise_stage(
             load_scene(scene)  # it is printed anew afterwards: what cannot be used is refused now
         begun = _begun(folder, seed, evenly=evenly)
         shop = _workshop(folder, seed, workers)
-        of = digest(folder / PRIMITIVES)
-
-        def compiled(table: OperatorTable) -> Grounding:
-            world = shop.world
-            return compile_domain(
-                table, name=world.name, table_bounds=world.table, lift_height=world.lift_height
-            )
+        world, of = shop.world, digest(folder / PRIMITIVES)
+        compiled = partial(
+            compile_domain, name=world.name, table_bounds=world.table, lift_height=world.lift_height
+        )
 
         def save(practised: Practised) -> None:
             write_json(folder / PRACTICE, PracticeFile(FORMAT, of, seed, evenly, practised))
@@ -131,10 +74,7 @@ def practise_stage(
                 advance(min(practised.spent, interactions), interactions)
 
             advance(min(begun.spent, interactions), interactions)
-            done = practise(
-                shop, begun, compiled, interactions=interactions, evenly=evenly, on_round=on_round
-            )
-        save(done)
+            save(practise(shop, begun, compiled, interactions=interactions, evenly=evenly, on_round=on_round))
 
     options: dict[str, Any] = {"interactions": interactions, "seed": seed}
     if evenly:

@@ -8,22 +8,14 @@ from typing import Any
 import numpy as np
 
 from neurosym.choices import AnyTask
-from neurosym.files import make_folder
 from neurosym.grounding import Grounding
 from neurosym.pair_sight import with_pairs
 from neurosym.problems import Problem
 from neurosym.relation_goals import RelationGoal
-from neurosym.stages.folder import DomainFolder, load_scene
-from neurosym.stages.layout import (
-    GROUNDING,
-    MODEL,
-    PROBLEMS,
-    WORLD,
-    problem_files,
-    scene_file,
-)
+from neurosym.stages.folder import DomainFolder
+from neurosym.stages.layout import GROUNDING, MODEL, WORLD, problem_files, scene_file
 from neurosym.stages.manifest import Stage
-from neurosym.stages.problem_printing import print_problem
+from neurosym.stages.problem_printing import put_problem
 from neurosym.stages.remarks import remarks_on_number
 from neurosym.stages.task_drawing import draw_any_task, networks_of_pairs, sight_of_pairs
 from neurosym.tasks.pair_goals import check_relations, relations_meant
@@ -45,7 +37,6 @@ class Asked:
         relations: Goals by relation.
         height: How many objects a tower or a stack has.
         state: The state that a drawn task of relations asks for; any, if not given.
-        like: The problem whose scene is to be made again, for the task `like`.
     """
 
     objects: int = 1
@@ -57,7 +48,6 @@ class Asked:
     relations: tuple[RelationGoal, ...] = ()
     height: int = HEIGHT
     state: str = ""
-    like: str | None = None
 
     @property
     def is_relational(self) -> bool:
@@ -84,20 +74,17 @@ def problem_stage(folder: DomainFolder, name: str, asked: Asked) -> Stage:
         name: Name of the problem.
         asked: What it shall be.
     """
-    scene = scene_file(name)
 
     def work() -> None:
         grounding = Grounding.load(folder.require(GROUNDING))
         problem = _made(folder, name, asked, grounding)
         for remark in remarks_on_number(folder, problem):
             folder.notify(remark)
-        make_folder(folder / PROBLEMS)
-        print_problem(folder, problem, grounding)
-        problem.save(folder / scene)
+        put_problem(folder, problem, grounding)
 
     printed_as = problem_files(name)[:1] if asked.is_relational else problem_files(name)
     inputs = (WORLD, MODEL, GROUNDING, *networks_of_pairs(folder))
-    return Stage(f"new-problem {name}", inputs, (*printed_as, scene), work, asked.options())
+    return Stage(f"new-problem {name}", inputs, (*printed_as, scene_file(name)), work, asked.options())
 
 
 def _made(folder: DomainFolder, name: str, asked: Asked, grounding: Grounding) -> Problem:
@@ -110,8 +97,7 @@ def _made(folder: DomainFolder, name: str, asked: Asked, grounding: Grounding) -
     sight = sight_of_pairs(folder)
     named: dict[str, Any] = {"name": name, "objects": asked.objects, "seed": asked.seed}
     if asked.task is not None:
-        like = load_scene(folder / scene_file(folder.problem(asked.like))) if asked.like else None
-        named |= {"height": asked.height, "state": asked.state, "like": like, "sight": sight}
+        named |= {"height": asked.height, "state": asked.state, "sight": sight}
         problem = draw_any_task(world, categorise, grounding, asked.task, **named)
     elif asked.goals is None and not asked.relations:
         problem = draw_problem(world, categorise, actions=asked.actions, **named)

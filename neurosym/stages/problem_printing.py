@@ -5,19 +5,17 @@ from functools import partial
 
 import msgspec
 
-from neurosym.files import remove, write_atomically
+from neurosym.files import make_folder, remove, write_atomically
 from neurosym.grounding import Grounding
-from neurosym.pair_sight import with_pairs
-from neurosym.pddl import problem_text
 from neurosym.pddl.encoding_names import NUMERIC, STRIPS, EncodingName
 from neurosym.pddl.encodings import GroundPlan
-from neurosym.pddl.problem import check_object
+from neurosym.pddl.problem import check_object, problem_text
 from neurosym.problems import Problem
 from neurosym.reading import read_text
 from neurosym.related import is_relational
 from neurosym.stages.folder import DomainFolder
-from neurosym.stages.layout import FORMER, PROBLEMS, printed_file, problem_files
-from neurosym.stages.other_tools import write_new_problem
+from neurosym.stages.layout import FORMER, PROBLEMS, printed_file, problem_files, scene_file
+from neurosym.stages.other_tools import write_problem
 from neurosym.stages.plan_records import recorded_plans
 from neurosym.tasks.task import understand
 
@@ -30,12 +28,25 @@ def print_problem(folder: DomainFolder, problem: Problem, grounding: Grounding) 
         problem: The problem.
         grounding: The learned domain.
     """
-    problem = placed(with_pairs(problem, grounding.relations), grounding)
+    problem = placed(problem, grounding)
     printed = texts_of(problem, grounding, recorded_plans(folder, problem, grounding))
     for file in sorted(printed):
         write_atomically(folder / file, printed[file])
     _remove_stale(folder, problem.name, printed)
-    write_new_problem(folder, problem, grounding)
+    write_problem(folder, problem, grounding)
+
+
+def put_problem(folder: DomainFolder, problem: Problem, grounding: Grounding) -> None:
+    """Write a problem that was made just now, printed and as we read it.
+
+    Args:
+        folder: The domain folder.
+        problem: The problem.
+        grounding: The learned domain.
+    """
+    make_folder(folder / PROBLEMS)
+    print_problem(folder, problem, grounding)
+    problem.save(folder / scene_file(problem.name))
 
 
 def print_beside(
@@ -64,7 +75,7 @@ def print_beside(
     lacking = [file for file in wanted if _lacks(folder, file, _beside(file, problem, plans))]
     if not lacking:
         return
-    problem = placed(with_pairs(problem, grounding.relations), grounding)
+    problem = placed(problem, grounding)
     recorded = recorded_plans(folder, problem, grounding)
     every = (*plans, *recorded_plans(folder, problem, grounding, besides=planner))
     for file in sorted(lacking):

@@ -9,12 +9,32 @@ from neurosym.grounding import Grounding
 from neurosym.problems import Problem
 from neurosym.promises import is_rehearsed, usable
 from neurosym.stages.folder import DomainFolder
-from neurosym.stages.layout import MODEL, WORLD, scene_file
+from neurosym.stages.layout import MODEL, WORLD
 from neurosym.symbols import symbols_of
 from neurosym.tasks.footprints import footprints_apart
 from neurosym.tasks.places import blockers
 from neurosym.tasks.task import understand
 from neurosym.worlds.world_file import read_limits
+
+
+def tell_remarks(
+    folder: DomainFolder, problem: Problem, grounding: Grounding, *, is_new: bool = True
+) -> None:
+    """Tell a user all that is to be said of a problem.
+
+    Args:
+        folder: The domain folder.
+        problem: The problem.
+        grounding: The learned domain.
+        is_new: Whether somebody put it there, so that nothing was said of its objects yet.
+    """
+    for remark in (
+        *(remarks_on_objects(folder, problem, grounding) if is_new else ()),
+        *remarks_on_places(problem, grounding),
+        *remarks_on_blocked(problem, grounding),
+        *remarks_on_number(folder, problem),
+    ):
+        folder.notify(remark)
 
 
 def remarks_on_places(problem: Problem, grounding: Grounding) -> Iterator[str]:
@@ -24,10 +44,10 @@ def remarks_on_places(problem: Problem, grounding: Grounding) -> Iterator[str]:
         problem: The problem; only if it names places of its own, one may be missing.
         grounding: The learned domain.
     """
-    if problem.places is msgspec.UNSET:
+    if not problem.places:
         return
     here = understand(problem, grounding).carried
-    anywhere = understand(msgspec.structs.replace(problem, places=msgspec.UNSET), grounding).carried
+    anywhere = understand(msgspec.structs.replace(problem, places={}), grounding).carried
     lacking = [name for name in anywhere if name in problem.goals and name not in here]
     if lacking:
         yield (
@@ -43,7 +63,7 @@ def remarks_on_blocked(problem: Problem, grounding: Grounding) -> Iterator[str]:
         problem: The problem; only places of its own may be blocked so.
         grounding: The learned domain.
     """
-    if not isinstance(problem.places, dict):
+    if not problem.places:
         return
     carried, apart = understand(problem, grounding).carried, footprints_apart(problem)
     fixed = [
@@ -67,18 +87,6 @@ def remarks_on_number(folder: DomainFolder, problem: Problem) -> Iterator[str]:
     limits = read_limits(folder / WORLD) if (folder / WORLD).is_file() else None
     if limits and (reason := limits.too_many(len(problem.objects))):
         yield f"{reason}, so plans for this problem cannot be executed"
-
-
-def remarks_on_own_scene(folder: DomainFolder, problem: Problem, grounding: Grounding) -> Iterator[str]:
-    """Say of a problem that somebody put into a folder what is said of one that is taken over.
-
-    Args:
-        folder: The domain folder.
-        problem: The problem, called as its file is.
-        grounding: The learned domain.
-    """
-    if not folder.is_as_made(scene_file(problem.name)):
-        yield from remarks_on_objects(folder, problem, grounding)
 
 
 def remarks_on_objects(folder: DomainFolder, problem: Problem, grounding: Grounding) -> Iterator[str]:

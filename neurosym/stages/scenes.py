@@ -5,23 +5,17 @@ from pathlib import Path
 import msgspec
 
 from neurosym.errors import InvalidFile, InvalidValue
-from neurosym.files import make_folder
 from neurosym.grounding import Grounding
 from neurosym.pair_sight import with_pairs
 from neurosym.pddl.grid import check_on_table
 from neurosym.problems import Problem
 from neurosym.reading import digest
 from neurosym.stages.folder import DomainFolder
-from neurosym.stages.layout import GROUNDING, PROBLEMS, WORLD, problem_files, scene_file
+from neurosym.stages.layout import GROUNDING, WORLD, problem_files, scene_file
 from neurosym.stages.manifest import Stage
 from neurosym.stages.planning import check_scene
-from neurosym.stages.problem_printing import print_problem
-from neurosym.stages.remarks import (
-    remarks_on_blocked,
-    remarks_on_number,
-    remarks_on_objects,
-    remarks_on_places,
-)
+from neurosym.stages.problem_printing import put_problem
+from neurosym.stages.remarks import tell_remarks
 from neurosym.stages.task_drawing import networks_of_pairs, sight_of_pairs
 
 
@@ -34,7 +28,6 @@ def scene_stage(folder: DomainFolder, file: Path, *, name: str, tolerance: float
         name: What the problem is called in the folder, whatever it is called in the file.
         tolerance: How near objects must come to their goals [m], if not as the file says.
     """
-    scene = scene_file(name)
 
     def work() -> None:
         grounding = Grounding.load(folder.require(GROUNDING))
@@ -46,18 +39,10 @@ def scene_stage(folder: DomainFolder, file: Path, *, name: str, tolerance: float
                 check_on_table(item, grounding)
         except InvalidValue as error:
             raise InvalidFile(file, str(error).rstrip(".")) from error
-        for remark in (
-            *remarks_on_objects(folder, problem, grounding),
-            *remarks_on_places(problem, grounding),
-            *remarks_on_blocked(problem, grounding),
-            *remarks_on_number(folder, problem),
-        ):
-            folder.notify(remark)
-        make_folder(folder / PROBLEMS)
-        print_problem(folder, problem, grounding)
-        problem.save(folder / scene)
+        tell_remarks(folder, problem, grounding)
+        put_problem(folder, problem, grounding)
 
     options = {"scene": digest(file)} | ({} if tolerance is None else {"tolerance": tolerance})
-    outputs = (*problem_files(name), scene)
+    outputs = (*problem_files(name), scene_file(name))
     inputs = (WORLD, GROUNDING, *networks_of_pairs(folder))
     return Stage(f"new-problem {name}", inputs, outputs, work, options)

@@ -10,8 +10,7 @@ from neurosym.grounding import Grounding
 from neurosym.learning.report import TrainingReport
 from neurosym.pddl.compiler import CELL
 from neurosym.reading import read_json
-from neurosym.stages.aimed_learning import check_takes
-from neurosym.stages.aiming import distill_places_stage, explore_places_stage, train_places_stage
+from neurosym.stages.aims import OBJECTS, TO_OBJECTS, TO_PLACES
 from neurosym.stages.compiling import compile_stage
 from neurosym.stages.distilling import distill_stage
 from neurosym.stages.executing import execute_stage, load_run
@@ -30,11 +29,6 @@ from neurosym.stages.manifest import Claim, Stage
 from neurosym.stages.plan_records import PlanRecord, written_steps
 from neurosym.stages.planning import plan_stage
 from neurosym.stages.problem_making import Asked, problem_stage
-from neurosym.stages.relating import (
-    distill_relations_stage,
-    explore_relations_stage,
-    train_relations_stage,
-)
 from neurosym.stages.training import train_stage
 from neurosym.stages.verdict import Tries, Verdict, judge_domain, judge_training, judge_tries, worst
 from neurosym.strategies import StrategyName
@@ -62,7 +56,6 @@ def go_the_whole_way(
     rehearsals: int,
     choice: str,
     problems: int,
-    min_predicted_effect: float = 0.0,
     object_bits: int | None = None,
     action_bits: int | None = None,
     places: int | None = None,
@@ -80,8 +73,6 @@ def go_the_whole_way(
         rehearsals: Objects that each primitive is rehearsed on.
         choice: Which candidate stands for a symbol.
         problems: How many problems to draw; more, if none of them has a plan.
-        min_predicted_effect: Only actions with at least this predicted sum of absolute displacements are
-            explored, if there are any [m].
         object_bits: Bits of an object symbol; the regime's if not given.
         action_bits: Bits of an action symbol; the regime's if not given.
         places: Interactions to make besides that are aimed at places; 0 for none. If not given, one for
@@ -101,23 +92,15 @@ def go_the_whole_way(
     exploring: dict[str, Any] = {"strategy": strategy, "workers": workers, **fitting}
     rehearsing: dict[str, Any] = {"seed": seed, "workers": workers}
     bits: dict[str, Any] = {"object_bits": object_bits, "action_bits": action_bits}
-    stages = [
-        explore_stage(folder, steps=steps, min_predicted_effect=min_predicted_effect, **exploring, **bits),
-        train_stage(folder, **fitting, **bits),
-        distill_stage(folder, objects=rehearsals, choice=choice, **rehearsing),
-    ]
-    if places:
-        stages += [
-            explore_places_stage(folder, steps=places, **exploring),
-            train_places_stage(folder, **fitting),
-            distill_places_stage(folder, objects=rehearsals, **rehearsing),
-        ]
-    if relations:
-        stages += [
-            explore_relations_stage(folder, steps=relations, **exploring),
-            train_relations_stage(folder, **fitting),
-            distill_relations_stage(folder, pairs=rehearsals, **rehearsing),
-        ]
+    stages = []
+    for aim, count in ((OBJECTS, steps), (TO_PLACES, places), (TO_OBJECTS, relations)):
+        if count:
+            own: dict[str, Any] = bits if aim is OBJECTS else {}
+            stages += [
+                explore_stage(folder, aim, steps=count, **exploring, **own),
+                train_stage(folder, aim, **fitting, **own),
+                distill_stage(folder, aim, objects=rehearsals, choice=choice, **rehearsing),
+            ]
     stages.append(
         compile_stage(folder, cell=CELL, with_places=places > 0 or None, with_relations=relations > 0 or None)
     )
@@ -162,9 +145,9 @@ def _usual_places(folder: DomainFolder, world: World, steps: int) -> int:
 def _check_aims(folder: DomainFolder, world: World, places: int, relations: int) -> None:
     """Refuse interactions that nothing can be learned from, before hours are spent on others."""
     if places:
-        check_takes(world, "place")
+        TO_PLACES.check_takes(world)
     if relations:
-        check_takes(world, "object")
+        TO_OBJECTS.check_takes(world)
         if not places and not (folder / PLACE_OPERATORS).is_file():
             raise InvalidValue(
                 "Relations are learned with what carries objects to places; give --places a number, "

@@ -4,10 +4,7 @@ A job calls the stages that the command line calls, in the folder of one page. W
 to be seen, and heeds what is said to it: another speed, pause, go on, a nudge, stop.
 """
 
-import os
-import time
 from collections.abc import Callable
-from multiprocessing.connection import Connection
 from typing import Any
 
 import numpy as np
@@ -31,7 +28,7 @@ from neurosym.studio.messages import (
     RunPlan,
 )
 from neurosym.studio.onlooker import Onlooker
-from neurosym.worlds.children import GRACE, end_with_parent, leave_signals_to_parent, say_up
+from neurosym.worlds.children import parent
 
 HOLD = 3.0
 """So long is the end of an interaction shown before the table is there again [s]."""
@@ -39,28 +36,10 @@ SETTING = "setting.json"
 """Where a page keeps the scene that it takes over, in its folder."""
 
 
-def serve(requests: int, lifeline: int, errors: int) -> None:
-    """Do jobs until the other end is closed; see `Serve`."""
-    leave_signals_to_parent()
-    end_with_parent(lifeline, _end_slowly)
-    connection = say_up(requests, errors)
-    while True:
-        try:
-            message = connection.recv()
-        except EOFError:
-            return
-        if isinstance(message, Job):
-            connection.send(_done(message, connection))
-
-
-def _end_slowly() -> None:
-    time.sleep(GRACE)
-    os._exit(1)
-
-
-def _done(job: Job, connection: Connection) -> Any:
+def do(job: Job) -> Any:
+    """Do a job, and return its answer."""
     try:
-        return _WORK[type(job)](job, connection)
+        return _WORK[type(job)](job)
     except NeurosymError as error:
         return Failed(_without_paths(str(error), job))
     except Exception as error:  # of a planner or a world of somebody's own: this job only is at its end
@@ -72,7 +51,7 @@ def _without_paths(sentence: str, job: Job) -> str:
     return sentence.replace(str(job.folder / SETTING), "The scene").replace(f"{job.folder}/", "")
 
 
-def _make(job: Make, _: Connection) -> Any:
+def _make(job: Make) -> Any:
     """Take a scene over into the folder, under the name of the problem."""
     from neurosym.stages.folder import DomainFolder
     from neurosym.stages.scenes import scene_stage
@@ -84,15 +63,15 @@ def _make(job: Make, _: Connection) -> Any:
     return Drawn(job.problem)
 
 
-def _plan(job: PlanNew, connection: Connection) -> Any:
-    from neurosym.planners import planner_named
+def _plan(job: PlanNew) -> Any:
+    from neurosym.planners.registry import planner_named
     from neurosym.reading import read_json
     from neurosym.stages.folder import DomainFolder
     from neurosym.stages.layout import plan_files
     from neurosym.stages.plan_records import PlanRecord, written_steps
     from neurosym.stages.planning import plan_stage
 
-    _make(Make(job.folder, job.problem), connection)
+    _make(Make(job.folder, job.problem))
     folder, name = DomainFolder(job.folder), job.problem.name
     chosen = planner_named(job.planner, job.folder)
     stage = plan_stage(
@@ -108,7 +87,7 @@ def _plan(job: PlanNew, connection: Connection) -> Any:
     return Planned(record, written_steps(folder, name, chosen.name) or "")
 
 
-def _run(job: RunPlan, connection: Connection) -> Any:
+def _run(job: RunPlan) -> Any:
     from neurosym.stages.executing import Showing, execute_stage, load_run
     from neurosym.stages.folder import DomainFolder
     from neurosym.stages.layout import run_file
@@ -120,24 +99,24 @@ def _run(job: RunPlan, connection: Connection) -> Any:
         plan_file,
         replanner=job.replanner,
         replans=job.replans,
-        showing=Showing(audience=Onlooker(connection, job.controls)),
+        showing=Showing(audience=Onlooker(parent(), job.controls)),
     )
     folder.perform(stage, again=True)
     return Ran(load_run(folder, job.problem, plan_file), run_file(job.problem, plan_file))
 
 
-def _replay(job: Replay, connection: Connection) -> Any:
+def _replay(job: Replay) -> Any:
     from neurosym.stages.executing import Showing, replay_run
     from neurosym.stages.folder import DomainFolder
     from neurosym.stages.layout import RECORD, RUNS
 
     folder, file = DomainFolder(job.folder), f"{RUNS}/{job.run}{RECORD}"
-    showing = Showing(audience=Onlooker(connection, job.controls))
+    showing = Showing(audience=Onlooker(parent(), job.controls))
     run, agreement = replay_run(folder, folder / file, showing)
     return Ran(run, file, agreement.course)
 
 
-def _draw(job: DrawTask, _: Connection) -> Any:
+def _draw(job: DrawTask) -> Any:
     from neurosym.stages.folder import DomainFolder, load_scene
     from neurosym.stages.layout import scene_file
     from neurosym.stages.problem_making import Asked, problem_stage
@@ -148,7 +127,7 @@ def _draw(job: DrawTask, _: Connection) -> Any:
     return Drawn(load_scene(folder / scene_file(job.name)))
 
 
-def _perform(job: Perform, connection: Connection) -> Any:
+def _perform(job: Perform) -> Any:
     """Perform one action in a scene, and send its poses."""
     from neurosym.stages.folder import DomainFolder
     from neurosym.stages.layout import WORLD
@@ -156,7 +135,7 @@ def _perform(job: Perform, connection: Connection) -> Any:
     from neurosym.worlds.world_file import read_world
 
     world = read_world(DomainFolder(job.folder).require(WORLD))()
-    onlooker = Onlooker(connection, job.controls)
+    onlooker = Onlooker(parent(), job.controls)
     onlooker.begin(world, job.problem)
     target = job.problem.object_names.index(job.object)
     aim = relative_to(world, job.reference)
@@ -165,7 +144,7 @@ def _perform(job: Perform, connection: Connection) -> Any:
     return Performed(outcome.kind, tuple(map(float, outcome.effect)), outcome.end)
 
 
-def _recall(job: Recall, connection: Connection) -> Any:
+def _recall(job: Recall) -> Any:
     """Make an interaction of the data happen again."""
     from neurosym.data.interactions import Interactions
     from neurosym.pictures.motions import judge, recall_interaction
@@ -175,8 +154,8 @@ def _recall(job: Recall, connection: Connection) -> Any:
     world = read_world(job.folder / WORLD)()
     interactions = Interactions.load(job.data)
     motion, is_same = recall_interaction(world, interactions, job.row)
-    onlooker = Onlooker(connection, job.controls)
-    connection.send(motion.scene)
+    onlooker = Onlooker(parent(), job.controls)
+    parent().send(motion.scene)
     if isinstance(world, Posed):
         world.on_pose = onlooker.see
     outcome = world.interact(motion.scene, motion.action, 0)
@@ -186,7 +165,7 @@ def _recall(job: Recall, connection: Connection) -> Any:
     return Performed(outcome.kind, tuple(map(float, outcome.effect)), outcome.end, said)
 
 
-_WORK: dict[type[Job], Callable[[Any, Connection], Any]] = {
+_WORK: dict[type[Job], Callable[[Any], Any]] = {
     Make: _make,
     PlanNew: _plan,
     RunPlan: _run,

@@ -1,7 +1,5 @@
 """Whether what the page is drawn with is installed; this module is imported without it."""
 
-from importlib.metadata import PackageNotFoundError, version
-
 from neurosym.errors import NeurosymError
 
 LEAST, BELOW = (1, 1), (2, 0)
@@ -19,6 +17,8 @@ class StudioMissing(NeurosymError):
 
 def check_extra() -> None:
     """Raise `StudioMissing` unless the page can be drawn."""
+    from importlib.metadata import PackageNotFoundError, version  # takes longer than the rest of this
+
     try:
         found = version("viser")
     except PackageNotFoundError:

@@ -9,17 +9,17 @@ import asyncio
 import hmac
 import secrets
 import threading
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping, Sequence
 from contextlib import suppress
 from html import escape
 from http import HTTPStatus
+from http.client import HTTPException, parse_headers
 from http.cookies import CookieError, SimpleCookie
+from io import BytesIO
 from ipaddress import ip_address
-from typing import Protocol
 from urllib.parse import parse_qs, urlsplit
 
 from neurosym.errors import CannotStart, NeurosymError
-from neurosym.studio.take_away import OPEN
 from neurosym.wording import harmless
 
 PAGE = "/page/"
@@ -32,18 +32,6 @@ _COOKIE, _TOKEN = "neurosym-page", "neurosym-token"
 _CHUNK = 1 << 16
 
 
-class Doorman(Protocol):
-    """Knows the pages."""
-
-    def open_page(self, link: str = "") -> str:
-        """Make a page, with the scene of a link if one is given, and return what it is called."""
-        ...
-
-    def port_of(self, page: str) -> int | None:
-        """Return where a page is served on this machine, or None if there is none of that name."""
-        ...
-
-
 class Head:
     """The head of a request.
 
@@ -52,20 +40,19 @@ class Head:
 
     Raises:
         ValueError: If it is none.
+        HTTPException: The same, of its later lines.
     """
 
     def __init__(self, raw: bytes):
-        first, *lines = raw.decode("latin-1").split("\r\n")
-        self.method, self.target, self.version = first.split(" ")
-        pairs = (line.partition(":") for line in lines)
-        self.headers = [(name.strip(), value.strip()) for name, _, value in pairs if name]
-        self._known = {name.lower(): value for name, value in self.headers}
-        parts = urlsplit(self.target)
+        first, _, rest = raw.partition(b"\r\n")
+        self.method, target, self.version = first.decode("latin-1").split(" ")
+        self.headers = parse_headers(BytesIO(rest))
+        parts = urlsplit(target)
         self.path, self.query = parts.path, parse_qs(parts.query)
 
     def get(self, name: str) -> str:
         """Return a header, or nothing."""
-        return self._known.get(name.lower(), "")
+        return self.headers.get(name, "")
 
     @property
     def is_upgrade(self) -> bool:
@@ -80,10 +67,10 @@ class Head:
             jar.load(self.get("cookie"))
         return {name: one.value for name, one in jar.items()}
 
-    def for_page(self, rest: str) -> bytes:
+    def for_page(self, path: str) -> bytes:
         """Return the head as it is passed on: one request a connection, with the path that the page knows."""
-        lines = [f"{self.method} {rest or '/'} {self.version}"]
-        for name, value in self.headers:
+        lines = [f"{self.method} {path} {self.version}"]
+        for name, value in self.headers.items():
             if self.is_upgrade or name.lower() not in ("connection", "keep-alive"):
                 lines.append(f"{name}: {value}")
         if not self.is_upgrade:
@@ -95,7 +82,8 @@ class Front:
     """The door, in a thread of its own.
 
     Args:
-        doorman: Knows the pages.
+        open_page: Makes a page, and returns what it is called.
+        port_of: Says where a page of some name is served on this machine; None if there is none.
         host: Whom it hears: 127.0.0.1 for this machine only.
         port: Its port; 0 for a free one.
 
@@ -103,8 +91,14 @@ class Front:
         token: What must be known to come in from other machines; empty for this machine only.
     """
 
-    def __init__(self, doorman: Doorman, host: str = "127.0.0.1", port: int = 0):
-        self._doorman, self._host, self._wanted = doorman, host, port
+    def __init__(
+        self,
+        open_page: Callable[[], str],
+        port_of: Callable[[str], int | None],
+        host: str = "127.0.0.1",
+        port: int = 0,
+    ):
+        self._open_page, self._port_of, self._host, self._wanted = open_page, port_of, host, port
         self.is_local = is_loopback(host)
         self.token = "" if self.is_local else secrets.token_urlsafe(16)
         self.port = 0
@@ -163,7 +157,7 @@ class Front:
             try:
                 raw = await asyncio.wait_for(reader.readuntil(b"\r\n\r\n"), PATIENCE)
                 head = Head(raw)
-            except (ValueError, asyncio.LimitOverrunError):
+            except (ValueError, HTTPException, asyncio.LimitOverrunError):
                 await _answer(writer, HTTPStatus.BAD_REQUEST, "This is no request that a browser sends.")
             else:
                 await self._route(head, reader, writer)
@@ -175,17 +169,17 @@ class Front:
             await _answer(writer, HTTPStatus.FORBIDDEN, "Another site sent this request; it is refused.")
         elif head.path.startswith(PAGE):
             page, _, rest = head.path.removeprefix(PAGE).partition("/")
-            port = self._doorman.port_of(page)
+            port = self._port_of(page)
             if port is None:
-                await _answer(writer, HTTPStatus.NOT_FOUND, "This page is closed.", self._home())
+                await _answer(writer, HTTPStatus.NOT_FOUND, "This page is closed.")
             elif head.path == f"{PAGE}{page}" and not head.is_upgrade:
                 await _redirect(writer, f"{PAGE}{page}/")
             else:
                 await _pass_on(head.for_page(f"/{rest}"), port, reader, writer)
-        elif head.path == "/" or head.path.startswith(OPEN):
+        elif head.path == "/":
             await self._admit(head, writer)
         else:
-            await _answer(writer, HTTPStatus.NOT_FOUND, "There is nothing here.", self._home())
+            await _answer(writer, HTTPStatus.NOT_FOUND, "There is nothing here.")
 
     async def _admit(self, head: Head, writer: asyncio.StreamWriter) -> None:
         """Show a browser its page, or make one."""
@@ -194,17 +188,14 @@ class Front:
             await _answer(writer, HTTPStatus.FORBIDDEN, "The address must hold the token that was printed.")
             return
         cookies = [f"{_TOKEN}={self.token}; Path=/; HttpOnly; SameSite=Strict"] if self.token else []
-        known, link = head.cookies.get(_COOKIE, ""), head.path if head.path.startswith(OPEN) else ""
-        if not link and self._doorman.port_of(known) is not None:
-            await _redirect(writer, f"{PAGE}{known}/", cookies)
-            return
-        loop = asyncio.get_running_loop()
-        try:
-            page = await loop.run_in_executor(None, self._doorman.open_page, link)
-        except NeurosymError as error:
-            await _answer(writer, HTTPStatus.BAD_REQUEST, str(error), self._home())
-            return
-        cookies.append(f"{_COOKIE}={page}; Path=/; HttpOnly; SameSite=Strict")
+        page = head.cookies.get(_COOKIE, "")
+        if self._port_of(page) is None:
+            try:
+                page = await asyncio.get_running_loop().run_in_executor(None, self._open_page)
+            except NeurosymError as error:
+                await _answer(writer, HTTPStatus.BAD_REQUEST, str(error))
+                return
+            cookies.append(f"{_COOKIE}={page}; Path=/; HttpOnly; SameSite=Strict")
         await _redirect(writer, f"{PAGE}{page}/", cookies)
 
     def _is_ours(self, head: Head) -> bool:
@@ -214,9 +205,6 @@ class Front:
             return False  # another name was made to lead here
         origin = head.get("origin")
         return not origin or urlsplit(origin).netloc == head.get("host")
-
-    def _home(self) -> str:
-        return "/"
 
 
 def is_loopback(host: str) -> bool:
@@ -254,17 +242,16 @@ async def _pump(reader: asyncio.StreamReader, writer: asyncio.StreamWriter) -> N
             await writer.drain()
 
 
-async def _redirect(writer: asyncio.StreamWriter, to: str, cookies: list[str] | None = None) -> None:
-    lines = [f"Location: {to}", *(f"Set-Cookie: {cookie}" for cookie in cookies or [])]
+async def _redirect(writer: asyncio.StreamWriter, to: str, cookies: Sequence[str] = ()) -> None:
+    lines = [f"Location: {to}", *(f"Set-Cookie: {cookie}" for cookie in cookies)]
     await _send(writer, HTTPStatus.SEE_OTHER, lines, b"")
 
 
-async def _answer(writer: asyncio.StreamWriter, status: HTTPStatus, sentence: str, home: str = "") -> None:
-    link = f'<p><a href="{escape(home)}">A new page</a></p>' if home else ""
+async def _answer(writer: asyncio.StreamWriter, status: HTTPStatus, sentence: str) -> None:
     style = "font-family:sans-serif;max-width:40em;margin:4em auto;padding:0 1em"
     text = (
         '<!doctype html><html lang="en"><meta charset="utf-8"><title>neurosym studio</title>'
-        f'<body style="{style}"><p>{escape(sentence)}</p>{link}</body></html>'
+        f'<body style="{style}"><p>{escape(sentence)}</p><p><a href="/">A new page</a></p></body></html>'
     )
     await _send(writer, status, ["Content-Type: text/html; charset=utf-8"], text.encode())
 

@@ -1,10 +1,9 @@
 """The domain that a page shows: what was learned, read once and shared by all who look at it."""
 
 import threading
-from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, field
-from functools import cached_property
-from typing import TYPE_CHECKING, Literal
+from collections.abc import Callable, Sequence
+from functools import cached_property, partial
+from typing import TYPE_CHECKING, NamedTuple, TypeVar
 
 import numpy as np
 
@@ -30,22 +29,21 @@ if TYPE_CHECKING:
 
 _HOLLOW = 0.5  # the least type of an object that has a hole, where a world does not say what it looks like
 _WALL = 0.006
+_T = TypeVar("_T")
 
 
-@dataclass(slots=True)
-class Damage:
-    """What could not be read of a domain; the page says it and goes on with the rest.
+class Motion(NamedTuple):
+    """What the network says of an action on an object.
 
     Attributes:
-        sentences: One for each file.
+        symbol: The symbol that the action has.
+        expected: Where the object goes by the bits alone [m].
+        direct: Where it goes by the network before the bits [m].
     """
 
-    sentences: list[str] = field(default_factory=list)
-
-    def note(self, error: Exception) -> None:
-        """Remember what went wrong."""
-        if (said := harmless(str(error))) not in self.sentences:
-            self.sentences.append(said)
+    symbol: str
+    expected: tuple[float, ...]
+    direct: tuple[float, ...]
 
 
 class Library:
@@ -59,7 +57,7 @@ class Library:
     Attributes:
         grounding: What was learned.
         world: The world, for its table and its objects; simulations run elsewhere.
-        damage: What could not be read.
+        damage: What could not be read: a sentence for each file. The page says it and goes on with the rest.
 
     Raises:
         NeurosymError: If it has no world or no grounding, without which there is nothing to show.
@@ -67,7 +65,7 @@ class Library:
 
     def __init__(self, folder: DomainFolder, name: str, *, is_shipped: bool = False):
         self.folder, self.name, self.is_shipped = folder, name, is_shipped
-        self.damage = Damage()
+        self.damage: list[str] = []
         self.world: World = read_world(folder.require(WORLD))()
         self.grounding = Grounding.load(folder.require(GROUNDING))
         self._lock = threading.Lock()
@@ -77,50 +75,27 @@ class Library:
         """The network that gives objects their bits; None if it cannot be read, and `damage` says why."""
         from neurosym.learning.effect_model import EffectModel
 
-        try:
-            return EffectModel.load(self.folder.require(MODEL))
-        except NeurosymError as error:
-            self.damage.note(error)
-            return None
+        return self._read(lambda: EffectModel.load(self.folder.require(MODEL)))
 
     @cached_property
     def sight_of_pairs(self) -> PairSight | None:
         """What networks say of pairs of objects; None if they cannot be read, and `damage` says why."""
-        try:
-            return sight_of_pairs(self.folder)
-        except NeurosymError as error:
-            self.damage.note(error)
-            return None
+        return self._read(lambda: sight_of_pairs(self.folder))
 
     @cached_property
     def interactions(self) -> Interactions | None:
         """What was explored; None if it cannot be read, and `damage` says why if there is a file."""
         path = self.folder / INTERACTIONS
-        if not path.is_file():
-            return None
+        return self._read(lambda: Interactions.load(path)) if path.is_file() else None
+
+    def _read(self, read: Callable[[], _T]) -> _T | None:
+        """Read something; if that fails, remember why."""
         try:
-            return Interactions.load(path)
+            return read()
         except NeurosymError as error:
-            self.damage.note(error)
+            if (said := harmless(str(error))) not in self.damage:
+                self.damage.append(said)
             return None
-
-    @property
-    def rows(self) -> int:
-        """How many interactions were explored, as far as that is known."""
-        return len(self.interactions) if self.interactions else 0
-
-    def telling_row(self, kind: Literal["held", "resting"]) -> int:
-        """Return an interaction in which much happened: the object was lifted, or went far.
-
-        Args:
-            kind: How the object ended.
-        """
-        data = self.interactions
-        if data is None:
-            return 0
-        is_kind = data.held if kind == "held" else ~(data.held | data.toppled | data.lost)
-        far = np.where(is_kind, np.linalg.norm(data.effects, axis=1), -1.0)
-        return int(np.argsort(far)[-max(1, len(far) // 50)])
 
     @property
     def middle(self) -> tuple[float, float]:
@@ -134,55 +109,40 @@ class Library:
         return limits_of(self.world)
 
     def categorise(self, features: Float[np.ndarray, "N F"]) -> tuple[Symbol, ...]:
-        """Give objects their symbols; without a network, that of the category that they are most like.
-
-        Args:
-            features: What they are.
-        """
+        """Give objects their symbols; without a network, that of the category that they are most like."""
         with self._lock:
             if (model := self.model) is not None:
                 return model.object_symbols(features)
         return tuple(self._likest(row) for row in features)
 
     def paired(self, problem: Problem) -> Problem:
-        """Return a problem that knows the kinds of its pairs, if the domain has any.
-
-        Args:
-            problem: The problem.
-        """
+        """Return a problem that knows the kinds of its pairs, if the domain has any."""
         relations = self.grounding.relations
-        if relations is None:
-            return problem
         with self._lock:
-            return with_pairs(problem, relations, self.sight_of_pairs)
+            return with_pairs(problem, relations, self.sight_of_pairs if relations else None)
 
     def margins(self, features: Sequence[float]) -> tuple[float, ...]:
-        """Return what each bit of an object is the sign of, before it is squashed; empty without a network.
-
-        Args:
-            features: What the object is.
-        """
+        """Return what each bit of an object is the sign of, before it is squashed; () without a network."""
         with self._lock:
             if (model := self.model) is None:
                 return ()
             return tuple(model.object_margins(np.array([features], dtype=float))[0].tolist())
 
-    def expect(
-        self, features: Float[np.ndarray, "1 F"], action: Float[np.ndarray, "1 A"]
-    ) -> tuple[Symbol, tuple[float, ...], tuple[float, ...]] | None:
-        """Return the symbol of an action, and what the network expects through the bits and before them [m].
+    def expect(self, features: Sequence[float], action: Float[np.ndarray, "A"]) -> Motion | None:
+        """Say which symbol an action has, and what the network expects of it; None without a network.
 
         Args:
             features: What the object is.
             action: The action parameters.
         """
+        row = np.array([features], dtype=float), action[None]
         with self._lock:
             if (model := self.model) is None:
                 return None
             through, before = (
-                predict(features, action)[0][0] for predict in (model.predict_from_codes, model.predict)
+                tuple(predict(*row)[0][0].tolist()) for predict in (model.predict_from_codes, model.predict)
             )
-            return model.action_symbols(action)[0], tuple(through.tolist()), tuple(before.tolist())
+            return Motion(model.action_symbols(row[1])[0], through, before)
 
     def problem_names(self) -> tuple[str, ...]:
         """List the problems of the folder."""
@@ -204,15 +164,8 @@ class Library:
 
     def first_problem(self) -> Problem | None:
         """Return the first problem of the folder that can be read, if there is one."""
-        return next(self.problems(), None)
-
-    def problems(self) -> Iterator[Problem]:
-        """Read the problems of the folder, as far as they can be read."""
-        for name in self.problem_names():
-            try:
-                yield self.load_problem(name)
-            except NeurosymError as error:
-                self.damage.note(error)
+        read = (self._read(partial(self.load_problem, name)) for name in self.problem_names())
+        return next(filter(None, read), None)
 
     def robot_parts(self) -> tuple[Part, ...]:
         """Return what the robot is drawn with; nothing if the world does not say."""

@@ -1,22 +1,20 @@
 """What is said between a page and the process that works for it."""
 
-from dataclasses import dataclass, field, replace
 from pathlib import Path
 
-import numpy as np
+import msgspec
 
-from neurosym.arrays import Float
 from neurosym.choices import AnyTask
 from neurosym.execution.record import Run, StepRecord
 from neurosym.pddl.encoding_names import EncodingName
+from neurosym.poses import Pose
 from neurosym.problems import Problem
 from neurosym.stages.plan_records import PlanRecord
 from neurosym.table import Place
 from neurosym.world import OutcomeKind, Scene
 
 
-@dataclass(frozen=True, slots=True)
-class Controls:
+class Controls(msgspec.Struct, frozen=True):
     """How a run goes on; each that is sent takes the place of the one before.
 
     Attributes:
@@ -31,13 +29,8 @@ class Controls:
     one_step: bool = False
     is_stopped: bool = False
 
-    def without_step(self) -> "Controls":
-        """Return the controls once the one step is done."""
-        return replace(self, one_step=False)
 
-
-@dataclass(frozen=True, slots=True)
-class Grab:
+class Grab(msgspec.Struct, frozen=True):
     """Put an object somewhere else on the table before the next step, x and y [m]."""
 
     object: str
@@ -45,8 +38,7 @@ class Grab:
     y: float
 
 
-@dataclass(frozen=True, slots=True)
-class Job:
+class Job(msgspec.Struct, frozen=True):
     """Something to do in the folder of a page.
 
     Attributes:
@@ -56,15 +48,13 @@ class Job:
     folder: Path
 
 
-@dataclass(frozen=True, slots=True)
-class Make(Job):
+class Make(Job, frozen=True):
     """Take a problem over into the folder."""
 
     problem: Problem
 
 
-@dataclass(frozen=True, slots=True)
-class PlanNew(Job):
+class PlanNew(Job, frozen=True):
     """Take a problem over, and plan; in the planner's usual encoding if none is given."""
 
     problem: Problem
@@ -74,27 +64,24 @@ class PlanNew(Job):
     time_limit: float | None = None
 
 
-@dataclass(frozen=True, slots=True)
-class RunPlan(Job):
+class RunPlan(Job, frozen=True):
     """Execute the file of a plan, relative to the folder, for a problem of it."""
 
     problem: str
     plan_file: str
     replanner: str
     replans: int | None
-    controls: Controls = field(default_factory=Controls)
+    controls: Controls = Controls()
 
 
-@dataclass(frozen=True, slots=True)
-class Replay(Job):
+class Replay(Job, frozen=True):
     """Run a record of the folder again."""
 
     run: str
-    controls: Controls = field(default_factory=Controls)
+    controls: Controls = Controls()
 
 
-@dataclass(frozen=True, slots=True)
-class DrawTask(Job):
+class DrawTask(Job, frozen=True):
     """Draw a task: as the paper draws them, or of a kind that people ask for; `tolerance` in metres."""
 
     name: str
@@ -104,40 +91,32 @@ class DrawTask(Job):
     tolerance: float | None = None
 
 
-@dataclass(frozen=True, slots=True)
-class Perform(Job):
+class Perform(Job, frozen=True):
     """Perform an action on an object of a scene."""
 
     problem: Problem
     object: str
     action: tuple[float, ...]
     reference: Place | None = None
-    controls: Controls = field(default_factory=Controls)
+    controls: Controls = Controls()
 
 
-@dataclass(frozen=True, slots=True)
-class Recall(Job):
+class Recall(Job, frozen=True):
     """Make a row of a data set happen again."""
 
     data: Path
     row: int
-    controls: Controls = field(default_factory=Controls)
+    controls: Controls = Controls()
 
 
-@dataclass(frozen=True, slots=True, eq=False)
-class Seen:
-    """Where everything is, see `Pose`; and at which step of a plan, counted from 1, or 0 if it is at none."""
+class Seen(msgspec.Struct, frozen=True, eq=False):
+    """Where everything is; and at which step of a plan, counted from 1, or 0 if it is at none."""
 
-    seconds: float
-    phase: str
-    links: Float[np.ndarray, "L 7"]
-    positions: Float[np.ndarray, "M 3"]
-    orientations: Float[np.ndarray, "M 4"]
+    pose: Pose
     step: int = 0
 
 
-@dataclass(frozen=True, slots=True, eq=False)
-class Next:
+class Next(msgspec.Struct, frozen=True, eq=False):
     """The step that is next: its number, what is left of the plan, and where everything is [m].
 
     What is left is operator, object and place of each step.
@@ -148,30 +127,26 @@ class Next:
     scene: Scene
 
 
-@dataclass(frozen=True, slots=True)
-class Step:
+class Step(msgspec.Struct, frozen=True):
     """What a step did."""
 
     record: StepRecord
 
 
-@dataclass(frozen=True, slots=True)
-class Drawn:
+class Drawn(msgspec.Struct, frozen=True):
     """A problem that lies in the folder now."""
 
     problem: Problem
 
 
-@dataclass(frozen=True, slots=True)
-class Planned:
+class Planned(msgspec.Struct, frozen=True):
     """How planning went, and the file of the plan relative to the folder, if there is one."""
 
     record: PlanRecord
     plan_file: str
 
 
-@dataclass(frozen=True, slots=True)
-class Ran:
+class Ran(msgspec.Struct, frozen=True):
     """What became of a run, and its file relative to the folder; how it agrees with the record it replays."""
 
     run: Run
@@ -179,8 +154,7 @@ class Ran:
     course: str = ""
 
 
-@dataclass(frozen=True, slots=True, eq=False)
-class Performed:
+class Performed(msgspec.Struct, frozen=True, eq=False):
     """What one action did: how its object ended, how far it moved [m], and where everything is then."""
 
     kind: OutcomeKind
@@ -189,12 +163,7 @@ class Performed:
     said: str = ""
 
 
-@dataclass(frozen=True, slots=True)
-class Failed:
+class Failed(msgspec.Struct, frozen=True):
     """Why a job was not done, in a sentence."""
 
     sentence: str
-
-
-ANSWERS = (Drawn, Planned, Ran, Performed, Failed)
-"""What a job ends with."""

@@ -3,6 +3,7 @@
 import time
 from typing import Any, Protocol
 
+import msgspec
 import numpy as np
 
 from neurosym.execution.record import Nudge, Replanning, StepRecord
@@ -69,9 +70,7 @@ class Onlooker:
         self._last = pose.seconds
         if time.monotonic() - self._sent >= self._pace:
             self._sent = time.monotonic()
-            self._connection.send(
-                Seen(pose.seconds, pose.phase, pose.links, pose.positions, pose.orientations, self._step)
-            )
+            self._connection.send(Seen(pose, self._step))
         self._listen()
         while self._controls.is_paused and not self._controls.is_stopped and not self._controls.one_step:
             self._wait_for_word(_PAUSED)
@@ -88,7 +87,7 @@ class Onlooker:
         self._last, self._step = 0.0, moment.number
         steps = tuple((step.operator, step.object, step.place) for step in moment.left)
         self._connection.send(Next(moment.number, steps, moment.scene))
-        self._controls = self._controls.without_step()
+        self._controls = msgspec.structs.replace(self._controls, one_step=False)
         self._listen()
         while moment.left and self._waits():
             self._wait_for_word(_PAUSED)

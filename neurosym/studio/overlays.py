@@ -8,7 +8,7 @@ import numpy as np
 import viser
 
 from neurosym.arrays import Float
-from neurosym.studio.placing import REACH_CELL, Reach
+from neurosym.studio.placing import REACH_CELL
 
 WAYPOINTS = ((62, 117, 196), (68, 158, 88), (201, 72, 76))
 """Blue the first, green the second, red the third, as in pictures."""
@@ -52,32 +52,19 @@ class Overlays:
             lines = np.stack([way[:-1][moves], way[1:][moves]], axis=1)
             colour = colours[number % len(colours)]
             nodes.append(self._scene.add_line_segments(f"/paths/{number}", lines, colour, thickness=0.006))
-            nodes.append(
-                self._scene.add_point_cloud(
-                    f"/paths/{number}-dots",
-                    way[1:][moves],
-                    colour,
-                    point_size=0.011,
-                    point_shape="circle",
-                    precision="float32",
-                )
-            )
+            nodes.append(self._cloud(f"/paths/{number}-dots", way[1:][moves], colour, 0.011))
 
-    def reach(self, reach: Reach, colour: tuple[int, int, int]) -> None:
-        """Draw where an object can be brought to, as dots on the table."""
-        self.clear("reach")
-        centres = reach.centres()
-        points = np.column_stack([centres, np.full(len(centres), 0.001)])
-        node = self._scene.add_point_cloud(
-            "/reach",
-            points,
-            colour,
-            point_size=REACH_CELL * 0.35,
-            point_shape="circle",
-            point_shading="flat",
-            precision="float32",
+    def _cloud(self, name: str, points: np.ndarray, colours: Any, size: float, **options: Any) -> Any:
+        return self._scene.add_point_cloud(
+            name, points, colours, point_size=size, point_shape="circle", precision="float32", **options
         )
-        self._layers["reach"] = [node]
+
+    def reach(self, centres: Float[np.ndarray, "N 2"], colour: tuple[int, int, int]) -> None:
+        """Draw where an object can be brought to [m], as dots on the table."""
+        self.clear("reach")
+        points = np.column_stack([centres, np.full(len(centres), 0.001)])
+        size = REACH_CELL * 0.35
+        self._layers["reach"] = [self._cloud("/reach", points, colour, size, point_shading="flat")]
 
     def arrows(self, start: Sequence[float], effects: Sequence[tuple[Sequence[float], bool]]) -> None:
         """Draw where operators take an object, each arrow with its number from 1.
@@ -117,20 +104,12 @@ class Overlays:
         """
         self.clear(layer)
         if len(points):
-            node = self._scene.add_point_cloud(
-                f"/{layer}",
-                points,
-                colours.astype(np.uint8),
-                point_size=0.007,
-                point_shape="circle",
-                precision="float32",
-            )
-            self._layers[layer] = [node]
+            self._layers[layer] = [self._cloud(f"/{layer}", points, colours.astype(np.uint8), 0.007)]
 
     def waypoints(
         self,
         points: Float[np.ndarray, "3 3"],
-        moved: Callable[[int, tuple[float, float, float]], None] | None = None,
+        moved: Callable[[int, tuple[float, float, float]], None],
     ) -> None:
         """Draw the waypoints of an action, each to be dragged.
 
@@ -142,20 +121,17 @@ class Overlays:
         lines = np.stack([points[:-1], points[1:]], axis=1)
         nodes: list[Any] = [self._scene.add_line_segments("/way", lines, (90, 90, 90), thickness=0.003)]
         for number, point in enumerate(points):
-            ball = self._scene.add_icosphere(
-                f"/waypoints/{number}", 0.012, WAYPOINTS[number % len(WAYPOINTS)], position=tuple(point)
+            colour = WAYPOINTS[number % len(WAYPOINTS)]
+            ball = self._scene.add_icosphere(f"/waypoints/{number}", 0.012, colour, position=tuple(point))
+            handle = self._scene.add_transform_controls(
+                f"/waypoint-handles/{number}",
+                scale=0.07,
+                disable_rotations=True,
+                disable_sliders=True,
+                position=tuple(point),
             )
-            nodes.append(ball)
-            if moved is not None:
-                handle = self._scene.add_transform_controls(
-                    f"/waypoint-handles/{number}",
-                    scale=0.07,
-                    disable_rotations=True,
-                    disable_sliders=True,
-                    position=tuple(point),
-                )
-                handle.on_update(_teller(number, moved))
-                nodes.append(handle)
+            handle.on_update(_teller(number, moved))
+            nodes += [ball, handle]
         self._layers["waypoints"] = nodes
 
     def follow(self, points: Float[np.ndarray, "3 3"]) -> None:
@@ -163,12 +139,8 @@ class Overlays:
         nodes = self._layers.get("waypoints", [])
         if nodes:
             nodes[0].points = np.stack([points[:-1], points[1:]], axis=1).astype(np.float32)
-            for ball, point in zip((one for one in nodes[1:] if _is_ball(one)), points, strict=False):
+            for ball, point in zip(nodes[1::2], points, strict=True):
                 ball.position = tuple(point)
-
-
-def _is_ball(node: Any) -> bool:
-    return isinstance(node, viser.IcosphereHandle)
 
 
 def _teller(number: int, moved: Callable[[int, tuple[float, float, float]], None]) -> Callable[[Any], Any]:

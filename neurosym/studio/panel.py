@@ -1,32 +1,88 @@
-"""What the panels of a page have in common."""
+"""What the panels of a page have in common, and what they are about."""
 
+import threading
 from collections.abc import Callable
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
+import numpy as np
 import viser
 
-from neurosym.studio.session import Session, Topic
+from neurosym.problems import SceneObject
+from neurosym.studio.desk import Topic
+from neurosym.studio.overlays import Overlays
+from neurosym.studio.session import Session
+from neurosym.studio.view import COLOURS
 
-if TYPE_CHECKING:
-    from neurosym.studio.page import Page
+DARK, LIGHT = (24, 26, 30), (245, 246, 248)
+
+
+class Board:
+    """What panels are about: a session, which of its objects is chosen, and what is drawn over the table.
+
+    Args:
+        server: Serves the page of this session and no other.
+        session: What is shown.
+
+    Attributes:
+        overlays: Layers over the table.
+        selected: Name of the object that the panels are about.
+    """
+
+    def __init__(self, server: viser.ViserServer, session: Session):
+        self.server, self.session = server, session
+        self.overlays = Overlays(server.scene)
+        self.selected = session.problem.object_names[0] if session.problem else ""
+        self._topics: set[Topic] = set()
+        self._lock, self._has_changed = threading.Lock(), threading.Event()
+
+    def hear(self, topic: Topic) -> None:
+        """Have something drawn soon."""
+        with self._lock:
+            self._topics.add(topic)
+        self._has_changed.set()
+
+    def select(self, name: str) -> None:
+        """Choose the object that the panels are about."""
+        if self.session.problem and name in self.session.problem.object_names and name != self.selected:
+            self.selected = name
+            self.hear("scene")
+
+    @property
+    def item(self) -> SceneObject | None:
+        """The object that the panels are about, if there is any."""
+        problem = self.session.problem
+        if problem is None:
+            return None
+        if self.selected not in problem.object_names:
+            self.selected = problem.object_names[0]
+        return problem.object_named(self.selected)
+
+    def colour_of(self, name: str) -> tuple[int, int, int]:
+        """Return the colour of an object."""
+        problem = self.session.problem
+        number = problem.object_names.index(name) if problem and name in problem.object_names else 0
+        return COLOURS[number % len(COLOURS)]
+
+    def set_dark(self, is_dark: bool) -> None:
+        """Show the page dark or light."""
+        self.server.gui.configure_theme(
+            dark_mode=is_dark, show_logo=False, show_share_button=False, control_width="large"
+        )
+        colour = DARK if is_dark else LIGHT
+        self.server.scene.set_background_image(np.full((2, 2, 3), colour, dtype=np.uint8))
 
 
 class Panel:
     """A part of the page beside the table.
 
     Args:
-        page: The page.
+        page: What it is about.
     """
 
-    def __init__(self, page: "Page"):
-        self.page = page
+    def __init__(self, page: Board):
+        self.page, self.session = page, page.session
         self.gui: viser.GuiApi = page.server.gui
         self.build()
-
-    @property
-    def session(self) -> Session:
-        """What the page shows."""
-        return self.page.session
 
     def build(self) -> None:
         """Make the fields and buttons."""
@@ -38,29 +94,18 @@ class Panel:
     def button(
         self, label: str, act: Callable[[], object], hint: str = "", **options: Any
     ) -> viser.GuiButtonHandle:
-        """Add a button.
-
-        Args:
-            label: What stands on it.
-            act: What it does.
-            hint: What is said when the pointer is over it.
-            options: As of viser.
-        """
+        """Add a button that does something, and says a hint when the pointer is over it."""
         made = self.gui.add_button(label, hint=hint or None, **options)
 
+        @made.on_click
         def clicked(_: Any) -> None:
             act()
 
-        made.on_click(clicked)
         return made
 
 
 def by_user(act: Callable[[Any], None]) -> Callable[[Any], None]:
-    """Have something done when a user changed a field, and not when the page did.
-
-    Args:
-        act: Given the field's value.
-    """
+    """Have something done with a field's value when a user changed it, and not when the page did."""
 
     def changed(event: Any) -> None:
         if event.client is not None:

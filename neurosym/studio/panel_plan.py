@@ -1,22 +1,19 @@
 """The panel `Plan`: whom to ask, what was found, and the PDDL that says so."""
 
-from typing import Any
-
-from neurosym.errors import NeurosymError
+from neurosym.pddl.encoding_names import STRIPS
+from neurosym.pddl.encodings import encoding_named
 from neurosym.pddl.strips_plan import action_for
-from neurosym.planners import PLANNERS, PlanStatus
-from neurosym.reading import read_text
-from neurosym.stages.layout import DOMAIN
-from neurosym.studio.asking import planners_here, usual_planner
+from neurosym.planners.result import PlanStatus
+from neurosym.studio.desk import Topic
 from neurosym.studio.messages import Planned
 from neurosym.studio.panel import Panel, by_user, set_content, set_options
-from neurosym.studio.session import Topic
+from neurosym.studio.session import planners_here, usual_planner
 from neurosym.studio.view import COLOURS
-from neurosym.studio.words import action_of, paragraph, pddl, plan_summary, plan_table, safe
+from neurosym.studio.words import plan_summary, plan_table, preformatted
 from neurosym.tasks.steps import PlanStep
 from neurosym.tasks.transition import validate
 
-NOBODY, USUAL = "(nobody)", "usual"
+NOBODY = "(nobody)"
 
 
 class PlanPanel(Panel):
@@ -26,13 +23,8 @@ class PlanPanel(Panel):
         """Make the fields."""
         gui, session = self.gui, self.session
         self._drawn: Planned | None = None
-        names, first = planners_here(), usual_planner()
-        self._planner = gui.add_dropdown("Planner", names, initial_value=first)
-        self._planner.on_update(by_user(lambda name: self._offer_encodings(name)))
-        self._other = gui.add_dropdown("Beside it", (NOBODY, *names), hint="A second planner, to compare.")
-        self._encoding = gui.add_dropdown("Encoding", (USUAL,))
-        self._offer_encodings(first)
-        self._go = self.button("Plan", self.plan, color="green")
+        self._planner = gui.add_dropdown("Planner", planners_here(), initial_value=usual_planner())
+        self._go = self.button("Plan", lambda: session.plan(self._planner.value), color="green")
         self._stop = self.button("Stop planning", session.stop_planning, disabled=True)
         self._text = gui.add_html("")
         self._choose = gui.add_dropdown("Show and run", (NOBODY,), visible=False)
@@ -44,14 +36,6 @@ class PlanPanel(Panel):
             self._step = gui.add_slider("Step", 1, 2, 1, 1)
             self._step.on_update(by_user(lambda _: self._show_pddl()))
             self._pddl = gui.add_html("")
-
-    def plan(self) -> None:
-        """Ask the planners that are chosen."""
-        encoding: Any = None if self._encoding.value == USUAL else self._encoding.value
-        names = [self._planner.value]
-        if self._other.value not in (NOBODY, names[0]):
-            names.append(self._other.value)
-        self.session.plan(*names, encoding=encoding)
 
     def refresh(self, topics: set[Topic]) -> None:
         """Show the plans."""
@@ -74,18 +58,12 @@ class PlanPanel(Panel):
         if problem is None or not session.plans:
             return ""
         parts = [plan_summary(one.record) for one in session.plans.values()]
-        if len(session.plans) > 1:
-            parts.append(paragraph(safe(difference([*session.plans.values()]))))
         chosen = session.plan_shown
         if chosen is not None and chosen.record.steps:
             number = session.running.number
             at = number - 1 if session.running.is_active and not session.running.replannings else None
             parts.append(plan_table(chosen.record, session.paired(), grounding, at))
         return "".join(parts)
-
-    def _offer_encodings(self, name: str) -> None:
-        planner = PLANNERS[name]
-        set_options(self._encoding, (USUAL, *planner.encodings), USUAL)
 
     def _show_choice(self) -> None:
         session = self.session
@@ -105,17 +83,13 @@ class PlanPanel(Panel):
             return
         number = min(int(self._step.value), len(chosen.record.steps))
         name = chosen.record.steps[number - 1][0]
-        set_content(self._pddl, pddl(self._action(name)))
+        set_content(self._pddl, preformatted(self._action(name)))
 
     def _action(self, name: str) -> str:
-        """Return the text of the action on the page that a step is an instance of."""
-        try:
-            text = action_of(
-                read_text(self.session.room.path / DOMAIN), action_for(name, self.session.library.grounding)
-            )
-        except NeurosymError:
-            text = ""
-        return text or f"; {DOMAIN} has no action for {name}"
+        """Return the text of the action on the page of PDDL that a step is an instance of."""
+        grounding = self.session.library.grounding
+        page = encoding_named(STRIPS).domain(grounding)
+        return page.action(action_for(name, grounding)).text(costs=True)
 
     def _draw_paths(self) -> None:
         """Draw where the plan takes everything, while that is what is done or is to be done."""
@@ -132,19 +106,3 @@ class PlanPanel(Panel):
         steps = [PlanStep(*step) for step in chosen.record.steps]
         found = validate(steps, session.paired(), session.library.grounding)
         self.page.overlays.paths(found.positions, COLOURS)
-
-
-def difference(plans: list[Planned]) -> str:
-    """Say in a sentence where two plans differ."""
-    first, second = plans[0].record, plans[1].record
-    if not first.steps or not second.steps:
-        lone = next((one.planner for one in (first, second) if one.steps), "")
-        return f"Only {lone} has a plan." if lone else "Neither has a plan."
-    pairs = zip(first.steps, second.steps, strict=False)
-    same = next((number for number, (one, other) in enumerate(pairs) if one != other), None)
-    if same is None:
-        longer = len(first.steps) != len(second.steps)
-        return "One goes on where the other ends." if longer else "Both are the same."
-    odds = [f"{one.planner} {one.chance:.0%}" for one in (first, second) if one.chance is not None]
-    told = f"They part at step {same + 1}. By the rehearsals the chances are: {', '.join(odds)}."
-    return f"{told} Run both to see."

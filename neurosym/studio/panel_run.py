@@ -1,8 +1,7 @@
 """The panel `Run`: go, pause, step and stop, and what each step promised beside what happened."""
 
+from neurosym.studio.desk import Topic
 from neurosym.studio.panel import Panel, by_user, set_content
-from neurosym.studio.session import Topic
-from neurosym.studio.telling import step_words
 from neurosym.studio.words import paragraph, replanning_list, run_summary, run_table, safe
 
 SPEEDS = {"half": 0.5, "as it is": 1.0, "double": 2.0, "fourfold": 4.0, "at once": 0.0}
@@ -53,7 +52,7 @@ class RunPanel(Panel):
         if running.run is not None:
             parts.append(run_summary(running.run))
         elif running.left:
-            parts.append(paragraph(safe(f"step {running.number}: {step_words(*running.left[0])}")))
+            parts.append(paragraph(safe(f"step {running.number}: {' '.join(filter(None, running.left[0]))}")))
         parts.append(replanning_list(running.replannings))
         if running.records:
             parts.append(run_table(running.records))

@@ -8,9 +8,10 @@ import viser
 
 from neurosym.arrays import Float
 from neurosym.explain.action_words import displacement_in_words
+from neurosym.studio.desk import Topic
+from neurosym.studio.overlays import LIFT, PUSH
 from neurosym.studio.panel import Panel, by_user, set_content, set_options, set_value
-from neurosym.studio.session import Topic
-from neurosym.studio.symbols import Motion, Promise, motion_of, promises_for, rehearsal_dots
+from neurosym.studio.symbols import Promise, promises_for, rehearsal_dots
 from neurosym.studio.words import DIM, coloured, paragraph, safe, table
 
 NONE = "(none)"
@@ -29,7 +30,6 @@ class SymbolsPanel(Panel):
         gui = self.gui
         self._promises: tuple[Promise, ...] = ()
         self._action: Float[np.ndarray, "A"] = np.zeros(0)
-        self._motion: Motion | None = None
         self._cloud: Float[np.ndarray, "N 3"] = np.zeros((0, 3))
         self._rows: np.ndarray = np.zeros(0, dtype=int)
         self._arrows = gui.add_checkbox("Arrows: where operators take it", False)
@@ -103,15 +103,13 @@ class SymbolsPanel(Panel):
         """Take over the waypoints of an operator."""
         library, item = self.session.library, self.page.item
         promise = next((one for one in self._promises if one.operator.name == name), None)
-        is_shown = promise is not None and item is not None
-        for field in self._points:
-            field.visible = is_shown
-        self._try.visible = is_shown
+        for field in (*self._points, self._try):
+            field.visible = promise is not None and item is not None
         if promise is None or item is None:
             for layer in ("waypoints", "rehearsals"):
                 self.page.overlays.clear(layer)
-            set_content(self._said, "")
-            set_content(self._expected, "")
+            for said in (self._said, self._expected):
+                set_content(said, "")
             return
         self._action = np.array(library.grounding.primitive_of(promise.operator).action)
         points, colours = rehearsal_dots(promise.operator, item.position, library)
@@ -138,15 +136,12 @@ class SymbolsPanel(Panel):
             self.page.overlays.waypoints(drawn, self._dragged)
         else:
             self.page.overlays.follow(drawn)
-        self._motion = motion_of(item.features, self._action.tolist(), self.session.library)
-        set_content(self._expected, self._words())
-
-    def _words(self) -> str:
-        if self._motion is None:
-            return ""
-        bits, direct = (displacement_in_words(one) for one in (self._motion.expected, self._motion.direct))
-        said = f"This motion has the symbol {self._motion.symbol}. By the bits the network expects: {bits}."
-        return paragraph(safe(said), coloured(f"Before the bits: {direct}.", DIM))
+        said, motion = "", self.session.library.expect(item.features, self._action)
+        if motion is not None:
+            bits, direct = (displacement_in_words(one) for one in (motion.expected, motion.direct))
+            symbol = f"This motion has the symbol {motion.symbol}. By the bits the network expects: {bits}."
+            said = paragraph(safe(symbol), coloured(f"Before the bits: {direct}.", DIM))
+        set_content(self._expected, said)
 
     def _dragged(self, number: int, at: tuple[float, float, float]) -> None:
         item = self.page.item
@@ -165,24 +160,19 @@ class SymbolsPanel(Panel):
 
     def _show_cloud(self, is_shown: bool) -> None:
         """Draw the effects of the data as points over the middle of the table."""
-        if not is_shown:
-            self._cloud = np.zeros((0, 3))
-            self.page.overlays.clear("cloud")
-            return
+        self.page.overlays.clear("cloud")
+        self._cloud = np.zeros((0, 3))
         data = self.session.library.interactions
-        if data is None:
-            self.session.say("This domain brings no data of what was explored.", is_bad=True)
+        if not is_shown:
             return
-        if data.effects.shape[1] != 3:
-            self.session.say(
-                "The effects of the data are no displacements, so there is no cloud.", is_bad=True
-            )
+        if data is None or data.effects.shape[1] != 3:
+            self.session.say("This domain brings no data of where objects went.", is_bad=True)
             return
         self._rows = np.unique(np.linspace(0, len(data) - 1, min(len(data), MOST_ROWS)).astype(int))
         x, y = self.session.library.middle
         self._cloud = data.effects[self._rows].astype(float) + np.array([x, y, 0.05])
         kinds = data.held[self._rows][:, None]
-        colours = np.where(kinds, np.array([[123, 97, 255]]), np.array([[245, 166, 35]]))
+        colours = np.where(kinds, np.array([LIFT]), np.array([PUSH]))
         self.page.overlays.dots(self._cloud, colours.astype(float), "cloud")
 
     def _clicked(self, event: viser.SceneClickEvent) -> None:

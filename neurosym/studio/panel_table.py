@@ -1,30 +1,20 @@
 """The panel `Table`: which objects there are, where they stand, and where they shall go."""
 
-from typing import Any
+from typing import Any, get_args
 
-from neurosym.choices import AnyTask
+import msgspec
+
+from neurosym.choices import DrawnTask, TaskKind
 from neurosym.problems import Problem, SceneObject
 from neurosym.relation_goals import RelationGoal
+from neurosym.studio.desk import MOST_OBJECTS, Topic
 from neurosym.studio.panel import Panel, by_user, set_content, set_options, set_value
-from neurosym.studio.session import MOST_OBJECTS, Topic
+from neurosym.studio.placing import reach_of
 from neurosym.studio.view import related_names
 from neurosym.studio.words import bits_row, paragraph, relation_list, safe
 
-KINDS: dict[str, AnyTask | None] = {
-    "as in the paper": None,
-    "anywhere": "anywhere",
-    "swap": "swap",
-    "row": "row",
-    "crowded": "crowded",
-}
-"""What tasks can be drawn."""
-KINDS_OF_RELATIONS: dict[str, AnyTask | None] = {
-    "tower": "tower",
-    "boxes": "boxes",
-    "unstack": "unstack",
-    "exchange": "exchange",
-}
-"""What else can be drawn where the domain knows relations."""
+PAPER = "as in the paper"
+"""The kind of tasks that is drawn unless one is named."""
 TYPES = {0.0: "solid", 1.0: "open at the top", 2.0: "open at both ends"}
 """What the types of objects are called."""
 NOTHING = "(none)"
@@ -62,8 +52,8 @@ class TablePanel(Panel):
         self._reach = gui.add_checkbox("Show its reach", False, hint="Where three steps bring it.")
         self._reach.on_update(by_user(lambda _: self._show_reach()))
         with gui.add_folder("Draw a task", expand_by_default=False):
-            self._kinds = KINDS | (KINDS_OF_RELATIONS if has_relations else {})
-            self._kind = gui.add_dropdown("Kind", tuple(self._kinds))
+            kinds = get_args(DrawnTask if has_relations else TaskKind)
+            self._kind = gui.add_dropdown("Kind", (PAPER, *kinds))
             self._count = gui.add_slider("Objects", 1, MOST_OBJECTS, 1, 2)
             self._seed = gui.add_number("Seed", 0, min=0, step=1)
             self.button("Draw", self._draw)
@@ -75,6 +65,7 @@ class TablePanel(Panel):
             self.button("Save in the domain folder", session.save, disabled=session.library.is_shipped)
             upload = gui.add_upload_button("Open a scene file", mime_type="application/json")
             upload.on_upload(lambda event: session.open_file(event.target.value.content))
+            gui.add_button("Take the scene as a file").on_click(self._take)
 
     def _build_sizes(self) -> None:
         library = self.session.library
@@ -129,6 +120,11 @@ class TablePanel(Panel):
         bits = bits_row(item.category, library.margins(item.features))
         return paragraph(f"<b>{safe(item.category)}</b> {safe(name)}") + bits
 
+    def _take(self, event: Any) -> None:
+        if (problem := self.session.problem) is not None and event.client is not None:
+            content = msgspec.json.encode(problem)
+            event.client.send_file_download(f"{problem.name}.scene.json", content, save_immediately=True)
+
     def _load(self, name: str) -> None:
         if name in self.session.library.problem_names():
             self.session.load(name)
@@ -175,14 +171,16 @@ class TablePanel(Panel):
             self.page.select(self.session.problem.object_names[-1])
 
     def _draw(self) -> None:
-        kind = self._kinds[self._kind.value]
+        kind: Any = None if self._kind.value == PAPER else self._kind.value
         self.session.draw(int(self._count.value), int(self._seed.value), kind)
         set_value(self._seed, int(self._seed.value) + 1)
 
     def _show_reach(self) -> None:
         item = self.page.item
         if self._reach.value and item is not None:
-            self.page.overlays.reach(self.session.reach(item.name), self.page.colour_of(item.name))
+            self.page.overlays.reach(
+                reach_of(item, self.session.library.grounding), self.page.colour_of(item.name)
+            )
         else:
             self.page.overlays.clear("reach")
 

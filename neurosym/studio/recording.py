@@ -3,7 +3,7 @@
 import threading
 from collections.abc import Sequence
 from functools import cache
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import viser
 
@@ -12,11 +12,8 @@ from neurosym.problems import Problem
 from neurosym.studio.library import Library
 from neurosym.studio.messages import Seen
 from neurosym.studio.relating import ghost_spots
-from neurosym.studio.telling import step_words
 from neurosym.studio.view import View, aim_camera
-
-if TYPE_CHECKING:
-    from neurosym.studio.session import Session
+from neurosym.tasks.task import understand
 
 PACE = 1 / 15
 """Time between two poses that are kept, of a motion as it is [s]."""
@@ -25,19 +22,6 @@ PAUSE = 0.4
 ABOVE = 0.55
 """How high above the middle of the table the name of a step stands [m]."""
 _LOCK = threading.Lock()
-
-
-def recording_of(session: "Session", *, is_dark: bool = False) -> bytes:
-    """Return the last run of a page as one HTML file that needs nothing else; nothing if there is none.
-
-    Args:
-        session: The page.
-        is_dark: Whether it is shown dark.
-    """
-    running = session.running
-    if not running.seen or running.problem is None:
-        return b""
-    return film_of(session.library, running.problem, running.seen, running.records, is_dark=is_dark)
 
 
 def film_of(
@@ -63,23 +47,23 @@ def film_of(
         server.scene.set_up_direction("+z")
         aim_camera(server, library)
         view = View(server.scene, library)
-        view.show_problem(problem, ghost_spots(library.paired(problem), library.grounding))
-        view.show(seen[0])
+        view.show_problem(problem, ghost_spots(understand(library.paired(problem), library.grounding)))
+        view.show(seen[0].pose)
         names = step_labels(steps)
         label = server.scene.add_label("/step", "", position=(*library.middle, ABOVE), visible=False)
         film = server.get_scene_serializer()
         last = -PACE
         for one in seen:
-            if one.seconds < last:  # another motion begins
+            if one.pose.seconds < last:  # another motion begins
                 film.insert_sleep(PAUSE)
                 last = -PACE
             if label.text != (name := names.get(one.step, "")):
                 label.text, label.visible = name, bool(name)
-            if one.seconds - last >= PACE * 0.99:
-                film.insert_sleep(min(one.seconds - last, PACE * 4) if last >= 0 else 0.0)
-                view.show(one)
-                last = one.seconds
-        view.show(seen[-1])
+            if one.pose.seconds - last >= PACE * 0.99:
+                film.insert_sleep(min(one.pose.seconds - last, PACE * 4) if last >= 0 else 0.0)
+                view.show(one.pose)
+                last = one.pose.seconds
+        view.show(seen[-1].pose)
         film.insert_sleep(2 * PAUSE)
         return film.as_html(dark_mode=is_dark).encode()
 
@@ -91,7 +75,7 @@ def step_labels(steps: Sequence[StepRecord]) -> dict[int, str]:
         steps: What was done.
     """
     return {
-        number: f"{number}: {step_words(step.operator, step.object, step.place or '')}"
+        number: f"{number}: {step.operator} {step.object} {step.place or ''}".rstrip()
         for number, step in enumerate(steps, start=1)
     }
 

@@ -3,35 +3,21 @@
 import os
 import secrets
 import threading
-import time
-from dataclasses import dataclass
 
 import viser
 
 from neurosym.errors import InvalidValue
 from neurosym.problems import Problem
-from neurosym.stages.planning import check_scene
 from neurosym.studio.front import Front
 from neurosym.studio.library import Library
 from neurosym.studio.page import Page
 from neurosym.studio.session import Session
-from neurosym.studio.take_away import scene_of
 from neurosym.studio.workers import Workers
 
 MOST_PAGES = 64
 """So many pages are open at once; one that nobody looks at gives way to a new one."""
 RUNS = 8
 """So many pages run at once; a run waits for its own clock most of the time."""
-
-
-@dataclass(slots=True)
-class _Open:
-    """A page that is open."""
-
-    page: Page
-    session: Session
-    server: viser.ViserServer
-    since: float
 
 
 class Studio:
@@ -49,9 +35,8 @@ class Studio:
     ):
         self.library, self._problem = library, problem
         self.planners, self.runners = Workers(max(1, os.cpu_count() or 1)), Workers(RUNS)
-        self.front = Front(self, host, port)
-        self._pages: dict[str, _Open] = {}
-        self._servers: list[viser.ViserServer] = []
+        self.front = Front(self.open_page, self._port_of, host, port)
+        self._pages: dict[str, Page] = {}
         self._lock = threading.RLock()
 
     @property
@@ -72,61 +57,40 @@ class Studio:
         for workers in (self.planners, self.runners):
             workers.close()
         with self._lock:
-            for one in self._pages.values():
-                one.page.close()
-                one.session.close()
+            for page in self._pages.values():
+                page.close()
             self._pages.clear()
 
     @property
     def pages(self) -> tuple[Page, ...]:
         """The pages that are open."""
-        return tuple(one.page for one in self._pages.values())
+        return tuple(self._pages.values())
 
-    def port_of(self, page: str) -> int | None:
-        """Return where a page is served on this machine; see `Doorman`."""
-        found = self._pages.get(page)
-        return found.server.get_port() if found else None
-
-    def open_page(self, link: str = "") -> str:
-        """Make a page, and return what it is called; see `Doorman`.
-
-        Args:
-            link: The path of a link that holds a scene, if there is one.
+    def open_page(self) -> str:
+        """Make a page, and return what it is called, which cannot be guessed.
 
         Raises:
-            NeurosymError: If the link holds no scene that can be here, or too many pages are open.
+            InvalidValue: If too many pages are open.
         """
-        problem = self._problem
-        if link:
-            problem = scene_of(link)
-            self._check(problem)
         with self._lock:
-            if len(self._pages) >= MOST_PAGES:
-                self._close_one()
-            server = (
-                self._servers.pop()
-                if self._servers
-                else viser.ViserServer("127.0.0.1", 0, label="neurosym studio", verbose=False)
-            )
-            session = Session(self.library, self.planners, self.runners, problem)
+            server = self._freed_server() if len(self._pages) >= MOST_PAGES else None
+            server = server or viser.ViserServer("127.0.0.1", 0, label="neurosym studio", verbose=False)
+            session = Session(self.library, self.planners, self.runners, self._problem)
             name = secrets.token_urlsafe(12)
-            page = Page(server, session, self.front.address)
-            self._pages[name] = _Open(page, session, server, time.monotonic())
+            self._pages[name] = Page(server, session)
         return name
 
-    def _check(self, problem: Problem) -> None:
-        from pathlib import Path
+    def _port_of(self, name: str) -> int | None:
+        found = self._pages.get(name)
+        return found.server.get_port() if found else None
 
-        check_scene(self.library.folder, problem, Path("the link"), self.library.world)
-
-    def _close_one(self) -> None:
-        """Close the oldest page that nobody looks at, and keep its server for the next one."""
-        unseen = [(one.since, name) for name, one in self._pages.items() if not one.server.get_clients()]
+    def _freed_server(self) -> viser.ViserServer:
+        """Close the oldest page that nobody looks at, and return its server for the next one."""
+        unseen = [name for name, page in self._pages.items() if not page.server.get_clients()]
         if not unseen:
             raise InvalidValue(f"{MOST_PAGES} pages are open, the most there can be; close one.")
-        gone = self._pages.pop(min(unseen)[1])
-        gone.page.close()
-        gone.session.close()
+        gone = self._pages.pop(unseen[0])
+        gone.close()
         gone.server.scene.reset()
         gone.server.gui.reset()
-        self._servers.append(gone.server)
+        return gone.server

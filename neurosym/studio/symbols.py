@@ -11,7 +11,7 @@ from neurosym.operators import Operator, Vector
 from neurosym.problems import SceneObject
 from neurosym.promises import usable
 from neurosym.studio.library import Library
-from neurosym.tasks.moves import chance, step_cost
+from neurosym.tasks.moves import chance
 
 SAFE, OTHERWISE = (42, 157, 92), (217, 83, 79)
 """Colours of rehearsals that ended as promised, and otherwise."""
@@ -26,52 +26,23 @@ class Promise:
         effect: Where it takes the object, at the end of the rise if it lifts [m].
         lifts: Whether it ends with the object in the air.
         chance: How likely it goes as promised.
-        cost: What a step of it costs.
     """
 
     operator: Operator
     effect: Vector
     lifts: bool
     chance: float
-    cost: int
-
-
-@dataclass(frozen=True, slots=True)
-class Motion:
-    """What the network says of an action on an object.
-
-    Attributes:
-        symbol: The symbol that the action has.
-        expected: Where the object goes by the bits alone [m].
-        direct: Where it goes by the network before the bits [m].
-    """
-
-    symbol: str
-    expected: tuple[float, ...]
-    direct: tuple[float, ...]
 
 
 def promises_for(item: SceneObject, library: Library) -> tuple[Promise, ...]:
     """List what the operators of the domain do to an object, the surest first."""
     grounding = library.grounding
     found = [
-        Promise(one, one.promise.outcome, is_lift(one), chance(one), step_cost(one, grounding))
+        Promise(one, one.promise.outcome, is_lift(one), chance(one))
         for one in usable(grounding, item)
         if one.promise is not None and len(one.promise.outcome) == 3
     ]
     return tuple(sorted(found, key=lambda one: (-one.chance, one.operator.name)))
-
-
-def motion_of(features: Sequence[float], action: Sequence[float], library: Library) -> Motion | None:
-    """Say which symbol an action has, and what the network expects of it; None without a network.
-
-    Args:
-        features: What the object is.
-        action: The action parameters.
-        library: The domain.
-    """
-    answer = library.expect(np.array([features], dtype=float), np.array([action], dtype=float))
-    return None if answer is None else Motion(*answer)
 
 
 def rehearsal_dots(
@@ -90,31 +61,3 @@ def rehearsal_dots(
     points = np.array([np.add(start, outcome) for outcome, _ in rows], dtype=float).reshape(-1, 3)
     colours = np.array([SAFE if kept else OTHERWISE for _, kept in rows], dtype=float).reshape(-1, 3)
     return points, colours
-
-
-def nearest_flip(features: Sequence[float], library: Library) -> tuple[int, tuple[float, ...]] | None:
-    """Find the least change of one size that changes the symbol of an object.
-
-    Args:
-        features: What the object is.
-        library: The domain, whose world says which sizes there are.
-
-    Returns:
-        Which feature, counted from 0, and what the object is then; None if no size alone does it.
-    """
-    limits = library.limits
-    rows, changed = [], []
-    for axis, (low, high) in enumerate(limits.sizes if limits else ()):
-        for value in np.arange(round(1000 * low), round(1000 * high) + 1) / 1000:
-            row = np.array(features, dtype=float)
-            row[axis] = value
-            rows.append(row)
-            changed.append((axis, abs(float(value) - features[axis])))
-    if not rows:
-        return None
-    here, *symbols = library.categorise(np.array([features, *rows], dtype=float))
-    flips = [(apart, number) for number, (_, apart) in enumerate(changed) if symbols[number] != here]
-    if not flips:
-        return None
-    _, number = min(flips)
-    return changed[number][0], tuple(rows[number].tolist())

@@ -1,7 +1,8 @@
 """The table in three dimensions: arm, objects, goals, and what is drawn on the table beside them."""
 
-from collections.abc import Callable, Collection, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
+from itertools import cycle
 from types import MappingProxyType
 from typing import Any
 
@@ -9,11 +10,10 @@ import numpy as np
 import viser
 
 from neurosym.arrays import Float
-from neurosym.poses import Posed
+from neurosym.operators import Vector, vector
+from neurosym.poses import Part, Pose, Posed
 from neurosym.problems import Problem, SceneObject
-from neurosym.studio.labels import label_heights
 from neurosym.studio.library import Library
-from neurosym.studio.messages import Seen
 from neurosym.studio.shapes import circle, mesh_of, rectangle, scalar_first
 
 COLOURS = (
@@ -24,6 +24,8 @@ COLOURS = (
 TABLE, BORDER, ARM, BAD = (178, 160, 136), (110, 94, 74), (199, 204, 212), (220, 50, 47)
 KNOB, PIN = 0.014, 0.07
 """Radius of what a goal is dragged by, and how far above the goal's top it is [m]."""
+ABOVE, LABEL = 0.03, (0.16, 0.035)
+"""How far above its object a label stands at least; about its width and height as seen from the front [m]."""
 _FLAT = 0.0015
 EYE, LOOK, LENS = (1.15, 0.0, 1.05), (-0.08, 0.0, 0.08), 0.72
 """Where the camera is and looks at, from the middle of the table [m]; its angle of view [rad]."""
@@ -54,7 +56,6 @@ class View:
         self._objects: dict[str, _Thing] = {}
         self._goals: dict[str, _Thing] = {}
         self._labels: dict[str, viser.LabelHandle] = {}
-        self._names: tuple[str, ...] = ()
         self._links: dict[int, viser.FrameHandle] = {}
         self._frames: dict[str, viser.FrameHandle] = {}
         self._draw_table()
@@ -75,11 +76,8 @@ class View:
             self._links[link] = self._scene.add_frame(f"/robot/{link}", show_axes=False)
             own = [part for part in parts if part.link == link]
             for number, colour in enumerate({part.colour: None for part in own}):
-                corners, faces = mesh_of([part for part in own if part.colour == colour])
-                shade = _shade(colour)
-                self._scene.add_mesh_simple(
-                    f"/robot/{link}/{number}", corners, faces, color=shade, flat_shading=False
-                )
+                same = [part for part in own if part.colour == colour]
+                self._mesh(f"/robot/{link}/{number}", same, _shade(colour), flat_shading=False)
         self.rest()
 
     def rest(self) -> None:
@@ -91,103 +89,82 @@ class View:
     def show_problem(
         self,
         problem: Problem,
-        ghosts: Mapping[str, tuple[float, float, float]],
+        ghosts: Mapping[str, Vector],
         complaints: Mapping[str, str] = MappingProxyType({}),
     ) -> None:
-        """Draw a problem anew.
-
-        Args:
-            problem: The problem.
-            ghosts: Where the ghost of each object with a goal stands [m].
-            complaints: What is wrong, by `object NAME` and `goal NAME`.
-        """
-        self.show_objects(problem.objects, ghosts)
-        self.set_tolerance(problem.tolerance)
-        self.place(problem.objects, ghosts, complaints, related_names(problem))
-
-    def show_objects(
-        self, items: tuple[SceneObject, ...], goals: Mapping[str, tuple[float, float, float]]
-    ) -> None:
-        """Draw all objects and goals anew.
-
-        Args:
-            items: The objects.
-            goals: Where the centre of an object shall come to be [m], by name.
-        """
+        """Draw a problem anew; see `place`."""
         for label in self._labels.values():
             label.remove()
         for thing in (*self._objects.values(), *self._goals.values()):
             for node in (*thing.nodes, *thing.outlines):
                 node.remove()
         self._objects, self._goals, self._labels = {}, {}, {}
-        self._names = tuple(item.name for item in items)
-        for number, item in enumerate(items):
-            colour = COLOURS[number % len(COLOURS)]
+        for item, colour in zip(problem.objects, cycle(COLOURS), strict=False):
             self._objects[item.name] = self._object(item, colour)
-            if item.name in goals:
-                self._goals[item.name] = self._goal(item, colour)
+            if item.name in ghosts:
+                self._goals[item.name] = self._goal(item, colour, problem.tolerance)
             self._labels[item.name] = self._scene.add_label(
                 f"/labels/{item.name}", f"{item.name} · {item.category}", anchor="bottom-center"
             )
-        self.place(items, goals, {})
+        self.place(problem, ghosts, complaints)
 
-    def place(
-        self,
-        items: tuple[SceneObject, ...],
-        goals: Mapping[str, tuple[float, float, float]],
-        complaints: Mapping[str, str],
-        related: Collection[str] = (),
-    ) -> None:
+    def place(self, problem: Problem, ghosts: Mapping[str, Vector], complaints: Mapping[str, str]) -> None:
         """Put objects and goals where they are, red where they cannot be.
 
         Args:
-            items: The objects.
-            goals: Where the centre of an object shall come to be [m], by name.
+            problem: The problem, of the objects and goals that are drawn.
+            ghosts: Where the ghost of each object with a goal stands [m].
             complaints: What is wrong, by `object NAME` and `goal NAME`.
-            related: Names of the objects whose goal is by relation, to which no tolerance belongs.
         """
-        for number, item in enumerate(items):
-            colour, thing = COLOURS[number % len(COLOURS)], self._objects[item.name]
+        related = related_names(problem)
+        for item, colour in zip(problem.objects, cycle(COLOURS), strict=False):
+            thing = self._objects[item.name]
             thing.frame.position, thing.frame.wxyz = item.position, scalar_first(item.orientation)
             thing.nodes[0].color = BAD if f"object {item.name}" in complaints else colour
-            if item.name in self._goals:
-                x, y, z = goals[item.name]
-                ghost = self._goals[item.name]
-                ghost.frame.position = (x, y, z)
+            if (ghost := self._goals.get(item.name)) is not None:
+                ghost.frame.position = ghosts[item.name]
                 for node in ghost.nodes:
                     node.color = BAD if f"goal {item.name}" in complaints else colour
                 for outline in ghost.outlines:
-                    outline.position = (0.0, 0.0, -z)
-                ghost.outlines[1].visible = item.name not in related
-        self._place_labels({item.name: (item.position, item.features[2]) for item in items})
+                    outline.position = (0.0, 0.0, -ghosts[item.name][2])
+                ghost.outlines[1].visible = item.name not in related  # no tolerance belongs to it
+        self._place_labels(problem.objects)
 
-    def show(self, seen: Seen) -> None:
+    def show(self, pose: Pose) -> None:
         """Put the robot and the objects where they are at one moment of a motion."""
-        if len(seen.links):
-            self._pose_links(seen.links)
-        for name, position, orientation in zip(self._names, seen.positions, seen.orientations, strict=False):
-            self.show_object(name, position, orientation)
+        if len(pose.links):
+            self._pose_links(pose.links)
+        self.show_bodies(pose.positions, pose.orientations)
 
-    def show_object(
-        self, name: str, position: Float[np.ndarray, "3"], orientation: Float[np.ndarray, "4"] | None = None
+    def show_bodies(
+        self, positions: Float[np.ndarray, "M 3"], orientations: Float[np.ndarray, "M 4"]
     ) -> None:
-        """Put one object where it is now [m]."""
-        frame = self._objects[name].frame
-        frame.position = tuple(np.round(position, 4))
-        if orientation is not None:
-            frame.wxyz = scalar_first(np.round(orientation, 4).tolist())
-        x, y, _ = frame.position
-        self._labels[name].position = (float(x), float(y), float(position[2]) + 0.09)
+        """Put objects where they are now [m], in the order in which they were drawn."""
+        for name, position, turn in zip(self._objects, positions, orientations, strict=False):
+            frame = self._objects[name].frame
+            x, y, z = frame.position = vector(np.round(position, 4))
+            frame.wxyz = scalar_first(np.round(turn, 4).tolist())
+            self._labels[name].position = (x, y, z + 0.09)
 
     def _pose_links(self, links: Float[np.ndarray, "L 7"]) -> None:
         for number, frame in self._links.items():
-            frame.position = tuple(np.round(links[number, :3], 4))
+            frame.position = vector(np.round(links[number, :3], 4))
             frame.wxyz = scalar_first(np.round(links[number, 3:], 4).tolist())
 
-    def _place_labels(self, spots: Mapping[str, tuple[tuple[float, float, float], float]]) -> None:
-        for name, height in label_heights(spots).items():
-            (x, y, _), _ = spots[name]
-            self._labels[name].position = (x, y, height)
+    def _place_labels(self, items: Sequence[SceneObject]) -> None:
+        """Put labels above their objects; the farther ones give way upwards, so that none covers another."""
+        placed: list[tuple[float, float]] = []
+        for item in sorted(items, key=lambda item: (item.position[0], item.name)):
+            x, y, z = item.position
+            farther, height = 0.7 * x, z + item.features[2] / 2 + ABOVE  # what is farther is seen higher
+            while clash := [
+                other
+                for side, other in placed
+                if abs(side - y) < LABEL[0] and abs(other - height - farther) < LABEL[1]
+            ]:
+                height = max(clash) + LABEL[1] - farther + 1e-6
+            placed.append((y, height + farther))
+            self._labels[item.name].position = (x, y, height)
 
     def _frame(self, path: str) -> viser.FrameHandle:
         """Return what is hung up there, and keep it: windows remember how one of that name was turned."""
@@ -195,30 +172,25 @@ class View:
             self._frames[path] = self._scene.add_frame(path, show_axes=False)
         return self._frames[path]
 
+    def _mesh(
+        self, path: str, parts: Sequence[Part], colour: tuple[int, int, int], **options: Any
+    ) -> viser.MeshHandle:
+        body, options = mesh_of(parts), {"flat_shading": True} | options
+        return self._scene.add_mesh_simple(path, body.vertices, body.faces, color=colour, **options)
+
     def _object(self, item: SceneObject, colour: tuple[int, int, int]) -> _Thing:
         frame = self._frame(f"/objects/{item.name}")
-        corners, faces = mesh_of(self._library.object_parts(item.features))
-        node = self._scene.add_mesh_simple(
-            f"/objects/{item.name}/body", corners, faces, color=colour, flat_shading=True
-        )
+        node = self._mesh(f"/objects/{item.name}/body", self._library.object_parts(item.features), colour)
         if self._grabbed:
             node.on_drag("left")(self._grabbed("object", item.name))
         return _Thing(frame, [node], [])
 
-    def _goal(self, item: SceneObject, colour: tuple[int, int, int]) -> _Thing:
+    def _goal(self, item: SceneObject, colour: tuple[int, int, int], tolerance: float) -> _Thing:
         """Draw a ghost, the knob on its pin that it is dragged by, its footprint and its tolerance."""
         name, top = item.name, item.features[2] / 2
         frame = self._frame(f"/goals/{name}")
-        corners, faces = mesh_of(self._library.object_parts(item.features))
-        ghost = self._scene.add_mesh_simple(
-            f"/goals/{name}/ghost",
-            corners,
-            faces,
-            color=colour,
-            opacity=0.35,
-            flat_shading=True,
-            cast_shadow=False,
-        )
+        parts = self._library.object_parts(item.features)
+        ghost = self._mesh(f"/goals/{name}/ghost", parts, colour, opacity=0.35, cast_shadow=False)
         knob = self._scene.add_icosphere(f"/goals/{name}/knob", KNOB, colour, position=(0.0, 0.0, top + PIN))
         pin = self._scene.add_cylinder(
             f"/goals/{name}/pin", 0.003, PIN, colour, position=(0.0, 0.0, top + PIN / 2)
@@ -228,25 +200,16 @@ class View:
             f"/goals/{name}/footprint", rectangle(x, y, _FLAT), colour, thickness=0.004
         )
         ring = self._scene.add_line_segments(
-            f"/goals/{name}/tolerance", circle(1.0, 2 * _FLAT), colour, thickness=0.003
+            f"/goals/{name}/tolerance", circle(tolerance, 2 * _FLAT), colour, thickness=0.003
         )
         if self._grabbed:
             for node in (ghost, knob, pin):
                 node.on_drag("left")(self._grabbed("goal", name))
         return _Thing(frame, [ghost, knob, pin], [footprint, ring])
 
-    def set_tolerance(self, tolerance: float) -> None:
-        """Draw how near objects must come to their goals [m]."""
-        for thing in self._goals.values():
-            thing.outlines[1].points = circle(tolerance, 2 * _FLAT).astype(np.float32)
-
 
 def related_names(problem: Problem) -> tuple[str, ...]:
-    """Name the objects whose goal is by relation.
-
-    Args:
-        problem: The problem.
-    """
+    """Name the objects whose goal is by relation."""
     return tuple(name for name, *_ in problem.related)
 
 
@@ -256,12 +219,7 @@ def _shade(colour: tuple[float, float, float] | None) -> tuple[int, int, int]:
 
 
 def aim_camera(server: viser.ViserServer, library: Library) -> None:
-    """Have new windows look over the table at the robot.
-
-    Args:
-        server: The server of the page.
-        library: The domain, for its table.
-    """
+    """Have new windows of a page look over the table of a domain at the robot."""
     x, y = library.middle
     server.initial_camera.position = (x + EYE[0], y + EYE[1], EYE[2])
     server.initial_camera.look_at = (x + LOOK[0], y + LOOK[1], LOOK[2])

@@ -4,8 +4,7 @@ Every function escapes what it is given, so that a name of a stranger's file sta
 and dark pages alike.
 """
 
-import re
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Sequence
 from html import escape
 
 from neurosym.execution.record import Replanning, Run, StepRecord
@@ -16,19 +15,15 @@ from neurosym.relation_goals import RelationGoal
 from neurosym.stages.plan_records import PlanRecord
 from neurosym.tasks.puts import put_named
 from neurosym.tasks.steps import PlanStep
-from neurosym.tasks.task import understand
+from neurosym.tasks.task import Task, understand
 from neurosym.tasks.transition import apply, chance, cost, promise_of, start
 from neurosym.wording import counted, harmless
 
 GOOD, BAD, DIM = "#2a9d5c", "#d9534f", "#8a8a8a"
 _TABLE = "border-collapse:collapse;font-size:12px;width:100%"
 _CELL = "padding:2px 5px;border-bottom:1px solid rgba(128,128,128,.3);vertical-align:top;text-align:left"
+_WIDEST = 10.0  # margin of a bit, before it is squashed, that fills the bar
 _HERE = "background:rgba(255,190,60,.25);"
-_Told = tuple[str, str, str, str]
-_PDDL = re.compile(
-    r"(?P<comment>;[^\n]*)|(?P<word>:[a-z-]+)|(?P<variable>\?[\w-]+)|(?P<rest>[^;:?]+|.)", re.DOTALL
-)
-_COLOURS = {"comment": DIM, "word": "#b06fd8", "variable": "#3d8bfd"}
 
 
 def safe(text: object) -> str:
@@ -73,38 +68,29 @@ def plan_table(record: PlanRecord, problem: Problem, grounding: Grounding, at: i
         grounding: The learned domain.
         at: Number of the step at hand, counted from 0.
     """
-    steps = [PlanStep(*parts) for parts in record.steps]
-    told = _steps(steps, problem, grounding)
-    rows = [
-        (
-            str(number),
-            f"{safe(step.operator)}<br>{coloured(moves, DIM)}",
-            safe(step.object),
-            f"<code>{safe(bits)}</code>",
-            price,
-            surety,
-        )
-        for number, (step, (moves, bits, price, surety)) in enumerate(zip(steps, told, strict=True), start=1)
-    ]
+    task = understand(problem, grounding)
+    now, rows = start(task), []
+    for number, step in enumerate((PlanStep(*parts) for parts in record.steps), start=1):
+        moves, bits = _told(step, task)
+        told = f"{safe(step.operator)}<br>{coloured(moves, DIM)}"
+        sums = (str(cost(task, now, step)), f"{chance(task, now, step):.0%}")
+        sums = ("", "") if step.puts_down else sums
+        rows.append((str(number), told, safe(step.object), f"<code>{safe(bits)}</code>", *sums))
+        now = apply(task, now, step)
     return table(("", "step", "object", "bits", "cost", "chance"), rows, at, f"plan of {record.planner}")
 
 
-def _steps(steps: Iterable[PlanStep], problem: Problem, grounding: Grounding) -> Iterator[_Told]:
-    """Tell what each step of a plan does: in words, its bits, and its cost and chance by then."""
-    task = understand(problem, grounding)
-    now = start(task)
-    for step in steps:
-        price, surety = str(cost(task, now, step)), f"{chance(task, now, step):.0%}"
-        if put := put_named(step.operator, grounding):
-            bits = f"{put.operator.pair or 'any'} · {put.operator.label}"
-            moves = f"puts it {put.state.name} {step.place}"
-        else:
-            operator = promise_of(step, problem, grounding)
-            bits = f"{problem.object_named(step.object).category} · {operator.primitive}"
-            moves = displacement_in_words(operator.promise.outcome) if operator.promise else "nothing"
-            moves = f"carries it to {step.place}" if step.place else moves
-        yield ("puts it down", bits, "", "") if step.puts_down else (moves, bits, price, surety)
-        now = apply(task, now, step)
+def _told(step: PlanStep, task: Task) -> tuple[str, str]:
+    """Tell what a step of a plan does in words, and its bits."""
+    if put := put_named(step.operator, task.grounding):
+        return (
+            f"puts it {put.state.name} {step.place}",
+            f"{put.operator.pair or 'any'} · {put.operator.label}",
+        )
+    operator = promise_of(step, task.problem, task.grounding)
+    moves = displacement_in_words(operator.promise.outcome) if operator.promise else "nothing"
+    moves = "puts it down" if step.puts_down else f"carries it to {step.place}" if step.place else moves
+    return moves, f"{task.problem.object_named(step.object).category} · {operator.primitive}"
 
 
 def plan_summary(record: PlanRecord) -> str:
@@ -170,23 +156,19 @@ def run_summary(run: Run) -> str:
 
 
 def relation_list(goals: Iterable[RelationGoal]) -> str:
-    """Return goals by relation in words; nothing if there are none.
-
-    Args:
-        goals: The goals.
-    """
-    lines = [f"Goal: {target} {state} {reference}" for target, reference, state in goals]
-    return _list(lines)
+    """Return goals by relation in words; nothing if there are none."""
+    return _list(f"Goal: {target} {state} {reference}" for target, reference, state in goals)
 
 
 def replanning_list(replannings: Sequence[Replanning]) -> str:
     """Return why new plans were asked for."""
-    lines = [
-        f"before step {one.before_step}: {one.why}; "
-        + (f"a new plan of {counted(len(one.plan), 'step')}" if one.plan else _no_new_plan(one))
-        for one in replannings
-    ]
-    return _list(lines)
+    return _list(f"before step {one.before_step}: {one.why}; {_new_plan(one)}" for one in replannings)
+
+
+def _new_plan(replanning: Replanning) -> str:
+    if replanning.plan:
+        return f"a new plan of {counted(len(replanning.plan), 'step')}"
+    return f"no new plan: {replanning.reason}" if replanning.reason else "nothing is left to be done"
 
 
 def _list(lines: Iterable[str]) -> str:
@@ -194,42 +176,10 @@ def _list(lines: Iterable[str]) -> str:
     return f'<ul style="margin:4px 0;font-size:12px;padding-left:18px">{items}</ul>' if items else ""
 
 
-def _no_new_plan(replanning: Replanning) -> str:
-    return f"no new plan: {replanning.reason}" if replanning.reason else "nothing is left to be done"
-
-
-def pddl(text: str) -> str:
-    """Return PDDL with its comments, words and variables in colours."""
-    parts = []
-    for found in _PDDL.finditer(text):
-        kind = found.lastgroup or "rest"
-        piece = found.group()
-        parts.append(coloured(piece, _COLOURS[kind]) if kind in _COLOURS else safe(piece))
+def preformatted(text: str) -> str:
+    """Return a text as it is laid out, as of PDDL."""
     style = "font-size:11px;line-height:1.35;white-space:pre-wrap;max-height:260px;overflow:auto;margin:4px 0"
-    return f'<pre tabindex="0" aria-label="PDDL" style="{style}">{"".join(parts)}</pre>'
-
-
-def action_of(domain: str, operator: str) -> str:
-    """Return the text of an action of a domain, with the comment above it; empty if it has none.
-
-    Args:
-        domain: The text of a domain.
-        operator: Name of the action.
-    """
-    found = re.search(rf"\(:action {re.escape(operator)}\s", domain)
-    if found is None:
-        return ""
-    start = found.start()
-    lines = domain[:start].split("\n")[:-1]
-    comment: list[str] = []
-    while lines and lines[-1].lstrip().startswith(";"):
-        comment.insert(0, lines.pop())
-    depth, end = 0, start
-    for end in range(start, len(domain)):
-        depth += (domain[end] == "(") - (domain[end] == ")")
-        if not depth:
-            break
-    return "\n".join([*comment, "  " + domain[start : end + 1]])
+    return f'<pre tabindex="0" aria-label="PDDL" style="{style}">{safe(text)}</pre>'
 
 
 def bits_row(symbol: str, margins: Sequence[float]) -> str:
@@ -242,16 +192,16 @@ def bits_row(symbol: str, margins: Sequence[float]) -> str:
     rows = []
     for number, bit in enumerate(symbol):
         margin = margins[number] if number < len(margins) else None
-        bar = "" if margin is None else margin_bar(margin)
+        bar = "" if margin is None else _margin_bar(margin)
         shown = "" if margin is None else f"{margin:+.1f}"
         rows.append((f"bit {number + 1}", f"<b>{safe(bit)}</b>", bar, shown))
     return table(("", "is", "how far from its flip", "before the step"), rows, label="bits of the object")
 
 
-def margin_bar(margin: float, widest: float = 10.0) -> str:
+def _margin_bar(margin: float) -> str:
     """Return a bar that leaves the middle to one side, and is orange where a flip is near."""
-    share = min(1.0, abs(margin) / widest) * 50
-    colour = "#e08a00" if abs(margin) < widest / 5 else "#3d8bfd"
+    share = min(1.0, abs(margin) / _WIDEST) * 50
+    colour = "#e08a00" if abs(margin) < _WIDEST / 5 else "#3d8bfd"
     left = 50 if margin > 0 else 50 - share
     return (
         '<div style="position:relative;height:10px;width:120px;background:rgba(128,128,128,.25)">'

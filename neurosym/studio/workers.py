@@ -7,9 +7,9 @@ from contextlib import suppress
 from typing import Any
 
 from neurosym.errors import CannotStart
-from neurosym.studio.children import serve
-from neurosym.studio.messages import ANSWERS, Failed, Job
-from neurosym.worlds.children import Child
+from neurosym.studio import children
+from neurosym.studio.messages import Failed, Job
+from neurosym.worlds.children import Child, ChildEnded
 
 DIED = "The process that worked on it has ended; only this is lost, so try again."
 STOPPED = "It was stopped."
@@ -47,9 +47,9 @@ class Ticket:
 
     def say(self, word: Any) -> None:
         """Say something to the process that works on it, or will; nothing is said of what is done."""
-        with self._lock, suppress(OSError, ValueError):
+        with self._lock, suppress(ChildEnded):
             if self._child is not None:
-                self._child.send(word)
+                self._child.say(word)
             else:
                 self._words.append(word)
 
@@ -68,27 +68,21 @@ class Ticket:
             child: The process.
         """
         try:
-            child.send(self.job)
+            child.ask(children.do, self.job)
             with self._lock:
                 self._child = child
                 for word in self._words:
-                    child.send(word)
+                    child.say(word)
                 if self._is_stopped:
                     child.process.kill()
-            while True:
-                said = child.receive()
-                if is_answer := isinstance(said, ANSWERS):
-                    with self._lock:
-                        self._child = None
-                self.tell(said)
-                if is_answer:
-                    return True
-        except (EOFError, OSError, CannotStart) as error:
-            with self._lock:
-                self._child = None
+            answer, is_usable = child.answer(hear=self.tell), True
+        except (ChildEnded, CannotStart) as error:
             why = str(error) if isinstance(error, CannotStart) else STOPPED if self._is_stopped else DIED
-            self.tell(Failed(why))
-            return False
+            answer, is_usable = Failed(why), False
+        with self._lock:
+            self._child = None
+        self.tell(answer)
+        return is_usable
 
 
 class Workers:
@@ -108,7 +102,7 @@ class Workers:
     def warm(self) -> None:
         """Start a process before it is needed."""
         with suppress(CannotStart):
-            child = Child(serve)
+            child = Child(children.__name__)
             with self._lock:
                 self._free.append(child)
 
@@ -158,7 +152,7 @@ class Workers:
     def _work(self, ticket: Ticket, child: Child | None) -> None:
         is_usable = False
         try:
-            child = child or Child(serve)
+            child = child or Child(children.__name__)
             is_usable = ticket.work(child)
         except CannotStart as error:
             ticket.tell(Failed(str(error)))

@@ -1,9 +1,7 @@
-"""What the actions of the encoding `relational` do: put objects on or into others, or carry them to places.
-
-Of what carries objects to places it matters here how it turns out where objects rest on one another.
-"""
+"""What carries objects to places, and how that turns out where objects rest on one another."""
 
 import math
+from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import lru_cache
 
@@ -12,8 +10,8 @@ from neurosym.operators import Operator
 from neurosym.place_operators import Kept
 from neurosym.problems import SceneObject
 from neurosym.promises import LEAST_CHANCE, promised
-from neurosym.tasks.moves import step_cost
-from neurosym.tasks.puts import LEAST_SHARE, smoothed
+from neurosym.tasks.moves import chance, smoothed, step_cost
+from neurosym.tasks.puts import LEAST_SHARE
 
 _UNTRIED = Kept("never", 0, 0)
 _NEVER = 0.01  # as how rare counts what was never seen
@@ -53,22 +51,15 @@ def carriers_for(item: SceneObject, grounding: Grounding, tolerance: float) -> t
 
 @dataclass(frozen=True, slots=True)
 class Carrier:
-    """An operator that carries objects to places, as it is planned with where objects bear one another.
+    """What was seen of stacks with an operator that carries objects to places.
 
     Attributes:
-        operator: The operator.
         borne: How it turned out where the object rested on another one.
         laden: How it turned out where another one rested on the object.
     """
 
-    operator: Operator
     borne: Kept
     laden: Kept
-
-    @property
-    def name(self) -> str:
-        """Name of the operator."""
-        return self.operator.name
 
     @property
     def takes_borne(self) -> bool:
@@ -80,7 +71,7 @@ class Carrier:
         """Whether another object may rest on it; where that was never tried it may not."""
         return bool(self.laden.trials) and self.laden.share >= LEAST_SHARE
 
-    def cost(self, operator: Operator, grounding: Grounding, *, borne: bool = False) -> int:
+    def cost(self, operator: Operator, grounding: Grounding, *, borne: bool) -> int:
         """Return what a step costs.
 
         Args:
@@ -91,30 +82,16 @@ class Carrier:
         usual = step_cost(operator, grounding)
         if not (borne and self.borne.trials) or grounding.unit_costs:
             return usual
-        return usual + round(
-            max(0.0, -100 * math.log(smoothed(self.borne.kept, self.borne.trials) / chance_of(operator)))
-        )
+        kept = smoothed(self.borne.kept, self.borne.trials)
+        return usual + round(max(0.0, -100 * math.log(kept / chance(operator))))
 
 
-def chance_of(operator: Operator) -> float:
-    """Return the chance that a step to a place goes as promised."""
-    return smoothed(operator.successes, operator.trials)
-
-
-def relational_carriers(grounding: Grounding) -> tuple[Carrier, ...]:
-    """List the operators that carry objects to places, with what was seen of stacks.
-
-    Args:
-        grounding: The learned domain.
-    """
-    places = grounding.places
-    if places is None:
-        return ()
-    borne, laden = (
-        {one.name: one for one in table} if isinstance(table, tuple) else {}
-        for table in (places.borne, places.laden)
-    )
-    return tuple(
-        Carrier(one, borne.get(one.name, _UNTRIED), laden.get(one.name, _UNTRIED))
+def relational_carriers(grounding: Grounding) -> Mapping[str, Carrier]:
+    """Return what was seen of stacks with the operators that carry objects to places, by name."""
+    if (places := grounding.places) is None:
+        return {}
+    borne, laden = ({one.name: one for one in table or ()} for table in (places.borne, places.laden))
+    return {
+        one.name: Carrier(borne.get(one.name, _UNTRIED), laden.get(one.name, _UNTRIED))
         for one in carriers_of(grounding)
-    )
+    }

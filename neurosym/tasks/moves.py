@@ -21,7 +21,6 @@ class Move:
 
     Attributes:
         name: Name of the PDDL action.
-        category: PDDL type of the object.
         cells: Displacement of the object.
         cost: What the step costs.
         kind: Whether the hand is empty before and after ("rest"), holds the object after ("lift"), or
@@ -30,7 +29,6 @@ class Move:
     """
 
     name: str
-    category: str
     cells: Cells
     cost: int
     kind: Literal["rest", "lift", "put-down"]
@@ -55,32 +53,36 @@ def moves_for(item: SceneObject, grounding: Grounding, tolerance: float = TOLERA
 
 
 def as_moves(operators: Iterable[Operator], grounding: Grounding) -> tuple[Move, ...]:
-    """Return what operators promise as moves, each lift followed by its put-down.
-
-    Args:
-        operators: The operators.
-        grounding: What they are counted in, in its cells.
-    """
+    """Return what operators promise as moves, in cells of a grounding, each lift followed by its put-down."""
     moves: list[Move] = []
     for operator in operators:
-        category = grounding.category(operator.category).name
         kind: Literal["rest", "lift"] = "lift" if is_lift(operator) else "rest"
         cells = grounding.cells(operator)
-        moves.append(Move(operator.name, category, cells, step_cost(operator, grounding), kind, operator))
+        moves.append(Move(operator.name, cells, step_cost(operator, grounding), kind, operator))
         if kind == "lift":
             back = grounding.put_down_cells(operator)
-            moves.append(Move(PUT_DOWN + operator.name, category, back, 0, "put-down", operator))
+            moves.append(Move(PUT_DOWN + operator.name, back, 0, "put-down", operator))
     return tuple(moves)
 
 
+def smoothed(kept: int, trials: int) -> float:
+    """Return a chance from what was seen: (k + 1) / (n + 2), the rule of succession."""
+    return (kept + 1) / (trials + 2)
+
+
 def chance(operator: Operator) -> float:
-    """Return the chance that a step goes as promised: (k + 1) / (n + 2), k successes in n rehearsals."""
-    return (operator.successes + 1) / (operator.trials + 2)
+    """Return the chance that a step goes as promised, from its rehearsals."""
+    return smoothed(operator.successes, operator.trials)
+
+
+def price(chance: float) -> int:
+    """Return what goes as promised with a chance costs: 1 + round(-100 ln(chance))."""
+    return 1 + round(-100 * math.log(chance))
 
 
 def cost(operator: Operator) -> int:
-    """Return what a step costs: 1 + round(-100 ln((k + 1) / (n + 2))), k successes in n rehearsals."""
-    return 1 + round(-100 * math.log(chance(operator)))
+    """Return what a step costs by its rehearsals."""
+    return price(chance(operator))
 
 
 def step_cost(operator: Operator, grounding: Grounding) -> int:

@@ -5,13 +5,12 @@ from collections.abc import Mapping, Sequence
 
 from neurosym.errors import InvalidValue
 from neurosym.grounding import Grounding
-from neurosym.pair_sight import with_pairs
-from neurosym.pooled_puts import FAINT
 from neurosym.problems import Problem
-from neurosym.related import relations_of, unmet_relations
-from neurosym.relation_goals import RelationGoal, pair_key
+from neurosym.related import unmet_relations
+from neurosym.relation_goals import RelationGoal
 from neurosym.relation_operators import RelationOperators
-from neurosym.tasks.puts import Put, bearing_states, puts_of
+from neurosym.tasks.puts import bearing_states
+from neurosym.tasks.task import understand
 
 
 def relations_meant(goals: Sequence[RelationGoal], grounding: Grounding) -> tuple[RelationGoal, ...]:
@@ -47,7 +46,7 @@ def check_relations(problem: Problem, grounding: Grounding) -> None:
             of relations.
         UnknownChoice: If there is no such state.
     """
-    if grounding.relations and isinstance(problem.pairs, dict):
+    if grounding.relations:
         _check_codes(problem.pairs, grounding.relations)
     if problem.related and (reason := why_no_relation(problem, grounding)):
         raise InvalidValue(f"{reason}.")
@@ -75,88 +74,37 @@ def why_no_relation(problem: Problem, grounding: Grounding) -> str:
         InvalidValue: If the domain knows nothing of relations.
         UnknownChoice: If there is no such state.
     """
-    relations = relations_of(grounding, problem)
-    problem = with_pairs(problem, relations)
+    task = understand(problem, grounding)
     bearing = ", ".join(state.name for state in bearing_states(grounding)) or "none was learned"
     for target, reference, name in problem.related:
-        state = relations.state_named(name)
+        state = task.state_named(name)
         if not state.bears:
             return (
                 f"{target} cannot be brought to {state.name} with {reference}, in which nothing is borne; "
                 f"valid states: {bearing}"
             )
     for target, reference, name in unmet_relations(problem, grounding):
-        state = relations.state_named(name)
-        found = [put for put in puts_for(problem, grounding, target, reference) if put.state == state]
-        if not found:
+        state = task.state_named(name)
+        if not any(put.state == state for put in task.puts[target, reference]):
             valid = valid_relations(problem, grounding, target)
             return f"no operator brings {target} to {state.name} with {reference}; {valid}"
     return why_too_many(problem, grounding)
-
-
-def puts_for(problem: Problem, grounding: Grounding, target: str, reference: str) -> tuple[Put, ...]:
-    """List what the domain can do with a pair of objects, as it is foreseen to turn out with them.
-
-    Of operators for the same it is the surest with this pair. One for pairs of any kind must be foreseen, and
-    more surely than what those for the kind of the pair promise. What a goal asks for is offered even if it
-    is only faintly foreseen, where there is nothing likelier.
-
-    Args:
-        problem: The problem, with the kinds of its pairs.
-        grounding: The learned domain.
-        target: Name of the one.
-        reference: Name of the other.
-    """
-    kinds = problem.pairs if isinstance(problem.pairs, dict) else {}
-    kind = kinds.get(pair_key(target, reference))
-    fitting = [
-        put.with_pair(problem, target, reference) for put in puts_of(grounding) if put.operator.is_for(kind)
-    ]
-    own = dict[str, float]()
-    for put in fitting:
-        if put.kind:
-            own[put.state.name] = max(own.get(put.state.name, 0.0), put.chance())
-    at_hand = [
-        put
-        for put in fitting
-        if put.kind or (put.foreseen is not None and put.chance() > own.get(put.state.name, 0.0))
-    ]
-    likely = [put for put in at_hand if put.is_likely]
-    likely += _faint(at_hand, likely, problem, target, reference)
-    surest = {put.case: put for put in sorted(likely, key=Put.sureness)}
-    return tuple(put for put in at_hand if surest.get(put.case) is put)
-
-
-def _faint(
-    at_hand: Sequence[Put], likely: Sequence[Put], problem: Problem, target: str, reference: str
-) -> list[Put]:
-    """List what does what goals ask of a pair, faintly foreseen, where nothing is likely to do it."""
-    asked = {state for one, other, state in problem.related if (one, other) == (target, reference)}
-    foreseen = problem.foreseen if isinstance(problem.foreseen, dict) else {}
-    shares = foreseen.get(pair_key(target, reference), {})
-    known = {put.state.symbol for put in likely}
-    return [
-        put
-        for put in at_hand
-        if asked & {put.state.name, put.state.symbol}
-        and put.state.symbol not in known
-        and shares.get(put.name, 0.0) >= FAINT
-    ]
 
 
 def valid_relations(problem: Problem, grounding: Grounding, target: str) -> str:
     """Say what can be done with an object relative to others.
 
     Args:
-        problem: The problem, with the kinds of its pairs.
+        problem: The problem.
         grounding: The learned domain.
         target: Name of the object.
     """
+    puts = understand(problem, grounding).puts
     ways = [
         f"{put.state.name} {other}"
         for other in problem.object_names
         if other != target
-        for put in puts_for(problem, grounding, target, other)
+        for put in puts[target, other]
     ]
     known = ", ".join(dict.fromkeys(ways))
     return f"valid for {target}: {known}" if known else f"nothing puts {target} on or into any other object"
@@ -166,13 +114,14 @@ def why_too_many(problem: Problem, grounding: Grounding) -> str:
     """Say which object should bear several and cannot, or nothing.
 
     Args:
-        problem: The problem, with the kinds of its pairs.
+        problem: The problem.
         grounding: The learned domain.
     """
+    puts = understand(problem, grounding).puts
     wanted = Counter(reference for _, reference, _ in problem.related)
     for reference, count in wanted.items():
         targets = [target for target, other, _ in problem.related if other == reference]
-        rows = [puts_for(problem, grounding, target, reference) for target in targets]
+        rows = [puts[target, reference] for target in targets]
         if count > 1 and not any(put.takes_occupied for row in rows for put in row):
             return (
                 f"{reference} shall bear {' and '.join(targets)}, and rehearsals show that it bears one "

@@ -5,21 +5,21 @@ under it spoiled more than half of what goes well otherwise, that is forbidden. 
 what it showed.
 """
 
-import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import lru_cache
 
 from neurosym.grounding import MIN_TRIALS, Grounding
 from neurosym.operators import Category
 from neurosym.place_operators import Kept
-from neurosym.pooled_puts import pooled
+from neurosym.pooled_puts import FAINT, pooled
 from neurosym.problems import Problem
 from neurosym.promises import LEAST_CHANCE
 from neurosym.related import relating
 from neurosym.relation_goals import pair_key
 from neurosym.relation_operators import SELDOM, PairEnd, PairState, RelationOperator, RelationOperators
 from neurosym.symbols import Symbol
+from neurosym.tasks.moves import price, smoothed
 
 LEAST_SHARE = 0.5
 """Where a third object leaves less than this of what is usual, it is forbidden."""
@@ -99,8 +99,7 @@ class Put:
             target: Name of the target.
             reference: Name of the reference.
         """
-        foreseen = problem.foreseen if isinstance(problem.foreseen, dict) else {}
-        share = foreseen.get(pair_key(target, reference), {}).get(self.name)
+        share = problem.foreseen.get(pair_key(target, reference), {}).get(self.name)
         return self if share is None else replace(self, foreseen=nearest_share(share))
 
     def chance(self, *, borne: bool = False, occupied: bool = False, laden: bool = False) -> float:
@@ -127,7 +126,7 @@ class Put:
             grounding: The learned domain.
             case: Where third objects rest; see `chance`.
         """
-        return 1 if grounding.unit_costs else 1 + round(-100 * math.log(self.chance(**case)))
+        return 1 if grounding.unit_costs else price(self.chance(**case))
 
 
 def puts_of(grounding: Grounding) -> tuple[Put, ...]:
@@ -136,9 +135,58 @@ def puts_of(grounding: Grounding) -> tuple[Put, ...]:
     Args:
         grounding: The learned domain.
     """
-    if grounding.relations is None:
-        return ()
-    return _puts(grounding.relations)
+    return _puts(grounding.relations) if grounding.relations else ()
+
+
+def puts_for(
+    problem: Problem, grounding: Grounding, target: str, reference: str, kind: Symbol | None = None
+) -> tuple[Put, ...]:
+    """List what the domain can do with a pair of objects, as it is foreseen to turn out with them.
+
+    Of operators for the same it is the surest with this pair. One for pairs of any kind must be foreseen, and
+    more surely than what those for the kind of the pair promise. What a goal asks for is offered even if it
+    is only faintly foreseen, where there is nothing likelier.
+
+    Args:
+        problem: The problem.
+        grounding: The learned domain.
+        target: Name of the one.
+        reference: Name of the other.
+        kind: The kind of the pair; as the problem says if not given.
+    """
+    kind = kind or problem.pairs.get(pair_key(target, reference))
+    fitting = [
+        put.with_pair(problem, target, reference) for put in puts_of(grounding) if put.operator.is_for(kind)
+    ]
+    own = dict[str, float]()
+    for put in fitting:
+        if put.kind:
+            own[put.state.name] = max(own.get(put.state.name, 0.0), put.chance())
+    at_hand = [
+        put
+        for put in fitting
+        if put.kind or (put.foreseen is not None and put.chance() > own.get(put.state.name, 0.0))
+    ]
+    likely = [put for put in at_hand if put.is_likely]
+    likely += _faint(at_hand, likely, problem, target, reference)
+    surest = {put.case: put for put in sorted(likely, key=Put.sureness)}
+    return tuple(put for put in at_hand if surest.get(put.case) is put)
+
+
+def _faint(
+    at_hand: Sequence[Put], likely: Sequence[Put], problem: Problem, target: str, reference: str
+) -> list[Put]:
+    """List what does what goals ask of a pair, faintly foreseen, where nothing is likely to do it."""
+    asked = {state for one, other, state in problem.related if (one, other) == (target, reference)}
+    shares = problem.foreseen.get(pair_key(target, reference), {})
+    known = {put.state.symbol for put in likely}
+    return [
+        put
+        for put in at_hand
+        if asked & {put.state.name, put.state.symbol}
+        and put.state.symbol not in known
+        and shares.get(put.name, 0.0) >= FAINT
+    ]
 
 
 def put_named(name: str, grounding: Grounding) -> Put | None:
@@ -150,15 +198,6 @@ def put_named(name: str, grounding: Grounding) -> Put | None:
     """
     table, found = grounding.relations, relating(name, grounding)
     return _put(found, table) if table and found and found.promise else None
-
-
-def left_out_puts(grounding: Grounding) -> Mapping[str, str]:
-    """Say why operators on pairs are not in the domain, by name.
-
-    Args:
-        grounding: The learned domain.
-    """
-    return left_out(grounding.relations) if grounding.relations else {}
 
 
 def bearing_states(grounding: Grounding) -> tuple[PairState, ...]:
@@ -220,20 +259,6 @@ def _why_worthless(operator: RelationOperator, table: RelationOperators) -> str 
     return None
 
 
-def smoothed(kept: int, trials: int) -> float:
-    """Return a chance from what was seen: (k + 1) / (n + 2), the rule of succession.
-
-    Args:
-        kept: How often it went so.
-        trials: Of how many cases.
-    """
-    return (kept + 1) / (trials + 2)
-
-
 def nearest_share(share: float) -> float:
-    """Return the nearest of `SHARES`.
-
-    Args:
-        share: In which share of the cases a promise is foreseen to be kept.
-    """
+    """Return the nearest of `SHARES`."""
     return min(SHARES, key=lambda one: abs(one - share))

@@ -15,19 +15,20 @@ import numpy as np
 
 from neurosym.arrays import Float
 from neurosym.grounding import Grounding
-from neurosym.operators import Operator, Vector
-from neurosym.pair_sight import PairSight, with_pairs
+from neurosym.operators import Operator
+from neurosym.pair_sight import kinds_of
 from neurosym.pair_states import extent
-from neurosym.problems import ROUNDED, Problem
+from neurosym.problems import Problem
 from neurosym.promises import usable
 from neurosym.related import Borne, bearers_of, loads_of, relations_of
+from neurosym.relation_goals import pair_key
 from neurosym.relation_operators import PairState
+from neurosym.symbols import Symbol
 from neurosym.tasks.carriers import Carrier, carriers_for, relational_carriers
+from neurosym.tasks.footprints import footprints_apart
 from neurosym.tasks.moves import Move, as_moves, moves_for, step_cost
-from neurosym.tasks.occupants import occupants
-from neurosym.tasks.pair_goals import puts_for
-from neurosym.tasks.places import blockers, is_at, with_places
-from neurosym.tasks.puts import Put, puts_of
+from neurosym.tasks.places import blockers, is_at, occupants, with_places
+from neurosym.tasks.puts import Put, puts_for, puts_of
 
 Pair = tuple[str, str]
 """Names of a target and of a reference."""
@@ -71,19 +72,21 @@ class Task:
     """A problem and a learned domain together; see `understand`.
 
     Attributes:
-        problem: The problem; with the kinds of its pairs, if the domain knows any.
+        problem: The problem.
         grounding: The learned domain.
+        kinds: Kinds of the pairs of objects, if the domain knows any; see `pair_key`.
         supports: What bears each object that another one bears at the start.
     """
 
     problem: Problem
     grounding: Grounding
+    kinds: Mapping[str, Symbol]
     supports: Mapping[str, Borne]
 
     @cached_property
     def flat(self) -> Problem:
         """The problem with every object on the table, and with its places."""
-        return with_places(flattened(self.problem, self.supports), self.grounding)
+        return with_places(_flattened(self.problem, self.supports), self.grounding)
 
     @cached_property
     def room(self) -> Float[np.ndarray, "2 M 2"]:
@@ -103,12 +106,7 @@ class Task:
     @property
     def places(self) -> Mapping[str, Spot]:
         """Where objects may be carried to: x and y of each place [m], by its name."""
-        return self.flat.places if isinstance(self.flat.places, dict) else {}
-
-    @cached_property
-    def moves(self) -> Mapping[str, tuple[Move, ...]]:
-        """What is done to each object by itself, in cells of the domain; lifts are followed by put-downs."""
-        return {item.name: self.moves_on(self.grounding, item.name) for item in self.problem.objects}
+        return self.flat.places
 
     def moves_on(self, grounding: Grounding, name: str) -> tuple[Move, ...]:
         """Return what is done to an object by itself, in the cells of a grounding that has others."""
@@ -124,11 +122,11 @@ class Task:
     @cached_property
     def carriers(self) -> Mapping[str, tuple[Operator, ...]]:
         """What carries each object to places, the surest first, for objects that something carries."""
-        found = {
-            item.name: carriers_for(item, self.grounding, self.problem.tolerance)
+        return {
+            item.name: found
             for item in self.flat.objects
+            if (found := carriers_for(item, self.grounding, self.problem.tolerance))
         }
-        return {name: operators for name, operators in found.items() if operators}
 
     @cached_property
     def carried(self) -> tuple[str, ...]:
@@ -159,7 +157,7 @@ class Task:
     @cached_property
     def apart(self) -> Float[np.ndarray, "M M 2"]:
         """How far apart the centres of two objects on the table must be on x or y [m]."""
-        return footprints(self.problem, self.supports)
+        return footprints_apart(self.problem, self.supports)
 
     def blockers(self, name: str, spot: Spot) -> tuple[str, ...]:
         """Name the other objects on the table that stand at first where an object would come to stand."""
@@ -169,15 +167,10 @@ class Task:
     @cached_property
     def carrier_facts(self) -> Mapping[str, Carrier]:
         """What was seen of stacks with each operator that carries to places, by its name."""
-        return {one.name: one for one in relational_carriers(self.grounding)}
+        return relational_carriers(self.grounding)
 
     def carry_cost(self, name: str, *, borne: bool = False) -> int:
-        """Return what carrying an object to a place costs, by its surest operator.
-
-        Args:
-            name: The object.
-            borne: Whether it is taken from another object.
-        """
+        """Return what carrying an object to a place costs, by its surest operator; it may be borne before."""
         surest = self.carriers[name][0]
         if not borne:
             return step_cost(surest, self.grounding)
@@ -189,7 +182,10 @@ class Task:
         if self.grounding.relations is None:
             return {}
         pairs = permutations(sorted(self.names), 2)
-        return {pair: puts_for(self.problem, self.grounding, *pair) for pair in pairs}
+        return {
+            pair: puts_for(self.problem, self.grounding, *pair, self.kinds.get(pair_key(*pair)))
+            for pair in pairs
+        }
 
     @cached_property
     def put_options(self) -> Mapping[Pair, tuple[PutOption, ...]]:
@@ -212,27 +208,26 @@ class Task:
 
 
 _REMEMBERED = 4
-_latest: list[tuple[Problem, Grounding, PairSight | None, Task]] = []
+_latest: list[tuple[Problem, Grounding, Task]] = []
 
 
-def understand(problem: Problem, grounding: Grounding, sight: PairSight | None = None) -> Task:
+def understand(problem: Problem, grounding: Grounding) -> Task:
     """Work out what a problem and a learned domain mean together; the same again for the same two.
 
     Args:
         problem: The problem, with the objects as they stand now.
         grounding: The learned domain.
-        sight: What networks say of pairs; what the problem says itself goes before.
 
     Raises:
         InvalidValue: If the problem asks for relations, and the domain knows none.
     """
-    for known, learned, looked, task in _latest:
-        if learned is grounding and looked is sight and (known is problem or known == problem):
+    for known, learned, task in _latest:
+        if learned is grounding and (known is problem or known == problem):
             return task
     relations = relations_of(grounding, problem) if problem.related else grounding.relations
-    known = with_pairs(problem, relations, sight)
-    task = Task(known, grounding, bearers_of(known, relations) if relations else {})
-    _latest.insert(0, (problem, grounding, sight, task))
+    kinds = kinds_of(problem, relations)
+    task = Task(problem, grounding, kinds, bearers_of(problem, relations, kinds) if relations else {})
+    _latest.insert(0, (problem, grounding, task))
     del _latest[_REMEMBERED:]
     return task
 
@@ -252,33 +247,11 @@ def _surest(puts: tuple[Put, ...], grounding: Grounding) -> tuple[PutOption, ...
     return tuple(option for _, option in found.values())
 
 
-def flattened(problem: Problem, bearers: Mapping[str, Borne]) -> Problem:
-    """Return a problem whose borne objects are as high as they are when they stand on the table.
-
-    Args:
-        problem: The problem.
-        bearers: What bears each object that another one bears.
-    """
-    scene = problem.scene()
-    objects = []
-    for row, item in enumerate(problem.objects):
-        if item.name in bearers:
-            x, y, _ = item.position
-            low: Vector = (x, y, float(extent(scene, row)[2]) / 2)
-            item = msgspec.structs.replace(item, position=low)
-        objects.append(item)
+def _flattened(problem: Problem, borne: Collection[str]) -> Problem:
+    """Return a problem whose borne objects are as high as they are when they stand on the table."""
+    scene, objects = problem.scene(), list(problem.objects)
+    for row, item in enumerate(objects):
+        if item.name in borne:
+            low = (*item.position[:2], float(extent(scene, row)[2]) / 2)
+            objects[row] = msgspec.structs.replace(item, position=low)
     return msgspec.structs.replace(problem, objects=tuple(objects))
-
-
-def footprints(problem: Problem, bearers: Collection[str]) -> Float[np.ndarray, "M M 2"]:
-    """Return how far apart the centres of two objects on the table must be on x or y [m].
-
-    Of two that stand on it and overlap at the start nothing is asked.
-    """
-    sizes = np.array([item.features[:2] for item in problem.objects], dtype=float)
-    apart = (sizes[:, None] + sizes) / 2 - ROUNDED
-    spots = problem.scene().positions[:, :2]
-    stands = np.array([name not in bearers for name in problem.object_names])
-    overlap = np.all(np.abs(spots[:, None] - spots) < apart, axis=-1)
-    apart[overlap & stands[:, None] & stands] = 0.0
-    return np.asarray(apart)

@@ -11,15 +11,16 @@ import numpy as np
 
 from neurosym.arrays import Float
 from neurosym.grounding import Grounding, is_lift
-from neurosym.operators import Operator
+from neurosym.operators import TOLERANCE, Operator
 from neurosym.pair_states import extent
 from neurosym.problems import Problem
 from neurosym.promises import promised
 from neurosym.related import Borne, carried_along, chain_below, loads_of, relating
 from neurosym.relation_goals import pair_key
-from neurosym.tasks.carriers import Carrier, chance_of
+from neurosym.tasks.carriers import Carrier
 from neurosym.tasks.footprints import overlapping
-from neurosym.tasks.moves import step_cost
+from neurosym.tasks.moves import chance as chance_of_step
+from neurosym.tasks.moves import smoothed, step_cost
 from neurosym.tasks.places import START
 from neurosym.tasks.puts import Put, put_named
 from neurosym.tasks.steps import PlanStep
@@ -214,11 +215,11 @@ def chance(task: Task, state: State, step: PlanStep) -> float:
     """
     if put := _put(task, step):
         return put.chance(**_case(state, step))
-    usual = chance_of(promise_of(step, task.problem, task.grounding))
+    usual = chance_of_step(promise_of(step, task.problem, task.grounding))
     carrier = _carrier(task, step) if step.object in state.supports else None
     if carrier is None or not carrier.borne.trials:
         return usual
-    return min(usual, (carrier.borne.kept + 1) / (carrier.borne.trials + 2))
+    return min(usual, smoothed(carrier.borne.kept, carrier.borne.trials))
 
 
 def cost(task: Task, state: State, step: PlanStep) -> int:
@@ -240,32 +241,29 @@ def cost(task: Task, state: State, step: PlanStep) -> int:
     return carrier.cost(operator, task.grounding, borne=step.object in state.supports)
 
 
-def operator_for(step: PlanStep, problem: Problem, grounding: Grounding) -> Operator:
+def operator_for(
+    step: PlanStep, problem: Problem, grounding: Grounding, tolerance: float | None = None
+) -> Operator:
     """Return the operator of a step as it promises for the step's object.
 
     Args:
         step: The step.
         problem: The problem, which has the object.
         grounding: The learned domain.
+        tolerance: How near an outcome must come to the promise to have kept it [m]; that of the goals if not
+            given.
 
     Raises:
         UnknownChoice: If there is no such operator or object.
     """
     item = problem.object_named(step.object)
-    found = promised(grounding, item, problem.tolerance).get(step.base)
-    return found or grounding.operator_named(step.base)
+    near = problem.tolerance if tolerance is None else tolerance
+    return promised(grounding, item, near).get(step.base) or grounding.operator_named(step.base)
 
 
 def promise_of(step: PlanStep, problem: Problem, grounding: Grounding) -> Operator:
-    """Return the operator of a step as it promises for its object, whatever the tolerance of the goals.
-
-    Args:
-        step: The step.
-        problem: The problem, which has the object.
-        grounding: The learned domain.
-    """
-    found = promised(grounding, problem.object_named(step.object)).get(step.base)
-    return found or grounding.operator_named(step.base)
+    """Return the same, whatever the tolerance of the goals."""
+    return operator_for(step, problem, grounding, TOLERANCE)
 
 
 def hand_problem(steps: Sequence[PlanStep], grounding: Grounding) -> str:
@@ -349,42 +347,41 @@ def _where_carried(task: Task, step: PlanStep) -> Float[np.ndarray, "3"]:
 
 def _why_not_put(task: Task, state: State, step: PlanStep, put: Put) -> Refusal | None:
     target, reference = step.object, step.place
-    pairs = task.problem.pairs
-    kind = pairs.get(pair_key(target, reference)) if isinstance(pairs, dict) else None
-    if not put.operator.is_for(kind):
-        said = f"it is not for {target} with {reference}, a pair of the kind {kind}"
-        return Refusal(said, (reference,), is_afterwards=True)
-    if target in chain_below(reference, state.supports):
-        return Refusal(f"{reference} rests on {target} itself", (reference,), is_afterwards=True)
+    kind = task.kinds.get(pair_key(target, reference))
     others = [one for one in loads_of(reference, state.supports) if one != target]
+    if not put.operator.is_for(kind):
+        return _wrong(f"it is not for {target} with {reference}, a pair of the kind {kind}", reference)
+    if target in chain_below(reference, state.supports):
+        return _wrong(f"{reference} rests on {target} itself", reference)
     if others and not put.takes_occupied:
-        said = f"{reference} bears {others[0]}, which rehearsals forbid"
-        return Refusal(said, (reference, others[0]), is_afterwards=True)
+        return _wrong(f"{reference} bears {others[0]}, which rehearsals forbid", reference, others[0])
     if len(others) >= task.most_borne:
         said = f"{reference} bears {counted(len(others), 'object')}, and plans count no more"
-        return Refusal(said, (reference,), is_afterwards=True)
+        return _wrong(said, reference)
     if loads_of(target, state.supports) and reference not in state.stands:
-        said = f"{target} bears something, and {reference} stands at no place"
-        return Refusal(said, (reference,), is_afterwards=True)
+        return _wrong(f"{target} bears something, and {reference} stands at no place", reference)
     return _why_not_taken(state, target, put)
 
 
 def _why_not_carried(task: Task, state: State, step: PlanStep) -> Refusal | None:
     item = task.problem.object_named(step.object)
     if step.operator not in promised(task.grounding, item, task.problem.tolerance):
-        return Refusal(f"it is not for {step.object}", is_afterwards=True)
+        return _wrong(f"it is not for {step.object}")
     return _why_not_taken(state, step.object, _carrier(task, step))
 
 
 def _why_not_taken(state: State, target: str, one: Put | Carrier | None) -> Refusal | None:
     borne, loads = state.supports.get(target), loads_of(target, state.supports)
     if borne and one and not one.takes_borne:
-        return Refusal(
-            f"{target} rests on {borne.by}, which rehearsals forbid", (borne.by,), is_afterwards=True
-        )
+        return _wrong(f"{target} rests on {borne.by}, which rehearsals forbid", borne.by)
     if loads and one and not one.takes_laden:
-        return Refusal(f"{target} bears {loads[0]}, which rehearsals forbid", (loads[0],), is_afterwards=True)
+        return _wrong(f"{target} bears {loads[0]}, which rehearsals forbid", loads[0])
     return None
+
+
+def _wrong(said: str, *concerned: str) -> Refusal:
+    """Refuse a step of which it is known where it would lead."""
+    return Refusal(said, concerned, is_afterwards=True)
 
 
 def _why_not_alone(task: Task, state: State, step: PlanStep) -> Refusal | None:
@@ -404,13 +401,12 @@ def _why_not_there(task: Task, then: State, step: PlanStep) -> Refusal | None:
     row, target = task.names.index(step.object), step.object
     spot, room = then.positions[row, :2], task.room
     if not np.all((spot >= room[0, row]) & (spot <= room[1, row])):
-        said = f"{target} leaves the table at x = {spot[0]:.3f}, y = {spot[1]:.3f} m"
-        return Refusal(said, is_afterwards=True)
+        return _wrong(f"{target} leaves the table at x = {spot[0]:.3f}, y = {spot[1]:.3f} m")
     if then.held:
         return None
     along = {target, *carried_along(target, then.supports)}
     for other in np.flatnonzero(overlapping(spot, then.positions[:, :2], task.apart[row])):
         name = task.names[int(other)]
         if name not in along:
-            return Refusal(f"{target} ends where {name} is", (name,), is_afterwards=True)
+            return _wrong(f"{target} ends where {name} is", name)
     return None

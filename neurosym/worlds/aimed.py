@@ -3,6 +3,7 @@
 What explores, auditions and rehearses without knowing of references does so here with one.
 """
 
+from abc import ABC, abstractmethod
 from dataclasses import dataclass
 from typing import Any
 
@@ -13,7 +14,6 @@ from neurosym.arrays import Float
 from neurosym.guarded import made
 from neurosym.table import Place, Table
 from neurosym.world import Outcome, Scene, World, WorldFactory, relative_to
-from neurosym.worlds.hosted import OwnFactory
 
 PLACE_AXES = 4
 """Axes of the effect of an action that is aimed at a place: where the target ends relative to the place, and
@@ -108,26 +108,30 @@ class Aimed(Adapted):
 
 
 @dataclass(frozen=True, slots=True)
-class AimedFactory:
-    """Makes worlds in which every action is aimed at a place.
+class AdaptedFactory(ABC):
+    """Makes worlds that are made of others.
 
     Attributes:
-        plain: Makes the world that they are made of, which takes places.
-        margin: How far inside the edge of the table places lie [m].
+        plain: Makes the world that they are made of.
     """
 
     plain: WorldFactory
-    margin: float = 0.0
-
-    @property
-    def here(self) -> "AimedFactory":
-        """What makes the same worlds in the process that calls it, if they are a user's own."""
-        return AimedFactory(self.plain.here, self.margin) if isinstance(self.plain, OwnFactory) else self
 
     def world(self) -> World:
         """Make the world that they are made of."""
         return made(self.plain)
 
+    @abstractmethod
     def __call__(self) -> World:
         """Make a world."""
-        return Aimed(self.world(), self.margin)
+
+
+@dataclass(frozen=True, slots=True)
+class AimedFactory(AdaptedFactory):
+    """Makes worlds in which every action is aimed at a place, so far inside the edge of the table [m]."""
+
+    margin: float = 0.0
+
+    def __call__(self) -> World:
+        """Make a world."""
+        return Aimed(made(self.plain), self.margin)

@@ -1,73 +1,99 @@
-"""Processes that we start: what one writes before it is up is caught, so that one sentence can tell of it.
+"""Processes that we start, and that call functions for us: one layer for workers, worlds and the studio.
 
 A process that lacks memory, files or threads may end with a traceback before any code of ours runs. Until it
 says that it is up, its standard error is a pipe to us; from then on it is ours, and whoever writes there is
-seen. No process is a fork, and none needs semaphores or temporary files.
+seen. No process is a fork, and none needs semaphores or temporary files. All are deaf to Ctrl-C and to closed
+terminals, of which their parent hears, too; they end with it, in order if they can.
 """
 
 import os
+import pickle
 import signal
 import subprocess
 import sys
 import textwrap
 import threading
 import time
+import traceback
 import weakref
 from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import Future, ThreadPoolExecutor
 from contextlib import contextmanager, suppress
+from dataclasses import dataclass
 from multiprocessing import Pipe
 from multiprocessing.connection import Connection
 from queue import SimpleQueue
+from types import FrameType
 from typing import Any, TypeVar
 
 from neurosym.errors import CannotStart
 
 GRACE = 5.0
 """How long a process has to end by itself [s]."""
+PATIENCE = 3.0
+"""How long those that work have to end in order, once they are told to [s]."""
+_ENDED = 128 + signal.SIGTERM  # the exit code of one that was told to end
 _UP = "up"
 _START = """
 import sys
 sys.path[:] = {path!r}
-from {module} import {function}
-{function}({requests}, {lifeline}, {errors})
+import {module}
+from neurosym.worlds.children import serve
+serve({requests}, {lifeline}, {errors})
 """
 
-Serve = Callable[[int, int, int], None]
-"""What a process does, given descriptors of requests, a lifeline, and our standard error (-1 if closed)."""
 Member = TypeVar("Member")
 Result = TypeVar("Result")
 
 
+class ChildEnded(Exception):
+    """The process has ended; `code` is its exit code, or less than 0 for a signal."""
+
+    def __init__(self, code: int):
+        super().__init__(code)
+        self.code = code
+
+
+class Unreadable(Exception):
+    """A process sent what cannot be unpickled here."""
+
+
+@dataclass(frozen=True, slots=True)
+class _Call:
+    function: Callable[..., Any]
+    arguments: tuple[Any, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class _Answer:
+    value: Any = None
+    error: BaseException | None = None
+
+
 class Child:
-    """A process that is sent messages, and sends some back.
+    """A process that calls functions, and may send words on the way.
 
     Args:
-        serve: What it does; a function of a module, which must call `say_up`.
+        module: What it imports before it is up.
 
     Raises:
-        CannotStart: If the system does not let it be started; from `send`, if it ends before it is up.
+        CannotStart: If the system does not let it be started; from `ask`, if it ends before it is up.
     """
 
-    def __init__(self, serve: Serve):
+    def __init__(self, module: str = __name__):
         self._connection, requests = Pipe()
         lifeline, held = Pipe(duplex=False)
         self._said, saying = Pipe(duplex=False)
         os.set_blocking(saying.fileno(), False)  # what is too much is of no use
         with requests, lifeline, saying, _standard_error() as errors:
-            kept = [end for end in (requests.fileno(), lifeline.fileno(), errors) if end >= 0]
-            code = _START.format(
-                path=sys.path,
-                module=serve.__module__,
-                function=serve.__name__,
-                requests=requests.fileno(),
-                lifeline=lifeline.fileno(),
-                errors=errors,
-            )
+            ends = {"requests": requests.fileno(), "lifeline": lifeline.fileno(), "errors": errors}
+            code = _START.format(path=sys.path, module=module, **ends)
             try:
                 with _ctrl_c_held():
                     self.process = subprocess.Popen(
-                        [sys.executable, "-c", code], pass_fds=kept, stderr=saying.fileno()
+                        [sys.executable, "-c", code],
+                        pass_fds=[end for end in ends.values() if end >= 0],
+                        stderr=saying.fileno(),
                     )
             except OSError as error:
                 raise CannotStart("process", str(error.strerror)) from error
@@ -84,29 +110,48 @@ class Child:
         """Whether it can be asked."""
         return self._end.alive
 
-    def send(self, message: Any) -> None:
-        """Send a message, once it is up.
+    def ask(self, function: Callable[..., Any], *arguments: Any) -> None:
+        """Have a function called, once the process is up; the next is `answer`.
 
         Args:
-            message: What can be pickled.
+            function: A function of a module.
+            arguments: What can be pickled.
+
+        Raises:
+            ChildEnded: If the process has ended.
         """
         if not self._is_up:
             self._await_up()
-        self._connection.send(message)
+        self.say(_Call(function, arguments))
 
-    def receive(self, patience: float | None = None) -> Any:
-        """Wait for a message.
+    def say(self, word: Any) -> None:
+        """Send a word to the function that is called; it comes too late once that has returned."""
+        question = pickle.dumps(word)
+        with self._telling_its_end():
+            self._connection.send_bytes(question)
+
+    def answer(self, patience: float | None = None, hear: Callable[[Any], None] | None = None) -> Any:
+        """Wait for what the function returns, or raise what it raises.
 
         Args:
-            patience: How long [s]; for ever if not given.
+            patience: How long each message may take [s]; for ever if not given.
+            hear: Takes the words that are sent on the way.
 
         Raises:
-            TimeoutError: If none comes.
-            EOFError: If the process has ended.
+            TimeoutError: If nothing comes.
+            ChildEnded: If the process has ended.
+            Unreadable: If what it sent cannot be unpickled.
         """
-        if not self._connection.poll(patience):
-            raise TimeoutError
-        return self._connection.recv()
+        try:
+            while not isinstance(said := self._receive(patience), _Answer):
+                assert hear is not None, "else no words are sent"
+                hear(said)
+        except BaseException:  # whatever it still sends belongs to no call any more
+            self.close(grace=0.0)
+            raise
+        if said.error is not None:
+            raise said.error
+        return said.value
 
     def hang_up(self) -> None:
         """Close the way to it, which ends it once it has answered."""
@@ -123,9 +168,31 @@ class Child:
             self.process.wait()  # before its ways are closed, on which others may be waiting
         self._end()
 
+    def _receive(self, patience: float | None = None) -> Any:
+        with self._telling_its_end():
+            has_come = self._connection.poll(patience)
+            content = self._connection.recv_bytes() if has_come else b""
+        if not has_come:
+            raise TimeoutError
+        try:
+            return pickle.loads(content)
+        except Exception as error:
+            raise Unreadable from error
+
+    @contextmanager
+    def _telling_its_end(self) -> Iterator[None]:
+        try:
+            yield
+        except (EOFError, OSError) as error:
+            with suppress(subprocess.TimeoutExpired):
+                self.process.wait(GRACE)
+            self.process.kill()
+            self.process.wait()
+            raise ChildEnded(self.process.returncode) from error
+
     def _await_up(self) -> None:
         try:
-            self._is_up = self.receive() == _UP
+            self._is_up = self._connection.recv() == _UP
         except (EOFError, OSError) as error:
             raise CannotStart("process", self._last_words()) from error
         self._said.close()
@@ -142,71 +209,97 @@ class Child:
         return f"killed by {signal.Signals(-code).name}" if code < 0 else f"exit code {code}"
 
 
-def leave_signals_to_parent() -> None:
-    """Be deaf to Ctrl-C and to closed terminals, of which the parent hears, too; it ends this process."""
+_parent: Connection
+_is_busy = False  # whether this process does something that must be left in order
+
+
+def parent() -> Connection:
+    """Return, in a process that was started here, the way to who started it, for words while it works."""
+    return _parent
+
+
+def serve(requests: int, lifeline: int, errors: int) -> None:
+    """Call the functions that are asked for, until nobody asks any more.
+
+    Args:
+        requests: Descriptor of the way to the parent.
+        lifeline: Descriptor of what ends with the parent.
+        errors: Descriptor of the parent's standard error; -1 if it is closed.
+    """
+    global _parent
     for number in (signal.SIGINT, signal.SIGHUP):
         signal.signal(number, signal.SIG_IGN)
     signal.pthread_sigmask(signal.SIG_UNBLOCK, {signal.SIGINT})
-
-
-def say_up(requests: int, errors: int) -> Connection:
-    """Say in a process that it is up, and return the way to its parent.
-
-    Args:
-        requests: As given to `Serve`.
-        errors: As given to `Serve`.
-    """
+    signal.signal(signal.SIGTERM, _hear_the_end)
+    threading.Thread(target=_end_with_parent, args=(lifeline,), daemon=True).start()
     if errors >= 0:
         os.dup2(errors, 2)
         os.close(errors)
-    connection = Connection(requests)
-    with suppress(OSError):  # else the parent has ended; the next to be received is its end
-        connection.send(_UP)
-    return connection
+    _parent = Connection(requests)
+    try:
+        with suppress(EOFError, OSError):
+            _parent.send(_UP)
+            while True:
+                if answer := _answer(_parent.recv_bytes()):
+                    _parent.send_bytes(answer)
+    except KeyboardInterrupt:
+        os._exit(_ENDED)
 
 
-def end_with_parent(lifeline: int, end: Callable[[], None]) -> None:
-    """Have a thread of a process end it with its parent.
+def _answer(question: bytes) -> bytes | None:
+    """Call a function, and pack what came of it; None for a word that comes too late."""
+    global _is_busy
+    _is_busy = True
+    try:
+        call = pickle.loads(question)
+        if not isinstance(call, _Call):
+            return None
+        return pickle.dumps(_Answer(call.function(*call.arguments)))
+    except KeyboardInterrupt:
+        raise
+    except BaseException as error:
+        error.add_note(traceback.format_exc())
+        try:
+            return pickle.dumps(_Answer(error=error))
+        except Exception:
+            return pickle.dumps(_Answer(error=RuntimeError(traceback.format_exc())))
+    finally:
+        _is_busy = False
 
-    Args:
-        lifeline: As given to `Serve`.
-        end: Ends this process.
-    """
 
-    def wait() -> None:
-        os.read(lifeline, 1)
-        end()
-
-    threading.Thread(target=wait, daemon=True).start()
+def _hear_the_end(_: int, __: FrameType | None) -> None:
+    signal.signal(signal.SIGTERM, signal.SIG_IGN)
+    if _is_busy:
+        raise KeyboardInterrupt
+    os._exit(_ENDED)
 
 
-def end_all(children: Sequence[Child], patience: float) -> None:
-    """Ask processes to end, and kill those that do not soon; keepers of planners see to the rest.
-
-    Args:
-        children: The processes.
-        patience: How long they have together [s].
-    """
-    for child in children:
-        child.process.terminate()
-    end = time.monotonic() + patience
-    for child in children:
-        with suppress(subprocess.TimeoutExpired):
-            child.process.wait(max(0.0, end - time.monotonic()))
-        child.process.kill()
+def _end_with_parent(lifeline: int) -> None:
+    os.read(lifeline, 1)
+    os.kill(os.getpid(), signal.SIGTERM)
+    time.sleep(PATIENCE)
+    os._exit(_ENDED)
 
 
 @contextmanager
-def at_hand(members: Sequence[Member]) -> Iterator[Callable[[Callable[[Member], Result]], "Future[Result]"]]:
-    """Keep members at hand; yields what hands work out to whichever is free.
+def crew_of(
+    make: Callable[[], Member], count: int, child_of: Callable[[Member], Child]
+) -> Iterator[Callable[[Callable[[Member], Result]], "Future[Result]"]]:
+    """Keep members at hand, each with a process; yields what hands work out to whichever is free.
+
+    If an error ends the work, the processes are ended whatever they are doing, in order if they can be.
 
     Args:
-        members: What work is done with.
+        make: Makes a member.
+        count: How many.
+        child_of: Says which process a member has.
+
+    Raises:
+        CannotStart: If the system does not let them be started.
     """
+    members: list[Member] = []
     free: SimpleQueue[Member] = SimpleQueue()
-    for member in members:
-        free.put(member)
-    pool = ThreadPoolExecutor(len(members))
+    threads = ThreadPoolExecutor(count)
 
     def perform(work: Callable[[Member], Result]) -> Result:
         member = free.get()
@@ -217,14 +310,37 @@ def at_hand(members: Sequence[Member]) -> Iterator[Callable[[Callable[[Member], 
 
     def submit(work: Callable[[Member], Result]) -> "Future[Result]":
         try:
-            return pool.submit(perform, work)
+            return threads.submit(perform, work)
         except RuntimeError as error:
             raise CannotStart("thread", str(error)) from error
 
     try:
-        yield submit
+        for _ in range(count):
+            members.append(make())
+            free.put(members[-1])
+        try:
+            yield submit
+        except BaseException:
+            _end_all([child_of(member) for member in members])
+            raise
+        finally:
+            threads.shutdown(wait=True, cancel_futures=True)
     finally:
-        pool.shutdown(wait=True, cancel_futures=True)
+        for member in members:
+            child_of(member).hang_up()
+        for member in members:
+            child_of(member).close()
+
+
+def _end_all(children: Sequence[Child]) -> None:
+    """Ask processes to end, and kill those that do not soon; keepers of planners see to the rest."""
+    for child in children:
+        child.process.terminate()
+    end = time.monotonic() + PATIENCE
+    for child in children:
+        with suppress(subprocess.TimeoutExpired):
+            child.process.wait(max(0.0, end - time.monotonic()))
+        child.process.kill()
 
 
 @contextmanager

@@ -31,7 +31,7 @@ def make_own_world(name: str, options: dict[str, Any]) -> World:
     Raises:
         InvalidWorld: If there is no such factory, it rejects the options, or does not return a world.
     """
-    factory = load_world_factory(name)
+    factory = _load(name)
     _check_options(name, factory, options)
     try:
         world = factory(**options)
@@ -53,22 +53,16 @@ def describe_own_world(name: str, folder: Path) -> dict[str, Any]:
         InvalidWorld: If it is no world, as far as a few interactions tell. What needs an option is not made.
     """
     admit(name, folder, InvalidWorld)
-    factory = load_world_factory(name)
-    options: dict[str, Any] = json.loads(json.dumps(default_options(factory)))
-    if not missing_options(factory, options):  # else they must be written into the file first
+    factory = _load(name)
+    defaults = {name: p.default for name, p in _parameters(factory).items() if _is_plain(p.default)}
+    options: dict[str, Any] = json.loads(json.dumps(defaults))
+    if not _missing_options(factory, options):  # else they must be written into the file first
         check_world(make_own_world(name, options))
     return options
 
 
-def load_world_factory(name: str) -> Factory:
-    """Import the factory of a world.
-
-    Args:
-        name: `module:factory`.
-
-    Raises:
-        InvalidWorld: If there is none, or it does not make worlds.
-    """
+def _load(name: str) -> Factory:
+    """Import the factory of a world."""
     factory = load_factory(name, InvalidWorld)
     if not callable(factory):
         kind = type(factory).__name__
@@ -81,13 +75,7 @@ def load_world_factory(name: str) -> Factory:
     return factory  # type: ignore[no-any-return]
 
 
-def default_options(factory: Factory) -> dict[str, Any]:
-    """Return the options of a factory whose defaults can stand in a TOML file."""
-    return {name: p.default for name, p in _parameters(factory).items() if _is_plain(p.default)}
-
-
-def missing_options(factory: Factory, options: dict[str, Any]) -> list[str]:
-    """List the options that a factory needs and is not given."""
+def _missing_options(factory: Factory, options: dict[str, Any]) -> list[str]:
     needed = [name for name, p in _parameters(factory).items() if p.default is inspect.Parameter.empty]
     return [name for name in needed if name not in options]
 
@@ -116,7 +104,7 @@ def _check_options(name: str, factory: Factory, options: dict[str, Any]) -> None
     for option in options:
         if option not in known and not takes_any:
             raise InvalidWorld(name, f"has no option {option!r}; valid: {', '.join(known) or 'none'}")
-    if missing := missing_options(factory, options):
+    if missing := _missing_options(factory, options):
         raise InvalidWorld(name, f"needs the option {missing[0]!r}, which has no default")
 
 

@@ -3,58 +3,33 @@
 The functions here are called in that process, which has one world. It ends when nobody asks any more.
 """
 
-import os
-import time
 from collections.abc import Callable
-from multiprocessing.connection import Connection
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
-from neurosym.contract import is_number
 from neurosym.errors import InvalidWorld, NeurosymError
 from neurosym.factories import admit, told
-from neurosym.guarded import OPTIONAL, Guarded
-from neurosym.table import Reference
-from neurosym.world import Frame, Outcome, Scene, references_of
-from neurosym.worlds.children import GRACE, end_with_parent, leave_signals_to_parent, say_up
+from neurosym.guarded import OPTIONAL, Guarded, is_number
+from neurosym.world import Frame, Scene, references_of
+from neurosym.worlds.children import parent
 from neurosym.worlds.custom import make_own_world
 
-FRAME, ANSWER, REFUSAL = "frame", "answer", "refusal"
 PATIENCE = 600.0
 """How long a call may take unless the world has a `patience` of its own [s]."""
 
-_connection: Connection
 _world: Guarded
 
 
-def serve(requests: int, lifeline: int, errors: int) -> None:
-    """Answer calls, a function and its arguments each, until the other end is closed; see `Serve`."""
-    global _connection
-    leave_signals_to_parent()
-    end_with_parent(lifeline, _end_slowly)
-    _connection = say_up(requests, errors)
-    while True:
-        try:
-            name, function, arguments = _connection.recv()
-        except EOFError:
-            return
-        _connection.send(_answer(name, function, arguments))
-
-
-def _answer(name: str, function: Callable[..., Any], arguments: tuple[Any, ...]) -> tuple[str, Any]:
+def told_by(name: str, function: Callable[..., Any], arguments: tuple[Any, ...]) -> Any:
+    """Call a function; whatever the world `name` raises in it is told as an `InvalidWorld`."""
     try:
-        return ANSWER, function(*arguments)
-    except NeurosymError as error:
-        return REFUSAL, error
-    except BaseException as error:  # nothing that the world does may end the loop
-        return REFUSAL, InvalidWorld(name, f"raises an error: {told(error)}")
-
-
-def _end_slowly() -> None:
-    time.sleep(GRACE)
-    os._exit(1)
+        return function(*arguments)
+    except (NeurosymError, KeyboardInterrupt):
+        raise
+    except BaseException as error:  # nothing that the world does may end the process
+        raise InvalidWorld(name, f"raises an error: {told(error)}") from error
 
 
 def make(name: str, options: dict[str, Any], folder: Path) -> dict[str, Any]:
@@ -91,34 +66,15 @@ def sample_scene(rng: np.random.Generator, objects: int) -> tuple[Scene, Any]:
     return _world.sample_scene(rng, objects), rng.bit_generator.state
 
 
-def interact(
-    scene: Scene,
-    action: np.ndarray,
-    target: int,
-    put_down: bool,
-    is_filmed: bool,
-    ghosts: np.ndarray | None,
-    reference: Reference | None,
-) -> Outcome:
-    """Perform an interaction, and send its pictures on the way if it is filmed."""
-    sink = _send_frame if is_filmed else None
-    return _world.interact(
-        scene, action, target, put_down=put_down, on_frame=sink, ghosts=ghosts, reference=reference
-    )
+def call(method: str, arguments: tuple[Any, ...], options: dict[str, Any], is_filmed: bool) -> Any:
+    """Call another method of the world, and send its pictures on the way if it is filmed."""
+    if is_filmed:
+        options["on_frame"] = _send_frame
+    return getattr(_world, method)(*arguments, **options)
 
 
 def _send_frame(frame: Frame, phase: str) -> None:
-    _connection.send((FRAME, (np.array(frame), phase)))
-
-
-def call(method: str, *arguments: Any) -> Any:
-    """Call another method of the world."""
-    return getattr(_world, method)(*arguments)
-
-
-def put(name: str, value: Any) -> None:
-    """Set an attribute of the world."""
-    setattr(_world, name, value)
+    parent().send((np.array(frame), phase))
 
 
 def get(name: str) -> tuple[bool, Any]:

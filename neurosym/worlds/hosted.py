@@ -4,22 +4,57 @@ A world may raise, call `sys.exit` or `os._exit`, be killed, or never answer: in
 one sentence what it did, keeps what was finished, and goes on when it is called again.
 """
 
-from collections.abc import Callable, Iterator, Sequence
-from concurrent.futures import Future
-from contextlib import contextmanager
+import signal
+import threading
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
 from neurosym.arrays import Float
+from neurosym.errors import InvalidWorld
 from neurosym.factories import search_here
 from neurosym.table import Reference, ReferenceKind
 from neurosym.world import Frame, FrameSink, Outcome, Scene, World
 from neurosym.worlds import host
-from neurosym.worlds.apart import Process
-from neurosym.worlds.children import at_hand
-from neurosym.worlds.custom import describe_own_world, make_own_world
+from neurosym.worlds.children import Child, ChildEnded, Unreadable
+from neurosym.worlds.custom import describe_own_world
+
+
+class _Process:
+    """A process that calls functions for a world that is made there, so that ours can tell what they do."""
+
+    def __init__(self, name: str):
+        self._name, self.patience = name, host.PATIENCE
+        self.child = Child(host.__name__)
+        self._lock = threading.Lock()
+
+    def call(
+        self, what: str, function: Callable[..., Any], *arguments: Any, on_frame: FrameSink | None = None
+    ) -> Any:
+        """Have a function called, of which messages speak as `what`, and return what it returns."""
+        hear = (lambda word: on_frame(*word)) if on_frame else None
+        try:
+            with self._lock:
+                self.child.ask(host.told_by, self._name, function, arguments)
+                return self.child.answer(self.patience, hear)
+        except ChildEnded as error:
+            self.child.close(grace=0.0)
+            raise InvalidWorld(self._name, f"{_how(error.code)} in {what}") from error
+        except TimeoutError as error:
+            problem = f"has not come back from {what} for {self.patience:g} s"
+            raise InvalidWorld(self._name, problem) from error
+        except Unreadable as error:
+            raise InvalidWorld(self._name, f"gives what no other process can read from {what}") from error
+
+
+def _how(code: int) -> str:
+    """Say how a process of a world ended."""
+    if code >= 0:
+        return f"ends its process with exit code {code}"
+    because = " (by somebody, or for want of memory)" if -code == signal.SIGKILL else ""
+    return f"has its process killed by {signal.Signals(-code).name}{because}"
 
 
 class Hosted:
@@ -30,7 +65,7 @@ class Hosted:
         about: What `host.make` says of it.
     """
 
-    def __init__(self, process: Process, about: dict[str, Any]):
+    def __init__(self, process: _Process, about: dict[str, Any]):
         self.process = process
         self.name: str = about["name"]
         self.feature_names: tuple[str, ...] = about["feature_names"]
@@ -41,7 +76,7 @@ class Hosted:
         if "picture" in about["optional"]:
             self.picture = self._picture
         if "open_window" in about["optional"]:
-            self.open_window = lambda: process.call("open_window", host.call, "open_window")
+            self.open_window = lambda: self._call("open_window")
         if about["is_sparing"]:
             self.wanted_pictures = None
 
@@ -62,9 +97,17 @@ class Hosted:
         reference: Reference | None = None,
     ) -> Outcome:
         """Perform an interaction; see `World.interact`."""
-        arguments = scene, action, target, put_down, on_frame is not None, ghosts, reference
-        outcome: Outcome = self.process.call("interact", host.interact, *arguments, on_frame=on_frame)
+        options = {"put_down": put_down, "ghosts": ghosts, "reference": reference}
+        outcome: Outcome = self._call("interact", scene, action, target, on_frame=on_frame, **options)
         return outcome
+
+    def _picture(self, scene: Scene, ghosts: Float[np.ndarray, "M 3"] | None = None) -> Frame:
+        frame: Frame = self._call("picture", scene, ghosts)
+        return frame
+
+    def _call(self, method: str, *arguments: Any, on_frame: FrameSink | None = None, **options: Any) -> Any:
+        given = method, arguments, options, on_frame is not None
+        return self.process.call(method.strip("_"), host.call, *given, on_frame=on_frame)
 
     def __getattr__(self, name: str) -> Any:
         """Give what else the world has, like its `object_limits`."""
@@ -77,12 +120,8 @@ class Hosted:
 
     def __setattr__(self, name: str, value: Any) -> None:
         if name == "wanted_pictures" and value is not self.__dict__.get(name):
-            self.process.call(name, host.put, name, value)
+            self._call("__setattr__", name, value)
         object.__setattr__(self, name, value)
-
-    def _picture(self, scene: Scene, ghosts: Float[np.ndarray, "M 3"] | None = None) -> Frame:
-        frame: Frame = self.process.call("picture", host.call, "picture", scene, ghosts)
-        return frame
 
 
 class OwnFactory:
@@ -102,7 +141,7 @@ class OwnFactory:
 
     def __call__(self) -> World:
         """Return the world, made if there is none yet, or its process has ended."""
-        if self._world is None or not self._world.process.is_open:
+        if self._world is None or not self._world.process.child.is_open:
             self._world = self.another()
         return self._world
 
@@ -114,16 +153,12 @@ class OwnFactory:
         """
         name, options = self.args
         search_here(self._folder)
-        process = Process(name)
+        process = _Process(name)
         try:
             return Hosted(process, process.call("its making", host.make, name, options, self._folder))
         except BaseException:
-            process.close(grace=0.0)
+            process.child.close(grace=0.0)
             raise
-
-    def here(self) -> World:
-        """Make one in this process, which nothing but the world needs."""
-        return make_own_world(*self.args)
 
     def __getstate__(self) -> tuple[tuple[str, dict[str, Any]], Path]:
         return self.args, self._folder
@@ -143,35 +178,9 @@ def describe_apart(name: str, folder: Path) -> dict[str, Any]:
         InvalidWorld: If it is no world.
     """
     search_here(folder)
-    process = Process(name)
+    process = _Process(name)
     try:
         options: dict[str, Any] = process.call("a first trial", describe_own_world, name, folder)
     finally:
-        process.close()
+        process.child.close()
     return options
-
-
-@contextmanager
-def hosts(factory: OwnFactory, count: int) -> Iterator[Callable[[Callable[[World], Any]], "Future[Any]"]]:
-    """Keep worlds at hand, each in a process of its own; yields what hands work out to whichever is free.
-
-    Args:
-        factory: Makes them.
-        count: How many.
-    """
-    made: list[Hosted] = []
-    try:
-        for _ in range(count):
-            made.append(factory.another())
-        with at_hand(made) as submit:
-            try:
-                yield submit
-            finally:
-                _kill(made)  # before the threads are waited for that wait for them
-    finally:
-        _kill(made)
-
-
-def _kill(worlds: Sequence[Hosted]) -> None:
-    for world in worlds:
-        world.process.close(grace=0.0)

@@ -3,12 +3,14 @@
 What drags an object along, or comes down with the hand wide open, does well alone and not among others.
 """
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 
 from neurosym.arrays import Float
+from neurosym.guarded import made
 from neurosym.table import Table
 from neurosym.world import Outcome, Scene, World
 from neurosym.worlds.aimed import Aimed, AimedFactory, AimedScene
@@ -45,7 +47,8 @@ class Crowded(Aimed):
     def interact(self, scene: Scene, action: Float[np.ndarray, "A"], target: int, **options: Any) -> Outcome:
         """Perform an action among neighbours; see `Aimed.interact`."""
         if isinstance(scene, CrowdedScene):
-            scene = AimedScene(*_joined(scene, scene.neighbours), scene.reference)
+            every = joined([scene, scene.neighbours])
+            scene = AimedScene(every.features, every.positions, every.orientations, scene.reference)
         return super().interact(scene, action, target, **options)
 
 
@@ -53,14 +56,9 @@ class Crowded(Aimed):
 class CrowdedFactory(AimedFactory):
     """Makes worlds in which every action is aimed at a place, and every target has neighbours."""
 
-    @property
-    def here(self) -> "CrowdedFactory":
-        """What makes the same worlds in the process that calls it, if they are a user's own."""
-        return CrowdedFactory(super(CrowdedFactory, self).here.plain, self.margin)
-
     def __call__(self) -> World:
         """Make a world."""
-        return Crowded(self.world(), self.margin)
+        return Crowded(made(self.plain), self.margin)
 
 
 def _around(scene: AimedScene, others: list[AimedScene], table: Table, rng: np.random.Generator) -> Scene:
@@ -74,7 +72,7 @@ def _around(scene: AimedScene, others: list[AimedScene], table: Table, rng: np.r
     """
     half, centre = scene.features[0, :2] / 2, scene.positions[0, :2]
     boxes = [(scene.reference.centre[:2], half, ROOM)]
-    kept, positions = list[Scene](), list[Float[np.ndarray, "1 3"]]()
+    kept = list[Scene]()
     for (axis, sign), other in zip(_SIDES, others, strict=True):
         reach = half + other.features[0, :2] / 2
         away = rng.uniform(-reach / 2, reach / 2)
@@ -86,18 +84,15 @@ def _around(scene: AimedScene, others: list[AimedScene], table: Table, rng: np.r
         )
         if table.contains(position[0]) and is_free:
             boxes.append((position[0, :2], other.features[0, :2] / 2, _APART))
-            kept.append(other)
-            positions.append(position)
-    if not kept:
-        return Scene(scene.features[:0], scene.positions[:0], scene.orientations[:0])
-    features, orientations = ([getattr(one, of) for one in kept] for of in ("features", "orientations"))
-    return Scene(np.concatenate(features), np.concatenate(positions), np.concatenate(orientations))
+            kept.append(Scene(other.features, position, other.orientations))
+    return joined([Scene(scene.features[:0], scene.positions[:0], scene.orientations[:0]), *kept])
 
 
-def _joined(one: Scene, other: Scene) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Return features, positions and orientations of the objects of two scenes."""
-    return (
-        np.concatenate([one.features, other.features]),
-        np.concatenate([one.positions, other.positions]),
-        np.concatenate([one.orientations, other.orientations]),
-    )
+def joined(scenes: Sequence[Scene]) -> Scene:
+    """Return the objects of several scenes in one.
+
+    Args:
+        scenes: The scenes, at least one.
+    """
+    parts = ("features", "positions", "orientations")
+    return Scene(*(np.concatenate([getattr(scene, part) for scene in scenes]) for part in parts))

@@ -60,7 +60,7 @@ def draw_problem(
         goals = dict(zip(item_names(objects), map(vector, outcomes[-1].lifted.positions), strict=True))
         problem = Problem(
             name=name,
-            objects=_items(outcomes[0].start, categorise),
+            objects=items_of(outcomes[0].start, categorise),
             goals=goals,
             tolerance=tolerance,
             provenance=f"drawn with seed {seed}: {_told(outcomes)}; draw {draw + 1}, earlier ones met at the "
@@ -119,7 +119,7 @@ def set_problem(
     check_count("objects", objects)
     _check(name, seed, tolerance)
     scene = world.sample_scene(np.random.default_rng([_TASKS, seed]), objects)
-    items = _items(scene, categorise)
+    items = items_of(scene, categorise)
     resting = {item.name: item.position[2] for item in items}
     problem = Problem(
         name=name,
@@ -127,7 +127,7 @@ def set_problem(
         goals={item: _completed(item, goal, resting.get(item, 0.0)) for item, goal in goals.items()},
         tolerance=tolerance,
         provenance=f"scene drawn with seed {seed}, goals by hand",
-        relations=relations or msgspec.UNSET,
+        relations=relations,
     )
     check_goals(problem, world.table, goal_heights(problem, world.lift_height))
     return problem
@@ -145,18 +145,29 @@ def item_names(objects: int) -> tuple[str, ...]:
     return tuple(f"item-{number:02d}" for number in range(1, objects + 1))
 
 
-def _items(scene: Scene, categorise: Categorise) -> tuple[SceneObject, ...]:
-    rows = zip(
-        item_names(len(scene)),
-        symbols_of(categorise, scene.features),
-        scene.features.tolist(),
-        map(vector, scene.positions),
-        scene.orientations.tolist(),
-        strict=True,
-    )
+def items_of(scene: Scene, categorise: Categorise) -> tuple[SceneObject, ...]:
+    """Return the objects of a scene, called `item-01` and so on.
+
+    Args:
+        scene: The scene.
+        categorise: Gives objects their symbols.
+    """
+    symbols, features = symbols_of(categorise, scene.features), scene.features.tolist()
+    rows = zip(item_names(len(scene)), symbols, map(tuple, features), strict=True)
+    return standing([SceneObject(*row, (0.0, 0.0, 0.0)) for row in rows], scene)
+
+
+def standing(items: Sequence[SceneObject], scene: Scene) -> tuple[SceneObject, ...]:
+    """Return objects as they stand in a scene.
+
+    Args:
+        items: The objects.
+        scene: The scene, in the same order.
+    """
+    rows = zip(items, scene.positions, scene.orientations, strict=True)
     return tuple(
-        SceneObject(name, category, tuple(features), position, (*orientation,))
-        for name, category, features, position, orientation in rows
+        msgspec.structs.replace(item, position=vector(position), orientation=tuple(orientation.tolist()))
+        for item, position, orientation in rows
     )
 
 

@@ -15,9 +15,8 @@ from neurosym.arrays import Float
 from neurosym.guarded import made
 from neurosym.pair_states import tilt
 from neurosym.table import OtherObject
-from neurosym.world import Outcome, Scene, World, WorldFactory, relative_to
-from neurosym.worlds.aimed import Adapted
-from neurosym.worlds.hosted import OwnFactory
+from neurosym.world import Outcome, Scene, World, relative_to
+from neurosym.worlds.aimed import Adapted, AdaptedFactory
 
 TARGET, REFERENCE = 0, 1
 """Which objects of a scene the pair is made of; the others are bystanders."""
@@ -156,21 +155,14 @@ class Related(Adapted):
 
 
 @dataclass(frozen=True, slots=True)
-class RelatedFactory:
+class RelatedFactory(AdaptedFactory):
     """Makes worlds in which every action is aimed at another object.
 
     Attributes:
-        plain: Makes the world that they are made of.
         propose: Draws actions that do something to the target alone.
     """
 
-    plain: WorldFactory
     propose: Propose | None = None
-
-    @property
-    def here(self) -> "RelatedFactory":
-        """What makes the same worlds in the process that calls it, if they are a user's own."""
-        return RelatedFactory(self.plain.here, self.propose) if isinstance(self.plain, OwnFactory) else self
 
     def __call__(self) -> World:
         """Make a world."""

@@ -18,15 +18,16 @@ from neurosym.choices import RelationTask
 from neurosym.errors import InvalidValue, UnknownChoice
 from neurosym.guarded import guarded, placed
 from neurosym.operators import TOLERANCE
-from neurosym.pair_sight import with_pairs
 from neurosym.problems import Problem, check_names
 from neurosym.related import bearers_of
 from neurosym.relation_goals import RelationGoal
 from neurosym.relation_operators import RelationOperators
 from neurosym.symbols import Categorise
+from neurosym.table import OtherObject
 from neurosym.wording import counted
-from neurosym.world import World
-from neurosym.worlds.stacks import scattered, stacked, standing, upright_items
+from neurosym.world import Scene, World, relative_to
+from neurosym.worlds.problem_drawing import items_of, standing
+from neurosym.worlds.tasks import draw_places
 
 RELATION_TASKS: tuple[RelationTask, ...] = get_args(RelationTask)
 HEIGHT = 3
@@ -97,10 +98,10 @@ class _Drawn:
         """Bring pairs to a state in the world, one after another; None if that fails."""
         ways = [self.way(pair, state) for pair in pairs]
         actions = [way.action for way in ways if way]
-        begun = stacked(self.problem, world, [*zip(pairs, actions, strict=True)])
+        begun = _stacked(self.problem, world, [*zip(pairs, actions, strict=True)])
         if begun is None:
             return None
-        bearers = bearers_of(with_pairs(begun, self.relations), self.relations)
+        bearers = bearers_of(begun, self.relations)
         found = {(target, borne.by) for target, borne in bearers.items() if borne.state.name == state}
         return begun if found >= set(pairs) else None
 
@@ -165,12 +166,12 @@ def draw_relation_task(
     for draw in range(_DRAWS):
         rng = np.random.default_rng([_STREAM, number, objects, seed, draw])
         with placed(f"draw {draw + 1}"):
-            scene = world.sample_scene(rng, objects) if like is None else scattered(like, world, rng)
+            scene = world.sample_scene(rng, objects) if like is None else _scattered(like, world, rng)
         if scene is None:
             continue
         told = f"{kind}, drawn with seed {seed}; draw {draw + 1}"
-        items = upright_items(scene, categorise) if like is None else like.objects
-        problem = Problem(name, standing(items, scene), {}, tolerance, provenance=told)
+        items = items_of(scene, categorise) if like is None else standing(like.objects, scene)
+        problem = Problem(name, items, {}, tolerance, provenance=told)
         if like is not None:
             return msgspec.structs.replace(problem, relations=tuple(likened))
         found = _KINDS[kind](_Drawn(problem, relations, find_ways(problem), rng, height, state), world)
@@ -275,3 +276,32 @@ def _matched(
 
 def _asking(problem: Problem, goals: Sequence[RelationGoal]) -> Problem:
     return msgspec.structs.replace(problem, relations=tuple(goals))
+
+
+def _stacked(
+    problem: Problem, world: World, deeds: Sequence[tuple[_Pair, Float[np.ndarray, "A"]]]
+) -> Problem | None:
+    """Return a problem as it is after some actions, one after another; None if one of them fails."""
+    scene, names = problem.scene(), problem.object_names
+    contacts = tuple[tuple[int, int], ...]()
+    for (target, other), action in deeds:
+        aim = relative_to(world, OtherObject(names.index(other)))
+        try:
+            outcome = world.interact(scene, action, names.index(target), **aim)
+        except InvalidValue:  # out of the arm's reach
+            return None
+        if outcome.kind != "carried" or outcome.disturbed:
+            return None
+        scene, contacts = outcome.end, outcome.contacts
+    touching = tuple((names[one], names[other]) for one, other in contacts)
+    return msgspec.structs.replace(problem, objects=standing(problem.objects, scene), touching=touching)
+
+
+def _scattered(like: Problem, world: World, rng: np.random.Generator) -> Scene | None:
+    """Set the objects of another scene apart on the table; None if they find no places."""
+    before = like.scene()
+    spots = draw_places(rng, before.features[:, :2], world.table)
+    if spots is None:
+        return None
+    upright = np.tile([0.0, 0.0, 0.0, 1.0], (len(before), 1))
+    return Scene(before.features, np.column_stack([spots, before.features[:, 2] / 2]), upright)

@@ -11,11 +11,11 @@ from neurosym.choices import TaskKind
 from neurosym.errors import InvalidValue, UnknownChoice
 from neurosym.guarded import guarded, placed
 from neurosym.operators import TOLERANCE, vector
-from neurosym.problems import Problem, SceneObject, check_names
-from neurosym.symbols import Categorise, symbols_of
+from neurosym.problems import Problem, check_names
+from neurosym.symbols import Categorise
 from neurosym.table import Table
 from neurosym.world import Scene, World
-from neurosym.worlds.problem_drawing import item_names
+from neurosym.worlds.problem_drawing import items_of
 
 TASK_KINDS: tuple[TaskKind, ...] = get_args(TaskKind)
 AWAY = 0.15
@@ -103,16 +103,12 @@ def _arranged(
     provenance: str,
 ) -> Problem:
     """Return the task that brings the objects of a scene from where they start to their goals."""
-    names, heights = item_names(len(scene)), scene.positions[:, 2:]
-    symbols = symbols_of(categorise, scene.features)
-    items = tuple(
-        SceneObject(item, symbol, tuple(features.tolist()), vector(start))
-        for item, symbol, features, start in zip(
-            names, symbols, scene.features, np.hstack([starts, heights]), strict=True
-        )
-    )
-    ends = dict(zip(names, map(vector, np.hstack([goals, heights])), strict=True))
-    return Problem(name, items, ends, tolerance, provenance=provenance)
+    heights = scene.positions[:, 2:]
+    upright = np.tile([0.0, 0.0, 0.0, 1.0], (len(scene), 1))
+    items = items_of(Scene(scene.features, np.hstack([starts, heights]), upright), categorise)
+    ends = map(vector, np.hstack([goals, heights]))
+    goals_of = {item.name: end for item, end in zip(items, ends, strict=True)}
+    return Problem(name, items, goals_of, tolerance, provenance=provenance)
 
 
 def _anywhere(rng: np.random.Generator, sizes: Spots, table: Table) -> tuple[Spots, Spots] | None:

@@ -6,6 +6,7 @@ world once from a factory that can be pickled (`functools.partial(make_world, co
 
 from collections import deque
 from collections.abc import Callable, Iterable, Iterator
+from concurrent.futures import Future
 from contextlib import contextmanager
 from dataclasses import dataclass
 from functools import cache, partial
@@ -18,15 +19,14 @@ from neurosym.errors import InvalidValue
 from neurosym.guarded import made
 from neurosym.table import Reference
 from neurosym.world import Outcome, Scene, World, WorldFactory, relative_to
-from neurosym.worlds.hosted import OwnFactory, hosts
-from neurosym.worlds.pool import Submit, worker_pool
+from neurosym.worlds.children import crew_of
+from neurosym.worlds.hosted import OwnFactory
+from neurosym.worlds.pool import worker_pool
 
 MOST_WORKERS = 256
-"""Processes on one machine; a cluster may have more."""
 AHEAD = 4
 """Tasks handed out for each worker, so that none waits for the next."""
 Item = TypeVar("Item")
-Pending = TypeVar("Pending")
 Result = TypeVar("Result")
 
 
@@ -65,19 +65,16 @@ def crew(world_factory: WorldFactory, workers: int) -> Iterator[Perform]:
     check_workers(workers)
     if workers == 1:
         world = made(world_factory)
-        yield lambda tasks: (perform_task(world, task) for task in tasks)
+        yield lambda tasks: (_perform_task(world, task) for task in tasks)
         return
     if isinstance(world_factory, OwnFactory):
-        with hosts(world_factory, workers) as submit:
+        with crew_of(world_factory.another, workers, lambda world: world.process.child) as submit:
             yield lambda tasks: in_order(
-                tasks,
-                submit=lambda task: submit(partial(perform_task, task=task)),
-                result=lambda future: future.result(),
-                ahead=workers * AHEAD,
+                tasks, lambda task: submit(partial(_perform_task, task=task)), workers * AHEAD
             )
         return
     with worker_pool(workers, _start_worker, (world_factory,)) as submit_there:
-        yield lambda tasks: _outcomes(submit_there, tasks, workers * AHEAD)
+        yield lambda tasks: in_order(tasks, lambda task: submit_there(_perform_here, task), workers * AHEAD)
 
 
 def perform_all(world_factory: WorldFactory, tasks: Iterable[Task], workers: int) -> Iterator[Outcome]:
@@ -93,36 +90,22 @@ def perform_all(world_factory: WorldFactory, tasks: Iterable[Task], workers: int
 
 
 def in_order(
-    tasks: Iterable[Item],
-    *,
-    submit: Callable[[Item], Pending],
-    result: Callable[[Pending], Result],
-    ahead: int,
+    tasks: Iterable[Item], submit: Callable[[Item], "Future[Result]"], ahead: int
 ) -> Iterator[Result]:
     """Hand out tasks, and give their outcomes in the order of the tasks.
 
     Args:
         tasks: What to perform; drawn only a little ahead of the outcomes.
         submit: Hands a task out.
-        result: Waits for the outcome of one that was handed out.
         ahead: How many may be handed out at a time.
     """
-    waiting: deque[Pending] = deque()
+    waiting: deque[Future[Result]] = deque()
     for task in tasks:
         waiting.append(submit(task))
         if len(waiting) >= ahead:
-            yield result(waiting.popleft())
+            yield waiting.popleft().result()
     while waiting:
-        yield result(waiting.popleft())
-
-
-def _outcomes(submit: Submit, tasks: Iterable[Task], ahead: int) -> Iterator[Outcome]:
-    return in_order(
-        tasks,
-        submit=lambda task: submit(_perform_here, task),
-        result=lambda future: future.result(),
-        ahead=ahead,
-    )
+        yield waiting.popleft().result()
 
 
 _factory_here: WorldFactory | None = None
@@ -141,10 +124,9 @@ def _world_here() -> World:
 
 
 def _perform_here(task: Task) -> Outcome:
-    return perform_task(_world_here(), task)
+    return _perform_task(_world_here(), task)
 
 
-def perform_task(world: World, task: Task) -> Outcome:
-    """Perform a task in this process."""
+def _perform_task(world: World, task: Task) -> Outcome:
     aim = relative_to(world, task.reference)
     return world.interact(task.scene, task.action, task.target, put_down=task.put_down, **aim)

@@ -5,91 +5,42 @@ A world is one of ours by its name, or anybody's own as `module:factory` (`neuro
 
 import json
 import math
-from collections.abc import Callable
 from dataclasses import asdict, fields, is_dataclass
 from functools import partial
+from importlib import import_module
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, TypeVar
+from typing import Any
 
 import msgspec
 import tomli_w
 
 from neurosym.errors import InvalidFile, InvalidValue, UnknownChoice, shortened
 from neurosym.factories import is_factory
-from neurosym.files import write_atomically
 from neurosym.object_limits import ObjectLimits
-from neurosym.reading import read_toml
+from neurosym.reading import LARGEST_WHOLE, read_toml
 from neurosym.wording import quoted
 from neurosym.world import World
 from neurosym.worlds.custom import make_own_world
 from neurosym.worlds.hosted import OwnFactory, describe_apart
 
-if TYPE_CHECKING:
-    from neurosym.sim.config import TabletopConfig
-    from neurosym.worlds.toy import ToyConfig
-
-Config = TypeVar("Config")
-
-
-def _tabletop(options: dict[str, Any]) -> World:
-    from neurosym.sim.tabletop import Tabletop
-
-    return Tabletop(_tabletop_config(options))
-
-
-def _tabletop_config(options: dict[str, Any]) -> "TabletopConfig":
-    from neurosym.sim.config import TabletopConfig
-
-    return configured(TabletopConfig, options)
-
-
-def _toy(options: dict[str, Any]) -> World:
-    from neurosym.worlds.toy import ToyWorld
-
-    return ToyWorld(_toy_config(options))
-
-
-def _toy_relations(options: dict[str, Any]) -> World:
-    from neurosym.worlds.toy_relations import ToyRelations
-
-    return ToyRelations(_toy_config(options))
-
-
-def _toy_config(options: dict[str, Any]) -> "ToyConfig":
-    from neurosym.worlds.toy import ToyConfig
-
-    return configured(ToyConfig, options)
-
-
-WORLDS: dict[str, Callable[[dict[str, Any]], World]] = {
-    "tabletop": _tabletop,
-    "toy": _toy,
-    "toy-relations": _toy_relations,
+WORLDS = {
+    "tabletop": ("neurosym.sim.config:TabletopConfig", "neurosym.sim.tabletop:Tabletop"),
+    "toy": ("neurosym.worlds.toy:ToyConfig", "neurosym.worlds.toy:ToyWorld"),
+    "toy-relations": ("neurosym.worlds.toy:ToyConfig", "neurosym.worlds.toy_relations:ToyRelations"),
 }
-"""The worlds that `world.toml` can name. A simulator is imported only when its world is made."""
-CONFIGS: dict[str, Callable[[dict[str, Any]], "TabletopConfig | ToyConfig"]] = {
-    "tabletop": _tabletop_config,
-    "toy": _toy_config,
-    "toy-relations": _toy_config,
-}
-"""What their options make, without a simulator."""
+"""The worlds that can be named: what their options make, without a simulator, and what that makes."""
 
 
-def configured(kind: type[Config], options: dict[str, Any]) -> Config:
-    """Make a world's configuration from its options.
+def _imported(name: str) -> Any:
+    module, _, attribute = name.partition(":")
+    return getattr(import_module(module), attribute)
 
-    Args:
-        kind: The configuration's dataclass.
-        options: Values by the names of its fields; what is not named keeps its default.
 
-    Raises:
-        UnknownChoice: If an option is not a field.
-        InvalidValue: If a value has the wrong type or is impossible.
-    """
-    known = [f.name for f in fields(kind)]  # type: ignore[arg-type]
-    for name in options:
-        if name not in known:
-            raise UnknownChoice("option", name, known)
+def _configured(name: str, options: dict[str, Any]) -> Any:
+    """Make the configuration of a world of ours from its options; what is not named keeps its default."""
+    if name not in WORLDS:
+        raise UnknownChoice("world", name, [*WORLDS, "your own as module:factory"])
+    kind = _imported(WORLDS[name][0])
     _check_finite(options)
     try:
         made = msgspec.convert(options, kind)
@@ -103,9 +54,6 @@ def configured(kind: type[Config], options: dict[str, Any]) -> Config:
 
 def _check_nested(given: Any, made: Any, place: str = "") -> None:
     """Refuse keys that went nowhere: msgspec passes over what a dataclass has no field for."""
-    if isinstance(given, list) and isinstance(made, list | tuple):
-        for entry, result in zip(given, made, strict=True):
-            _check_nested(entry, result, place)
     if isinstance(given, dict) and is_dataclass(made):
         known = [f"{place}{f.name}" for f in fields(made)]
         for key, value in given.items():
@@ -117,6 +65,8 @@ def _check_nested(given: Any, made: Any, place: str = "") -> None:
 def _check_finite(value: Any, name: str = "options") -> None:
     if isinstance(value, float) and not math.isfinite(value):
         raise InvalidValue(f"{name} = {value} must be a finite number.")
+    if isinstance(value, int) and abs(value) > LARGEST_WHOLE:
+        raise InvalidValue(f"{name} is a whole number beyond {LARGEST_WHOLE}.")
     entries = (
         value.items() if isinstance(value, dict) else enumerate(value) if isinstance(value, list) else ()
     )
@@ -139,9 +89,9 @@ def make_world(name: str, options: dict[str, Any]) -> World:
     if is_factory(name):
         _check_finite(options)
         return make_own_world(name, options)
-    if name not in WORLDS:
-        raise _no_world(name)
-    return WORLDS[name](options)
+    config = _configured(name, options)
+    world: World = _imported(WORLDS[name][1])(config)
+    return world
 
 
 def read_world(path: Path) -> "partial[World] | OwnFactory":
@@ -182,9 +132,8 @@ def read_limits(path: Path) -> ObjectLimits | None:
     if is_factory(name):
         return None
     try:
-        if name not in CONFIGS:
-            raise _no_world(name)
-        return CONFIGS[name](options).object_limits
+        limits: ObjectLimits = _configured(name, options).object_limits
+        return limits
     except (UnknownChoice, InvalidValue) as error:
         raise InvalidFile(path, str(error).rstrip(".")) from error
 
@@ -200,10 +149,6 @@ def _read(path: Path) -> tuple[str, dict[str, Any]]:
     return name, options
 
 
-def _no_world(name: str) -> UnknownChoice:
-    return UnknownChoice("world", name, [*WORLDS, "your own as module:factory"])
-
-
 def origin_of(factory: "partial[World] | OwnFactory") -> dict[str, Any]:
     """Return what identifies a world that was read, for the data made in it.
 
@@ -214,7 +159,7 @@ def origin_of(factory: "partial[World] | OwnFactory") -> dict[str, Any]:
     if is_factory(name):
         plain = json.loads(json.dumps(options, default=str))  # TOML has dates, JSON has not
         return {"world": name, "world_options": plain}
-    return {"world_options": asdict(getattr(factory(), "config"))}  # noqa: B009  (ours have one)
+    return {"world_options": asdict(_configured(name, options))}
 
 
 def default_text(name: str, folder: Path) -> str:
@@ -232,20 +177,6 @@ def default_text(name: str, folder: Path) -> str:
         remark, options = "It is made by code of yours: factory(**options).", describe_apart(name, folder)
     else:
         remark = "Lengths in metres, times in seconds."
-        options = asdict(getattr(make_world(name, {}), "config"))  # noqa: B009  (ours have one)
+        options = asdict(_configured(name, {}))
     text = tomli_w.dumps({"world": name, "options": options})
     return f"# The world of this domain folder. {remark}\n{text}"
-
-
-def write_world(path: Path, name: str) -> None:
-    """Write a `world.toml` with every option of a world at its default.
-
-    Args:
-        path: The file.
-        name: One of `WORLDS`, or `module:factory`.
-
-    Raises:
-        UnknownChoice: If there is no such world.
-        InvalidWorld: If somebody's own world is no world.
-    """
-    write_atomically(path, default_text(name, path.parent))

@@ -10,6 +10,7 @@ from conftest import RUN_TOY
 from neurosym.data.interactions import Interactions
 from neurosym.errors import InvalidValue
 from neurosym.operators import OperatorTable
+from neurosym.stages.exploring import explore_stage
 from neurosym.stages.folder import DomainFolder
 
 
@@ -164,8 +165,9 @@ def test_manifest_tells_how_each_file_came_about(toy_folder):
 
 def test_explored_data_say_by_what_effect_their_actions_were_filtered(tmp_path):
     assert neurosym("init", tmp_path, "--world", "toy") == 0
-    options = ["--steps", "5", "--regime", "quick", "--workers", "1", "--min-predicted-effect", "0.05"]
-    assert neurosym("explore", tmp_path, *options) == 0
+    folder = DomainFolder(tmp_path)
+    options = {"regime": "quick", "workers": 1, "min_predicted_effect": 0.05}
+    folder.perform(explore_stage(folder, strategy="disagreement", steps=5, seed=0, **options), again=True)
     origin = Interactions.load(tmp_path / "interactions.npz").origin
     assert (origin["strategy"], origin["min_predicted_effect"]) == ("disagreement", 0.05)
     recorded = json.loads((tmp_path / "manifest.json").read_text())["stages"]["explore"]["options"]

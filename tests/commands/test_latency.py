@@ -9,7 +9,7 @@ from command_line import neurosym
 from places import ROOT
 
 from neurosym.commands.arguments import read_arguments
-from neurosym.commands.catalogue import SUMMARIES, command_named, overview
+from neurosym.commands.catalogue import GROUPS, SUMMARIES, command_named, overview
 
 HEAVY = {
     *("numpy", "scipy", "torch", "pybullet", "unified_planning", "safetensors", "jaxtyping"),
@@ -67,11 +67,15 @@ def test_help_lists_the_commands_as_wide_as_the_terminal_is(capsys):
     assert max(map(len, lines)) <= 80
     assert [line.split()[0] for line in lines if re.match(r"  \w", line)] == list(SUMMARIES)
     assert lines[0] == "usage: neurosym COMMAND ..."
+    assert list(SUMMARIES)[:6] == ["demo", "run", "plan", "execute", "studio", "report"]
+    assert [line for line in lines if line.endswith(":") and " " not in line[:1]][-5:] == [
+        f"{title}:" for title in GROUPS
+    ]
 
 
 def test_help_is_printed_also_where_a_command_is_to_be_quiet(capsys):
     assert neurosym("--quiet", "--help") == 0
-    assert "commands:" in capsys.readouterr().out
+    assert "To begin:" in capsys.readouterr().out
 
 
 def test_one_command_is_read_as_among_all(capsys):
@@ -79,4 +83,4 @@ def test_one_command_is_read_as_among_all(capsys):
         read_arguments(["plan", "--help"])
     said = capsys.readouterr().out
     assert said.startswith("usage: neurosym plan [-h] [OPTIONS] DIR PROBLEM")
-    assert "--alternatives K" in said
+    assert "--output FILE" in said

@@ -14,7 +14,7 @@ import toy_domain
 from command_line import neurosym, refusal
 
 from neurosym.pddl.problem import problem_text
-from neurosym.planners import PlanResult, PlanStatus, second_look
+from neurosym.planners import PlanResult, PlanStatus, no_plan
 from neurosym.problems import Problem
 from neurosym.stages import planning
 from neurosym.tasks.steps import PlanStep
@@ -41,18 +41,15 @@ def save(task: Problem, folder: Path) -> None:
     (folder / f"problems/{task.name}.pddl").write_text(problem_text(task, toy_domain.grounding()))
 
 
-def test_alternatives_are_written_beside_the_plan_and_replaced_with_it(bare, capsys):
-    assert neurosym("plan", bare, "loose", "--planner", "counting", "--alternatives", "2") == 0
+def test_chances_of_a_plan_are_told_and_a_record_of_it_is_kept(bare, capsys):
+    (bare / "plans").mkdir(exist_ok=True)
+    (bare / "plans/loose.counting-alt-1.plan").write_text("")  # of an earlier version
+    assert neurosym("plan", bare, "loose", "--planner", "counting") == 0
     said = capsys.readouterr().out
     assert "95% likely to go as promised" in said
     assert "planned anew on the way, more than 99% likely to reach the goal within 3 motions" in said
-    assert "only 1 other plan of at most 2 more primitives an object was found" in said
     record = json.loads((bare / "plans/loose.counting.json").read_text())
-    files = [one["file"] for one in record["alternatives"]]
-    assert sorted(path.name for path in (bare / "plans").glob("*-alt-*")) == [Path(one).name for one in files]
-    assert files[0] == "plans/loose.counting-alt-1.plan"
     assert record["chance"] == pytest.approx(21 / 22, abs=1e-4)
-    assert neurosym("plan", bare, "loose", "--planner", "counting") == 0
     assert list((bare / "plans").glob("*-alt-*")) == []
 
 
@@ -75,11 +72,6 @@ def test_a_plan_that_is_taken_away_is_told(bare, capsys):
     assert neurosym("plan", bare, "easy", "--planner", "counting") == 3
     assert not file.exists()
     assert f"removed {file}, the plan of an earlier call" in capsys.readouterr().out
-
-
-def test_fewer_than_no_alternatives_are_refused(bare, capsys):
-    assert neurosym("plan", bare, "easy", "--alternatives", "-1") == 2
-    assert "alternatives = -1 must be at least 0" in capsys.readouterr().err
 
 
 @pytest.mark.parametrize("planner", ["counting", "fast-downward"])
@@ -126,7 +118,7 @@ def test_nearest_plan_that_meets_the_goal_is_a_plan(bare, capsys):
 
 def test_plan_that_is_known_to_miss_is_told_so(bare, capsys, monkeypatch):
     hoped = PlanResult(PlanStatus.SOLVED, (PlanStep("push-left-001-cube", "item-01"),), 0.5)
-    monkeypatch.setattr(second_look, "plan", lambda *_args, **_kwargs: hoped)
+    monkeypatch.setattr(planning, "plan", lambda *_args, **_kwargs: hoped)
     assert neurosym("plan", bare, "easy") == 0
     said = capsys.readouterr().out
     assert re.search(
@@ -138,13 +130,13 @@ def test_plan_that_is_known_to_miss_is_told_so(bare, capsys, monkeypatch):
 
 def test_planner_whose_plans_do_not_come_true_is_told_of_one_that_does(bare, capsys, monkeypatch):
     failed = PlanResult(PlanStatus.FAILED, (), 0.5, "no plan was true when replayed")
-    monkeypatch.setattr(second_look, "plan", lambda *_args, **_kwargs: failed)
+    monkeypatch.setattr(planning, "plan", lambda *_args, **_kwargs: failed)
     assert neurosym("plan", bare, "easy") == 3
     assert "was true when replayed; by the rehearsed effects there is a plan of 2" in capsys.readouterr().out
     assert neurosym("plan", bare, "easy", "--nearest") == 0
     assert "meets the goal by the rehearsed effects; fast-downward found none" in capsys.readouterr().out
     timeout = PlanResult(PlanStatus.TIMEOUT, (), 2.0, "no plan to the nearest point in 2 s")
-    monkeypatch.setattr(second_look, "plan_nearest", lambda *_args, **_kwargs: timeout)
+    monkeypatch.setattr(no_plan, "plan_nearest", lambda *_args, **_kwargs: timeout)
     assert neurosym("plan", bare, "easy", "--nearest") == 3
     said = capsys.readouterr().out
     assert re.search(r"\(timeout, \d+\.\d\d s of CPU\): no plan was true when replayed; no plan to the", said)
@@ -157,7 +149,6 @@ def test_planner_whose_plans_do_not_come_true_is_told_of_one_that_does(bare, cap
         ("counting", ["--encoding", "sas"]),
         ("counting", ["--whole"]),
         ("bfs", ["--whole"]),
-        ("bfs", ["--unit-costs"]),
     ],
 )
 def test_option_that_a_planner_does_not_take_is_refused(bare, capsys, planner, options):
@@ -165,11 +156,6 @@ def test_option_that_a_planner_does_not_take_is_refused(bare, capsys, planner, o
     assert (
         f"The planner {planner} does not take {options[0].removeprefix('--')}; valid with it: aries" in said
     )
-    assert ("counting," in said) == ("--unit-costs" in options)
-
-
-def test_counting_takes_unit_costs(bare):
-    assert neurosym("plan", bare, "easy", "--planner", "counting", "--unit-costs") == 0
 
 
 def test_nearest_holds_one_of_two(bare, capsys):
@@ -178,11 +164,10 @@ def test_nearest_holds_one_of_two(bare, capsys):
     assert "lift-000-cube" in (bare / "plans/air.fast-downward.steps").read_text()
 
 
-def test_whole_and_unit_costs_are_noted_in_the_manifest(bare):
-    assert neurosym("plan", bare, "easy", "--whole", "--unit-costs") == 0
+def test_whole_is_noted_in_the_manifest(bare):
+    assert neurosym("plan", bare, "easy", "--whole") == 0
     stages = json.loads((bare / "manifest.json").read_text())["stages"]
     assert stages["plan easy fast-downward"]["options"]["whole"] is True
-    assert stages["plan easy fast-downward"]["options"]["unit_costs"] is True
 
 
 def test_object_off_the_table_is_refused_in_a_problem_of_a_user(bare, capsys):

@@ -151,7 +151,6 @@ WRITERS: dict[str, Callable[[Path, Path], tuple[object, ...]]] = {
     "report": lambda folder, place: ("report", folder, "--output", place / "page.html"),
     "explain": lambda folder, place: ("explain", folder, "--output", place / "words.md"),
     "evaluate": lambda folder, place: ("evaluate", folder, "--output", place / "tables.md"),
-    "figures": lambda folder, place: ("figures", folder, "--output", place),
     "show": lambda folder, place: ("show", folder, "--interaction", 0, "--output", place / "a.png"),
     "strip": lambda folder, place: (
         *("execute", folder, "task-01", next((folder / "plans").glob("task-01.*.plan"))),

@@ -11,7 +11,7 @@ from command_line import neurosym, refusal
 from places import ROOT
 
 from neurosym.pddl import domain_text
-from neurosym.pddl.encodings import print_ground_plan
+from neurosym.pddl.encodings import ground_plan
 from neurosym.tasks.steps import PlanStep
 
 LEFT, FORWARD = PlanStep("push-left-001-cube", "item-01"), PlanStep("push-forward-010-cube", "item-01")
@@ -35,7 +35,7 @@ def folder(tmp_path: Path) -> Path:
 def written(folder: Path, *steps: PlanStep, name: str = "other") -> Path:
     task = msgspec.structs.replace(toy_domain.problem(GOAL), name="two")
     file = folder / f"{name}.plan"
-    file.write_text(print_ground_plan(steps, task, toy_domain.grounding()))
+    file.write_text(ground_plan(steps, task, toy_domain.grounding()).text)
     return file
 
 
@@ -78,11 +78,17 @@ def test_plan_that_says_what_is_not_so_is_judged_and_not_refused(folder, capsys)
     assert said["chance"] is None
 
 
-def test_actions_of_no_printed_domain_are_told(folder, capsys):
-    (folder / "sas.plan").write_text("(fly item-01 y060)\n")
-    code, said = judged(folder, folder / "sas.plan", capsys)
-    assert code == 3
-    assert said["pddl_reason"] == "no printed domain has all of its actions"
+@pytest.mark.parametrize(
+    ("text", "said"),
+    [
+        ("(fly item-01 y060)\n", "There is no operator 'fly'"),
+        ("(push-left-001-cube item-09)\n", "There is no object 'item-09'"),
+    ],
+)
+def test_plan_that_cannot_be_read_is_refused_as_execute_does(folder, capsys, text: str, said: str):
+    (folder / "other.plan").write_text(text)
+    assert said in refusal(capsys, "validate", folder, "two", folder / "other.plan")
+    assert said in refusal(capsys, "execute", folder, "two", folder / "other.plan")
 
 
 def test_steps_alone_are_written_out(folder, capsys):

@@ -141,14 +141,13 @@ def test_failure_is_named_by_the_worst_that_happened(steps, stuck, kind):
     assert failure(run_with(*steps, stuck=stuck)) == kind
 
 
-def test_command_writes_records_counts_and_a_picture_and_does_nothing_twice(folder, capsys):
+def test_command_writes_records_and_counts_and_does_nothing_twice(folder, capsys):
     asked = ("compare", folder, "--tasks", 3, "--workers", 1, "--planners", "bfs")
     assert neurosym(*asked) == 0
     said = capsys.readouterr().out
     assert "3 tasks drawn with seeds 0 to 2, 1 object, 50 mm" in said
     assert "reached, followed blindly" in said
     place = folder / "comparison/1-objects-50-mm"
-    assert (place / "comparison.png").read_bytes().startswith(b"\x89PNG")
     counted = json.loads((place / "comparison.json").read_text())
     assert counted["tasks"] == 3
     before = {path: path.stat().st_mtime_ns for path in place.glob("task-*.json")}
@@ -217,10 +216,7 @@ def test_task_is_the_same_scene_and_goal_at_any_tolerance(folder):
 @pytest.mark.parametrize(
     ("options", "sentence"),
     [
-        (
-            ["--planners", "dijkstra"],
-            "There is no planner 'dijkstra'; valid: ",
-        ),
+        (["--planners", "dijkstra"], "There is no planner 'dijkstra'; valid: "),
         (["--tasks", "0"], "tasks = 0 must be at least 1."),
         (["--tolerance", "nan"], "must be a finite number"),
         (["--objects", "0"], "objects = 0 must be at least 1"),

@@ -107,8 +107,9 @@ def test_progress_is_fewer_primitives_or_a_shorter_way():
 
 def test_lost_object_is_named_as_what_ended_the_run():
     cube = SceneObject("item-01", "00", (0.05, 0.05, 0.05, 0.0), (0.6, 0.25, 0.025))
-    run = execute(WORLD, Problem("edge", (cube,), {"item-01": (0.6, 0.1, 0.025)}), grounding(), [PUSH_LEFT])
-    assert run.ended == "lost"
+    edge = Problem("edge", (cube,), {"item-01": (0.6, 0.1, 0.025)})
+    run = execute(WORLD, edge, grounding(), [PUSH_LEFT, PUSH_LEFT])
+    assert (run.ended, run.reached, [step.happened for step in run.steps]) == ("lost", False, ["lost"])
     assert "step 1 threw item-01 off the table" in run.reason
 
 

@@ -9,6 +9,8 @@ from tables import grounding, problem
 
 from neurosym.execution.experience import Experience, believed_name, learned_name
 from neurosym.grounding import Grounding, is_lift
+from neurosym.operators import Operator
+from neurosym.problems import Problem
 from neurosym.tasks.steps import PlanStep
 from neurosym.world import Outcome, Scene
 
@@ -42,126 +44,113 @@ def with_chance(learned: Grounding, name: str, share: float) -> Grounding:
     return msgspec.structs.replace(learned, operators=table)
 
 
+NOTHING = outcome((0.0, 0.0, 0.0))
+
+
+def after(step: PlanStep, *outcomes: Outcome, learned: Grounding | None = None) -> Experience:
+    """The experience of one step that came out so, again and again."""
+    experience = Experience(learned or grounding())
+    for one in outcomes:
+        experience.learn(step, one)
+    return experience
+
+
+def own(experience: Experience, step: PlanStep = LIFT, task: Problem | None = None) -> Operator:
+    """What is believed of a step's operator with its object."""
+    _, learned = experience.believed(task or problem())
+    return learned.operator_named(f"{step.operator}-of-{step.object}")
+
+
+def gives_up(experience: Experience) -> bool:
+    """Whether the lift is not tried again."""
+    return "lift-010-block-of-item-01" in experience.believed(problem())[1].left_out
+
+
 def test_nothing_seen_changes_nothing():
     assert Experience(grounding()).believed(problem()) == (problem(), grounding())
 
 
 def test_object_that_was_acted_upon_gets_a_category_of_its_own():
-    experience = Experience(grounding())
-    experience.learn(PUSH, outcome((0.0, 0.07, 0.0)))
+    experience = after(PUSH, outcome((0.0, 0.07, 0.0)))
     believed, learned = experience.believed(problem())
     assert [thing.category for thing in believed.objects] == ["00-of-item-01", "11"]
-    own = learned.operator_named("push-left-000-block-of-item-01")
-    before = grounding().operator_named("push-left-000-block")
-    assert 0.07 < learned.displacement(own)[1] < grounding().displacement(before)[1]
-    assert own.successes > before.successes
-    assert learned.operator_named("push-left-000-block") == before
+    before = grounding().operator_named(PUSH.operator)
+    assert 0.07 < learned.displacement(own(experience, PUSH))[1] < grounding().displacement(before)[1]
+    assert own(experience, PUSH).successes > before.successes
+    assert learned.operator_named(PUSH.operator) == before
 
 
 def test_the_more_is_seen_the_less_counts_what_was_promised():
-    experience, away = Experience(grounding()), []
-    for _ in range(5):
-        experience.learn(PUSH, outcome((0.0, 0.05, 0.0)))
-        own = experience.believed(problem())[1].operator_named("push-left-000-block-of-item-01")
-        assert own.promise is not None
-        away.append(own.promise.outcome[1] - 0.05)
+    promises = [own(after(PUSH, *[outcome((0.0, 0.05, 0.0))] * times), PUSH).promise for times in range(1, 6)]
+    away = [promise.outcome[1] - 0.05 for promise in promises if promise]
+    assert len(away) == 5
     assert sorted(away, reverse=True) == away
     assert away[0] > 2 * away[-1] > 0
 
 
 def test_what_failed_twice_in_a_row_is_not_tried_again():
-    experience, chances = Experience(grounding()), []
-    for _ in range(2):
-        experience.learn(LIFT, outcome((0.0, 0.0, 0.0)))
-        _, learned = experience.believed(problem())
-        chances.append(learned.operator_named("lift-010-block-of-item-01").successes)
-    before = grounding().operator_named("lift-010-block").successes
-    assert chances[0] < before
-    lift = learned.operator_named("lift-010-block-of-item-01")
-    assert learned.displacement(lift) == (0.0, 0.0, 0.0)  # which is what it did
-    assert lift.name in learned.left_out
+    once, twice = after(LIFT, NOTHING), after(LIFT, NOTHING, NOTHING)
+    assert own(once).successes < grounding().operator_named(LIFT.operator).successes
+    assert grounding().displacement(own(twice)) == (0.0, 0.0, 0.0)  # which is what it did
+    assert gives_up(twice)
 
 
 def test_what_came_twice_in_its_place_is_promised_instead():
-    experience = Experience(grounding())
-    for away in (0.03, 0.04):
-        experience.learn(LIFT, outcome((away, 0.0, 0.0)))
-    _, learned = experience.believed(problem())
-    lift = learned.operator_named("lift-010-block-of-item-01")
-    assert learned.displacement(lift) == pytest.approx((0.035, 0.0, 0.0))
+    lift = own(after(LIFT, outcome((0.03, 0.0, 0.0)), outcome((0.04, 0.0, 0.0))))
+    assert grounding().displacement(lift) == pytest.approx((0.035, 0.0, 0.0))
     assert not is_lift(lift)
     assert lift.successes > lift.trials / 2
 
 
 def test_what_failed_is_hoped_for_once_the_object_lies_otherwise():
-    experience, turned = Experience(grounding()), (0.0, 0.0, math.sin(0.5), math.cos(0.5))
-    for _ in range(2):
-        experience.learn(LIFT, outcome((0.0, 0.0, 0.0)))
+    turned = (0.0, 0.0, math.sin(0.5), math.cos(0.5))
     item = msgspec.structs.replace(problem().objects[0], orientation=turned)
     now = msgspec.structs.replace(problem(), objects=(item, *problem().objects[1:]))
-    _, learned = experience.believed(now)
-    own = learned.operator_named("lift-010-block-of-item-01")
-    assert own.successes == grounding().operator_named("lift-010-block").successes
+    before = grounding().operator_named(LIFT.operator)
+    assert own(after(LIFT, NOTHING, NOTHING), task=now).successes == before.successes
 
 
 def test_hoping_again_does_not_hope_for_what_failed_twice_the_same_way():
-    experience = Experience(grounding())
-    for _ in range(2):
-        experience.learn(LIFT, outcome((0.0, 0.0, 0.0)))
-    experience.learn(PUSH, outcome((0.0, 0.0, 0.0)))
+    experience = after(LIFT, NOTHING, NOTHING)
+    experience.learn(PUSH, NOTHING)
     hoping = experience.hoping_again(problem())
-    _, learned = hoping.believed(problem())
-    assert "lift-010-block-of-item-01" in learned.left_out
-    own = learned.operator_named("push-left-000-block-of-item-01")
-    assert own.successes == grounding().operator_named("push-left-000-block").successes
+    assert gives_up(hoping)
+    assert own(hoping, PUSH).successes == grounding().operator_named(PUSH.operator).successes
     assert not Experience(grounding()).hoping_again(problem()).says_something
 
 
 def test_what_fails_again_after_hoping_again_is_given_up():
     experience = Experience(grounding())
     for _ in range(2):
-        experience.learn(LIFT, outcome((0.0, 0.0, 0.0)))
+        experience.learn(LIFT, NOTHING)
         experience = experience.hoping_again(problem())
-    _, learned = experience.believed(problem())
-    assert "lift-010-block-of-item-01" in learned.left_out
+    assert gives_up(experience)
 
 
 def test_what_was_unlikely_before_and_failed_once_is_given_up():
-    rare = with_chance(grounding(), "lift-010-block", 0.5)
-    experience = Experience(rare)
-    experience.learn(LIFT, outcome((0.0, 0.0, 0.0)))
-    for now in (experience, experience.hoping_again(problem())):
-        assert "lift-010-block-of-item-01" in now.believed(problem())[1].left_out
+    experience = after(LIFT, NOTHING, learned=with_chance(grounding(), LIFT.operator, 0.5))
+    assert gives_up(experience)
+    assert gives_up(experience.hoping_again(problem()))
 
 
 def test_a_failure_says_less_where_others_were_in_the_way():
-    chances = []
-    for touched in ((), (1,)):
-        experience = Experience(grounding())
-        experience.learn(LIFT, outcome((0.0, 0.0, 0.0), touched=touched))
-        own = experience.believed(problem())[1].operator_named("lift-010-block-of-item-01")
-        chances.append(own.successes / own.trials)
-    before = grounding().operator_named("lift-010-block")
-    assert chances[0] < 0.6 * chances[1] < 0.6 * before.successes / before.trials
+    alone, crowded = (own(after(LIFT, outcome((0.0, 0.0, 0.0), touched=touched))) for touched in ((), (1,)))
+    before = grounding().operator_named(LIFT.operator)
+    chances = [one.successes / one.trials for one in (alone, crowded, before)]
+    assert chances[0] < 0.6 * chances[1] < 0.6 * chances[2]
 
 
 def test_what_was_forgotten_does_not_stand_against_what_has_not_failed_twice():
-    experience = Experience(grounding())
-    experience.learn(LIFT, outcome((0.0, 0.0, 0.0)))
-    hoping = experience.hoping_again(problem())
+    hoping = after(LIFT, NOTHING).hoping_again(problem())
     assert hoping.believed(problem()) == (problem(), grounding())
     hoping.learn(LIFT, outcome((0.0, 0.0, 0.2), held=True))
-    hoping.learn(LIFT, outcome((0.0, 0.0, 0.0)))
-    _, learned = hoping.believed(problem())
-    assert learned.operator_named("lift-010-block-of-item-01").successes > 0
+    hoping.learn(LIFT, NOTHING)
+    assert own(hoping).successes > 0
 
 
 def test_what_came_once_is_hoped_for_as_it_came():
-    experience = Experience(grounding())
-    experience.learn(LIFT, outcome((0.03, 0.0, 0.19), held=True))
-    once = experience.believed(problem())[1].operator_named("lift-010-block-of-item-01")
-    experience.learn(LIFT, outcome((0.0, 0.0, 0.0)))
-    twice = experience.believed(problem())[1].operator_named("lift-010-block-of-item-01")
+    came = outcome((0.03, 0.0, 0.19), held=True)
+    once, twice = own(after(LIFT, came)), own(after(LIFT, came, NOTHING))
     assert once.modes[0].outcome == twice.modes[0].outcome
     assert once.successes > twice.successes > 0
 

@@ -10,7 +10,9 @@ from toy_domain import LEFT, WORLD, grounding, problem
 from neurosym.commands.tables import show_run
 from neurosym.execution.executor import execute
 from neurosym.execution.nudges import LEAST, MOST, Nudger, nudged
+from neurosym.execution.record import Nudge
 from neurosym.execution.rerun import compare_runs, rerun
+from neurosym.execution.watching import Moment
 from neurosym.grounding import Grounding
 from neurosym.planners import PlanResult, PlanStatus, plan
 from neurosym.problems import Problem
@@ -106,10 +108,18 @@ def test_nudged_object_still_comes_to_its_goal(seed: int):
     assert compare_runs(run, again).course == "same bytes"
 
 
+def nudge_of(seed: int, table: Table = WORLD.table) -> Nudge | None:
+    """What a nudger of three steps wants before them, which is at most one nudge."""
+    nudger = Nudger(seed, 3, problem(AWAY), table)
+    wanted = [nudger.before_step(Moment(number, problem(AWAY).scene(), ())) for number in (1, 2, 3, 1, 2, 3)]
+    (nudge,) = [one for one in wanted if one] or [None]
+    return nudge
+
+
 def test_nudges_come_from_their_seed_and_keep_objects_on_the_table():
-    scene, task = problem(AWAY).scene(), problem(AWAY)
-    seen = [Nudger(seed, 3).nudge(task, scene, WORLD.table) for seed in range(30)]
-    assert seen == [Nudger(seed, 3).nudge(task, scene, WORLD.table) for seed in range(30)]
+    task = problem(AWAY)
+    seen = [nudge_of(seed) for seed in range(30)]
+    assert seen == [nudge_of(seed) for seed in range(30)]
     assert {nudge.before_step for nudge in seen if nudge} == {1, 2, 3}
     assert {nudge.object for nudge in seen if nudge} == {"item-01", "item-02"}
     for nudge in seen:
@@ -117,9 +127,9 @@ def test_nudges_come_from_their_seed_and_keep_objects_on_the_table():
         x, y, z = nudge.by
         assert LEAST <= (x**2 + y**2) ** 0.5 <= MOST
         assert z == 0.0
-        moved = nudged(scene, nudge, task).positions
+        moved = nudged(task.scene(), nudge, task).positions
         assert all(map(WORLD.table.contains, moved))
-    assert Nudger(0, 3).nudge(task, scene, Table((0.0, 0.1), (0.0, 0.1))) is None
+    assert nudge_of(0, Table((0.0, 0.1), (0.0, 0.1))) is None
 
 
 def test_record_that_was_tampered_with_is_told_by_its_step():

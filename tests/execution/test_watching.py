@@ -48,15 +48,11 @@ def test_who_only_watches_changes_no_byte():
     assert [len(moment.left) for moment in script.moments] == [2, 1, 0]
 
 
-def test_run_that_is_stopped_says_before_which_step():
-    run = watched(Script(before_2=STOP))
-    assert (len(run.steps), run.ended, run.reached) == (1, "stopped", False)
-    assert run.reason.endswith("it was stopped before step 2")
-
-
-def test_run_can_be_stopped_before_its_first_step():
-    run = watched(Script(before_1=STOP))
-    assert (run.steps, run.ended) == ((), "stopped")
+@pytest.mark.parametrize("number", [1, 2])
+def test_run_that_is_stopped_says_before_which_step(number):
+    run = watched(Script(**{f"before_{number}": STOP}))
+    assert (len(run.steps), run.ended, run.reached) == (number - 1, "stopped", False)
+    assert run.reason.endswith(f"it was stopped before step {number}")
 
 
 def test_nudge_calls_for_a_new_plan_that_is_told():

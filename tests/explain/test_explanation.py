@@ -11,25 +11,13 @@ from tables import grounding, mode, table
 from neurosym.actions import three_waypoints
 from neurosym.errors import InvalidValue
 from neurosym.explain.action_words import action_in_words, displacement_in_words, place_in_words
-from neurosym.explain.carrying_words import explain_carrying, summary_of
-from neurosym.explain.explanation import explain
-from neurosym.explain.likeness import Likenesses, typical
+from neurosym.explain.explanation import explain, explain_carrying, summary_of
 from neurosym.explain.object_words import objects_in_words, type_shares
 from neurosym.operators import Category, Operator, OperatorTable, Primitive
 from neurosym.place_operators import Kept, PlaceOperators
 
 GRIPPER = three_waypoints().gripper.tolist()
 FEATURES = ("s_x", "s_y", "d", "t")
-
-
-def two_primitives(first, second, *, share=1.0) -> OperatorTable:
-    """A table of two primitives on one category, with these effects."""
-    modes = {"0": first, "1": second}
-    return OperatorTable(
-        (Category("0", "thing", share, (1.0,), (0.0,)),),
-        tuple(Primitive(symbol, (0.5, 2.0), 0.0) for symbol in modes),
-        tuple(Operator(f"act-{symbol}-thing", "0", symbol, 20, (modes[symbol],)) for symbol in modes),
-    )
 
 
 def said_of(explanation, symbol):
@@ -132,54 +120,6 @@ def test_effects_averaged_from_data_are_not_said_to_be_what_the_parameters_do():
     assert "not what the distilled" not in " ".join(explain(table()).summary)
 
 
-def naive_nearest(operators: OperatorTable, symbol: str) -> tuple[float, str]:
-    shares = {category.symbol: category.share for category in operators.categories}
-    surest_last = reversed(operators.operators)
-    promised = {(op.primitive, op.category): typical(op).outcome for op in surest_last}
-    found = []
-    for other in {op.primitive for op in operators.operators} - {symbol}:
-        both = [c for c in shares if (symbol, c) in promised and (other, c) in promised]
-        apart = sum(
-            shares[c] * np.linalg.norm(np.subtract(promised[symbol, c], promised[other, c])) for c in both
-        )
-        found.append((apart / sum(shares[c] for c in both), other))
-    return min(found)
-
-
-@pytest.mark.parametrize("operators", [table(), GROUNDING.operators], ids=["by hand", "shipped"])
-def test_nearest_competitor_is_the_one_that_a_naive_search_finds(operators):
-    for primitive in operators.primitives:
-        apart, other = naive_nearest(operators, primitive.symbol)
-        nearest = Likenesses(operators).nearest_action(primitive.symbol)
-        assert nearest.other == other
-        assert nearest.apart == pytest.approx(apart)
-
-
-def test_competitor_is_named_with_distance_and_difference():
-    said = said_of(explain(two_primitives(mode((0.05, 0.0, 0.0)), mode((0.0, 0.0, 0.2), kind="held"))), "0")
-    assert said.compared == (
-        "Nearest competitor: 1, 206 mm apart on average over the objects. They differ most on thing "
-        "(206 mm): 0 leaves it at rest 50 mm forward, 1 held 200 mm up."
-    )
-
-
-@pytest.mark.parametrize(
-    ("first", "second", "verdict"),
-    [
-        (mode((0.05, 0.0, 0.0)), mode((0.059, 0.0, 0.0)), "1 do"),
-        (mode((0.05, 0.0, 0.0)), mode((0.061, 0.0, 0.0)), "2 do"),
-        (mode((0.05, 0.0, 0.0)), mode((0.05, 0.0, 0.0), kind="held"), "2 do"),
-        (mode((0.005, 0.0, 0.0)), mode((0.05, 0.0, 0.0)), "1 idle"),
-    ],
-)
-def test_duplicates_and_idle_symbols_follow_the_stated_criterion(first, second, verdict):
-    sorting = Likenesses(two_primitives(first, second)).sort_out()
-    count, kind = verdict.split()
-    assert len(sorting.own if kind == "do" else sorting.idle) == int(count)
-    if verdict == "1 do":
-        assert sorting.duplicates == {"1": "0"}
-
-
 def test_unused_codes_are_named():
     hollow = Category("10", "unseen-10", 0.0, (), ())
     explanation = explain(msgspec.structs.replace(table(), categories=(*table().categories, hollow)))
@@ -189,7 +129,6 @@ def test_unused_codes_are_named():
     )
     assert "Object codes that no sampled object has: unseen-10." in explanation.summary
     assert explanation.objects[2].about.startswith("None of the sampled objects")
-    assert explanation.objects[2].compared == ""
 
 
 def with_axes(operators: OperatorTable, axes: int) -> OperatorTable:
@@ -214,7 +153,6 @@ def test_effects_of_any_number_of_axes_are_plain_numbers(axes):
     rows = [row for action in explanation.actions for row in action.effects]
     assert all(len(row.effect.split(", ")) == axes for row in rows)
     assert not any("mm" in text for row in rows for text in (row.effect, row.spread))
-    assert all("mm" not in action.compared for action in explanation.actions)
 
 
 @pytest.mark.parametrize(
@@ -253,9 +191,9 @@ def test_carrying_is_told_with_the_third_waypoint_at_the_place():
     assert told.about == (
         "The hand starts open, 30 mm back of the object's centre, 10 mm above it. It closes there and moves "
         "to 10 mm above the centre. What it grips then it lifts, carries to 20 mm forward of the place, "
-        "30 mm above it, lowers and lets go."
+        "30 mm above it, lowers and lets go. With another object on the place it went as promised "
+        "3 of 20 times."
     )
-    assert told.compared == "With another object on the place it went as promised 3 of 20 times."
     assert [(row.ends, row.effect, row.domain) for row in told.effects] == [
         ("carried to the place", "2 mm forward of the place", "yes"),
         ("not carried to the place", "elsewhere", "yes"),

@@ -8,8 +8,8 @@ from neurosym.actions import Mirror
 from neurosym.data.dimensions import Dimensions
 from neurosym.data.interactions import Interactions
 from neurosym.errors import InvalidValue
-from neurosym.exploration.choice import ExplorationConfig, choose_action, make_curiosity
-from neurosym.exploration.curiosity import Curiosity, LearningConfig
+from neurosym.exploration.choice import ExplorationConfig, choose_action
+from neurosym.exploration.curiosity import Curiosity, LearningConfig, make_curiosity
 from neurosym.learning.model_config import ModelConfig
 from neurosym.worlds.toy import make_world
 

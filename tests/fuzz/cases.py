@@ -25,7 +25,6 @@ READS = {
     "compare": "comparison/*/*.json grounding.json world.toml effect_model.safetensors",
     "show": "interactions.npz grounding.json problems/*.scene.json world.toml effect_model.* manifest.json",
     "explain": "*.json interactions.npz world.toml effect_model.safetensors",
-    "figures": "runs/*.json problems/*.scene.json grounding.json world.toml effect_model.safetensors",
     "report": "*",
     "evaluate": "kinds.json comparison/*/*.json *ing.json interactions.npz *_model.* primitives.json",
 }

@@ -72,14 +72,12 @@ USUAL: dict[str, tuple[Any, ...]] = {
     "tasks": (1, 2),
     "objects": (1, 2, 3),
     "actions": (1, 2),
-    "alternatives": (0, 1, 2),
     "replans": (0, 1, 2),
     "seed": (0, 3),
     "workers": (1,),
     "time_limit": (0.2, 1.0),
     "tolerance": (0.05, 0.02),
     "cell": (0.005, 0.01, 0.02),
-    "min_predicted_effect": (0.0, 0.01),
     "regime": ("quick",),
     "gif": ("out.gif",),
     "strip": ("out.png",),
@@ -111,13 +109,11 @@ WORK = {
     "tasks",
     "objects",
     "actions",
-    "alternatives",
     "replans",
     "workers",
     "time_limit",
 }
 """Options that may ask for work without end: then the command is interrupted soon."""
-NEVER = {"ray"}  # it would look for a cluster in the network
 
 
 def command_line(draw: Random, name: str, command: Callable[..., int]) -> tuple[str, ...]:
@@ -131,8 +127,7 @@ def command_line(draw: Random, name: str, command: Callable[..., int]) -> tuple[
     hints = get_type_hints(command, include_extras=True)
     arguments = [name]
     for parameter in inspect.signature(command).parameters.values():
-        if parameter.name not in NEVER:
-            arguments += _typed(draw, parameter, hints[parameter.name])
+        arguments += _typed(draw, parameter, hints[parameter.name])
     if draw.randint(0, 11) == 0:
         arguments = _garbled(draw, arguments)
     return tuple(arguments)

@@ -30,7 +30,7 @@ MORE_MEMORY = 3 * 1024**3
 """How much more memory a case may map than this process does [bytes]."""
 LARGEST_FILE = 1024**3
 """How large a file a case may write [bytes]."""
-_SKIPPED = ("neurosym.__main__", "neurosym.worlds.ray_workers", "neurosym.worlds.gymnasium_env")
+_SKIPPED = ("neurosym.__main__", "neurosym.worlds.gymnasium_env")
 
 
 def serve() -> None:
@@ -88,7 +88,7 @@ def _train_shortly() -> None:
         )
         training_config.REGIMES[name] = replace(regime, training=short)
     _set_defaults(choice.ExplorationConfig, candidates=20)
-    _set_defaults(distillation.DistillationConfig, candidates=8, steps=10)
+    distillation.distill.__kwdefaults__ |= {"candidates": 8, "steps": 10}
 
 
 def _set_defaults(kind: type, **defaults: object) -> None:

@@ -10,7 +10,7 @@ import toy_relations
 from command_line import neurosym
 from fuzz.cases import Case, Edit, as_json, drawn_case, from_json, read_seeds
 from fuzz.files import KINDS, MUTATIONS, mutated
-from fuzz.lines import ENDING, NEVER, asks_for_much, command_line
+from fuzz.lines import ENDING, asks_for_much, command_line
 from fuzz.running import Ending, Runner, judge, runner
 from fuzz.seeds import complete
 
@@ -18,7 +18,7 @@ from neurosym.stages import layout
 
 ROUND = range(45)
 """The cases of the short round, by the numbers that they are drawn from."""
-RELATED = ("plan", "execute", "replay", "new-problem", "show", "explain", "figures", "report")
+RELATED = ("plan", "execute", "replay", "new-problem", "show", "explain", "report")
 """Commands that read what is known of relations."""
 FINE = Ending(0, 0, 0, (), (), "", "", "", 1.0)
 TRACEBACK = """Traceback (most recent call last):
@@ -83,12 +83,9 @@ def test_folder_to_begin_with_has_every_file_that_a_command_reads(seed):
     names = {value for name, value in vars(layout).items() if name.isupper() and isinstance(value, str)}
     read = {name for name in names if Path(name).suffix in MUTATIONS and not name.startswith(".")}
     paths = set(read_seeds(seed))
-    # No command reads the learning curve but the report, after it wrote it, and none the domains that are
-    # printed for other planners alone.
+    # No command reads the domains that are printed for other planners alone.
     # What is learned of relations is read as what is learned of places is; the folder holds none of it.
-    without = {layout.CURVE, layout.PLAIN_DOMAIN, layout.DURATIVE_DOMAIN} | {
-        name for name in read if "relation" in name
-    }
+    without = {layout.PLAIN_DOMAIN, layout.DURATIVE_DOMAIN} | {name for name in read if "relation" in name}
     assert read - without <= paths
     found = {Path(path).name for path in paths}
     endings = {
@@ -105,7 +102,7 @@ def test_folder_to_begin_with_has_every_file_that_a_command_reads(seed):
 def test_every_option_of_a_command_is_drawn(name):
     drawn = {word for n in range(300) for word in command_line(Random(n), name, ENDING[name])}
     parameters = inspect.signature(ENDING[name]).parameters.values()
-    options = {p.name for p in parameters if p.default is not p.empty} - NEVER
+    options = {p.name for p in parameters if p.default is not p.empty}
     assert {f"--{option.replace('_', '-')}" for option in options} <= drawn
 
 

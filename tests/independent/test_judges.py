@@ -20,7 +20,7 @@ from validators import unified_planning_accepts
 from neurosym.grounding import Grounding
 from neurosym.operators import Vector
 from neurosym.pddl.encoding_names import ENCODINGS
-from neurosym.pddl.encodings import domain_text, ground_plan, print_ground_plan
+from neurosym.pddl.encodings import domain_text, ground_plan
 from neurosym.pddl.problem import problem_text
 from neurosym.pddl.sas import sas_text
 from neurosym.planners import plan as make_plan
@@ -125,7 +125,7 @@ def test_judges_of_pddl_agree(encoding: str):
     small = Table(x=(0.44, 0.62), y=(-0.16, 0.04))
     learned, task = msgspec.structs.replace(tables.grounding(0.02), table=small), errand(near)
     files = domain_text(learned, encoding), problem_text(task, learned, encoding)
-    plan = print_ground_plan([PlanStep(*step) for step in SOLVED], task, learned, encoding)
+    plan = ground_plan([PlanStep(*step) for step in SOLVED], task, learned, encoding).text
     lines = plan.splitlines()
     broken = [lines[1:], lines[:-1]] if encoding != "numeric" else [lines[1:], lines[:-1], lines[::-1]]
     for text, is_valid in [(plan, True), *(("\n".join(part), False) for part in broken)]:

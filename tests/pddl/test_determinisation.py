@@ -9,12 +9,12 @@ from tables import BOUNDS, grounding, item, mode, table
 
 from neurosym.operators import Operator
 from neurosym.pddl import compile_domain, problem_text
-from neurosym.pddl.determinisation import with_every_outcome
+from neurosym.pddl.compiler import with_every_outcome
 from neurosym.pddl.encoding_names import ENCODINGS
-from neurosym.pddl.encodings import print_ground_plan
+from neurosym.pddl.encodings import ground_plan
 from neurosym.pddl.plan_reading import parse_plan
 from neurosym.planners import PlanStatus, plan
-from neurosym.planners.branching import branching_of
+from neurosym.planners.bfs import branching_of
 from neurosym.problems import Problem
 from neurosym.tasks.moves import cost
 from neurosym.tasks.steps import PlanStep
@@ -73,11 +73,11 @@ def test_compiled_domain_has_every_outcome_as_an_action_and_as_a_choice():
     assert "(pushes item-01 m-010 dx12 dy0 " in text
     steps = [PlanStep("push-forward-010-block", "item-01"), PlanStep("lift-010-block", "item-01")]
     for encoding in ENCODINGS:
-        written = print_ground_plan(steps, problem, learned, encoding)
+        written = ground_plan(steps, problem, learned, encoding).text
         assert parse_plan(written, Path("p"), learned, problem) == tuple(steps)
     numbers = problem_text(problem, learned, "numeric")
     assert len(set(re.findall(r"\(along-x (\S+)\)", numbers))) == numbers.count("(along-x ")
-    assert "push-forward-010-block" in branching_of(problem, learned)[1][0]
+    assert "push-forward-010-block" in branching_of(problem, learned).names[0]
     found = plan(problem, learned)
     assert found.status is PlanStatus.SOLVED
     assert [step.operator for step in found.steps] == ["push-forward-010-block"]

@@ -19,16 +19,24 @@ from neurosym.execution.executor import execute
 from neurosym.grounding import Grounding
 from neurosym.motion import way_seconds
 from neurosym.operators import Primitive
-from neurosym.pddl.durations import carry_seconds
-from neurosym.pddl.durative import CARRY, MOST_OVER, durative_domain_text, durative_problem_text
+from neurosym.pddl.durative import (
+    CARRY,
+    MOST_OVER,
+    carry_seconds,
+    durative_domain_text,
+    durative_problem_text,
+    read_durative,
+)
 from neurosym.pddl.plan_reading import parse_plan
 from neurosym.pddl.problem import problem_text
+from neurosym.pddl.strips_plan import Misread
 from neurosym.problems import Problem
 from neurosym.sim.simulation import Simulation
 from neurosym.sim.tabletop import Tabletop
 from neurosym.table import Place
 from neurosym.tasks.carriers import carriers_of
 from neurosym.tasks.steps import PlanStep
+from neurosym.tasks.task import understand
 from neurosym.world import Scene
 
 PLAN = """0.000: (carry item-02 start-item-02 park-01 nowhere nowhere nowhere) [6.100]
@@ -85,6 +93,15 @@ def test_plan_of_a_temporal_planner_is_read_and_comes_true():
     assert run.replans == 0
 
 
+def test_no_other_action_is_read_as_a_carry():
+    task = understand(swap(), grounding())
+    carry = (CARRY, "item-02", "start-item-02", "park-01", *["nowhere"] * MOST_OVER)
+    assert read_durative([carry], task) == (PlanStep(NAME, "item-02", "park-01"),)
+    for words in (("push", *carry[1:]), carry[:-1], (CARRY, "item-09", *carry[2:])):
+        with pytest.raises(Misread, match="nothing carries that"):
+            read_durative([words], task)
+
+
 def test_nothing_is_asked_for_that_plansys2_does_not_take():
     domain, problem = (re.sub(r";.*", "", text) for text in texts().values())
     assert re.findall(r":requirements ([^)]*)", domain) == [":strips :typing :durative-actions"]
@@ -108,7 +125,7 @@ def test_what_cannot_be_carried_has_no_durative_form():
 
 
 def test_goals_by_relation_have_no_durative_form():
-    begun = msgspec.structs.replace(toy_relations.sorting(), relations=msgspec.UNSET)
+    begun = msgspec.structs.replace(toy_relations.sorting(), relations=())
     for problem in (toy_relations.tower(), begun):
         with pytest.raises(
             InvalidValue, match=f"{problem.name} has goals by relation, or begins with one object"

@@ -11,7 +11,7 @@ from toy_places import CUBE, NAME, grounding, scene
 from neurosym.execution.executor import execute
 from neurosym.planners import plan
 from neurosym.problems import Problem
-from neurosym.tasks.goal_spots import ROOM, SHARE, goal_spots
+from neurosym.tasks.places import ROOM, SHARE, goal_spots
 from neurosym.tasks.steps import PlanStep
 
 EDGE = CUBE[0]

@@ -15,7 +15,7 @@ from validators import unified_planning_accepts
 from neurosym.grounding import Grounding
 from neurosym.operators import Mode, Vector
 from neurosym.pddl import domain_text, problem_text
-from neurosym.pddl.encodings import print_ground_plan
+from neurosym.pddl.encodings import ground_plan
 from neurosym.pddl.numeric import STEPS, UNIT
 from neurosym.pddl.plan_reading import parse_plan
 from neurosym.problems import Problem
@@ -223,7 +223,7 @@ def test_a_plan_is_valid_in_numbers_and_half_of_it_is_not(tmp_path: Path):
     domain, file = tmp_path / "domain.pddl", tmp_path / "problem.pddl"
     domain.write_text(domain_text(learned, "numeric"))
     file.write_text(problem_text(task, learned, "numeric"))
-    text = print_ground_plan(steps, task, learned, "numeric")
+    text = ground_plan(steps, task, learned, "numeric").text
     assert text.splitlines() == [
         "(push item-02 m-010-item-02)",
         "(push item-02 m-000-item-02)",

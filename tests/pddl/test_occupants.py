@@ -8,8 +8,7 @@ from toy_places import CUBE, grounding, scene, swap
 from neurosym.planners import PlanStatus, plan
 from neurosym.problems import Problem
 from neurosym.tasks.footprints import footprints_apart
-from neurosym.tasks.occupants import occupants
-from neurosym.tasks.places import parks_wanted, with_places
+from neurosym.tasks.places import occupants, parks_wanted, with_places
 from neurosym.tasks.transition import validate
 
 

@@ -12,9 +12,8 @@ from toy_places import NAME, OFFSET, grounding, mixed, scene, swap
 from neurosym.errors import InvalidPlan, InvalidValue, NeurosymError
 from neurosym.execution.executor import execute
 from neurosym.execution.rerun import compare_runs, rerun
-from neurosym.pddl.place_check import check_places
 from neurosym.pddl.plan_reading import parse_plan
-from neurosym.pddl.problem_check import check_problem
+from neurosym.pddl.problem_check import check_places, check_problem
 from neurosym.planners import PlanStatus, plan
 from neurosym.planners.result import PlanResult
 from neurosym.problems import Problem, SceneObject
@@ -240,7 +239,7 @@ def test_goal_that_nothing_can_be_put_at_is_not_said_to_be_proved_out_of_reach()
 )
 def test_many_objects_that_could_be_carried_are_not_led_instead(monkeypatch, most, said):
     monkeypatch.setattr("neurosym.planners.refinement.MOST_LED", most)
-    monkeypatch.setattr("neurosym.planners.by_places.MOST_LED", most)
+    monkeypatch.setattr("neurosym.planners.in_turns.MOST_LED", most)
     result = plan(with_own_places(left=(0.8, 0.1), right=(0.5, -0.1)), grounding())
     assert result.status is PlanStatus.NOT_FOUND
     assert said in result.reason

@@ -25,8 +25,7 @@ from neurosym.planners.planner import Planner
 from neurosym.planners.result import PlanResult
 from neurosym.problems import Problem
 from neurosym.related import bearers_of
-from neurosym.tasks.pair_goals import puts_for
-from neurosym.tasks.puts import left_out_puts, puts_of
+from neurosym.tasks.puts import left_out, puts_for, puts_of
 from neurosym.tasks.steps import PlanStep
 from neurosym.tasks.task import understand
 from neurosym.tasks.transition import validate
@@ -86,7 +85,7 @@ def test_of_operators_that_do_the_same_a_few_are_in_the_domain_and_each_pair_get
         "worse-17",
         "worse-18",
     }
-    assert left_out_puts(changed)["worse-15"] == f"does less surely what {PUT_ON} does"
+    assert left_out(changed.relations)["worse-15"] == f"does less surely what {PUT_ON} does"
     problem = with_pairs(tower(), changed.relations)
     assert [put.name for put in puts_for(problem, changed, "item-01", "item-03")] == [PUT_ON]
     foreseen = {"item-01 item-03": {PUT_ON: 0.5, "worse-16": 0.9}}
@@ -150,7 +149,6 @@ def test_of_two_that_look_as_if_each_bore_the_other_the_one_bears_that_goals_ask
 
 def test_kinds_of_pairs_are_kept_in_the_file_of_a_problem_and_old_files_have_none(tmp_path: Path):
     problem = with_pairs(tower(), grounding().relations)
-    assert isinstance(problem.pairs, dict)
     assert problem.pairs["item-01 item-02"] == "01"
     problem.save(tmp_path / "new.json")
     assert Problem.load(tmp_path / "new.json") == problem

@@ -33,7 +33,7 @@ from neurosym.planners.fast_downward import plan_fast_downward
 from neurosym.planners.plan_validator import validate_pddl
 from neurosym.problems import Problem
 from neurosym.shipped import DOMAINS
-from neurosym.tasks.puts import left_out_puts, puts_of
+from neurosym.tasks.puts import left_out, puts_of
 from neurosym.tasks.steps import PlanStep
 from neurosym.tasks.task import understand
 
@@ -229,7 +229,7 @@ def test_what_makes_its_target_lean_is_not_on_the_page():
     leaning = msgspec.structs.replace(
         toy_relations.grounding(), relations=msgspec.structs.replace(table, states=states)
     )
-    assert left_out_puts(leaning)[PUT_ON] == "makes its target lean"
+    assert left_out(leaning.relations)[PUT_ON] == "makes its target lean"
     assert {put.state.name for put in puts_of(leaning)} == {LIE}
     assert not re.search(r"rests-on-001 \d", domain_text(leaning))
     assert re.search(r"rests-on-001 \d", domain_text(toy_relations.grounding()))

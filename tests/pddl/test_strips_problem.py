@@ -320,7 +320,7 @@ def test_each_pair_gets_the_surest_of_what_does_the_same():
     }
     task = toy_relations.tower()
     learned = toy_relations.grounding()
-    pairs = understand(task, learned).problem.pairs
+    pairs = understand(task, learned).kinds
     known = msgspec.structs.replace(task, pairs=pairs, foreseen=seen)
     found = facts(known, learned, "can-put", "fee")
     way = {atom[1:3]: atom[3] for atom in found if atom[0] == "can-put"}

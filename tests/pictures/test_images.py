@@ -3,7 +3,7 @@
 import numpy as np
 from PIL import Image
 
-from neurosym.pictures.images import STRIP_SIZE, save_gif, save_strip
+from neurosym.pictures.images import STRIP_SIZE, Row, save_gif, save_sheet
 
 FRAMES = [np.full((480, 640, 3), shade, dtype=np.uint8) for shade in (0, 120, 250)]
 
@@ -18,7 +18,7 @@ def test_gif_shows_every_frame_and_pauses_on_the_last(tmp_path):
 
 
 def test_strip_sets_the_frames_side_by_side_with_captions(tmp_path):
-    save_strip(tmp_path / "run.png", FRAMES, ["start", "one", "two"])
+    save_sheet(tmp_path / "run.png", [Row("", tuple(FRAMES), ("start", "one", "two"))])
     with Image.open(tmp_path / "run.png") as image:
         width, height = STRIP_SIZE
         assert image.size[0] == 3 * width

@@ -12,8 +12,9 @@ from neurosym.grounding import Grounding
 from neurosym.operators import Operator
 from neurosym.pddl.chances import expected_success
 from neurosym.planners import PlanStatus, plan
-from neurosym.planners.around import plan_around, plan_likeliest
+from neurosym.planners.around import plan_around
 from neurosym.planners.effort import TimeIsUp
+from neurosym.planners.refinement import _plan_likeliest
 from neurosym.problems import Problem
 from neurosym.tasks.steps import primitives
 from neurosym.tasks.transition import validate
@@ -55,7 +56,7 @@ def test_way_leads_around_who_stands_there():
 
 def test_likeliest_plan_is_no_less_likely_than_the_cheapest():
     alone = msgspec.structs.replace(task({"item-01": (0, 0)}, {"item-01": (2, 0)}), tolerance=0.02)
-    cheapest, likeliest = plan_around(alone, learned()), plan_likeliest(alone, learned())
+    cheapest, likeliest = plan_around(alone, learned()), _plan_likeliest(alone, learned(), math.inf)
     assert validate(likeliest.steps, alone, learned()).valid
     chances = [expected_success(one.steps, alone, learned()) for one in (cheapest, likeliest)]
     assert chances[1] >= chances[0]

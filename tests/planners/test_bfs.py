@@ -9,8 +9,7 @@ from tables import BOUNDS, grounding, problem
 
 from neurosym.planners import PlanStatus, plan
 from neurosym.planners import bfs as bfs_module
-from neurosym.planners.bfs import plan_bfs
-from neurosym.planners.branching import Branching, branching_of, predicted_branching
+from neurosym.planners.bfs import Branching, branching_of, plan_bfs, predicted_branching
 from neurosym.problems import Problem, SceneObject
 from neurosym.tasks.steps import PlanStep
 
@@ -69,7 +68,7 @@ def random_task(seed: int) -> tuple[Problem, Branching, tuple[tuple[str, ...], .
     }
     names = tuple(tuple(f"op-{p}-{i}" for p in range(primitives)) for i in range(objects))
     goals = goals or {"item-0": tuple(map(float, ends[0]))}
-    return Problem("random", items, goals, tolerance=0.08), Branching(effects, resting, held), names
+    return Problem("random", items, goals, tolerance=0.08), Branching(effects, resting, held, names)
 
 
 @pytest.mark.parametrize("chunk", [4096, 5])
@@ -77,8 +76,8 @@ def test_search_finds_what_the_naive_one_finds(monkeypatch: pytest.MonkeyPatch, 
     monkeypatch.setattr(bfs_module, "CHUNK", chunk)
     lengths = []
     for seed in range(50):
-        task, table, names = random_task(seed)
-        expected, found = naive(task, table, names, 3), plan_bfs(task, table, names, BOUNDS)
+        task, table = random_task(seed)
+        expected, found = naive(task, table, table.names, 3), plan_bfs(task, table, BOUNDS)
         assert (found.status is PlanStatus.SOLVED) == (expected is not None), seed
         assert list(found.steps) == (expected or []), seed
         lengths.append(len(found.steps))
@@ -92,9 +91,9 @@ def one_object(goal: tuple[float, float, float], effects, held=None, resting=Non
         effects,
         np.array([resting], dtype=float) if resting else effects,
         np.array([held]) if held else np.zeros(effects.shape[:2], dtype=bool),
+        (tuple(f"op-{index}" for index in range(effects.shape[1])),),
     )
-    names = (tuple(f"op-{index}" for index in range(effects.shape[1])),)
-    return plan_bfs(Problem("p", (item,), {"item-01": goal}), table, names, BOUNDS)
+    return plan_bfs(Problem("p", (item,), {"item-01": goal}), table, BOUNDS)
 
 
 def test_lift_is_put_down_before_the_next_primitive():
@@ -115,27 +114,27 @@ def test_nobody_leaves_the_table_on_the_way():
 def test_search_that_is_exhausted_says_how_deep_it_went():
     found = one_object((0.6, 0.28, 0.02), [(0.0, 0.06, 0.0)])
     assert (found.status, found.reason) == (PlanStatus.NOT_FOUND, "3 primitives do not suffice")
-    table, names = branching_of(problem(), grounding())
-    assert plan_bfs(problem(), table, names, BOUNDS).status is PlanStatus.NOT_FOUND
-    assert plan_bfs(problem(), table, names, BOUNDS, depth=4).status is PlanStatus.SOLVED
+    table = branching_of(problem(), grounding())
+    assert plan_bfs(problem(), table, BOUNDS).status is PlanStatus.NOT_FOUND
+    assert plan_bfs(problem(), table, BOUNDS, depth=4).status is PlanStatus.SOLVED
 
 
 def test_time_out_is_a_result():
-    table, names = branching_of(problem(), grounding())
-    assert plan_bfs(problem(), table, names, BOUNDS, time_limit=0.0).status is PlanStatus.TIMEOUT
+    table = branching_of(problem(), grounding())
+    assert plan_bfs(problem(), table, BOUNDS, time_limit=0.0).status is PlanStatus.TIMEOUT
 
 
 def test_operators_left_out_are_never_promised_but_may_be_predicted():
-    table, names = branching_of(problem(), grounding())
-    assert names == (
+    table = branching_of(problem(), grounding())
+    assert table.names == (
         ("push-left-000-block", "push-away-001-block", "lift-010-block"),
         ("push-left-000-tray", "pull-010-tray", ""),
     )
     assert np.isnan(table.effects[1, 2]).all()
     assert (table.usable(0), table.usable(1)) == ((0, 1, 2), (0, 1))
     assert table.held.tolist() == [[False, False, True], [False] * 3]
-    predicted, names = predicted_branching(problem(), grounding(), np.full((2, 4, 3), 0.07))
-    assert names[0][3] == "stay-111-block"
+    predicted = predicted_branching(problem(), grounding(), np.full((2, 4, 3), 0.07))
+    assert predicted.names[0][3] == "stay-111-block"
     assert np.all(predicted.effects == 0.07)
     assert predicted.resting_effects[0, 2].tolist() == [0.0141, -0.0228, 0.0]
 
@@ -149,12 +148,12 @@ def test_primitive_with_two_outcomes_is_two_choices_but_one_prediction():
     )
     table = msgspec.structs.replace(learned.operators, operators=(*learned.operators.operators, slips))
     both = msgspec.structs.replace(learned, operators=table)
-    branching, names = branching_of(problem(), both)
-    assert names[0][2:] == ("lift-010-block", "slip-010-block")
+    branching = branching_of(problem(), both)
+    assert branching.names[0][2:] == ("lift-010-block", "slip-010-block")
     assert branching.effects[0, 3].tolist() == [0.04, 0.0, 0.0]
     assert branching.held[0].tolist() == [False, False, True, False]
-    _, names = predicted_branching(problem(), both, np.full((2, 4, 3), 0.07))
-    assert names[0][2] == "lift-010-block"
+    predicted = predicted_branching(problem(), both, np.full((2, 4, 3), 0.07))
+    assert predicted.names[0][2] == "lift-010-block"
 
 
 def test_object_off_the_table_may_come_back_but_go_no_further():
@@ -163,11 +162,11 @@ def test_object_off_the_table_may_come_back_but_go_no_further():
     )
     for step, status in ((-0.1, PlanStatus.SOLVED), (0.01, PlanStatus.NOT_FOUND)):
         effects = np.array([[(step, 0.0, 0.0), (0.01, -0.01, 0.0)]])
-        table = Branching(effects, effects, np.zeros((1, 2), dtype=bool))
-        assert plan_bfs(off, table, (("op", "out"),), BOUNDS).status is status
+        table = Branching(effects, effects, np.zeros((1, 2), dtype=bool), (("op", "out"),))
+        assert plan_bfs(off, table, BOUNDS).status is status
 
 
-def far_away(primitives: int, objects: int = 1) -> tuple[Problem, Branching, tuple[tuple[str, ...], ...]]:
+def far_away(primitives: int, objects: int = 1) -> tuple[Problem, Branching]:
     """A goal that no three of so many short pushes reach."""
     items = tuple(
         SceneObject(f"item-{n}", "00", (0.02,) * 4, (0.4, 0.05 * n - 0.2, 0.02)) for n in range(objects)
@@ -175,7 +174,7 @@ def far_away(primitives: int, objects: int = 1) -> tuple[Problem, Branching, tup
     effects = np.tile([0.01, 0.0, 0.0], (objects, primitives, 1))
     names = tuple(tuple(f"op-{p}-{n}" for p in range(primitives)) for n in range(objects))
     held = np.zeros((objects, primitives), dtype=bool)
-    return Problem("far", items, {"item-0": (0.8, -0.2, 0.02)}), Branching(effects, effects, held), names
+    return Problem("far", items, {"item-0": (0.8, -0.2, 0.02)}), Branching(effects, effects, held, names)
 
 
 @pytest.mark.parametrize(
@@ -183,7 +182,7 @@ def far_away(primitives: int, objects: int = 1) -> tuple[Problem, Branching, tup
     [(8, 4, 3), (8, 16, 3), (64, 1, 3), (64, 2, 3), (32, 4, 3), (64, 4, 2), (256, 4, 2), (256, 8, 1)],
 )
 def test_search_goes_as_deep_as_the_number_of_sequences_allows(primitives, objects, depth):
-    _, table, _ = far_away(primitives, objects)
+    _, table = far_away(primitives, objects)
     assert bfs_module.depth_within(table) == depth
     assert (bfs_module.why_not_deeper(table) == "") == (depth == 3)
 
@@ -198,9 +197,9 @@ def test_search_looks_one_primitive_ahead_however_many_there_are(monkeypatch: py
     monkeypatch.setattr(bfs_module, "MOST_SEQUENCES", 3)
     found = plan_bfs(*far_away(5), BOUNDS)
     assert found.reason == "1 primitive does not suffice; 2 would be 25 sequences, more than 3"
-    task, table, names = far_away(5)
+    task, table = far_away(5)
     near = msgspec.structs.replace(task, goals={"item-0": (0.45, -0.2, 0.02)}, tolerance=0.041)
-    assert [step.operator for step in plan_bfs(near, table, names, BOUNDS).steps] == ["op-0-0"]
+    assert [step.operator for step in plan_bfs(near, table, BOUNDS).steps] == ["op-0-0"]
 
 
 @pytest.mark.parametrize("name", ["bfs", "bfs-operators"])

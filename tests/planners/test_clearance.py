@@ -5,7 +5,7 @@ import pytest
 from toy_places import NAME, grounding, scene, swap
 
 from neurosym.planners import plan
-from neurosym.planners.clearance import clearest_first
+from neurosym.planners.in_turns import clearest_first
 from neurosym.problems import Problem
 from neurosym.tasks.places import with_places
 from neurosym.tasks.steps import PlanStep

@@ -10,9 +10,8 @@ import toy_domain
 
 from neurosym.grounding import Grounding
 from neurosym.planners import PlanStatus, fewest_steps, plan
-from neurosym.planners.bfs import plan_bfs
-from neurosym.planners.branching import branching_of
-from neurosym.planners.count_vectors import count_vector
+from neurosym.planners.bfs import branching_of, plan_bfs
+from neurosym.planners.counting import _count_vector
 from neurosym.planners.ordering import mend
 from neurosym.problems import Problem, SceneObject
 from neurosym.tasks.moves import cost
@@ -41,10 +40,10 @@ def primitives(steps: tuple[PlanStep, ...]) -> int:
 
 def test_count_vectors_are_all_there_are():
     expected = {one for one in itertools.product(range(5), repeat=3) if sum(one) == 4}
-    assert {tuple(count_vector(3, 4, row).tolist()) for row in range(len(expected))} == expected
+    assert {tuple(_count_vector(3, 4, row).tolist()) for row in range(len(expected))} == expected
     with pytest.raises(IndexError):
-        count_vector(3, 4, len(expected))
-    assert count_vector(0, 0, 0).shape == (0,)
+        _count_vector(3, 4, len(expected))
+    assert _count_vector(0, 0, 0).shape == (0,)
 
 
 @pytest.mark.parametrize("objects", [1, 2])
@@ -52,8 +51,7 @@ def test_number_of_primitives_is_that_of_breadth_first_search(objects: int):
     learned, lengths = tables.grounding(), set()
     for seed in range(30):
         task = random_task(seed, objects)
-        branching, names = branching_of(task, learned)
-        searched = plan_bfs(task, branching, names, learned.table, depth=4)
+        searched = plan_bfs(task, branching_of(task, learned), learned.table, depth=4)
         fewest = fewest_steps(task, learned)
         if searched.status is PlanStatus.SOLVED:
             assert fewest == primitives(searched.steps), seed

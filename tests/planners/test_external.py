@@ -8,7 +8,6 @@ import subprocess
 import sys
 import tempfile
 import time
-from collections.abc import Sequence
 from functools import partial
 from pathlib import Path
 
@@ -23,8 +22,7 @@ from neurosym.planners.catalogue import PROGRAMS
 from neurosym.planners.external import Program, plan_program
 from neurosym.planners.keeper import MARK, end_processes, marked
 from neurosym.planners.planner import PlannerMissing
-from neurosym.planners.process import run_limited
-from neurosym.planners.scratch import kept
+from neurosym.planners.process import kept, run_limited
 from neurosym.problems import Problem
 from neurosym.tasks.transition import validate
 
@@ -44,11 +42,9 @@ def scratch(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
 
 def solved_by(script: str, *, time_limit: float = 20.0, encoding: str = "numeric") -> PlanResult:
     """What comes of planning with a script as the planner."""
-
-    def arguments(_: Path, domain: str, problem: str, limit: float) -> Sequence[str]:
-        return (sys.executable, "-c", script, domain, problem)
-
-    program = Program("Script", "neurosym", "neurosym", arguments, plans="plan*")
+    program = Program(
+        "Script", "neurosym", ("{python}", "-c", script, "{domain}", "{problem}"), plans="plan*"
+    )
     call = partial(plan_program, program=program)
     script_planner = pddl_planner("script", "a script", call, (encoding,), missing=program.missing)
     return plan(TASK, grounding(), script_planner, time_limit=time_limit)
@@ -145,13 +141,11 @@ def test_temporary_files_of_a_planner_go_where_it_runs(tmp_path: Path):
 
 
 def test_planner_that_is_not_installed_is_refused_with_what_to_do():
-    nowhere = Program("Nobody", "no_such_package", "no-such-package", lambda *_: ("true",))
+    nowhere = Program("Nobody", "no_such_package", ("true",))
     nobody = pddl_planner("nobody", "", partial(plan_program, program=nowhere), missing=nowhere.missing)
     with pytest.raises(PlannerMissing, match="nobody is not installed; `pip install no-such-package`"):
         plan(TASK, grounding(), nobody)
-    lacking = Program(
-        "Nobody", "neurosym", "neurosym", lambda *_: ("true",), needs=("no-such-command", "a shop")
-    )
+    lacking = Program("Nobody", "neurosym", ("true",), needs=("no-such-command", "a shop"))
     assert lacking.missing() == "it needs no-such-command, which a shop brings"
 
 
@@ -223,7 +217,6 @@ def test_where_the_system_does_not_tell_of_processes_a_planner_is_ended_all_the_
     scratch: Path, monkeypatch: pytest.MonkeyPatch
 ):
     monkeypatch.setattr("neurosym.planners.keeper.processes", list)
-    monkeypatch.setattr("neurosym.planners.process.processes", list)
     begin = time.perf_counter()
     assert solved_by(SLEEP, time_limit=0.5).status is PlanStatus.TIMEOUT
     assert time.perf_counter() - begin < 10.0

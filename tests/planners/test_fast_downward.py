@@ -4,6 +4,7 @@ import subprocess
 import sys
 import tempfile
 import time
+from functools import partial
 from pathlib import Path
 
 import pytest
@@ -12,11 +13,13 @@ from tables import grounding, problem
 
 from neurosym.pddl import domain_text, problem_text
 from neurosym.planners import PlanStatus, fast_downward
+from neurosym.planners.external import plan_program
 from neurosym.planners.fast_downward import Search, plan_fast_downward
 from neurosym.planners.process import Finished, run_limited
 from neurosym.planners.result import PlannerAnswer
-from neurosym.planners.unified_planning import plan_unified_planning
+from neurosym.planners.unified_planning import engine_program
 
+plan_unified_planning = partial(plan_program, program=engine_program("fast-downward"))
 PLANNERS = [plan_fast_downward, plan_unified_planning]
 
 

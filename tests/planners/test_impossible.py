@@ -9,10 +9,8 @@ import toy_domain
 from neurosym.grounding import FORMATS, Grounding
 from neurosym.operators import Mode, Operator
 from neurosym.planners import PlanStatus, plan
-from neurosym.planners.branching import branching_of
-from neurosym.planners.count_vectors import MOST_VECTORS, Choices, looked_at
-from neurosym.planners.impossible import is_off_table, is_out_of_reach
-from neurosym.planners.joins import choices_of
+from neurosym.planners.counting import MOST_VECTORS, Choices, choices_of, looked_at
+from neurosym.planners.no_plan import _Reach
 from neurosym.problems import Problem, SceneObject
 from neurosym.tasks.transition import validate
 
@@ -26,6 +24,10 @@ def choices(moves: list[tuple[float, float, float]], lifts: int = 0) -> Choices:
     lifted = settled + np.outer(held, [0.0, 0.0, 0.2])
     room = np.array([[0.3, -0.3], [0.9, 0.3]])
     return Choices(settled, lifted, held, np.ones(len(moves), dtype=int), np.array([0.6, 0.0, 0.0]), room)
+
+
+def reach(drawn: Choices, goal: tuple[float, float, float], tolerance: float) -> _Reach:
+    return _Reach("item-01", drawn, goal, tolerance)
 
 
 def many_moves(count: int, length: float = 0.01) -> Grounding:
@@ -49,17 +51,17 @@ def cube(goal: tuple[float, float, float], tolerance: float = 0.02) -> Problem:
 
 def test_goal_behind_all_moves_is_proved_to_be_out_of_reach():
     forward = choices([(0.08, 0.0, 0.0), (0.05, 0.05, 0.0), (0.0, 0.0, 0.0)])
-    assert is_out_of_reach(forward, (0.5, 0.0, 0.0), 0.05)
-    assert is_out_of_reach(forward, (0.8, -0.06, 0.0), 0.05)
-    assert not is_out_of_reach(forward, (0.8, 0.1, 0.0), 0.05)
-    assert is_out_of_reach(choices([]), (0.7, 0.0, 0.0), 0.05)
-    assert not is_out_of_reach(choices([]), (0.64, 0.0, 0.0), 0.05)
+    assert reach(forward, (0.5, 0.0, 0.0), 0.05).is_out_of_reach()
+    assert reach(forward, (0.8, -0.06, 0.0), 0.05).is_out_of_reach()
+    assert not reach(forward, (0.8, 0.1, 0.0), 0.05).is_out_of_reach()
+    assert reach(choices([]), (0.7, 0.0, 0.0), 0.05).is_out_of_reach()
+    assert not reach(choices([]), (0.64, 0.0, 0.0), 0.05).is_out_of_reach()
 
 
 def test_goal_in_the_air_is_out_of_reach_at_rest_only():
     lifting = choices([(0.08, 0.0, 0.0), (0.0, 0.0, 0.0)], lifts=1)
-    assert not is_out_of_reach(lifting, (0.7, 0.0, 0.2), 0.05)
-    assert is_out_of_reach(lifting, (0.7, 0.0, 0.2), 0.05, at_rest=True)
+    assert not reach(lifting, (0.7, 0.0, 0.2), 0.05).is_out_of_reach()
+    assert reach(lifting, (0.7, 0.0, 0.2), 0.05).is_out_of_reach(at_rest=True)
 
 
 def test_a_proof_never_speaks_against_sums_of_moves():
@@ -70,12 +72,12 @@ def test_a_proof_never_speaks_against_sums_of_moves():
         end = drawn.start + rng.integers(0, 30, kinds) @ drawn.settled
         last = int(rng.integers(kinds))
         goal = end + (drawn.lifted[last] if drawn.held[last] else 0.0) + rng.uniform(-0.01, 0.01, 3)
-        assert not is_out_of_reach(drawn, (*map(float, goal),), 0.02)
+        assert not reach(drawn, (*map(float, goal),), 0.02).is_out_of_reach()
 
 
 def test_goal_beyond_the_edge_is_off_the_table():
-    assert is_off_table(choices([]), (0.6, 0.36, 0.0), 0.05)
-    assert not is_off_table(choices([]), (0.6, 0.34, 0.0), 0.05)
+    assert reach(choices([]), (0.6, 0.36, 0.0), 0.05).is_off_table()
+    assert not reach(choices([]), (0.6, 0.34, 0.0), 0.05).is_off_table()
 
 
 def test_counting_that_was_cut_off_says_up_to_where_it_looked():
@@ -102,7 +104,7 @@ def test_hundreds_of_moves_are_counted_as_far_as_they_go():
 
 def test_what_is_looked_at_is_as_much_as_is_said():
     task, learned = cube((0.7, 0.0, 0.025)), many_moves(5)
-    (one,) = choices_of(task, *(branching_of(task, learned)[0], learned, branching_of(task, learned)[1]))
+    (one,) = choices_of(task, learned)
     steps, vectors = looked_at(one)
     assert looked_at(one, 3) == (3, 1 + 5 + 15 + 35)
     assert vectors > MOST_VECTORS > 0

@@ -1,5 +1,6 @@
 """What stands in the way of what must be led is carried away first, and what is led never goes through it."""
 
+import pytest
 from toy_places import grounding, scene
 
 from neurosym.planners import PlanResult, PlanStatus, plan
@@ -45,6 +46,15 @@ def test_who_stands_in_the_way_and_goes_there_is_put_aside():
     steps = plan(problem, learned).steps
     assert order(problem) == ["item-02", "item-01"]
     assert validate(steps, problem, learned).valid
+
+
+@pytest.mark.parametrize("encoding", ["strips", "sas"])
+def test_an_encoding_that_is_asked_for_carries_what_is_carried_without(encoding: str):
+    problem, learned = lead_past((0.45, 0.0, 0.7, 0.0)), grounding()
+    usual, asked = plan(problem, learned), plan(problem, learned, encoding=encoding)
+    assert validate(asked.steps, problem, learned).valid
+    assert [step for step in asked.steps if step.place] == [step for step in usual.steps if step.place]
+    assert asked.steps == usual.steps or encoding == "strips"  # which has other cells
 
 
 def test_where_all_can_be_carried_there_are_no_turns():

@@ -9,8 +9,8 @@ from pathlib import Path
 import pytest
 
 from neurosym.errors import CannotStart
-from neurosym.planners.parallel import plan_together
 from neurosym.planners.process import run_limited
+from neurosym.planners.refinement import _plan_together as plan_together
 from neurosym.planners.result import PlanResult, PlanStatus
 
 

@@ -9,9 +9,8 @@ from tables import grounding, item, problem, total_cost
 
 from neurosym.errors import UnknownChoice
 from neurosym.grounding import Grounding
-from neurosym.planners import PlanResult, PlanStatus, one_by_one, pddl_planner, plan, refinement
+from neurosym.planners import PlanResult, PlanStatus, pddl_planner, plan, refinement
 from neurosym.planners.effort import Effort
-from neurosym.planners.one_by_one import plan_one_by_one
 from neurosym.planners.result import PlannerAnswer
 from neurosym.problems import Problem
 from neurosym.tasks.steps import PlanStep
@@ -160,7 +159,7 @@ def test_encodings_agree_on_the_cost():
 
 
 def test_objects_in_each_others_way_are_planned_for_without_costs_in_the_end(monkeypatch: pytest.MonkeyPatch):
-    asked = []
+    asked, plan_one_by_one = [], refinement._plan_one_by_one
 
     def one_by_one(task: Problem, learned: Grounding, believed, effort: Effort):
         asked.append(learned.unit_costs)
@@ -168,7 +167,7 @@ def test_objects_in_each_others_way_are_planned_for_without_costs_in_the_end(mon
             return PlanResult(PlanStatus.FAILED, (), 0.0, "they collide")
         return plan_one_by_one(task, learned, believed, effort)
 
-    monkeypatch.setattr(refinement, "plan_one_by_one", one_by_one)
+    monkeypatch.setattr(refinement, "_plan_one_by_one", one_by_one)
     result = plan(problem(), grounding())
     assert asked == [False, False, True]  # away from the edges of the table, then up to them
     assert result.status is PlanStatus.SOLVED
@@ -185,7 +184,7 @@ def no_way(problem: Problem, learned: Grounding, *, deadline: float) -> PlanResu
 def test_objects_are_counted_to_where_they_end_apart_if_there_are_no_ways_around(
     monkeypatch: pytest.MonkeyPatch,
 ):
-    monkeypatch.setattr(one_by_one, "plan_around", no_way)
+    monkeypatch.setattr(refinement, "plan_around", no_way)
     objects = (item("item-01", 0.4, 0.0), item("item-02", 0.585, 0.06))
     task = Problem("p", objects, {"item-01": (0.57, 0.06, 0.025)})
     found = plan(task, grounding())

@@ -9,7 +9,7 @@ from neurosym.pair_sight import with_pairs
 from neurosym.pddl.encodings import domain_text, ground_plan
 from neurosym.pddl.problem import problem_text
 from neurosym.planners import PlanStatus, plan
-from neurosym.planners.relational_bfs import plan_relational_bfs
+from neurosym.planners.registry import _plan_breadth_first as plan_relational_bfs
 from neurosym.problems import Problem
 from neurosym.tasks.transition import validate
 

@@ -1,5 +1,7 @@
 """Operators are rehearsed on more objects, and surer actions take the place of others."""
 
+from dataclasses import replace
+
 import msgspec
 import numpy as np
 import pytest
@@ -9,8 +11,8 @@ from neurosym.learning.direct_model import DirectModel
 from neurosym.learning.effect_model import EffectModel
 from neurosym.operators import OperatorTable
 from neurosym.practice import improving
-from neurosym.practice.improving import Workshop, audition_others, rehearse_more, renamed
-from neurosym.primitives.modes import sort_into_modes
+from neurosym.practice.improving import Learner, Workshop, audition_others, rehearse_more, renamed
+from neurosym.primitives.rehearsal import sort_into_modes
 from neurosym.promises import rehearsed_objects
 from neurosym.worlds.toy import make_world
 
@@ -32,9 +34,9 @@ def table(toy_folder) -> OperatorTable:
     return OperatorTable.load(toy_folder / "primitives.json")
 
 
-def parts(table, operator):
+def learner(table, operator) -> Learner:
     primitive = next(one for one in table.primitives if one.label == operator.label)
-    return primitive, next(one for one in table.categories if one.symbol == operator.category)
+    return Learner(operator, primitive, next(c for c in table.categories if c.symbol == operator.category))
 
 
 def pushes(table):
@@ -43,8 +45,9 @@ def pushes(table):
 
 def test_more_rehearsals_are_added_and_sorted_into_modes_with_the_others(shop, table):
     operator = pushes(table)[0]
-    primitive, category = parts(table, operator)
-    improved = rehearse_more(shop, operator, primitive, category, 6, turn=1)
+    one = learner(table, operator)
+    category = one.category
+    improved = rehearse_more(shop, one, 6, turn=1)
     now, before = improved.operator, operator.trials
     assert (improved.interactions, improved.primitive) == (6, None)
     assert now.rehearsals[:before] == operator.rehearsals[:before]
@@ -61,7 +64,7 @@ def test_more_rehearsals_are_added_and_sorted_into_modes_with_the_others(shop, t
 
 
 def test_objects_are_the_same_again_in_the_same_turn_and_others_in_another(shop, table):
-    category = parts(table, pushes(table)[0])[1]
+    category = learner(table, pushes(table)[0]).category
     first, again, other = (shop.scenes(category, 4, turn) for turn in (1, 1, 2))
     features = [[tuple(scene.features[0]) for scene in scenes] for scenes in (first, again, other)]
     assert features[0] == features[1]
@@ -70,17 +73,18 @@ def test_objects_are_the_same_again_in_the_same_turn_and_others_in_another(shop,
 
 def test_an_action_on_an_edge_gives_way_to_a_surer_one_that_does_the_same(shop, table, monkeypatch):
     operator = pushes(table)[0]
-    primitive, category = parts(table, operator)
+    one = learner(table, operator)
+    primitive, category = one.primitive, one.category
     real = improving.moved
 
-    def spoilt(one, count, box, seed):
-        actions = real(one, count, box, seed)
-        if one == primitive:
+    def spoilt(other, count, box, seed):
+        actions = real(other, count, box, seed)
+        if other == primitive:
             actions[::4, 8:10] = actions[::4, :2]  # a fourth of the objects is not pushed
         return actions
 
     monkeypatch.setattr(improving, "moved", spoilt)
-    improved = audition_others(shop, operator, primitive, category, turn=1)
+    improved = audition_others(shop, one, turn=1)
     assert improved.primitive is not None
     assert improved.primitive.symbol == primitive.symbol
     assert improved.primitive.action != primitive.action
@@ -94,29 +98,29 @@ def test_an_action_on_an_edge_gives_way_to_a_surer_one_that_does_the_same(shop, 
 
 def test_an_action_that_nothing_beats_stays(shop, table, monkeypatch):
     operator = pushes(table)[0]
-    primitive, category = parts(table, operator)
     monkeypatch.setattr(improving, "_rivals", lambda *_: [])
-    improved = audition_others(shop, operator, primitive, category, turn=1)
+    improved = audition_others(shop, learner(table, operator), turn=1)
     assert (improved.operator, improved.primitive) == (operator, None)
 
 
 def test_a_category_that_is_not_met_is_not_practised(shop, table):
     operator = pushes(table)[0]
-    primitive, category = parts(table, operator)
-    nowhere = msgspec.structs.replace(category, symbol="2" * len(category.symbol))
+    one = learner(table, operator)
+    nowhere = msgspec.structs.replace(one.category, symbol="2" * len(one.category.symbol))
+    one = replace(one, category=nowhere)
     for improved in (
-        rehearse_more(shop, operator, primitive, nowhere, 2, turn=1),
-        audition_others(shop, operator, primitive, nowhere, turn=1),
+        rehearse_more(shop, one, 2, turn=1),
+        audition_others(shop, one, turn=1),
     ):
         assert improved == improving.Improved(operator, None, 0)
 
 
 def test_an_operator_that_mostly_does_something_else_after_more_rehearsals_is_named_so(shop, table):
     operator = pushes(table)[0]
-    primitive, category = parts(table, operator)
+    one = learner(table, operator)
     held = msgspec.structs.replace(operator.rehearsals[0], kind="held")
     mixed = msgspec.structs.replace(
         operator, name="lift-" + operator.name, rehearsals=(held,) * 3, objects=()
     )
-    few = msgspec.structs.replace(category, objects=category.objects[:3])
-    assert rehearse_more(shop, mixed, primitive, few, 6, turn=1).operator.name == operator.name
+    few = msgspec.structs.replace(one.category, objects=one.category.objects[:3])
+    assert rehearse_more(shop, Learner(mixed, one.primitive, few), 6, turn=1).operator.name == operator.name

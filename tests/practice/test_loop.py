@@ -7,11 +7,13 @@ from collections import Counter
 import pytest
 from command_line import neurosym, refusal
 
+from neurosym.errors import InvalidValue
 from neurosym.operators import OperatorTable
 from neurosym.practice.loop import LESSONS, choose_lessons
 from neurosym.practice.rounds import Lesson, Round
 from neurosym.stages.folder import DomainFolder
-from neurosym.stages.practising import operator_table, practice_of
+from neurosym.stages.practised import operator_table, practice_of
+from neurosym.stages.practising import practise_stage
 
 FILES = ("practice.json", "grounding.json", "domain.pddl")
 
@@ -67,8 +69,9 @@ def test_the_domain_is_compiled_from_what_was_practised_until_it_is_distilled_an
 
 
 def test_even_practice_tries_no_tasks(folder):
-    assert practised(folder, "--evenly") == 0
-    found = practice_of(DomainFolder(folder))
+    domain = DomainFolder(folder)
+    domain.perform(practise_stage(domain, interactions=300, seed=1, workers=1, evenly=True), again=True)
+    found = practice_of(domain)
     assert found.evenly
     assert all(one.planned == one.interactions == 0 and one.lessons for one in found.practised.rounds)
 
@@ -76,10 +79,12 @@ def test_even_practice_tries_no_tasks(folder):
 def test_another_seed_or_way_does_not_throw_practice_away(folder, capsys):
     assert practised(folder, interactions=1) == 0
     before = (folder / "practice.json").read_bytes()
-    for options in (["--seed", 2], ["--seed", 1, "--evenly"]):
-        capsys.readouterr()
-        said = refusal(capsys, "practise", folder, "--interactions", 300, *options)
-        assert "was practised with seed = 1; go on so, or remove it" in said
+    capsys.readouterr()  # what is said of how far it came
+    said = refusal(capsys, "practise", folder, "--interactions", 300, "--seed", 2)
+    assert "was practised with seed = 1; go on so, or remove it" in said
+    domain = DomainFolder(folder)
+    with pytest.raises(InvalidValue, match="was practised with seed = 1; go on so, or remove it"):
+        domain.perform(practise_stage(domain, interactions=300, seed=1, workers=1, evenly=True), again=True)
     assert (folder / "practice.json").read_bytes() == before
 
 

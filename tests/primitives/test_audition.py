@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from toy_learning import foretell, some_features
+from toy_learning import foretell, search, some_features
 
 from neurosym.errors import UnknownChoice
 from neurosym.operators import Primitive
@@ -60,26 +60,28 @@ def test_shortlist_keeps_the_best_few_of_each_symbol_best_first():
 
 def test_audition_finds_what_works_whatever_was_foretold():
     for groups in (RIVALS, RIVALS[::-1]):
-        chosen = audition(make_world, groups, by_affordance, objects=12, seed=0)
+        chosen = audition(search(categorise=by_affordance), groups, objects=12)
         assert [(one.symbol, one.action) for one in chosen] == [("001", LEFT), ("100", LIFT)]
 
 
 def test_audition_prefers_what_does_the_same_to_every_object_of_a_category():
     groups = (Primitive("0", LEFT, 0.0), Primitive("0", LIFT, 0.0))
-    pushable = audition(make_world, groups, lambda f: tuple(s[1] for s in by_affordance(f)), seed=0)
-    graspable = audition(make_world, groups, lambda f: tuple(s[0] for s in by_affordance(f)), seed=0)
+    pushable = audition(search(categorise=lambda f: tuple(s[1] for s in by_affordance(f))), groups)
+    graspable = audition(search(categorise=lambda f: tuple(s[0] for s in by_affordance(f))), groups)
     assert (pushable[0].action, graspable[0].action) == (LEFT, LIFT)
 
 
 def test_auditions_are_the_same_for_any_number_of_workers():
-    one, two = (audition(make_world, RIVALS, alike, objects=9, seed=4, workers=workers) for workers in (1, 2))
+    one, two = (
+        audition(search(categorise=alike, seed=4, workers=workers), RIVALS, objects=9) for workers in (1, 2)
+    )
     assert one == two
 
 
 def test_auditions_are_on_other_objects_than_rehearsals_and_the_same_for_every_candidate():
     world = Watched()
     told = []
-    audition(lambda: world, RIVALS[:2], alike, objects=5, seed=3, progress=lambda *n: told.append(n))
+    audition(search((), alike, lambda: world, told, seed=3), RIVALS[:2], objects=5)
     auditioned = [tuple(task.scene.features[0]) for task in world.asked]
     assert auditioned[:5] == auditioned[5:10]
     assert auditioned[10:15] == auditioned[15:]
@@ -106,7 +108,7 @@ class Lucky(ToyWorld):
 def test_who_shone_by_luck_is_found_out_by_the_second_audition():
     groups = (Primitive("0", SHORT, 0.0), Primitive("0", LEFT, 0.0))
     world = Lucky()
-    assert audition(lambda: world, groups, by_affordance, objects=12, seed=0)[0].action == LEFT
+    assert audition(search((), by_affordance, lambda: world), groups, objects=12)[0].action == LEFT
     assert world.performed == 4 * 12
 
 

@@ -13,8 +13,8 @@ from neurosym.exploration.choice import ExplorationConfig
 from neurosym.exploration.loop import explore
 from neurosym.learning.training import Trained, train
 from neurosym.place_operators import PlaceOperators
-from neurosym.primitives.carrying import find_carriers
 from neurosym.primitives.judging import foresee_carrying, judge, performance
+from neurosym.primitives.table import CARRYING, find_operators
 from neurosym.world import Outcome
 from neurosym.worlds.aimed import Aimed, AimedFactory
 from neurosym.worlds.toy import make_world
@@ -45,12 +45,13 @@ def foretell(features, actions):
 @cache
 def found(workers: int = 1) -> PlaceOperators:
     trained, data = learned()
-    return find_carriers(
+    return find_operators(
         trained.model,
         foretell,
         data,
         make_world().action_box,
-        by_type,
+        CARRYING,
+        categorise=by_type,
         world_factory=make_world,
         objects=20,
         seed=0,

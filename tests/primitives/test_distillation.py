@@ -1,7 +1,5 @@
 """Distilled parameters encode to their symbols and stay inside the action box."""
 
-from dataclasses import replace
-
 import numpy as np
 import pytest
 import torch
@@ -14,16 +12,11 @@ from neurosym.learning.losses import reproducible
 from neurosym.learning.model_config import ModelConfig
 from neurosym.operators import CONVERGED, OperatorTable
 from neurosym.primitives import distillation
-from neurosym.primitives.distillation import (
-    DistillationConfig,
-    code_errors,
-    distill,
-    draw_of_every_kind,
-)
+from neurosym.primitives.distillation import code_errors, distill, draw_of_every_kind
 from neurosym.symbols import all_symbols
 from neurosym.worlds.toy import make_world
 
-FEW = DistillationConfig(candidates=4, steps=40)
+FEW = {"candidates": 4, "steps": 40}
 BOX = make_world().action_box
 DATA = toy_data(500)
 
@@ -63,7 +56,7 @@ def test_starts_are_of_every_kind_of_outcome_however_rare():
 
 def test_every_candidate_encodes_to_its_symbol_and_lies_in_the_box():
     model = a_model()
-    candidates = distill(model, DATA, BOX, seed=0, config=FEW)
+    candidates = distill(model, DATA, BOX, seed=0, **FEW)
     assert len(by_symbol(candidates)) >= 4
     for candidate in candidates:
         action = np.array(candidate.action)
@@ -77,7 +70,7 @@ def test_all_candidates_have_converged_or_there_is_only_the_best_one():
     model = a_model()
     counts = []
     for steps in (0, 5, 40):
-        found = by_symbol(distill(model, DATA, BOX, seed=0, config=replace(FEW, candidates=12, steps=steps)))
+        found = by_symbol(distill(model, DATA, BOX, seed=0, candidates=12, steps=steps))
         for candidates in found.values():
             errors = [candidate.code_error for candidate in candidates]
             assert errors == sorted(errors)
@@ -89,8 +82,8 @@ def test_all_candidates_have_converged_or_there_is_only_the_best_one():
 
 def test_descent_lowers_the_error_of_the_best_start():
     model = a_model()
-    starts = distill(model, DATA, BOX, seed=0, config=replace(FEW, steps=0))
-    ends = distill(model, DATA, BOX, seed=0, config=FEW)
+    ends = distill(model, DATA, BOX, seed=0, **FEW)
+    starts = distill(model, DATA, BOX, seed=0, candidates=4, steps=0)
     before, after = (
         {symbol: found[0].code_error for symbol, found in by_symbol(all_found).items()}
         for all_found in (starts, ends)
@@ -104,7 +97,7 @@ def test_symbols_of_no_action_are_left_out_and_can_be_listed():
     model = a_model()
     used = set(model.action_symbols(DATA.actions))
     rows = np.array([symbol == min(used) for symbol in model.action_symbols(DATA.actions)])
-    primitives = distill(model, DATA[rows], BOX, seed=0, config=FEW)
+    primitives = distill(model, DATA[rows], BOX, seed=0, **FEW)
     assert {primitive.symbol for primitive in primitives} == {min(used)}
     table = OperatorTable((), primitives[:1], ())
     assert table.unreached == tuple(s for s in all_symbols(3) if s != min(used))
@@ -113,7 +106,7 @@ def test_symbols_of_no_action_are_left_out_and_can_be_listed():
 def test_the_same_seed_gives_the_same_primitives_and_the_model_is_untouched():
     model = a_model()
     before = {name: weights.clone() for name, weights in model.state_dict().items()}
-    assert distill(model, DATA, BOX, seed=1, config=FEW) == distill(model, DATA, BOX, seed=1, config=FEW)
+    assert distill(model, DATA, BOX, seed=1, **FEW) == distill(model, DATA, BOX, seed=1, **FEW)
     assert all(torch.equal(before[name], weights) for name, weights in model.state_dict().items())
     assert all(parameter.grad is None for parameter in model.parameters())
 
@@ -123,14 +116,13 @@ def test_codes_that_do_not_saturate_are_reported_honestly():
     with torch.no_grad():
         model.action_encoder[-2].weight *= 1e-4
         model.action_encoder[-2].bias *= 1e-4
-    assert all(primitive.code_error > 0.5 for primitive in distill(model, DATA, BOX, seed=0, config=FEW))
+    assert all(primitive.code_error > 0.5 for primitive in distill(model, DATA, BOX, seed=0, **FEW))
 
 
-def test_impossible_options_are_refused():
-    with pytest.raises(InvalidValue):
-        DistillationConfig(candidates=0)
-    with pytest.raises(InvalidValue):
-        DistillationConfig(momentum=1.0)
+@pytest.mark.parametrize("option", [{"candidates": 0}, {"steps": -1}])
+def test_impossible_options_are_refused(option):
+    with pytest.raises(InvalidValue, match=next(iter(option))):
+        distill(a_model(), DATA, BOX, seed=0, **option)
 
 
 def test_an_action_that_encodes_to_another_symbol_is_no_candidate(monkeypatch):
@@ -138,9 +130,9 @@ def test_an_action_that_encodes_to_another_symbol_is_no_candidate(monkeypatch):
     model = a_model()
 
     def astray(_model, begin, *_):
-        return [np.roll(begin, FEW.candidates, axis=0)] * 2
+        return [np.roll(begin, FEW["candidates"], axis=0)] * 2
 
     monkeypatch.setattr(distillation, "_descend", astray)
-    found = distill(model, DATA, BOX, seed=0, config=FEW)
+    found = distill(model, DATA, BOX, seed=0, **FEW)
     encoded = [model.action_symbols(np.array([one.action], dtype=np.float32))[0] for one in found]
     assert encoded == [one.symbol for one in found]

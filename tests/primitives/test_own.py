@@ -5,7 +5,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from toy_learning import foretell, some_features
+from toy_learning import foretell, search, some_features
 
 from neurosym.naming import name_operator
 from neurosym.operators import Primitive
@@ -40,8 +40,7 @@ def pushable(features):
 
 
 def chosen(candidates, shared, categorise=by_affordance, factory=make_world, **options):
-    options = {"predict": foretell, "features": some_features(100), "seed": 0, **options}
-    return choose_own(factory, candidates, shared, categorise=categorise, **options)
+    return choose_own(search(candidates, categorise, factory, **options), shared, factory)
 
 
 def actions_of(repertoire, category):

@@ -2,11 +2,13 @@
 
 import numpy as np
 import toy_relations
+from toy_learning import search
 
 from neurosym.operators import Primitive
 from neurosym.primitives.pair_choice import choose_for_pairs
 from neurosym.primitives.pair_rehearsal import tabulate_pairs
 from neurosym.primitives.rehearsal import rehearse
+from neurosym.primitives.repertoire import Repertoire
 from neurosym.relation_operators import PairStates
 from neurosym.worlds.related import RelatedFactory
 from neurosym.worlds.toy_relations import WALL, make_world
@@ -31,38 +33,40 @@ def hopeful(features: np.ndarray, actions: np.ndarray) -> np.ndarray:
     return np.column_stack([~fits, fits]) * 0.9
 
 
+def chosen_among(candidates: list[Primitive], predict=hopeful, **options: object) -> Repertoire:
+    return choose_for_pairs(search(candidates, kinds, FACTORY, predict=predict, **options), STATES)
+
+
 def of_kind(chosen, kind: str) -> list[tuple[float, ...]]:
     return [one.action for one in chosen.primitives if chosen.serves(one, kind)]
 
 
 def test_auditions_leave_what_really_puts_on_and_into():
-    chosen = choose_for_pairs(FACTORY, [NOTHING, CARRY], hopeful, kinds, STATES, seed=0)
+    chosen = chosen_among([NOTHING, CARRY], seed=0)
     assert CARRY.action in of_kind(chosen, "0")
     assert NOTHING.action not in of_kind(chosen, "0")
     assert NOTHING.action not in of_kind(chosen, "1")
 
 
 def test_what_is_foreseen_to_do_nothing_is_not_auditioned():
-    performed = list[int]()
+    performed = list[tuple[int, int]]()
 
     def nothing(features: np.ndarray, actions: np.ndarray) -> np.ndarray:
         return np.zeros((len(features), 2)) * actions[:, :1]
 
-    chosen = choose_for_pairs(
-        FACTORY, [CARRY], nothing, kinds, STATES, seed=0, progress=lambda done, _: performed.append(done)
-    )
+    chosen = chosen_among([CARRY], nothing, told=performed)
     assert performed == []
     assert of_kind(chosen, "0") == []
 
 
 def test_what_is_foreseen_and_never_seen_is_not_chosen():
-    chosen = choose_for_pairs(FACTORY, [NOTHING], hopeful, kinds, STATES, seed=0)
+    chosen = chosen_among([NOTHING], seed=0)
     assert of_kind(chosen, "0") == []
     assert of_kind(chosen, "1") == []
 
 
 def test_kind_whose_pairs_end_in_several_states_has_an_operator_for_each():
-    chosen = choose_for_pairs(FACTORY, [CARRY], hopeful, kinds, STATES, seed=0)
+    chosen = chosen_among([CARRY], seed=0)
     found = rehearse(FACTORY, chosen, kinds, objects=80, seed=1)
     table = tabulate_pairs(found, make_world().feature_names, STATES)
     promised = {one.promise.state: one for one in table.operators if one.promise and one.pair == "1"}
@@ -72,5 +76,5 @@ def test_kind_whose_pairs_end_in_several_states_has_an_operator_for_each():
 
 
 def test_same_seed_chooses_the_same():
-    twice = [choose_for_pairs(FACTORY, [ASIDE, CARRY], hopeful, kinds, STATES, seed=2) for _ in range(2)]
+    twice = [chosen_among([ASIDE, CARRY], seed=2) for _ in range(2)]
     assert twice[0] == twice[1]

@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+from toy_learning import search
 
 from neurosym.operators import OperatorTable, Primitive
 from neurosym.primitives.rehearsal import rehearse, tabulate
@@ -27,7 +28,7 @@ def before() -> OperatorTable:
 
 @pytest.fixture(scope="module")
 def after(before) -> OperatorTable:
-    return rehearse_unsure(make_world, before, by_shape, objects=OBJECTS, seed=0)
+    return rehearse_unsure(search((), by_shape, objects=OBJECTS), before)
 
 
 def of(table, primitive, category="0"):
@@ -63,30 +64,23 @@ def test_what_is_sure_is_not_rehearsed_again(before, after):
 
 
 def test_the_number_of_workers_changes_nothing(before, after):
-    assert rehearse_unsure(make_world, before, by_shape, objects=OBJECTS, seed=0, workers=2) == after
+    assert rehearse_unsure(search((), by_shape, objects=OBJECTS, workers=2), before) == after
 
 
 def test_progress_counts_on_from_round_to_round(before):
     told: list[tuple[int, int]] = []
-    rehearse_unsure(
-        make_world,
-        before,
-        by_shape,
-        objects=OBJECTS,
-        seed=0,
-        progress=lambda done, total: told.append((done, total)),
-    )
+    rehearse_unsure(search((), by_shape, told=told, objects=OBJECTS), before)
     assert [done for done, _ in told] == list(range(1, len(told) + 1))
     assert all(done <= total for done, total in told)
 
 
 def test_few_rehearsals_get_none_beside_them(before):
-    assert rehearse_unsure(make_world, before, by_shape, objects=3, seed=0) == before
+    assert rehearse_unsure(search((), by_shape, objects=3), before) == before
 
 
 def test_a_category_that_is_not_met_again_is_left_as_it_is(before):
     def unlike(features):
         return tuple("0" for _ in features)
 
-    now = rehearse_unsure(make_world, before, unlike, objects=OBJECTS, seed=0)
+    now = rehearse_unsure(search((), unlike, objects=OBJECTS), before)
     assert of(now, "111", "1") == of(before, "111", "1")

@@ -10,18 +10,15 @@ import numpy as np
 import pytest
 from command_line import neurosym, refusal
 from tables import grounding
-from toy_learning import BRIEF, SMALL
 
 from neurosym.data.interactions import Interactions
 from neurosym.evaluation.comparison_summary import Comparison, Tally
 from neurosym.files import write_json
 from neurosym.grounding import Grounding
-from neurosym.learning.learning_curve import LearningCurve, learning_curve, sizes_up_to
-from neurosym.learning.training_config import REGIMES, Regime
 from neurosym.pictures.motions import surest_carriers
 from neurosym.reading import read_json
 from neurosym.report import page
-from neurosym.report.charts import Axis, lines, round_values
+from neurosym.report.charts import Axis, dots, round_values
 from neurosym.report.exploration import explored, what_became
 from neurosym.report.films import films_of
 from neurosym.report.page import gather, render
@@ -234,31 +231,15 @@ def test_few_interactions_can_be_drawn(toy_folder, rows):
     assert len(explored(Interactions.load(toy_folder / "interactions.npz")[:rows]).charts) == 4
 
 
-def test_line_goes_through_its_points():
-    chart = lines(
-        "t", "a", Axis("x", 0.0, 10.0), Axis("y", 0.0, 1.0), {"c": np.array([[0.0, 0.0], [10.0, 1.0]])}
-    )
-    assert chart.series[0].path == f"M{chart.left:.1f} {chart.bottom:.1f}L{chart.right:.1f} {chart.top:.1f}"
+def test_dots_stand_where_their_points_are():
+    points, groups = np.array([[0.0, 0.0], [10.0, 1.0], [11.0, 0.5]]), {"c": np.ones(3, bool)}
+    groups = {"none": ~groups["c"], **groups}
+    chart = dots("t", "a", Axis("x", 0.0, 10.0), Axis("y", 0.0, 1.0), points, groups)
+    (series,) = chart.series
+    assert (series.name, series.colour) == ("c", 1)
+    assert series.path == f"M{chart.left:.1f} {chart.bottom:.1f}h0M{chart.right:.1f} {chart.top:.1f}h0"
     assert [tick.label for tick in chart.x_ticks] == ["0", "2", "4", "6", "8", "10"]
     assert round_values(-0.07, 0.31) == (0.0, 0.1, 0.2, 0.3)
-
-
-def test_learning_curve_is_made_once_and_drawn(folder, monkeypatch):
-    monkeypatch.setitem(REGIMES, "quick", Regime(SMALL, BRIEF, exploration_rate=1e-3))
-    assert neurosym("report", folder, "--curve") == 0
-    curve = read_json(folder / "learning_curve.json", LearningCurve)
-    data = Interactions.load(folder / "interactions.npz")
-    assert [point.interactions for point in curve.points] == [512, len(data) - curve.held_out]
-    assert learning_curve(data) == curve
-    assert "How much of the effect is explained" in (folder / "report.html").read_text()
-    before = (folder / "learning_curve.json").stat().st_mtime_ns
-    assert neurosym("report", folder, "--curve") == 0
-    assert (folder / "learning_curve.json").stat().st_mtime_ns == before
-
-
-def test_learning_curve_ends_with_all_interactions():
-    assert sizes_up_to(9000) == (512, 1024, 2048, 4096, 9000)
-    assert sizes_up_to(4300) == (512, 1024, 2048, 4300)
 
 
 def test_only_the_primitives_that_the_domain_uses_most_are_pictured_where_there_are_many(monkeypatch):

@@ -6,9 +6,8 @@ import numpy as np
 import pytest
 
 from neurosym.errors import InvalidValue
-from neurosym.sim.camera import BLANK
+from neurosym.sim.camera import BLANK, HEIGHT, WIDTH, lens_over
 from neurosym.sim.config import TabletopConfig
-from neurosym.sim.lens import HEIGHT, WIDTH, lens_over
 from neurosym.sim.tabletop import Tabletop
 from neurosym.waypoint_dots import DOT_COLOURS
 from neurosym.world import Frame, Outcome, Scene

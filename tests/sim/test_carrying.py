@@ -6,7 +6,7 @@ from standing import CARRY, CLOSED, FAR, boxes
 
 from neurosym.errors import InvalidValue
 from neurosym.sim.config import TabletopConfig
-from neurosym.sim.opening import grasp_opening
+from neurosym.sim.interaction import _grasp_opening
 from neurosym.sim.simulation import Simulation
 from neurosym.sim.tabletop import Tabletop
 from neurosym.table import Place
@@ -73,13 +73,13 @@ def test_neighbours_two_centimetres_from_the_target_stay_where_they_are(side):
 @pytest.mark.parametrize(("shift", "opening"), [(0.0, 0.031), (0.01, 0.041), (-0.01, 0.041)])
 def test_hand_opens_around_what_it_can_span(shift, opening):
     simulation = Simulation(Tabletop().client(), TabletopConfig(), boxes(BOX))
-    assert grasp_opening(simulation, 0, BOX[5] + shift, 0.07) == pytest.approx(opening, abs=0.003)
+    assert _grasp_opening(simulation, 0, BOX[5] + shift, 0.07) == pytest.approx(opening, abs=0.003)
 
 
 def test_hand_opens_around_the_nearest_wall_of_what_is_too_wide():
     simulation = Simulation(Tabletop().client(), TabletopConfig(), boxes(WIDE))
-    assert grasp_opening(simulation, 0, WIDE[5] + 0.08, 0.07) == pytest.approx(0.011, abs=0.003)
-    assert grasp_opening(simulation, 0, WIDE[5], 0.07) == 0.07
+    assert _grasp_opening(simulation, 0, WIDE[5] + 0.08, 0.07) == pytest.approx(0.011, abs=0.003)
+    assert _grasp_opening(simulation, 0, WIDE[5], 0.07) == 0.07
 
 
 def test_hand_waits_above_a_tower():

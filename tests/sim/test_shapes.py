@@ -5,7 +5,7 @@ import pytest
 
 from neurosym.errors import InvalidValue, NeurosymError
 from neurosym.sim.config import MOST_OBJECTS, TabletopConfig
-from neurosym.sim.landing import landing_shift
+from neurosym.sim.interaction import _landing_shift
 from neurosym.sim.scenes import sample_features, sample_scene
 from neurosym.sim.shapes import OPEN_THROUGH, OPEN_TOP, SHAPES, SOLID, boxes_of
 from neurosym.sim.tabletop import Tabletop
@@ -98,16 +98,16 @@ def tilted_about_x(degrees):
 
 
 def test_what_hangs_straight_does_not_shift():
-    assert landing_shift(np.array([0.1, 0.1, 0.04, 0.0]), np.eye(3)) == pytest.approx([0, 0])
+    assert _landing_shift(np.array([0.1, 0.1, 0.04, 0.0]), np.eye(3)) == pytest.approx([0, 0])
 
 
 @pytest.mark.parametrize("degrees", [10, 30])
 def test_tilted_object_shifts_as_it_turns_about_its_lowest_corner(degrees):
     half_y, half_z, angle = 0.05, 0.02, np.radians(degrees)
     expected = half_y * (1 - np.cos(angle)) + half_z * np.sin(angle)
-    shift = landing_shift(np.array([0.08, 0.1, 0.04, 0.0]), tilted_about_x(degrees))
+    shift = _landing_shift(np.array([0.08, 0.1, 0.04, 0.0]), tilted_about_x(degrees))
     assert shift == pytest.approx([0.0, expected], abs=1e-9)  # its -y side is low and stays where it is
 
 
 def test_object_on_its_side_lands_on_its_side():
-    assert np.abs(landing_shift(np.array([0.1, 0.1, 0.04, 0.0]), tilted_about_x(90))).max() < 1e-9
+    assert np.abs(_landing_shift(np.array([0.1, 0.1, 0.04, 0.0]), tilted_about_x(90))).max() < 1e-9

@@ -1,10 +1,8 @@
-"""What a domain folder holds for other tools: temporal planners, and an editor that draws plans."""
+"""What a domain folder holds for other planners: of durative actions, and without costs."""
 
-import json
 from pathlib import Path
 
 import pytest
-import toy_domain
 import toy_places
 from command_line import neurosym, refusal
 
@@ -12,7 +10,6 @@ from neurosym.files import write_json
 from neurosym.grounding import Grounding
 from neurosym.pddl import problem_text
 from neurosym.pddl.durative import durative_domain_text, durative_problem_text
-from neurosym.pddl.planviz import planviz_json, planviz_script, scenes_of
 from neurosym.planners import PlanStatus
 from neurosym.planners.fast_downward import plan_fast_downward
 from neurosym.problems import Problem
@@ -49,16 +46,16 @@ def test_durative_domain_is_written_if_asked_for_and_kept_up_to_date(folder, cap
     assert f"{folder}/domain-durative.pddl takes 1 of 2 problems" in said
     assert "does so at first: mixed" in said
     learned = Grounding.load(folder / "grounding.json")
-    durative = ("domain-durative.pddl", "domain-durative.planviz.json", "problems/swap.durative.pddl")
+    durative = ("domain-durative.pddl", "problems/swap.durative.pddl")
     assert names(folder, "*durative*") == set(durative)
     assert (folder / durative[0]).read_text() == durative_domain_text(learned)
-    assert (folder / durative[2]).read_text() == durative_problem_text(toy_places.swap(), learned)
+    assert (folder / durative[1]).read_text() == durative_problem_text(toy_places.swap(), learned)
     assert DomainFolder(folder).problem_names() == ("mixed", "swap")
-    for file in (durative[0], durative[2]):
+    for file in durative:
         (folder / file).write_text("stale")
     assert neurosym("compile-domain", folder, *CELL) == 0
     assert (folder / durative[0]).read_text() == durative_domain_text(learned)
-    assert (folder / durative[2]).read_text() == durative_problem_text(toy_places.swap(), learned)
+    assert (folder / durative[1]).read_text() == durative_problem_text(toy_places.swap(), learned)
 
 
 def test_new_problem_has_a_durative_file_while_it_can(folder, tmp_path):
@@ -109,49 +106,8 @@ def test_page_without_costs_is_written_if_asked_for_kept_up_to_date_and_planned_
     assert (folder / "problems/mine.plain.pddl").read_text() == problem_text(mine, learned, costs=False)
 
 
-def test_editor_is_told_what_draws_the_plans_of_each_domain_over_cells_or_places(folder):
-    assert neurosym("compile-domain", folder, *CELL) == 0
-    assert names(folder, "*.planviz.json") == {"domain.planviz.json"}
-    text = (folder / "domain.planviz.json").read_text()
-    assert text == planviz_json()
-    assert (folder / json.loads(text)["customVisualization"]).is_file()
-    learned = Grounding.load(folder / "grounding.json")
-    both = planviz_script(learned, [toy_places.swap(), toy_places.mixed()])
-    assert (folder / "planviz.js").read_text() == both
-
-
-def test_new_problem_is_added_to_the_script_with_the_bytes_that_compiling_gives(folder, tmp_path):
-    assert neurosym("compile-domain", folder, *CELL) == 0
-    scene, script = tmp_path / "mine.json", folder / "planviz.js"
-    toy_places.swap().save(scene)
-    (folder / "problems/swap.scene.json").unlink()
-    assert neurosym("new-problem", folder, "--scene", scene) == 0
-    assert scenes_of(script.read_text()).keys() == {"mixed", "mine"}
-    added = script.read_bytes()
-    assert neurosym("compile-domain", folder, *CELL) == 0
-    assert script.read_bytes() == added
-    script.unlink()
-    (folder / "problems/broken.scene.json").write_text("{")
-    assert neurosym("new-problem", folder, "--scene", scene, "--name", "mine") == 0
-    assert script.read_bytes() == added
-
-
 def test_stage_is_not_out_of_date_for_what_other_tools_read(folder):
     domain = DomainFolder(folder)
     assert domain.perform(compile_stage(domain, cell=0.02, durative=True), again=False)
-    (folder / "planviz.js").unlink()
     (folder / "domain-durative.pddl").unlink()
     assert not domain.perform(compile_stage(domain, cell=0.02), again=False)
-
-
-def test_domain_without_places_is_drawn_over_cells(tmp_path):
-    (tmp_path / "world.toml").write_text('world = "toy"\n')
-    toy_domain.grounding().save(tmp_path / "grounding.json")
-    scene = tmp_path / "mine.json"
-    toy_domain.problem({"item-01": (0.6, 0.16, 0.025)}).save(scene)
-    assert neurosym("new-problem", tmp_path, "--scene", scene) == 0
-    assert names(tmp_path, "*planviz*") == {
-        "planviz.js",
-        "domain.planviz.json",
-    }
-    assert scenes_of((tmp_path / "planviz.js").read_text()).keys() == {"mine"}

@@ -18,6 +18,9 @@ from neurosym.learning.model_config import ModelConfig
 from neurosym.operators import Mode, Operator, Primitive
 from neurosym.place_operators import PlaceOperators
 from neurosym.relation_operators import PairStates, RelationOperators
+from neurosym.stages.aims import TO_OBJECTS
+from neurosym.stages.distilling import distill_stage
+from neurosym.stages.exploring import explore_stage
 from neurosym.stages.folder import DomainFolder, load_scene
 from neurosym.stages.layout import (
     MODEL,
@@ -29,12 +32,8 @@ from neurosym.stages.layout import (
     RELATION_STATES,
 )
 from neurosym.stages.problem_making import Asked, problem_stage
-from neurosym.stages.relating import (
-    distill_relations_stage,
-    explore_relations_stage,
-    train_relations_stage,
-)
 from neurosym.stages.task_drawing import sight_of_pairs
+from neurosym.stages.training import train_stage
 from neurosym.world import World
 from neurosym.worlds.toy_relations import make_world
 
@@ -75,10 +74,10 @@ def folder(tmp_path_factory: pytest.TempPathFactory) -> DomainFolder:
     domain = with_places(tmp_path_factory.mktemp("relations") / "toy")
     options = {"seed": 3, "regime": "quick"}
     domain.perform(
-        explore_relations_stage(domain, strategy="random", steps=STEPS, workers=1, **options), again=True
+        explore_stage(domain, TO_OBJECTS, strategy="random", steps=STEPS, workers=1, **options), again=True
     )
-    domain.perform(train_relations_stage(domain, **options), again=True)
-    domain.perform(distill_relations_stage(domain, pairs=4, seed=3, workers=1), again=True)
+    domain.perform(train_stage(domain, TO_OBJECTS, **options), again=True)
+    domain.perform(distill_stage(domain, TO_OBJECTS, objects=4, seed=3, workers=1), again=True)
     return domain
 
 
@@ -107,7 +106,7 @@ def test_something_is_found_that_brings_pairs_into_a_state(folder: DomainFolder)
 def test_world_without_objects_as_references_is_refused(tmp_path: Path):
     init(tmp_path / "toy", world="toy")
     domain = DomainFolder(tmp_path / "toy")
-    stage = explore_relations_stage(domain, strategy="random", steps=8, seed=0, regime="quick", workers=1)
+    stage = explore_stage(domain, TO_OBJECTS, strategy="random", steps=8, seed=0, regime="quick", workers=1)
     with pytest.raises(InvalidValue, match="takes no object as a reference"):
         domain.perform(stage, again=True)
 
@@ -115,7 +114,7 @@ def test_world_without_objects_as_references_is_refused(tmp_path: Path):
 def test_what_carries_to_places_must_be_known(tmp_path: Path):
     init(tmp_path / "toy", world="toy-relations")
     domain = DomainFolder(tmp_path / "toy")
-    stage = explore_relations_stage(domain, strategy="random", steps=8, seed=0, regime="quick", workers=1)
+    stage = explore_stage(domain, TO_OBJECTS, strategy="random", steps=8, seed=0, regime="quick", workers=1)
     with pytest.raises(NeurosymError, match=r"effect_model\.safetensors"):
         domain.perform(stage, again=True)
 
@@ -128,7 +127,6 @@ def test_whole_way_ends_with_a_domain_of_relations_and_problems_say_what_is_fore
     assert "(:action put " in (folder / "domain.pddl").read_text()
     folder.perform(problem_stage(folder, "drawn", Asked(3, seed=1, task="boxes")), again=False)
     problem = load_scene(folder / "problems/drawn.scene.json")
-    assert isinstance(problem.foreseen, dict)
     assert problem.foreseen.keys() <= problem.pairs.keys()
     (folder / RELATION_CHANCES).unlink()
     sight = sight_of_pairs(folder)

@@ -1,12 +1,15 @@
 """Bodies become closed meshes of their size, labels keep apart, and a drag follows the pointer."""
 
+from types import SimpleNamespace
+
 import numpy as np
 import pytest
 
 from neurosym.poses import Part
-from neurosym.studio.grabbing import Grab, on_plane
-from neurosym.studio.labels import HEIGHT, WIDTH, label_heights
+from neurosym.problems import SceneObject
+from neurosym.studio.grabbing import Grab
 from neurosym.studio.shapes import circle, mesh_of, rectangle, scalar_first
+from neurosym.studio.view import LABEL, View
 
 PARTS = [
     (Part("box", (0.1, 0.2, 0.3)), 0.006),
@@ -17,21 +20,18 @@ PARTS = [
 
 @pytest.mark.parametrize(("part", "volume"), PARTS, ids=[part.kind for part, _ in PARTS])
 def test_mesh_is_closed_and_encloses_the_volume_of_its_body(part, volume):
-    corners, faces = mesh_of([part])
-    a, b, c = (corners[faces[:, column]] for column in range(3))
-    enclosed = np.einsum("ij,ij->i", a, np.cross(b, c)).sum() / 6  # positive if all faces look outwards
-    assert volume * 0.9 < enclosed <= volume * 1.0001
+    mesh = mesh_of([part])
+    assert mesh.is_watertight
+    assert volume * 0.9 < mesh.volume <= volume * 1.0001  # positive, since all faces look outwards
 
 
-def test_parts_stand_where_they_are_put():
+def test_parts_stand_where_they_are_put_and_are_one_mesh():
     half = (0.0, 0.0, np.sin(np.pi / 4), np.cos(np.pi / 4))  # a quarter turn
-    corners, _ = mesh_of([Part("box", (0.2, 0.1, 0.1), (1.0, 2.0, 3.0), half)])
-    assert np.allclose(corners.max(0), [1.05, 2.1, 3.05])
-
-
-def test_several_parts_are_one_mesh():
-    corners, faces = mesh_of([Part("box", (1.0, 1.0, 1.0)), Part("sphere", (1.0,))])
-    assert faces.max() == len(corners) - 1
+    box = Part("box", (0.2, 0.1, 0.1), (1.0, 2.0, 3.0), half)
+    assert np.allclose(mesh_of([box]).bounds[1], [1.05, 2.1, 3.05])
+    both = mesh_of([box, Part("sphere", (1.0,))])
+    assert np.allclose(both.bounds, [[-1.0, -1.0, -1.0], [1.05, 2.1, 3.05]], atol=0.02)
+    assert both.faces.max() == len(both.vertices) - 1
 
 
 def test_outlines_are_closed():
@@ -47,19 +47,27 @@ def test_quaternions_are_turned_around_for_the_page():
 @pytest.mark.parametrize("seed", range(20))
 def test_labels_do_not_cover_each_other(seed):
     rng = np.random.default_rng(seed)
-    spots = {
-        f"item-{number:02d}": ((float(x), float(y), 0.05), 0.1)
-        for number, (x, y) in enumerate(rng.uniform([0.4, -0.3], [1.0, 0.3], (8, 2)))
-    }
-    heights = label_heights(spots)
-    seen = [(spots[name][0][1], height + 0.7 * spots[name][0][0]) for name, height in heights.items()]
+    items = labelled(rng.uniform([0.4, -0.3], [1.0, 0.3], (8, 2)))
+    seen = [(y, z + 0.7 * x) for x, y, z in items]
     for number, (side, height) in enumerate(seen):
         for other_side, other in seen[number + 1 :]:
-            assert abs(side - other_side) >= WIDTH or abs(height - other) >= HEIGHT - 1e-9
+            assert abs(side - other_side) >= LABEL[0] or abs(height - other) >= LABEL[1] - 1e-9
 
 
 def test_label_of_a_lone_object_is_right_above_it():
-    assert label_heights({"item-01": ((0.6, 0.0, 0.05), 0.1)})["item-01"] == pytest.approx(0.13)
+    assert labelled([(0.6, 0.0)]) == [pytest.approx((0.6, 0.0, 0.13))]
+
+
+def labelled(spots) -> list[tuple[float, float, float]]:
+    """Where the labels of objects stand that are 0.1 m high [m]."""
+    view = View.__new__(View)
+    items = [
+        SceneObject(f"item-{number}", "0", (0.1, 0.1, 0.1), (float(x), float(y), 0.05))
+        for number, (x, y) in enumerate(spots)
+    ]
+    view._labels = {item.name: SimpleNamespace() for item in items}
+    view._place_labels(items)
+    return [label.position for label in view._labels.values()]
 
 
 def test_pointer_that_moves_over_the_table_moves_what_was_grabbed_by_as_much():
@@ -69,6 +77,6 @@ def test_pointer_that_moves_over_the_table_moves_what_was_grabbed_by_as_much():
     assert grab.to(ahead) == pytest.approx((0.68, 0.12))
 
 
-def test_line_of_sight_that_misses_the_plane_moves_nothing():
-    assert on_plane((0, 0, 1), (1, 0, 1), 0.0) is None
-    assert on_plane((0, 0, 1), (1, 0, 2), 0.0) is None
+@pytest.mark.parametrize("point", [(1, 0, 1), (1, 0, 2)])
+def test_line_of_sight_that_misses_the_level_moves_nothing(point):
+    assert Grab((0, 0, 1), (0, 0, 0), (0, 0, 0)).to(point) is None

@@ -31,18 +31,17 @@ class Inner(BaseHTTPRequestHandler):
 
 
 class Pages:
-    """A doorman of pages that are all served in one place."""
+    """Pages that are all served in one place, so many at most."""
 
-    def __init__(self, port: int):
-        self.port, self.links, self.open = port, [], set()
+    def __init__(self, port: int, most: int):
+        self.port, self.most, self.open = port, most, []
 
-    def open_page(self, link: str = "") -> str:
+    def open_page(self) -> str:
         """Make a page."""
-        if link.endswith("bad"):
-            raise InvalidValue("The link holds <no> scene.")
-        self.links.append(link)
-        self.open.add(f"page{len(self.links)}")
-        return f"page{len(self.links)}"
+        if len(self.open) == self.most:
+            raise InvalidValue("There is no room for <another> page.")
+        self.open.append(f"page{len(self.open) + 1}")
+        return self.open[-1]
 
     def port_of(self, page: str) -> int | None:
         """Say where it is."""
@@ -50,11 +49,11 @@ class Pages:
 
 
 @contextmanager
-def door(host: str = "127.0.0.1") -> Iterator[tuple[Front, Pages]]:
+def door(host: str = "127.0.0.1", most: int = 9) -> Iterator[tuple[Front, Pages]]:
     inner = HTTPServer(("127.0.0.1", 0), Inner)
     threading.Thread(target=inner.serve_forever, daemon=True).start()
-    pages = Pages(inner.server_port)
-    front = Front(pages, host)
+    pages = Pages(inner.server_port, most)
+    front = Front(pages.open_page, pages.port_of, host)
     front.start()
     try:
         yield front, pages
@@ -88,7 +87,7 @@ def test_new_browser_gets_a_page_and_the_same_one_again():
         assert "HttpOnly" in headers["set-cookie"]
         assert asked(front, "/", Cookie=cookie)[1]["location"] == "/page/page1/"
         assert asked(front, "/")[1]["location"] == "/page/page2/"
-        assert len(pages.links) == 2
+        assert len(pages.open) == 2
 
 
 def test_page_is_asked_for_what_stands_after_its_name():
@@ -106,18 +105,11 @@ def test_unknown_page_is_said_with_a_way_back():
         assert 'href="/"' in text
 
 
-def test_link_opens_a_page_of_its_own_even_for_a_known_browser():
-    with door() as (front, pages):
-        cookie = asked(front, "/")[1]["set-cookie"].split(";")[0]
-        assert asked(front, "/open/abc", Cookie=cookie)[1]["location"] == "/page/page2/"
-        assert pages.links == ["", "/open/abc"]
-
-
-def test_bad_link_is_told_and_never_as_markup():
-    with door() as (front, _):
-        status, _, text = asked(front, "/open/bad")
+def test_page_that_cannot_be_is_told_and_never_as_markup():
+    with door(most=0) as (front, _):
+        status, _, text = asked(front, "/")
         assert status == 400
-        assert "&lt;no&gt;" in text
+        assert "&lt;another&gt;" in text
 
 
 @pytest.mark.parametrize(
@@ -126,7 +118,7 @@ def test_bad_link_is_told_and_never_as_markup():
 def test_request_of_another_site_is_refused(headers):
     with door() as (front, pages):
         assert asked(front, "/", **headers)[0] == 403
-        assert pages.links == []
+        assert pages.open == []
 
 
 def test_other_machines_must_know_the_token():
@@ -136,7 +128,7 @@ def test_other_machines_must_know_the_token():
         status, headers, _ = asked(front, f"/?token={front.token}")
         assert (status, headers["location"]) == (303, "/page/page1/")
         assert asked(front, "/", Cookie=f"neurosym-token={front.token}")[0] == 303
-        assert len(pages.links) == 2
+        assert len(pages.open) == 2
 
 
 @pytest.mark.parametrize("raw", [b"\r\n\r\n", b"GET\r\n\r\n", b"\x16\x03\x01\r\n\r\n", b"A" * 70_000])
@@ -152,7 +144,7 @@ def test_what_is_no_request_is_answered_or_dropped(raw):
 
 def test_taken_port_is_one_sentence():
     with door() as (front, pages), pytest.raises(CannotStart, match="in use"):
-        Front(pages, "127.0.0.1", front.port).start()
+        Front(pages.open_page, pages.port_of, "127.0.0.1", front.port).start()
 
 
 def test_this_machine_is_known_by_its_names():

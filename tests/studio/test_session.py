@@ -1,22 +1,18 @@
 """What a page does, without a browser: set the table, plan, run, nudge, stop, and take everything away."""
 
-import io
-import json
-import zipfile
 from pathlib import Path
 
 import msgspec
 import pytest
 from command_line import neurosym
-from places import SHIPPED
+from places import ROOT, SHIPPED
 from studio_pages import planned, ran, session_on, shipped_library, toy_library, wait_for, workers
 
-from neurosym.execution.record import Run
 from neurosym.planners import PlanStatus
+from neurosym.problems import Problem
 from neurosym.studio import setting
-from neurosym.studio.recording import recording_of
 from neurosym.studio.session import Session
-from neurosym.studio.take_away import link_of, record_of, scene_of, zip_of
+from neurosym.studio.symbols import promises_for
 
 
 @pytest.fixture(scope="module")
@@ -83,7 +79,7 @@ def test_object_without_a_network_is_of_the_likest_category(toy):
     toy.resize("item-01", (0.06, 0.05, 0.05, 0.0))
     assert toy.problem.object_named("item-01").category == "00"
     assert toy.library.margins((0.06, 0.05, 0.05, 0.0)) == ()
-    assert "effect_model" in toy.library.damage.sentences[0]
+    assert "effect_model" in toy.library.damage[0]
 
 
 def test_plan_is_made_and_run_and_its_goal_reached(toy):
@@ -95,26 +91,34 @@ def test_plan_is_made_and_run_and_its_goal_reached(toy):
     assert not toy.word.is_bad
 
 
-def test_two_planners_are_asked_one_after_the_other(toy):
-    toy.plan("counting", "fast-downward")
-    wait_for(lambda: len(toy.plans) == 2)
-    assert toy.chosen == "counting"
-    toy.choose("fast-downward")
+def test_plans_of_two_planners_are_kept_beside_each_other(toy):
+    planned(toy, "counting")
+    planned(toy, "fast-downward")
+    assert list(toy.plans) == ["counting", "fast-downward"]
     assert toy.plan_shown.record.planner == "fast-downward"
+    toy.choose("counting")
+    assert toy.plan_shown.record.planner == "counting"
 
 
-def test_planner_that_there_is_not_is_said(toy):
+def test_what_cannot_be_planned_is_said(toy):
     toy.plan("no-such-planner")
     wait_for(lambda: not toy.is_planning)
     assert toy.word.is_bad
     assert "no-such-planner" in toy.word.text
-
-
-def test_no_goal_is_said_before_anything_is_planned(toy):
     toy.remove_goal("item-01")
     toy.plan("counting")
     assert "No object has a goal" in toy.word.text
     assert not toy.is_planning
+
+
+def waiting(session):
+    """Begin a run that waits before its first step."""
+    planned(session, "counting")
+    session.running.set_speed(0.0)
+    session.running.pause()
+    session.running.begin()
+    wait_for(lambda: session.running.number == 1)
+    return session
 
 
 def test_goal_out_of_reach_can_be_exchanged_for_the_nearest(toy):
@@ -133,11 +137,7 @@ def test_goal_out_of_reach_can_be_exchanged_for_the_nearest(toy):
 
 
 def test_nudge_during_a_run_calls_for_a_new_plan_with_its_reason(toy):
-    planned(toy, "counting")
-    toy.running.set_speed(0.0)
-    toy.running.pause()
-    toy.running.begin()
-    wait_for(lambda: toy.running.number == 1)
+    waiting(toy)
     toy.move("item-01", 0.6, -0.08)
     wait_for(lambda: toy.running.rest.positions[0, 1] < 0)
     assert toy.running.replannings == []
@@ -150,11 +150,7 @@ def test_nudge_during_a_run_calls_for_a_new_plan_with_its_reason(toy):
 
 
 def test_run_goes_step_by_step(toy):
-    planned(toy, "counting")
-    toy.running.set_speed(0.0)
-    toy.running.pause()
-    toy.running.begin()
-    wait_for(lambda: toy.running.number == 1)
+    waiting(toy)
     assert toy.running.records == []
     toy.running.one_step()
     wait_for(lambda: len(toy.running.records) == 1)
@@ -164,10 +160,7 @@ def test_run_goes_step_by_step(toy):
 
 
 def test_table_is_not_set_while_a_plan_runs(toy):
-    planned(toy, "counting")
-    toy.running.pause()
-    toy.running.begin()
-    before = toy.problem
+    before = waiting(toy).problem
     toy.aim("item-01", 0.5, 0.0)
     toy.add((0.05, 0.05, 0.05, 0.0))
     toy.move("item-01", 5.0, 0.0)
@@ -178,11 +171,8 @@ def test_table_is_not_set_while_a_plan_runs(toy):
 
 
 def test_dead_process_ends_its_run_only(toy):
-    planned(toy, "counting")
-    toy.running.pause()
-    toy.running.begin()
-    wait_for(lambda: toy.running.number == 1)
-    toy.running._ticket._child.process.kill()
+    waiting(toy)
+    toy.running.ticket._child.process.kill()
     wait_for(lambda: not toy.running.is_active)
     assert "try again" in toy.word.text
     toy.running.resume()
@@ -212,7 +202,8 @@ def test_record_is_byte_for_byte_what_the_command_line_writes(tabletop, tmp_path
     assert (tabletop.room.path / tabletop.plan_shown.plan_file).read_text() == Path(plan).read_text()
     ran(tabletop)
     assert tabletop.running.seen
-    assert record_of(tabletop) == (tmp_path / f"tabletop/runs/{name}.fast-downward.run.json").read_bytes()
+    record = (tabletop.room.path / tabletop.running.file).read_bytes()
+    assert record == (tmp_path / f"tabletop/runs/{name}.fast-downward.run.json").read_bytes()
 
 
 def test_shipped_run_is_replayed_and_the_same(tabletop):
@@ -230,40 +221,33 @@ def test_nothing_is_written_into_the_shipped_domain(tabletop):
     assert "never written into" in tabletop.word.text
     planned(tabletop, "fast-downward")
     ran(tabletop)
-    zip_of(tabletop)
     assert {path: path.stat().st_mtime_ns for path in SHIPPED.rglob("*")} == before
 
 
-def test_flipped_bit_differs_by_one_size(tabletop):
-    tabletop.load("task-02")
-    before = tabletop.problem.objects[0]
-    tabletop.flip(before.name)
-    after = tabletop.problem.objects[0]
-    assert after.category != before.category
-    changed = [one != other for one, other in zip(before.features, after.features, strict=True)]
-    assert sum(changed) == 1
-    margins = tabletop.library.margins(after.features)
-    assert "".join("1" if margin > 0 else "0" for margin in margins) == after.category
+def test_margins_say_on_which_side_of_its_flip_each_bit_is(tabletop):
+    for item in tabletop.library.load_problem("task-20").objects:
+        margins = tabletop.library.margins(item.features)
+        assert "".join("1" if margin > 0 else "0" for margin in margins) == item.category
 
 
-def test_tasks_are_drawn_as_the_command_line_draws_them(tabletop, tmp_path, monkeypatch):
+@pytest.mark.parametrize(("domain", "kind"), [("tabletop", "row"), ("towers", "tower")])
+def test_tasks_are_drawn_as_the_command_line_draws_them(both, tmp_path, monkeypatch, domain, kind):
     monkeypatch.chdir(tmp_path)
-    assert (
-        neurosym(
-            "new-problem", "tabletop", "--name", "drawn-row-3-4", "--objects", 3, "--seed", 4, "--task", "row"
-        )
-        == 0
-    )
-    tabletop.draw(3, 4, "row")
-    wait_for(lambda: tabletop.problem.name == "drawn-row-3-4")
-    made = json.loads((tmp_path / "tabletop/problems/drawn-row-3-4.scene.json").read_text())
-    assert json.loads(msgspec.json.encode(tabletop.problem))["objects"] == made["objects"]
+    name = f"drawn-{kind}-3-4"
+    asked = ("--name", name, "--objects", 3, "--seed", 4, "--task", kind)
+    assert neurosym("new-problem", domain, *asked) == 0
+    with session_on(shipped_library(ROOT / "domains" / domain), both) as session:
+        session.draw(3, 4, kind)
+        wait_for(lambda: session.problem.name == name)
+        assert session.problem == Problem.load(tmp_path / domain / "problems" / f"{name}.scene.json")
+        session.draw(9, 4, kind)
+        assert "valid: 1 to 8" in session.word.text
 
 
 def test_motion_is_tried_on_an_object(tabletop):
     tabletop.load("task-02")
     item = tabletop.problem.objects[0]
-    promise = next(one for one in tabletop.promises(item.name) if one.lifts)
+    promise = next(one for one in promises_for(item, tabletop.library) if one.lifts)
     action = tabletop.library.grounding.primitive_of(promise.operator).action
     tabletop.running.set_speed(0.0)
     tabletop.running.perform(item.name, action)
@@ -273,35 +257,11 @@ def test_motion_is_tried_on_an_object(tabletop):
 
 def test_interaction_of_the_data_happens_again(tabletop):
     tabletop.running.set_speed(0.0)
-    tabletop.running.recall(tabletop.library.telling_row("held"))
+    tabletop.running.recall(int(tabletop.library.interactions.held.argmax()))
     wait_for(lambda: not tabletop.running.is_active)
     assert tabletop.running.outcome.kind == "held"
-    assert tabletop.word.text.startswith("the effect is")
-
-
-def test_zip_holds_what_another_planner_needs(toy):
-    planned(toy, "counting")
-    ran(toy)
-    with zipfile.ZipFile(io.BytesIO(zip_of(toy))) as archive:
-        names = set(archive.namelist())
-        run = msgspec.json.decode(archive.read("runs/errand.counting.run.json"), type=Run)
-    assert {"domain.pddl", "problems/errand.pddl", "plans/errand.counting.plan"} <= names
-    assert run.reached
-
-
-def test_link_brings_the_scene_back(toy):
-    assert scene_of(link_of(toy.problem)) == toy.problem
-    assert len(link_of(toy.problem)) < 800
-
-
-def test_run_is_recorded_as_one_page_that_needs_nothing_else(tabletop):
-    tabletop.load("task-02")
-    planned(tabletop, "fast-downward")
-    ran(tabletop)
-    page = recording_of(tabletop).decode()
-    assert page.startswith("<!")
-    assert 500_000 < len(page) < 2_000_000
-    assert "__VISER_EMBED_DATA__" in page
+    assert tabletop.word.text.startswith("it ended held: ")
+    assert "; the effect is" in tabletop.word.text
 
 
 def test_saved_problem_lies_in_the_domain_folder(toy):

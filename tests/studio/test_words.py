@@ -7,15 +7,12 @@ from toy_relations import LIE, PUT_IN, REST
 
 from neurosym.execution.executor import execute
 from neurosym.execution.record import Replanning, Run
-from neurosym.pddl.strips_plan import action_for
 from neurosym.planners import PlanStatus, plan
-from neurosym.reading import read_json, read_text
+from neurosym.reading import read_json
 from neurosym.stages.plan_records import PlanRecord
 from neurosym.studio import words
 from neurosym.studio.words import (
-    action_of,
     bits_row,
-    pddl,
     plan_summary,
     plan_table,
     run_summary,
@@ -41,7 +38,7 @@ def test_markup_and_control_characters_become_text():
     [
         words.replanning_list([Replanning(2, EVIL, (), EVIL)]),
         plan_summary(PlanRecord("a", EVIL, PlanStatus.FAILED, (), 0.1, EVIL)),
-        pddl(EVIL + "; " + EVIL),
+        words.preformatted(EVIL),
         words.table([EVIL], [], label=EVIL),
         words.coloured(EVIL, "red"),
     ],
@@ -107,28 +104,6 @@ def test_every_step_of_a_run_is_told_with_its_promise():
     assert told.count("as promised") == sum(step.as_promised for step in RUN.steps)
     assert "held" in told
     assert "goal reached" in run_summary(RUN)
-
-
-def test_pddl_loses_no_character():
-    text = "(:action a ; why\n  :parameters (?o - thing))\n"
-    plain = pddl(text)
-    for tag in ("<span", "</span>", "<pre", "</pre>"):
-        assert tag in plain
-    import html
-    import re
-
-    assert html.unescape(re.sub(r"<[^>]*>", "", plain)) == text
-
-
-def test_action_of_an_operator_is_found_with_its_comment():
-    domain = read_text(LIBRARY.folder / "domain.pddl")
-    for operator in LIBRARY.grounding.live[:5]:
-        name = action_for(operator.name, LIBRARY.grounding)
-        action = action_of(domain, name)
-        assert f"(:action {name} ; begin to {name}" in action
-        assert action.count("(") == action.count(")")
-        assert action.rstrip().endswith(")")
-    assert action_of(domain, "no-such-action") == ""
 
 
 def test_bit_that_is_near_its_flip_has_another_colour():

@@ -4,10 +4,8 @@ import msgspec
 import pytest
 from studio_pages import shipped_library, toy_library, wait_for
 
-from neurosym.errors import NeurosymError
 from neurosym.studio.messages import Controls, Failed, Make, RunPlan, Seen
-from neurosym.studio.rooms import Room
-from neurosym.studio.take_away import link_of, scene_of
+from neurosym.studio.session import Room
 from neurosym.studio.workers import DIED, STOPPED, Workers
 
 
@@ -92,25 +90,3 @@ def test_room_looks_like_the_domain_and_is_written_alone():
         room.close()
     assert not room.path.exists()
     assert (library.folder / "domain.pddl").is_file()
-
-
-@pytest.mark.parametrize("link", ["", "abc", "A" * 20_000, "%00", "<script>", "eJzT0yMAAGTvBe8"])
-def test_link_that_holds_no_scene_is_refused_in_a_sentence(link):
-    with pytest.raises(NeurosymError):
-        scene_of(link)
-
-
-def test_link_that_unpacks_to_too_much_is_refused():
-    import base64
-    import zlib
-
-    bomb = base64.urlsafe_b64encode(zlib.compress(b" " * 3_000_000, 9)).decode().rstrip("=")
-    with pytest.raises(NeurosymError, match="more than"):
-        scene_of(bomb)
-
-
-def test_links_of_eight_objects_are_short_enough_for_a_browser():
-    problem = shipped_library().load_problem("task-20")
-    link = link_of(problem)
-    assert scene_of(link) == problem
-    assert len(link) < 3000

@@ -6,7 +6,7 @@ import pytest
 from tables import grounding, problem
 
 from neurosym.errors import InvalidValue
-from neurosym.pddl.encodings import print_ground_plan
+from neurosym.pddl.encodings import ground_plan
 from neurosym.pddl.plan_reading import parse_plan, read_plan
 from neurosym.tasks.steps import PlanStep, print_plan
 
@@ -29,4 +29,4 @@ def test_operator_left_out_of_the_domain_may_be_in_a_plan_but_has_no_cells():
     stay = PlanStep("stay-111-block", "item-01")
     assert read("(stay-111-block item-01)") == (stay,)
     with pytest.raises(InvalidValue, match="stay-111-block is not in the domain"):
-        print_ground_plan([stay], problem(), grounding())
+        ground_plan([stay], problem(), grounding())

@@ -16,12 +16,12 @@ from neurosym.pddl.chances import expected_success
 from neurosym.pddl.encodings import ground_plan
 from neurosym.planners.registry import plan
 from neurosym.problems import Problem
-from neurosym.tasks import goal_spots
+from neurosym.tasks import places
 from neurosym.tasks.task import understand
 from neurosym.tasks.transition import validate
 
 DOMAINS = ROOT / "domains"
-COUNTED = ((goal_spots, "goal_spots"), (related, "describe_pair"), (pair_sight, "nearest_kinds"))
+COUNTED = ((places, "goal_spots"), (related, "describe_pair"), (pair_sight, "nearest_kinds"))
 
 
 def loaded(domain: str, name: str) -> tuple[Problem, Grounding]:

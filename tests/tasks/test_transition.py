@@ -5,6 +5,7 @@ import pytest
 from tables import DOWN, LEFT, LIFT, PULL, PUSH, TRAY_LEFT, crossing, grounding, item, mode, problem
 
 from neurosym.execution.reasons import why_missed
+from neurosym.execution.record import Run
 from neurosym.planners import plan
 from neurosym.problems import Problem
 from neurosym.table import Table
@@ -52,9 +53,8 @@ def test_miss_by_less_than_is_printed_does_not_look_allowed():
     x, y, z = item.position
     near = msgspec.structs.replace(problem(), goals={"item-01": (x + 0.0502, y, z)})
     assert validate([], near, grounding()).reason == "item-01 ends 50.2 mm from its goal, 50 mm are allowed"
-    assert why_missed("plan", [], [], {"item-01": 0.0502}, 0.05).startswith(
-        "item-01 is 50.2 mm from its goal (50 mm allowed)"
-    )
+    run = Run("", (), (), False, {"item-01": 0.0502}, "", ended="plan")
+    assert why_missed(run, near, grounding()).startswith("item-01 is 50.2 mm from its goal (50 mm allowed)")
 
 
 def test_operator_without_a_promise_cannot_be_replayed():

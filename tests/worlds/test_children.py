@@ -6,24 +6,29 @@ import subprocess
 from pathlib import Path
 
 import pytest
-from child_deeds import killed, never_up
 
 from neurosym.errors import CannotStart
-from neurosym.worlds import host
 from neurosym.worlds.children import Child
 
 
 @pytest.mark.parametrize(
-    ("serve", "said"),
+    ("deed", "said"),
     [
-        (never_up, "ImportError: libtorch_cpu.so: failed to map segment from shared object"),
-        (killed, "killed by SIGKILL"),
+        (
+            "raise ImportError('libtorch_cpu.so: failed to map segment from shared object')",
+            "ImportError: libtorch_cpu.so: failed to map segment from shared object",
+        ),
+        ("import os\nos.kill(os.getpid(), 9)", "killed by SIGKILL"),
     ],
 )
-def test_a_process_that_does_not_come_up_is_told_of(serve, said: str, capfd: pytest.CaptureFixture[str]):
-    child = Child(serve)
+def test_a_process_that_does_not_come_up_is_told_of(
+    deed: str, said: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capfd: pytest.CaptureFixture[str]
+):
+    (tmp_path / "first_deed.py").write_text(deed)
+    monkeypatch.syspath_prepend(tmp_path)
+    child = Child("first_deed")
     with pytest.raises(CannotStart) as refusal:
-        child.send("anything")
+        child.ask(int)
     assert str(refusal.value) == (
         f"No process can be started: {said}; allow more processes, files or memory (ulimit -a)."
     )
@@ -42,14 +47,14 @@ def test_ctrl_c_while_a_process_is_started_is_heard(monkeypatch: pytest.MonkeyPa
     heard = signal.signal(signal.SIGINT, signal.default_int_handler)
     try:
         with pytest.raises(KeyboardInterrupt):
-            Child(host.serve)
+            Child()
     finally:
         signal.signal(signal.SIGINT, heard)
 
 
 def test_no_descriptor_is_left():
     before = descriptors()
-    child = Child(host.serve)
+    child = Child()
     child.close()
     assert descriptors() == before
 

@@ -10,7 +10,7 @@ from command_line import neurosym, refusal
 from places import DOCS
 
 from neurosym.data.interactions import Interactions
-from neurosym.worlds.world_file import read_world, write_world
+from neurosym.worlds.world_file import default_text, read_world
 
 DOCUMENT = DOCS / "own-world.md"
 SLIDER = '''
@@ -192,7 +192,7 @@ def test_domain_folder_without_an_init_file_cannot_bring_its_own_code_either(her
 
 
 def test_run_refuses_another_world_of_ones_own_than_the_folders(here, capsys):
-    write_world(here / "world.toml", "toy")
+    (here / "world.toml").write_text(default_text("toy", here))
     said = refusal(capsys, "run", here, "--world", "slider:make")
     assert "of the world 'toy', not 'slider:make'" in said
 

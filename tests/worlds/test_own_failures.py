@@ -229,7 +229,7 @@ def test_a_module_that_ends_its_process_when_imported_is_told(here, capsys):
 
 def test_no_process_is_left(here):
     made = factory(here)
-    number = made().process.number
+    number = made().process.child.process.pid
     assert Path(f"/proc/{number}").exists()
     del made
     gc.collect()
@@ -241,7 +241,7 @@ def test_a_world_ends_with_the_process_that_asks_it(here):
 import os, signal
 from pathlib import Path
 from neurosym.worlds.hosted import OwnFactory
-print(OwnFactory("bad_worlds:make", {}, Path("domain"))().process.number, flush=True)
+print(OwnFactory("bad_worlds:make", {}, Path("domain"))().process.child.process.pid, flush=True)
 os.kill(os.getpid(), signal.SIGKILL)
 """
     ended = subprocess.run([sys.executable, "-c", program], stdout=subprocess.PIPE, text=True)

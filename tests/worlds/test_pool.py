@@ -50,13 +50,13 @@ def test_a_second_process_that_cannot_be_started_is_told_and_the_first_ended(
 
 
 def test_what_a_worker_prints_is_seen(capfd: pytest.CaptureFixture[str]):
-    with worker_pool(2, int, ()) as submit:
+    with worker_pool(2) as submit:
         assert submit(is_up).result() != os.getpid()
     assert capfd.readouterr().err == "seen\n"
 
 
 def test_an_answer_that_cannot_be_sent_is_an_error_of_its_work():
-    with pytest.raises(AttributeError, match="local object"), worker_pool(1, int, ()) as submit:
+    with pytest.raises(AttributeError, match="local object"), worker_pool(1) as submit:
         submit(unreadable).result()
 
 
@@ -67,7 +67,7 @@ def double(number):
     return 2 * number
 
 def main():
-    with worker_pool(2, int, ()) as submit:
+    with worker_pool(2) as submit:
         print(submit(double, 4).result())
 
 """

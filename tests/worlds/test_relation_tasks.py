@@ -66,7 +66,7 @@ def test_stacks_stand_at_the_start():
 
 
 def test_task_like_another_scene_asks_for_what_bears_what_there():
-    other = msgspec.structs.replace(sorting(), relations=msgspec.UNSET)
+    other = msgspec.structs.replace(sorting(), relations=())
     problem = drawn("like", objects=5, like=other)
     assert set(problem.related) == {("item-01", "item-02", REST), ("item-02", "item-03", REST)}
     assert not bearers_of(problem, grounding().relations)

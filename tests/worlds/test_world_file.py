@@ -5,7 +5,11 @@ import pickle
 import pytest
 
 from neurosym.errors import InvalidFile, UnknownChoice
-from neurosym.worlds.world_file import WORLDS, make_world, read_world, write_world
+from neurosym.worlds.world_file import WORLDS, default_text, make_world, read_world
+
+
+def write_world(path, name):
+    path.write_text(default_text(name, path.parent))
 
 
 @pytest.mark.parametrize("name", sorted(WORLDS))

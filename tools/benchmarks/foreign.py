@@ -72,10 +72,7 @@ class Printed:
     plain: bool = False
 
 
-FILES = (
-    Printed("domain.pddl", ".pddl"),
-    Printed("domain-plain.pddl", ".plain.pddl", plain=True),
-)
+FILES = (Printed("domain.pddl", ".pddl"), Printed("domain-plain.pddl", ".plain.pddl", plain=True))
 """The files that are looked for, in this order; planners that take no costs look for plain ones first."""
 
 
@@ -159,9 +156,6 @@ def shipped(domains: Path) -> list[str]:
 
     Only those with a shipped plan count, where there are any. Of those with as many objects, the first by
     name counts that was not chosen yet.
-
-    Args:
-        domains: Folder of the domains.
     """
     chosen = []
     for domain in DOMAINS:
@@ -194,13 +188,7 @@ def _files(folder: Path, name: str, costs: bool = True) -> tuple[Path, Path, boo
 
 
 def task_of(domains: Path, problem: str, costs: bool) -> Task:
-    """Read a printed problem.
-
-    Args:
-        domains: Folder of the domains.
-        problem: Its domain and name, with a slash between.
-        costs: Whether costs may be told in it.
-    """
+    """Read a printed problem."""
     domain, _, name = problem.partition("/")
     files = _files(domains / domain, name, costs)
     if files is None:
@@ -320,23 +308,13 @@ def _text(path: Path) -> str:
 
 
 def plan_in(folder: Path, planner: Planner) -> list[Action] | None:
-    """Read the plan that a planner left; None if it left none.
-
-    Args:
-        folder: Where it was called.
-        planner: The planner.
-    """
+    """Read the plan that a planner left; None if it left none."""
     files = [path for path in sorted(folder.glob(planner.plans)) if path.is_file()]
     return (steps_in(_text(files[-1])) or None) if files else None
 
 
 def judged(task: Task, plan: list[Action] | None) -> dict[str, Any]:
-    """Say whether a plan is valid by the printed files, and what it costs.
-
-    Args:
-        task: The task.
-        plan: The plan, if there is one.
-    """
+    """Say whether a plan is valid by the printed files, and what it costs."""
     if plan is None:
         return {"plan_length": None, "cost": None, "valid": None, "judge": "", "error": ""}
     told = {"plan_length": len(plan), "cost": cost_of(task, plan)}
@@ -348,12 +326,7 @@ def judged(task: Task, plan: list[Action] | None) -> dict[str, Any]:
 
 
 def cost_of(task: Task, plan: Sequence[Action]) -> float | None:
-    """Add up what the steps of a plan cost by the printed files; None where these tell no costs.
-
-    Args:
-        task: The task.
-        plan: The plan.
-    """
+    """Add up what the steps of a plan cost by the printed files; None where these tell no costs."""
     parts = tree_of(task.domain)
     actions = {str(part[1]): part for part in parts if part[0] == ":action" and isinstance(part, list)}
     start = next(part for part in tree_of(task.problem) if part[0] == ":init")
@@ -385,11 +358,7 @@ def _words(tree: "Tree | str") -> tuple[str, ...]:
 
 
 def totals(found: Iterable[Mapping[str, Any]]) -> dict[str, Any]:
-    """Add up what a planner made of the problems.
-
-    Args:
-        found: Figures of each problem.
-    """
+    """Add up what a planner made of the problems."""
     rows = list(found)
     solved = [row for row in rows if row["status"] == "solved"]
     return {
@@ -403,11 +372,7 @@ def totals(found: Iterable[Mapping[str, Any]]) -> dict[str, Any]:
 
 
 def page(figures: Mapping[str, Any]) -> str:
-    """Write the tables.
-
-    Args:
-        figures: All that was found.
-    """
+    """Write the tables."""
     found: Mapping[str, Any] = figures["planners"]
     rows = [[name, one["version"], one["call"], *_summary(one)] for name, one in found.items()]
     parts = [

@@ -8,15 +8,70 @@ import zipfile
 from collections.abc import Callable, Mapping
 from concurrent.futures import Future, ProcessPoolExecutor, as_completed
 from concurrent.futures.process import BrokenProcessPool
+from dataclasses import dataclass
 from multiprocessing import get_context
 from pathlib import Path
 from typing import Any
 
 from neurosym.console import progress_bar, say
 from neurosym.distribution import version_of
+from neurosym.execution.machine import this_machine
 from neurosym.files import write_atomically
 
 Job = Callable[[], Any]
+
+
+def nothing() -> None:
+    """Report nothing."""
+
+
+@dataclass(frozen=True)
+class Evaluation:
+    """An evaluation that goes on where it was interrupted: jobs in a working folder, and what came of them.
+
+    Attributes:
+        name: What its files are called.
+        work: The working folder; its jobs lie in `jobs`.
+        results: Folder for NAME.json, NAME.md, and NAME-records.zip, with which another machine goes on.
+        workers: How many jobs are done at once.
+    """
+
+    name: str
+    work: Path
+    results: Path
+    workers: int = 1
+
+    def __post_init__(self) -> None:
+        self.jobs.mkdir(parents=True, exist_ok=True)
+        self.results.mkdir(parents=True, exist_ok=True)
+        unpack(self.results / f"{self.name}-records.zip", self.jobs)
+
+    @property
+    def jobs(self) -> Path:
+        """Folder of the jobs that are done."""
+        return self.work / "jobs"
+
+    def perform(
+        self,
+        jobs: Mapping[str, Job],
+        label: str,
+        report: Callable[[], None] = nothing,
+        *,
+        fresh: bool = False,
+    ) -> None:
+        """Do the jobs that were not done; see `perform`."""
+        perform(self.jobs, jobs, self.workers, report, fresh=fresh, label=label)
+
+    def found(self) -> dict[str, Any]:
+        """Read what the jobs found that are done, by name."""
+        return load_jobs(self.jobs)
+
+    def write(self, summary: Any, page: str, *, records: bool = True) -> None:
+        """Write what came of it: figures, a page, and the jobs themselves."""
+        if records:
+            pack(self.jobs, self.results / f"{self.name}-records.zip")
+        write_atomically(self.results / f"{self.name}.json", as_text(summary))
+        write_atomically(self.results / f"{self.name}.md", page)
 
 
 def perform(
@@ -31,14 +86,6 @@ def perform(
     """Do the jobs that were not done, some at once, each to a file of its own.
 
     A job that fails is told of and left undone; the others go on.
-
-    Args:
-        folder: Where the files go.
-        jobs: The jobs by name; each returns what JSON can hold.
-        workers: How many at once.
-        report: Called after each.
-        fresh: Whether each job gets a process of its own, so that its memory can be told.
-        label: What is shown beside the progress.
     """
     left = {name: job for name, job in jobs.items() if not (folder / f"{name}.json").exists()}
     if not left:
@@ -68,8 +115,8 @@ def _keep(path: Path, future: "Future[Any]") -> None:
 
 
 def as_text(values: Any) -> str:
-    """Print values as indented JSON."""
-    return json.dumps(values, indent=1) + "\n"
+    """Print values as indented JSON, those of numpy, too."""
+    return json.dumps(values, indent=1, default=lambda value: value.tolist()) + "\n"
 
 
 def load_jobs(folder: Path) -> dict[str, Any]:
@@ -78,13 +125,7 @@ def load_jobs(folder: Path) -> dict[str, Any]:
 
 
 def pack(folder: Path, archive: Path, kind: str = "*.json") -> None:
-    """Put the files of all jobs that are done into an archive; the same files give the same bytes.
-
-    Args:
-        folder: Where the files are.
-        archive: A zip file.
-        kind: Which files, as a pattern of names.
-    """
+    """Put the files of all jobs that are done into an archive; the same files give the same bytes."""
     content = io.BytesIO()
     with zipfile.ZipFile(content, "w", zipfile.ZIP_DEFLATED, compresslevel=9) as packed:
         for path in sorted(folder.glob(kind)):
@@ -93,12 +134,7 @@ def pack(folder: Path, archive: Path, kind: str = "*.json") -> None:
 
 
 def unpack(archive: Path, folder: Path) -> None:
-    """Take from an archive what is not in the folder yet.
-
-    Args:
-        archive: A zip file that `pack` wrote, if there is one.
-        folder: Where the files go.
-    """
+    """Take from an archive what is not in the folder yet."""
     if archive.exists():
         with zipfile.ZipFile(archive) as packed:
             for name in packed.namelist():
@@ -108,10 +144,7 @@ def unpack(archive: Path, folder: Path) -> None:
 
 
 def machine(*packages: str) -> dict[str, str]:
-    """Say what the figures were measured with.
-
-    Args:
-        packages: Those whose versions count.
-    """
+    """Say what the figures were measured with: processor, Python, and the versions of packages that count."""
     versions = {name: version_of(name) for name in packages}
-    return {"cpus": str(os.cpu_count()), "python": platform.python_version(), **versions}
+    cores, python = str(os.cpu_count()), platform.python_version()
+    return {"cpu": this_machine().processor, "cpus": cores, "python": python, **versions}

@@ -134,12 +134,7 @@ def main(
 
 
 def measured(row: Row, runs: int) -> dict[str, float]:
-    """Measure a command, its bound, and importing numpy, by turns; the median of each [CPU s].
-
-    Args:
-        row: The command.
-        runs: How often.
-    """
+    """Measure a command, its bound, and importing numpy, by turns; the median of each [CPU s]."""
     with tempfile.TemporaryDirectory() as place:
         folder = Path(place)
         for name in {*DOMAINS} & {*row.command.split()}:
@@ -158,12 +153,7 @@ def measured(row: Row, runs: int) -> dict[str, float]:
 
 
 def bound_of(row: Row, folder: Path) -> float:
-    """Measure what a command cannot go below [CPU s].
-
-    Args:
-        row: The command.
-        folder: Where it is run.
-    """
+    """Measure what a command cannot go below [CPU s]."""
     if row.bound in STARTED:
         return cpu_of((sys.executable, "-c", STARTED[row.bound]), folder)
     code = _COUNT.format(world=COUNTED[row.bound])
@@ -171,12 +161,7 @@ def bound_of(row: Row, folder: Path) -> float:
 
 
 def cpu_of(command: Sequence[str], folder: Path) -> float:
-    """Run a command, and return what it and all the processes it started took [CPU s].
-
-    Args:
-        command: The command.
-        folder: Where it is run.
-    """
+    """Run a command, and return what it and all the processes it started took [CPU s]."""
     before = resource.getrusage(resource.RUSAGE_CHILDREN)
     _run(command, folder)
     after = resource.getrusage(resource.RUSAGE_CHILDREN)
@@ -202,11 +187,7 @@ def _run(command: Sequence[str], folder: Path) -> str:
 
 
 def page(found: dict[str, dict[str, float]]) -> str:
-    """Return the page.
-
-    Args:
-        found: What was measured, by command.
-    """
+    """Return the page."""
     rows = {row.command: row for row in ROWS}
     told = ", ".join(f"{name} {value}" for name, value in machine("numpy", "up-fast-downward").items())
     cells = [_cells(rows[command], one) for command, one in found.items()]

@@ -1,9 +1,12 @@
 """Options that the benchmarks' commands share."""
 
 import os
+import sys
+from collections.abc import Callable
 from pathlib import Path
 from typing import Annotated
 
+import tyro
 from tyro.conf import arg
 
 Seeds = Annotated[int, arg(help="Seeds of everything.")]
@@ -16,3 +19,16 @@ Output = Annotated[Path | None, arg(help="Write the JSON here instead of printin
 
 CORES = os.cpu_count() or 1
 """How many jobs run at once by default."""
+
+
+def check_positive(**values: int) -> None:
+    """End with a sentence unless all options are at least 1."""
+    for name, value in values.items():
+        if value < 1:
+            sys.exit(f"--{name} {value} must be at least 1.")
+
+
+def begin(main: Callable[..., None]) -> None:
+    """Read what was typed, and begin; each job computes in one thread, as there are several at once."""
+    os.environ.setdefault("OMP_NUM_THREADS", "1")
+    tyro.cli(main)

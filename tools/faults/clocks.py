@@ -4,9 +4,8 @@ import time
 from functools import partial
 
 from tools.benchmarks.places import ROOT
-from tools.faults.commands import content, differences, run
 from tools.faults.subjects import Bench, Subject
-from tools.faults.trials import Jobs, Trial
+from tools.faults.trials import Jobs, Trial, trial_of
 
 PART = "clock"
 CLOCKS = {
@@ -48,27 +47,19 @@ else:
 
 
 def clocks(bench: Bench, subject: Subject) -> Jobs:
-    """Give a command clocks that jump.
-
-    Args:
-        bench: Where.
-        subject: The command.
-    """
+    """Give a command clocks that jump."""
     for kind, told in CLOCKS.items():
         name = f"{PART}-{subject.title}-{kind}"
         yield name, partial(_trial, bench, subject, name, kind, told)
 
 
 def _trial(bench: Bench, subject: Subject, name: str, kind: str, told: str) -> Trial:
-    goal, begin, place = bench.undisturbed(subject), time.monotonic(), bench.place / "trial"
+    bench.undisturbed(subject)  # in the same place, before
+    begin, place = time.monotonic(), bench.place / "trial"
     folder = bench.fresh(subject, place / "domain")
     hook = place / "clock" / "sitecustomize.py"
     hook.parent.mkdir(parents=True, exist_ok=True)
     hook.write_text(HOOK)
     added = {"PYTHONPATH": f"{hook.parent}:{ROOT}", "NEUROSYM_FAULTS_CLOCK": kind}
-    ending, found = run(subject.arguments(folder), place / "scratch", environment=added)
-    found += ending.complaints((goal.ending.code or 0,))
-    found += differences(content(folder), goal.content)
-    outcome = "the same bytes" if not found else "a finding"
-    seconds = round(time.monotonic() - begin, 1)
-    return Trial(PART, name, subject.name, subject.world, told, outcome, tuple(found), 0, seconds)
+    found = bench.finished(subject, folder, place / "scratch", environment=added)
+    return trial_of(name, subject, told, "the same bytes" if not found else "a finding", found, begin)

@@ -47,11 +47,7 @@ class Ending:
         return self.errors.endswith("KeyboardInterrupt") and str(ROOT) not in self.errors
 
     def complaints(self, codes: Sequence[int]) -> list[str]:
-        """Say what is wrong with it.
-
-        Args:
-            codes: The exit codes that are right.
-        """
+        """Say what is wrong with it."""
         if self.code is None:
             return ["hangs"]
         found = [] if self.code in codes else [f"exit code {self.code}: {self.errors[-300:]}"]
@@ -109,15 +105,7 @@ def start(
     before: Sequence[str] = (),
     logs: Path | None = None,
 ) -> Running:
-    """Start `neurosym` with arguments.
-
-    Args:
-        arguments: What is typed after it.
-        scratch: A folder for its temporary files, which is emptied before.
-        environment: Variables added to the environment.
-        before: A command that runs it.
-        logs: Folder for what it writes to standard error; beside the temporary files if not given.
-    """
+    """Start `neurosym` with arguments."""
     shutil.rmtree(scratch, ignore_errors=True)
     scratch.mkdir(parents=True)
     mark = f"{os.getpid()}-{time.monotonic_ns()}"
@@ -156,12 +144,7 @@ def run(arguments: Sequence[str], scratch: Path, **options: Any) -> tuple[Ending
 
 
 def left_by(running: Running, scratch: Path) -> list[str]:
-    """Name the processes and temporary files that a command has left, and kill those processes.
-
-    Args:
-        running: The command, which has ended.
-        scratch: The folder for its temporary files.
-    """
+    """Name the processes and temporary files that a command has left, and kill those processes."""
     found = _until_nothing(lambda: [f"process left: {_command(n)}" for n in marked(running.mark)])
     found += _until_nothing(lambda: [f"temporary file left: {path.name}" for path in scratch.iterdir()])
     for number in marked(running.mark):
@@ -194,21 +177,13 @@ def _read(path: Path) -> bytes:
 
 
 def content(folder: Path) -> dict[str, str]:
-    """Return a digest of each file of a domain folder, without what a clock decides.
-
-    Args:
-        folder: The folder.
-    """
+    """Return a digest of each file of a domain folder, without what a clock decides."""
     files = sorted(path for path in folder.rglob("*") if path.is_file())
     return {str(path.relative_to(folder)): _digest(path) for path in files}
 
 
 def stages_done(folder: Path) -> dict[str, str]:
-    """Return what the manifest of a domain folder says of each stage.
-
-    Args:
-        folder: The folder.
-    """
+    """Return what the manifest of a domain folder says of each stage."""
     try:
         stages = json.loads((folder / "manifest.json").read_bytes())["stages"]
     except (OSError, ValueError, KeyError):
@@ -240,12 +215,7 @@ def _timeless(value: Any) -> Any:
 
 
 def differences(found: Mapping[str, str], wanted: Mapping[str, str]) -> list[str]:
-    """Say which files are missing, too many, damaged, or have other bytes.
-
-    Args:
-        found: What `content` gave.
-        wanted: What it should be.
-    """
+    """Say which files are missing, too many, damaged, or have other bytes."""
     said = [f"missing: {name}" for name in wanted if name not in found]
     said += [f"too many: {name}" for name in found if name not in wanted]
     both = [name for name in wanted if name in found]

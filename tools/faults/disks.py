@@ -8,9 +8,9 @@ from functools import partial
 from pathlib import Path
 
 from neurosym.stages.layout import MANIFEST
-from tools.faults.commands import content, differences, run, stages_done
+from tools.faults.commands import content, run, stages_done
 from tools.faults.subjects import Bench, Subject, stages
-from tools.faults.trials import Jobs, Trial
+from tools.faults.trials import Jobs, Trial, trial_of
 
 PART = "disk"
 SIZE = "64m"
@@ -30,11 +30,7 @@ def cannot_mount(bench: Bench) -> str:
 
 
 def disks(bench: Bench) -> Jobs:
-    """Fill the disk at each stage.
-
-    Args:
-        bench: Where.
-    """
+    """Fill the disk at each stage."""
     for subject in stages("toy"):
         for share in SHARES:
             for scratch_too in (False, True) if subject.name in ("plan", "compare") else (False,):
@@ -82,12 +78,7 @@ def _trial(bench: Bench, subject: Subject, share: float, scratch_too: bool, name
             found += [f"half a file left: {name}" for name in now if Path(name).name.startswith(".")]
         outcome = "refused" if ending.code == _REFUSED else f"exit code {ending.code}"
         (disk / _FILLER).unlink()
-        again, left = run(subject.arguments(folder), scratch, logs=bench.place)
-        found += again.complaints((goal.ending.code or 0,)) + left
-        found += differences(content(folder), goal.content)
-    told = f"room for {share:.0%} of what it writes" + (
-        ", temporary files on the same disk" if scratch_too else ""
-    )
+        found += bench.finished(subject, folder, scratch, logs=bench.place)
+    told = f"room for {share:.0%} of what it writes" + ", temporary files on the same disk" * scratch_too
     outcome += ", then the same bytes" if not found else ", a finding"
-    seconds = round(time.monotonic() - begin, 1)
-    return Trial(PART, name, subject.name, subject.world, told, outcome, tuple(found), 0, seconds)
+    return trial_of(name, subject, told, outcome, found, begin)

@@ -6,35 +6,23 @@ import time
 from functools import partial
 from pathlib import Path
 
-from tools.faults.commands import SIGNALS, content, differences, left_by, run, start
+from tools.faults.commands import SIGNALS, content, left_by, start
 from tools.faults.subjects import Bench, Subject
-from tools.faults.trials import Job, Jobs, Journal, Trial
+from tools.faults.trials import Jobs, Journal, Trial, trial_of
 
 PART = "kills"
 _TRIES = 5  # to hit a command before it ends
 
 
 def kills(bench: Bench, subject: Subject, journal: Journal, *, wanted: int, seed: int) -> Jobs:
-    """Kill a command until that was done often enough.
-
-    Args:
-        bench: Where.
-        subject: The command.
-        journal: What was done before; it grows while this goes on.
-        wanted: How many kills.
-        seed: Moments and signals are drawn from it.
-    """
+    """Kill a command until that was done often enough."""
     done = number = 0
     while done < wanted and number < 2 * wanted:
         name = f"{PART}-{subject.title}-{number:03d}"
         most = min(subject.chain, wanted - done)
-        yield _job(bench, subject, name, most, seed)
+        yield name, partial(_trial, bench, subject, name, most, seed)
         done += journal.trials[name].kills
         number += 1
-
-
-def _job(bench: Bench, subject: Subject, name: str, most: int, seed: int) -> Job:
-    return name, partial(_trial, bench, subject, name, most, seed)
 
 
 def _trial(bench: Bench, subject: Subject, name: str, most: int, seed: int) -> Trial:
@@ -55,13 +43,9 @@ def _trial(bench: Bench, subject: Subject, name: str, most: int, seed: int) -> T
             found += [f"after {told[-1]}: {complaint}" for complaint in kill]
         if told:
             break
-    ending, left = run(subject.arguments(folder), place / "scratch")
-    found += ending.complaints((goal.ending.code or 0,)) + left
-    found += differences(content(folder), goal.content)
+    found += bench.finished(subject, folder, place / "scratch")
     outcome = "the same bytes" if not found else "a finding"
-    seconds = round(time.monotonic() - begin, 1)
-    how = ", ".join(told)
-    return Trial(PART, name, subject.name, subject.world, how, outcome, tuple(found), len(told), seconds)
+    return trial_of(name, subject, ", ".join(told), outcome, found, begin, kills=len(told))
 
 
 def _kill(

@@ -3,13 +3,12 @@
 import os
 import shutil
 import time
-from collections.abc import Iterator
 from functools import partial
 from pathlib import Path
 
 from tools.faults.commands import content, differences, run
 from tools.faults.subjects import Bench, Subject
-from tools.faults.trials import Jobs, Trial
+from tools.faults.trials import Jobs, Trial, trial_of
 
 PART = "limits"
 LIMITS = {
@@ -34,23 +33,13 @@ def cannot_limit_processes() -> str:
 
 
 def limits(bench: Bench, subject: Subject) -> Jobs:
-    """Limit what a command may have.
-
-    Args:
-        bench: Where.
-        subject: The command.
-    """
-    for what, size, limit in _limits():
+    """Limit what a command may have."""
+    for what, (limit, sizes) in LIMITS.items():
         if what == "processes" and cannot_limit_processes():
             continue
-        name = f"{PART}-{subject.title}-{what.replace(' ', '-')}-{size}"
-        yield name, partial(_trial, bench, subject, name, f"{what}: {limit}", limit, what == "processes")
-
-
-def _limits() -> Iterator[tuple[str, int, str]]:
-    for what, (limit, sizes) in LIMITS.items():
         for size in sizes:
-            yield what, size, limit.format(size)
+            name, told = f"{PART}-{subject.title}-{what.replace(' ', '-')}-{size}", limit.format(size)
+            yield name, partial(_trial, bench, subject, name, f"{what}: {told}", told, what == "processes")
 
 
 def _trial(bench: Bench, subject: Subject, name: str, told: str, limit: str, needs_user: bool) -> Trial:
@@ -68,8 +57,5 @@ def _trial(bench: Bench, subject: Subject, name: str, told: str, limit: str, nee
     if ending.code == goal.ending.code and ending.code == 0:
         found += differences(now, goal.content)
     outcome = "the same bytes" if ending.code == 0 else f"exit code {ending.code}: {ending.errors[-200:]}"
-    again, left = run(subject.arguments(folder), place / "scratch")
-    found += again.complaints((goal.ending.code or 0,)) + left
-    found += differences(content(folder), goal.content)
-    seconds = round(time.monotonic() - begin, 1)
-    return Trial(PART, name, subject.name, subject.world, told, outcome, tuple(found), 0, seconds)
+    found += bench.finished(subject, folder, place / "scratch")
+    return trial_of(name, subject, told, outcome, found, begin)

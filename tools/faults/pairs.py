@@ -3,24 +3,18 @@
 import random
 import time
 from functools import partial
+from pathlib import Path
 
-from tools.faults.commands import Ending, content, differences, left_by, start
+from tools.faults.commands import Ending, Running, content, differences, left_by, start
 from tools.faults.subjects import Bench, Subject, WorldName, subjects
-from tools.faults.trials import Jobs, Trial
+from tools.faults.trials import Jobs, Trial, trial_of
 
 PART = "pairs"
 _REFUSED = 2
 
 
 def pairs(bench: Bench, world: WorldName, *, wanted: int, seed: int) -> Jobs:
-    """Run commands twice at once.
-
-    Args:
-        bench: Where.
-        world: Whose commands.
-        wanted: How often each.
-        seed: How much later the second starts is drawn from it.
-    """
+    """Run commands twice at once."""
     for subject in subjects(world):
         for number in range(wanted):
             name = f"{PART}-{subject.title}-{number}"
@@ -39,16 +33,21 @@ def _trial(bench: Bench, subject: Subject, name: str, seed: int) -> Trial:
     for number, wait in enumerate((0.0, later)):
         time.sleep(wait)
         running.append(start(subject.arguments(folder), place / f"scratch-{number}"))
-    endings = [one.ending() for one in running]
     done = goal.ending.code or 0
-    found = [c for ending in endings for c in ending.complaints((done, _REFUSED))]
-    for number, one in enumerate(running):
-        found += left_by(one, place / f"scratch-{number}")
+    endings, found = _ended(running, place, done)
     if done not in [ending.code for ending in endings]:
         found.append("neither did its work")
     found += differences(content(folder), goal.content)
-    told, seconds = f"the second {later:.1f} s later", round(time.monotonic() - begin, 1)
-    return Trial(PART, name, subject.name, subject.world, told, _outcome(endings), tuple(found), 0, seconds)
+    return trial_of(name, subject, f"the second {later:.1f} s later", _outcome(endings), found, begin)
+
+
+def _ended(running: list[Running], place: Path, done: int) -> tuple[list[Ending], list[str]]:
+    """Wait for commands; say how they ended, and what is wrong with that or was left."""
+    endings = [one.ending() for one in running]
+    found = [complaint for ending in endings for complaint in ending.complaints((done, _REFUSED))]
+    for number, one in enumerate(running):
+        found += left_by(one, place / f"scratch-{number}")
+    return endings, found
 
 
 def _outcome(endings: list[Ending]) -> str:
@@ -63,15 +62,12 @@ def _four_problems(bench: Bench, world: WorldName, name: str) -> Trial:
     folder = bench.fresh(subject, place / "domain")
     before = content(folder)
     running = [start(subject.arguments(folder), place / f"scratch-{number}") for number in range(4)]
-    endings = [one.ending() for one in running]
-    found = [c for ending in endings for c in ending.complaints((0, _REFUSED))]
-    for number, one in enumerate(running):
-        found += left_by(one, place / f"scratch-{number}")
+    endings, found = _ended(running, place, 0)
     made = {path.name for path in (folder / "problems").glob("*.scene.json")} - {
         path.rpartition("/")[2] for path in before
     }
     done = sum(ending.code == 0 for ending in endings)
     if len(made) != done or not done:
         found.append(f"{done} say that they wrote a problem, {len(made)} are there")
-    outcome, seconds = f"{len(made)} problems of {done} commands", round(time.monotonic() - begin, 1)
-    return Trial(PART, name, "new-problem", world, "four at once", outcome, tuple(found), 0, seconds)
+    outcome = f"{len(made)} problems of {done} commands"
+    return trial_of(name, subject, "four at once", outcome, found, begin)

@@ -6,10 +6,10 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
-from typing import Literal
+from typing import Any, Literal
 
 from tools.benchmarks.places import SHIPPED
-from tools.faults.commands import Ending, content, run
+from tools.faults.commands import Ending, content, differences, run
 
 WorldName = Literal["toy", "tabletop"]
 WORLDS: tuple[WorldName, ...] = ("toy", "tabletop")
@@ -154,12 +154,7 @@ class Bench:
         return ending.code
 
     def fresh(self, subject: Subject, folder: Path) -> Path:
-        """Make the folder that a command begins with.
-
-        Args:
-            subject: The command.
-            folder: Where; what is there is removed.
-        """
+        """Make the folder that a command begins with."""
         shutil.rmtree(folder, ignore_errors=True)
         folder.parent.mkdir(parents=True, exist_ok=True)
         if not subject.begins_empty:
@@ -171,11 +166,7 @@ class Bench:
         return folder
 
     def undisturbed(self, subject: Subject) -> Undisturbed:
-        """Run a command undisturbed, twice the first time; both must come to the same.
-
-        Args:
-            subject: The command.
-        """
+        """Run a command undisturbed, twice the first time; both must come to the same."""
         if subject not in self.known:
             found = [self._once(subject) for _ in range(2)]
             if found[0].content != found[1].content:
@@ -183,6 +174,13 @@ class Bench:
             fastest = min(found, key=lambda one: one.ending.seconds)
             self.known[subject] = fastest
         return self.known[subject]
+
+    def finished(self, subject: Subject, folder: Path, scratch: Path, **options: Any) -> list[str]:
+        """Run a command to its end; say what it leaves, and where its folder is not as when undisturbed."""
+        goal = self.undisturbed(subject)
+        ending, left = run(subject.arguments(folder), scratch, **options)
+        wrong = ending.complaints((goal.ending.code or 0,))
+        return [*wrong, *left, *differences(content(folder), goal.content)]
 
     def _once(self, subject: Subject) -> Undisturbed:
         folder = self.fresh(subject, self.place / "trial" / "domain")

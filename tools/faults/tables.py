@@ -16,12 +16,7 @@ TITLES = {
 
 
 def summarise(trials: Iterable[Trial], about: Mapping[str, Any]) -> dict[str, Any]:
-    """Count trials and findings.
-
-    Args:
-        trials: The trials.
-        about: What they were made with, and what was left out.
-    """
+    """Count trials and findings."""
     groups: dict[str, list[Trial]] = {}
     for trial in trials:
         groups.setdefault(f"{trial.part} {trial.subject} {trial.world}", []).append(trial)
@@ -51,11 +46,7 @@ def _kind(trial: Trial) -> str:
 
 
 def page(summary: Mapping[str, Any]) -> str:
-    """Print a summary as Markdown.
-
-    Args:
-        summary: What `summarise` returned.
-    """
+    """Print a summary as Markdown."""
     lines = [
         "# A campaign of faults",
         "",

@@ -1,9 +1,12 @@
 """What is kept of a trial: a line of JSON, so that a campaign that was interrupted goes on where it was."""
 
-from collections.abc import Callable, Iterator
+import time
+from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
 
 import msgspec
+
+from tools.faults.subjects import Subject
 
 
 class Trial(msgspec.Struct, frozen=True):
@@ -30,6 +33,21 @@ class Trial(msgspec.Struct, frozen=True):
     found: tuple[str, ...] = ()
     kills: int = 0
     seconds: float = 0.0
+
+
+def trial_of(
+    name: str,
+    subject: Subject,
+    told: str,
+    outcome: str,
+    found: Sequence[str],
+    begin: float,
+    *,
+    kills: int = 0,
+) -> Trial:
+    """Write down what came of a trial that began at a time of the steady clock [s]."""
+    part, seconds = name.partition("-")[0], round(time.monotonic() - begin, 1)
+    return Trial(part, name, subject.name, subject.world, told, outcome, tuple(found), kills, seconds)
 
 
 Job = tuple[str, Callable[[], Trial]]

@@ -6,6 +6,7 @@ from pathlib import Path
 import pytest
 from places import ROOT
 
+from tools.benchmarks.jobs import Evaluation
 from tools.benchmarks.learning import evaluate
 
 
@@ -29,10 +30,11 @@ def test_page_says_what_is_missing_and_jobs_that_are_done_are_not_done_again(eva
     (tmp_path / "jobs").mkdir()
     (tmp_path / "jobs/one.json").write_text('{"a": 7}')
     asked = []
-    evaluation.perform(tmp_path / "jobs", {"one": dict}, 1, lambda: asked.append(1))
+    kept = Evaluation("learning", tmp_path, tmp_path)
+    kept.perform({"one": dict}, "one", lambda: asked.append(1))
     assert json.loads((tmp_path / "jobs/one.json").read_text()) == {"a": 7}
     assert not asked
-    evaluation.write_results(tmp_path, tmp_path, 1, 20)
+    evaluation.write_results(kept, 1, 20)
     summary = json.loads((tmp_path / "learning.json").read_text())
     assert {"through_code_share", "table1", "table2", "command"} <= set(summary)
     count = sum(len(jobs) for jobs in evaluation.jobs_in_turn(Path(), 1, 20))

@@ -12,6 +12,7 @@ from neurosym.grounding import Grounding
 from neurosym.planners import PlanStatus
 from neurosym.problems import Problem, SceneObject
 from neurosym.tasks.moves import cost
+from tools.benchmarks.jobs import Evaluation, pack, unpack
 from tools.benchmarks.planning import evaluate, jobs, measures, tally, tasks
 
 BOTH = ("bfs", "fast-downward")
@@ -128,8 +129,7 @@ def test_every_job_has_a_name_of_its_own_and_tasks_are_drawn_before_they_are_use
 
 def test_nothing_measured_is_written_as_nothing_and_counted(tmp_path):
     size = jobs.size_of(1, 2560)
-    (tmp_path / "jobs").mkdir()
-    evaluate.write_results(tmp_path, tmp_path, size)
+    evaluate.write_results(Evaluation("planning", tmp_path, tmp_path), size)
     summary = json.loads((tmp_path / "planning.json").read_text())
     keys = {"valid_share", "solved_when_bfs_solves", "table3", "planners", "scaling", "command", "versions"}
     assert keys <= set(summary)
@@ -147,7 +147,7 @@ def test_what_was_measured_comes_into_the_tables(tmp_path):
     names = list(jobs.table3_jobs(tmp_path, size, "shipped", 0.05))
     measured = [msgspec.to_builtins(record(n, attempt(valid=False), attempt())) for n in range(10)]
     (tmp_path / "jobs" / f"{names[0]}.json").write_text(json.dumps(measured))
-    evaluate.write_results(tmp_path, tmp_path, size)
+    evaluate.write_results(Evaluation("planning", tmp_path, tmp_path), size)
     summary = json.loads((tmp_path / "planning.json").read_text())
     single = summary["table3"]["shipped"]["single"]
     assert single["fast-downward"]["reached_with_replanning"] == 1.0
@@ -200,11 +200,11 @@ def test_records_go_into_an_archive_and_come_back(tmp_path):
     (there / "table3-random-2-0123abcd-50mm-1-000-10.json").write_text("[1]\n")
     (there / "other.json").write_text("[2]\n")
     (back / "other.json").write_text("[3]\n")
-    evaluate.pack(there, tmp_path / "a.zip")
-    evaluate.pack(there, tmp_path / "b.zip")
+    pack(there, tmp_path / "a.zip")
+    pack(there, tmp_path / "b.zip")
     assert (tmp_path / "a.zip").read_bytes() == (tmp_path / "b.zip").read_bytes()
-    evaluate.unpack(tmp_path / "a.zip", back)
-    evaluate.unpack(tmp_path / "none.zip", back)
+    unpack(tmp_path / "a.zip", back)
+    unpack(tmp_path / "none.zip", back)
     assert (back / "other.json").read_text() == "[3]\n"
     assert (back / "table3-random-2-0123abcd-50mm-1-000-10.json").read_text() == "[1]\n"
 

@@ -10,7 +10,7 @@ from toy_domain import WORLD, grounding, problem
 from neurosym.evaluation.comparison import Setting
 from neurosym.execution.record import Run, StepRecord
 from neurosym.operators import Rehearsal
-from tools.benchmarks.planning import evaluate, figures, jobs, probe, reach, trial_jobs, trials
+from tools.benchmarks.planning import evaluate, figures, jobs, trial_jobs, trials
 from tools.benchmarks.planning.trial_tables import trial_sections
 from tools.benchmarks.planning.trials import Followed, Step, Trial
 
@@ -206,22 +206,3 @@ def test_trials_come_after_the_tasks_are_drawn_and_short_form_is_short(tmp_path)
         assert 10 * len(named["precision, 20 mm"]) == precise
         assert len(named["far goals"]) == far
         assert len(named["kinds of primitive"]) == seeds
-
-
-def test_probe_tells_of_every_group():
-    drawn = {("single", 50): [trial(), trial(blind=False)], ("double", 20): []}
-    rows = dict(probe.table(drawn, {1: [NO_PLAN, trial()], 2: []}))
-    assert rows["single, 50 mm, blind"] == "1 of 2: 50% (9% to 91%)"
-    assert rows["single, 50 mm, replanned"].startswith("2 of 2")
-    assert rows["double, 20 mm, blind"] == "-"
-    assert rows["missed, anywhere, 1 objects"] == "no plan at the start (unsolvable) (1)"
-    assert rows["motions, anywhere, 1 objects"] == "1.0 (plans: 2.0)"
-    assert rows["CPU seconds a task"] == "0.8"
-    assert len(probe.source_stamp()) == 8
-
-
-def test_primitives_are_counted_by_direction():
-    (needed,) = reach.primitives_needed(grounding()).values()
-    assert needed["left"] == pytest.approx(0.15 / 0.08)
-    assert needed["forward left"] == pytest.approx(np.sqrt(2) * 0.15 / 0.08)
-    assert needed["back"] == np.inf

@@ -74,14 +74,11 @@ def test_quarter_turned_object_counts_by_the_sizes_it_shows():
 
 
 def test_actions_by_hand_put_over_take_away_and_build():
-    def nothing(done: int, total: int) -> None:
-        pass
-
     found = {
         "command": "this",
-        "put_over": by_hand.put_over(1, 1, 1, nothing),
-        "towers_by_hand": by_hand.towers(1, 2, 1, nothing),
-        "random": by_hand.predictability(8, 3, 1, nothing),
+        "put_over": by_hand.put_over(1, 1, 1),
+        "towers_by_hand": by_hand.towers(1, 2, 1),
+        "random": by_hand.predictability(8, 3, 1),
     }
     assert len(found["put_over"]) == 16
     assert all(cell["tried"] == 1 for cell in found["put_over"].values())

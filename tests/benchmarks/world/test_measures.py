@@ -9,14 +9,10 @@ from places import ROOT
 RESULTS = ROOT / "docs" / "results"
 
 
-def quietly(done, total):
-    pass
-
-
 def test_effects_survive_a_tenth_of_a_millimetre():
     from tools.benchmarks.world.measures import predictability
 
-    found = predictability(60, 101, 2, quietly)
+    found = predictability(60, 101, 2)
     assert found["share"] > 0.95
     assert set(found["by_shape"]) == {"solid", "plank", "open-topped", "ring"}
 
@@ -24,7 +20,7 @@ def test_effects_survive_a_tenth_of_a_millimetre():
 def test_the_object_decides_much_of_what_an_action_does():
     from tools.benchmarks.world.measures import object_matters
 
-    found = object_matters(10, 12, 103, 2, quietly)
+    found = object_matters(10, 12, 103, 2)
     assert 0.0 < found["share_of_action_alone"] < 0.8
     assert all(
         abs(sum(row.values()) - row["objects"] - 1) < 0.01 for row in found["outcomes_by_kind"].values()
@@ -34,7 +30,7 @@ def test_the_object_decides_much_of_what_an_action_does():
 def test_among_eight_objects_bystanders_are_watched():
     from tools.benchmarks.world.measures import several_objects
 
-    found = several_objects(12, 8, 106, 2, quietly)
+    found = several_objects(12, 8, 106, 2)
     assert found["robot_touched_a_bystander"] > 0
     assert found["a_bystander_moved"] > 0
 

@@ -20,13 +20,7 @@ LED = ("graspable 1", "graspable 2", "graspable 4")
 
 
 def jobs(folder: Path, first: int, cells: Sequence[tasks.Cell]) -> dict[str, Job]:
-    """List what is to be tried, on the tasks that the domain of the first seed is tried on.
-
-    Args:
-        folder: That domain.
-        first: Seed of the first task.
-        cells: What is tried.
-    """
+    """List what is to be tried, on the tasks that the domain of the first seed is tried on."""
     found: dict[str, Job] = {}
     for name, draw, count in cells:
         if name.startswith("all"):
@@ -54,12 +48,7 @@ def without_places(folder: Path, draw: tasks.Draw, seeds: Sequence[int]) -> list
 
 
 def summary(found: Mapping[str, Any], cells: Sequence[tasks.Cell]) -> dict[str, dict[str, float]]:
-    """Gather the shares of reached goals, of as much as was tried.
-
-    Args:
-        found: What the jobs found, by name.
-        cells: What is tried.
-    """
+    """Gather the shares of reached goals, of as much as was tried."""
     return {
         baseline: {
             name: sum(reached) / len(reached)

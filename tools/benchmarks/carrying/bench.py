@@ -22,10 +22,10 @@ from neurosym.planners import PlanStatus, plan
 from neurosym.problems import Problem, SceneObject
 from neurosym.table import Table
 from tools.benchmarks.carrying.tasks import far
+from tools.benchmarks.jobs import machine
 from tools.benchmarks.options import Output
 from tools.benchmarks.planning.measures import bench_of
 from tools.benchmarks.spent import cpu_seconds
-from tools.benchmarks.world.evaluate import machine
 
 SHIPPED = Path("domains/places")
 FIRST = 920_000
@@ -39,8 +39,7 @@ SMALL = 0.07
 
 
 def main(
-    tasks: Annotated[int, tyro.conf.arg(help="How many tasks of each kind.")] = 10,
-    output: Output = None,
+    tasks: Annotated[int, tyro.conf.arg(help="How many tasks of each kind.")] = 10, output: Output = None
 ) -> None:
     """Measure, and print what was found as JSON."""
     seeds = range(FIRST, FIRST + tasks)
@@ -58,12 +57,7 @@ def main(
 
 
 def tell(parts: Mapping[str, Mapping[str, Any]], output: Path | None) -> None:
-    """Print what was found as JSON, or write it to a file.
-
-    Args:
-        parts: What was found of each part; see `timed`.
-        output: The file, if it is to be written to one.
-    """
+    """Print what was found as JSON, or write it to a file."""
     passed = all(part["passed"] for part in parts.values())
     text = json.dumps({"passed": passed, "machine": machine(), **parts}, indent=2) + "\n"
     if output is None:
@@ -73,13 +67,7 @@ def tell(parts: Mapping[str, Mapping[str, Any]], output: Path | None) -> None:
 
 
 def lattice_points(table: Table, rows: int, columns: int) -> list[tuple[float, float]]:
-    """List the points of a lattice over a table [m].
-
-    Args:
-        table: The table.
-        rows: How many points along x.
-        columns: How many points along y.
-    """
+    """List the points of a lattice over a table [m]."""
     return [
         (float(x), float(y))
         for x in np.linspace(*table.x, rows + 2)[1:-1]
@@ -88,13 +76,7 @@ def lattice_points(table: Table, rows: int, columns: int) -> list[tuple[float, f
 
 
 def lattice(kinds: Sequence[SceneObject], grounding: Grounding, seed: int) -> Problem:
-    """Draw thirty objects on a lattice, each with another of its points as goal.
-
-    Args:
-        kinds: Objects to take after, all of them small.
-        grounding: The learned domain.
-        seed: Same seed, same problem.
-    """
+    """Draw thirty objects on a lattice, each with another of its points as goal."""
     rng = np.random.default_rng(seed)
     points = lattice_points(grounding.table, SIDE, SIDE)
     starts, ends = (rng.permutation(len(points))[:THIRTY] for _ in range(2))

@@ -34,13 +34,7 @@ class ByHand(msgspec.Struct, frozen=True):
 
 
 def carry_by_hand(problem: Problem, world: World, seed: int) -> ByHand:
-    """Carry the objects of a task to their goals.
-
-    Args:
-        problem: The task, whose objects can all be grasped.
-        world: Where it is done.
-        seed: Where the spots to wait on are drawn from.
-    """
+    """Carry the objects of a task to their goals."""
     rng, apart = np.random.default_rng(seed), footprints_apart(problem)
     goals = np.array([problem.goals[name][:2] for name in problem.object_names])
     scene, most = problem.scene(), MOTIONS * len(problem.objects)

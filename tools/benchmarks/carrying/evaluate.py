@@ -5,7 +5,6 @@ nothing was chosen on: goals anywhere on the table for one to eight objects, swa
 where it was interrupted: what was tried, and what it takes to try more, is kept beside the results.
 """
 
-import os
 from collections.abc import Mapping, Sequence
 from functools import partial
 from pathlib import Path
@@ -14,21 +13,19 @@ from typing import Annotated, Any
 
 import tyro
 
-from neurosym.console import say
-from neurosym.files import write_atomically
 from tools.benchmarks.carrying import baselines, tasks
 from tools.benchmarks.carrying.keeping import keep, restore, take_shipped
 from tools.benchmarks.carrying.learned import learn, learn_at_random
 from tools.benchmarks.carrying.tables import page
-from tools.benchmarks.jobs import Job, as_text, load_jobs, machine, pack, perform, unpack
-from tools.benchmarks.options import CORES, Results, Seeds, Steps, Work, Workers
+from tools.benchmarks.jobs import Evaluation, Job, machine
+from tools.benchmarks.options import CORES, Results, Seeds, Steps, Work, Workers, begin
 from tools.benchmarks.planning import figures
 from tools.benchmarks.planning.measures import bench_of
 from tools.benchmarks.planning.trials import Trial, from_json, to_json, try_task
 from tools.relearn_places import PLACES, STEPS
 
 RESULTS, WORK = Path("docs/results"), Path("evaluation/places")
-RECORDS, DOMAINS = "places-records.zip", "places-domains.zip"
+DOMAINS = "places-domains.zip"
 FIRST_TASK = 700_000
 """Seed of the first task, far from those of other evaluations."""
 AT_RANDOM = 2
@@ -47,8 +44,7 @@ def main(
     workers: Workers = CORES,
 ) -> None:
     """Learn, try, and write what came of it; a seed is reported as soon as it is done."""
-    (work / "jobs").mkdir(parents=True, exist_ok=True)
-    unpack(results / RECORDS, work / "jobs")
+    evaluation = Evaluation("places", work, results, workers)
     restore(results / DOMAINS, work)
     if (steps, places) == (STEPS, PLACES):
         take_shipped(work)
@@ -57,50 +53,34 @@ def main(
     for seed in range(1, seeds + 1):
         folder = work / f"seed-{seed}"
         learning = {f"learn-{seed}": partial(learn, folder, seed, steps, places)}
-        perform(work / "jobs", learning, workers, lambda: None, label=f"seed {seed}, learning")
+        evaluation.perform(learning, f"seed {seed}, learning")
         keep(work, results / DOMAINS)
         tried[seed] = {cell[0]: _jobs(folder, seed, cell) for cell in every_cell}
         every = {name: job for jobs in tried[seed].values() for name, job in jobs.items()}
-        report = partial(write_results, work, results, tried, steps=steps, places=places)
-        perform(work / "jobs", every, workers, report, label=f"seed {seed}, tasks")
+        report = partial(write_results, evaluation, tried, steps=steps, places=places)
+        evaluation.perform(every, f"seed {seed}, tasks", report)
         report()
     compared = baselines.jobs(work / "seed-1", FIRST_TASK + 10_000, every_cell)
-    perform(work / "jobs", compared, workers, report, label="baselines")
+    evaluation.perform(compared, "baselines", report)
     at_random = {
         f"random-{seed}": partial(
             learn_at_random, work / f"seed-{seed}", work / f"random-{seed}", seed, places
         )
         for seed in range(1, min(seeds, AT_RANDOM) + 1)
     }
-    perform(work / "jobs", at_random, workers, report, label="learning from random actions")
+    evaluation.perform(at_random, "learning from random actions", report)
     report()
-    say(f"wrote {results / 'places.md'}")
 
 
 def write_results(
-    work: Path,
-    results: Path,
-    tried: Mapping[int, Mapping[str, Mapping[str, Job]]],
-    *,
-    steps: int,
-    places: int,
+    evaluation: Evaluation, tried: Mapping[int, Mapping[str, Mapping[str, Job]]], *, steps: int, places: int
 ) -> None:
-    """Write the tables, and what they are made from, of as much as was tried so far.
-
-    Args:
-        work: The working folder.
-        results: Folder for the tables.
-        tried: The jobs of each seed, by the cell of the table.
-        steps: Interactions of each exploration.
-        places: Interactions besides that were aimed at places.
-    """
-    pack(work / "jobs", results / RECORDS)
-    found = load_jobs(work / "jobs")
+    """Write the tables, and what they are made from, of as much as was tried so far."""
+    found = evaluation.found()
     names = next(iter(tried.values()))
     trials = {name: [_trials(found, of[name]) for of in tried.values()] for name in names}
     summary = summarise(found, trials, seeds=len(tried), steps=steps, places=places)
-    write_atomically(results / "places.json", as_text(summary))
-    write_atomically(results / "places.md", page(summary))
+    evaluation.write(summary, page(summary))
 
 
 def _jobs(folder: Path, seed: int, cell: tasks.Cell) -> dict[str, Job]:
@@ -133,15 +113,7 @@ def summarise(
     steps: int,
     places: int,
 ) -> dict[str, Any]:
-    """Gather the shares of reached goals, for each seed and in the mean.
-
-    Args:
-        found: What the jobs found, by name.
-        trials: The trials of each cell, seed by seed.
-        seeds: How many seeds.
-        steps: Interactions of each exploration.
-        places: Interactions besides that were aimed at places.
-    """
+    """Gather the shares of reached goals, for each seed and in the mean."""
     table = {
         name: {way: [figures.share(of_one, way) for of_one in of] for way in ("blind", "replanned")}
         | {"motions": _motions(of), "tasks": sum(map(len, of))}
@@ -184,5 +156,4 @@ def _motions(of_seeds: Sequence[Sequence[Trial]]) -> dict[str, float] | None:
 
 
 if __name__ == "__main__":
-    os.environ.setdefault("OMP_NUM_THREADS", "1")  # for the jobs, of which there are several at once
-    tyro.cli(main)
+    begin(main)

@@ -15,12 +15,7 @@ KEPT = (WORLD, MODEL, GROUNDING)
 
 
 def keep(work: Path, archive: Path) -> None:
-    """Put what it takes to try the learned domains into an archive, but for the one that is shipped.
-
-    Args:
-        work: The working folder.
-        archive: A zip file.
-    """
+    """Put what it takes to try the learned domains into an archive, but for the one that is shipped."""
     with TemporaryDirectory() as flat:
         for path in work.glob("seed-*/*"):
             if path.name in KEPT and is_worth_keeping(path.parent / GROUNDING):
@@ -35,13 +30,7 @@ def is_worth_keeping(grounding: Path) -> bool:
 
 
 def restore(archive: Path, work: Path, inside: str = "") -> None:
-    """Take from an archive what `keep` put there, for domains that are not in the working folder yet.
-
-    Args:
-        archive: A zip file, if there is one.
-        work: The working folder.
-        inside: In which folder of each domain the files lie.
-    """
+    """Take from an archive what `keep` put there, for domains that are not in the working folder yet."""
     with TemporaryDirectory() as flat:
         unpack(archive, Path(flat))
         for path in Path(flat).iterdir():
@@ -53,10 +42,6 @@ def restore(archive: Path, work: Path, inside: str = "") -> None:
 
 
 def take_shipped(work: Path) -> None:
-    """Copy the shipped domain, which is that of its seed, unless it is there.
-
-    Args:
-        work: The working folder.
-    """
+    """Copy the shipped domain, which is that of its seed, unless it is there."""
     if SHIPPED.exists() and not (work / f"seed-{SEED}").exists():
         shutil.copytree(SHIPPED, work / f"seed-{SEED}")

@@ -12,7 +12,7 @@ from neurosym.grounding import Grounding
 from neurosym.operators import OperatorTable
 from neurosym.pddl.compiler import CELL
 from neurosym.place_operators import PlaceOperators
-from neurosym.stages.aiming import distill_places_stage, explore_places_stage, train_places_stage
+from neurosym.stages.aims import TO_PLACES
 from neurosym.stages.compiling import compile_stage
 from neurosym.stages.distilling import distill_stage
 from neurosym.stages.exploring import explore_stage
@@ -31,12 +31,6 @@ WITHIN = 0.015
 
 def learn(folder: Path, seed: int, steps: int, places: int) -> dict[str, Any]:
     """Learn a domain with places; what was done is not done again.
-
-    Args:
-        folder: Where it lies.
-        seed: Of everything.
-        steps: Interactions of its exploration.
-        places: Interactions besides that are aimed at places.
 
     Returns:
         How well it carries graspable objects; see `carries`.
@@ -60,12 +54,6 @@ def learn(folder: Path, seed: int, steps: int, places: int) -> dict[str, Any]:
 def learn_at_random(learned: Path, folder: Path, seed: int, places: int) -> dict[str, Any]:
     """Learn once more what carries, from as many actions at random; what was done is not done again.
 
-    Args:
-        learned: A domain, whose object symbols are taken.
-        folder: Where this one lies.
-        seed: Of everything.
-        places: Interactions that are aimed at places.
-
     Returns:
         How well it carries graspable objects; see `carries`.
     """
@@ -78,9 +66,11 @@ def learn_at_random(learned: Path, folder: Path, seed: int, places: int) -> dict
 
 def _learn_places(domain: DomainFolder, strategy: StrategyName, seed: int, places: int) -> None:
     for stage in (
-        explore_places_stage(domain, strategy=strategy, steps=places, seed=seed, regime=REGIME, workers=1),
-        train_places_stage(domain, seed=seed, regime=REGIME),
-        distill_places_stage(domain, objects=REHEARSALS, seed=seed, workers=1),
+        explore_stage(
+            domain, TO_PLACES, strategy=strategy, steps=places, seed=seed, regime=REGIME, workers=1
+        ),
+        train_stage(domain, TO_PLACES, seed=seed, regime=REGIME),
+        distill_stage(domain, TO_PLACES, objects=REHEARSALS, seed=seed, workers=1),
     ):
         domain.perform(stage, again=False)
 
@@ -93,9 +83,6 @@ def _carriers(folder: Path) -> OperatorTable:
 
 def carries(table: OperatorTable) -> dict[str, Any]:
     """Say how often the best action symbol carries graspable objects, and how nearly alike.
-
-    Args:
-        table: The operators that carry.
 
     Returns:
         Of that symbol: the share of rehearsals on graspable objects, drawn as the world draws them, that end

@@ -10,11 +10,7 @@ from neurosym.wording import counted
 
 
 def page(summary: Mapping[str, Any]) -> str:
-    """Write the tables.
-
-    Args:
-        summary: What `summarise` returned.
-    """
+    """Write the tables."""
     rows = [
         [
             name,

@@ -47,11 +47,7 @@ Cell = tuple[str, Draw, int]
 
 
 def cells(scale: float) -> tuple[Cell, ...]:
-    """List what is tried.
-
-    Args:
-        scale: How many tasks, as a share of the full number; whole blocks, so that more can be tried later.
-    """
+    """List what is tried."""
 
     def some(count: int) -> int:
         return BLOCK * math.ceil(count * scale / BLOCK)

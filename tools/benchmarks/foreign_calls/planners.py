@@ -50,11 +50,7 @@ class Planner:
         return self.packages[0].partition("==")[2]
 
     def environment(self, venvs: Path) -> Path:
-        """Return where its environment is.
-
-        Args:
-            venvs: Where all are.
-        """
+        """Return where its environment is."""
         return venvs / self.packages[0].replace("==", "-")
 
     def call_text(self) -> str:
@@ -136,12 +132,7 @@ PLANNERS: Mapping[str, Planner] = {
 
 
 def install(planner: Planner, venvs: Path) -> str:
-    """Make a planner's environment, if it is not there; return why it cannot be made, or nothing.
-
-    Args:
-        planner: The planner.
-        venvs: Where environments are.
-    """
+    """Make a planner's environment, if it is not there; return why it cannot be made, or nothing."""
     at = planner.environment(venvs)
     wanted = "\n".join(planner.packages)
     if (at / INSTALLED).exists() and (at / INSTALLED).read_text() == wanted:
@@ -169,11 +160,7 @@ def steps_in(text: str) -> list[tuple[str, ...]]:
 
 
 def error_in(*outputs: str) -> str:
-    """Return the line that says what went wrong; of a traceback, the last; nothing if none does.
-
-    Args:
-        outputs: What a planner printed; what it complained of first.
-    """
+    """Return the line that says what went wrong; of a traceback, the last; nothing if none does."""
     for text in outputs:
         lines = [line.strip() for line in text.splitlines() if line.strip()]
         if traced := [number for number, line in enumerate(lines) if line.startswith("Traceback")]:

@@ -21,12 +21,7 @@ PANELS: Mapping[str, tuple[str, Figure]] = {
 
 
 def draw(results: Mapping[str, Any], path: Path) -> None:
-    """Draw each measure against interactions, mean and standard deviation over seeds.
-
-    Args:
-        results: What `learning.json` holds.
-        path: The PNG.
-    """
+    """Draw each measure against interactions, mean and standard deviation over seeds."""
     figure, axes = plt.subplots(1, len(PANELS), figsize=(4 * len(PANELS), 3.4), layout="constrained")
     for axis, (title, (job, figure_of)) in zip(axes, PANELS.items(), strict=True):
         for strategy, by_rows in results["curves"].items():

@@ -5,9 +5,6 @@ be interrupted and goes on where it was. The results go to docs/results/ (learni
 learning.png), as far as they are known.
 """
 
-import os
-import sys
-import time
 from collections.abc import Iterator, Mapping
 from dataclasses import replace
 from functools import partial
@@ -17,9 +14,7 @@ from typing import Annotated, Any
 import tyro
 
 from neurosym.commands.init import init
-from neurosym.console import say
 from neurosym.data.interactions import Interactions
-from neurosym.files import write_atomically
 from neurosym.learning.model_config import DirectConfig, ModelConfig
 from neurosym.learning.training_config import (
     REGIMES,
@@ -32,12 +27,12 @@ from neurosym.stages.exploring import explore_stage
 from neurosym.stages.folder import DomainFolder
 from neurosym.stages.layout import INTERACTIONS, WORLD
 from neurosym.strategies import DEFAULT_STRATEGY
-from tools.benchmarks.jobs import Job, as_text, load_jobs, machine, perform
+from tools.benchmarks.jobs import Evaluation, Job, machine
 from tools.benchmarks.learning import measures
 from tools.benchmarks.learning.curves import draw
 from tools.benchmarks.learning.measures import Data
 from tools.benchmarks.learning.tables import page
-from tools.benchmarks.options import CORES, OnlyReport, Results, Steps, Workers
+from tools.benchmarks.options import CORES, OnlyReport, Results, Steps, Workers, begin, check_positive
 
 RESULTS, WORK = Path("docs/results"), Path("evaluation")
 FILTERED, FILTER = f"entropy{measures.FILTER_SUFFIX}", 0.1
@@ -97,22 +92,17 @@ def main(
     only_report: OnlyReport = False,
 ) -> None:
     """Explore, do every job that was not done, and write the results."""
-    for name, value in (("seeds", seeds), ("steps", steps), ("workers", workers)):
-        if value < 1:
-            sys.exit(f"--{name} {value} must be at least 1.")
-    begin = time.perf_counter()
-    (work / "jobs").mkdir(parents=True, exist_ok=True)
-    results.mkdir(parents=True, exist_ok=True)
-    report = partial(write_results, work, results, seeds, steps)
+    check_positive(seeds=seeds, steps=steps, workers=workers)
+    evaluation = Evaluation("learning", work, results, workers)
+    report = partial(write_results, evaluation, seeds, steps)
     if not only_report:
         explore(work / "test", "random", TEST_SEED, TEST_STEPS, workers)
         for seed in range(1, seeds + 1):
             for strategy in dict.fromkeys(EXPLORED[strategy] for strategy in of_seed(seed, seeds)):
                 explore(work / f"{strategy}-{seed}", strategy, seed, steps, workers)
         for few in jobs_in_turn(work, seeds, steps):
-            perform(work / "jobs", few, workers, report)
+            evaluation.perform(few, "measuring", report)
     report()
-    say(f"took {(time.perf_counter() - begin) / 60:.0f} min; the tables are in {results / 'learning.md'}")
 
 
 def explore(folder: Path, strategy: str, seed: int, steps: int, workers: int) -> None:
@@ -176,12 +166,11 @@ def other_jobs(work: Path, seed: int, steps: int) -> dict[str, Job]:
     return jobs
 
 
-def write_results(work: Path, results: Path, seeds: int, steps: int) -> None:
+def write_results(evaluation: Evaluation, seeds: int, steps: int) -> None:
     """Write JSON, Markdown and PNG from the jobs that are done."""
-    summary = summarise(load_jobs(work / "jobs"), seeds, steps)
-    write_atomically(results / "learning.json", as_text(summary))
-    write_atomically(results / "learning.md", page(summary))
-    draw(summary, results / "learning.png")
+    summary = summarise(evaluation.found(), seeds, steps)
+    evaluation.write(summary, page(summary), records=False)
+    draw(summary, evaluation.results / "learning.png")
 
 
 def summarise(found: Mapping[str, Any], seeds: int, steps: int) -> dict[str, Any]:
@@ -240,5 +229,4 @@ def _by_seed(found: Mapping[str, Any], name: str, seeds: int) -> Iterator[tuple[
 
 
 if __name__ == "__main__":
-    os.environ.setdefault("OMP_NUM_THREADS", "1")  # for the jobs, of which there are several at once
-    tyro.cli(main)
+    begin(main)

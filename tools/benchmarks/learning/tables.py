@@ -14,11 +14,7 @@ _NOT_YET = "not measured yet"
 
 
 def page(results: Mapping[str, Any]) -> str:
-    """Write the page.
-
-    Args:
-        results: What `learning.json` holds.
-    """
+    """Write the page."""
     machine = ", ".join(f"{name} {value}" for name, value in results["machine"].items())
     ours, missing = results["default_strategy"], results["missing"]
     sections = [

@@ -6,7 +6,6 @@ interrupted.
 """
 
 import math
-import os
 import shutil
 from collections.abc import Mapping, Sequence
 from functools import partial
@@ -18,8 +17,6 @@ import numpy as np
 import tyro
 
 from neurosym.commands.init import init
-from neurosym.console import say
-from neurosym.files import write_atomically
 from neurosym.grounding import Grounding
 from neurosym.markdown import markdown_table
 from neurosym.pddl.compiler import CELL
@@ -30,20 +27,12 @@ from neurosym.stages.folder import DomainFolder
 from neurosym.stages.layout import GROUNDING, MANIFEST, WORLD
 from neurosym.stages.training import train_stage
 from neurosym.wording import counted
-from tools.benchmarks.jobs import as_text, load_jobs, machine, pack, perform, unpack
-from tools.benchmarks.options import CORES, OnlyReport, Results, Seeds, Steps, Work, Workers
+from tools.benchmarks.jobs import Evaluation, machine
+from tools.benchmarks.options import CORES, OnlyReport, Results, Seeds, Steps, Work, Workers, begin
 from tools.benchmarks.planning.measures import REHEARSALS
-from tools.benchmarks.planning.trying import (
-    Jobs,
-    in_millimetres,
-    in_percent,
-    promise_rms,
-    shares,
-    trying,
-)
+from tools.benchmarks.planning.trying import Jobs, in_millimetres, in_percent, promise_rms, shares, trying
 
 RESULTS, WORK = Path("docs/results"), Path("evaluation/bits")
-RECORDS = "bits-records.zip"
 STRATEGY, REGIME = "disagreement", "default"
 FIRST_TASK = 300_000
 """Seed of the first task, far from those of other evaluations."""
@@ -86,12 +75,11 @@ def main(
     only_report: OnlyReport = False,
 ) -> None:
     """Explore, learn, try, and write what came of it; a width is reported as soon as it is done."""
-    (work / "jobs").mkdir(parents=True, exist_ok=True)
-    unpack(results / RECORDS, work / "jobs")
+    evaluation = Evaluation("bits", work, results, workers)
     every_seed = range(1, seeds + 1)
     if not only_report:
         exploring = {f"explore-{seed}": partial(explore, work, seed, steps) for seed in every_seed}
-        perform(work / "jobs", exploring, workers, lambda: None, label="exploring")
+        evaluation.perform(exploring, "exploring")
     tried: dict[Learned, list[Jobs]] = {}
     for how in EVERY:
         tried[how] = [
@@ -99,23 +87,21 @@ def main(
             for seed in every_seed
         ]
         if not only_report:
-            _learn_and_try(work, how, tried[how], workers)
-        pack(work / "jobs", results / RECORDS)
-        summary = summarise(load_jobs(work / "jobs"), tried, seeds=seeds, steps=steps, tasks=tasks)
-        write_atomically(results / "bits.json", as_text(summary))
-        write_atomically(results / "bits.md", page(summary))
-    say(f"wrote {results / 'bits.md'}")
+            _learn_and_try(evaluation, how, tried[how])
+        summary = summarise(evaluation.found(), tried, seeds=seeds, steps=steps, tasks=tasks)
+        evaluation.write(summary, page(summary))
 
 
-def _learn_and_try(work: Path, how: Learned, tried: Sequence[Jobs], workers: int) -> None:
+def _learn_and_try(evaluation: Evaluation, how: Learned, tried: Sequence[Jobs]) -> None:
     """Learn in one way with each seed, and try what was learned."""
+    work = evaluation.work
     learning = {
         f"learn-{how.slug}-{seed}": partial(learn, work, work / f"{how.slug}-{seed}", how, seed)
         for seed in range(1, len(tried) + 1)
     }
-    perform(work / "jobs", learning, workers, lambda: None, label=how.name)
+    evaluation.perform(learning, how.name)
     trials = {name: job for of_one in tried for jobs in of_one.values() for name, job in jobs.items()}
-    perform(work / "jobs", trials, workers, lambda: None, label=f"{how.name}, tasks")
+    evaluation.perform(trials, f"{how.name}, tasks")
 
 
 def explored(work: Path, seed: int) -> Path:
@@ -137,12 +123,6 @@ def explore(work: Path, seed: int, steps: int) -> int:
 def learn(work: Path, folder: Path, how: Learned, seed: int) -> dict[str, Any]:
     """Learn from an exploration; what was done is not done again.
 
-    Args:
-        work: The working folder.
-        folder: Where the domain lies.
-        how: How it is learned.
-        seed: Of everything.
-
     Returns:
         How many operators there are, and the spread of what they do.
     """
@@ -160,11 +140,7 @@ def learn(work: Path, folder: Path, how: Learned, seed: int) -> dict[str, Any]:
 
 
 def described(grounding: Grounding) -> dict[str, Any]:
-    """Count the symbols and operators of a domain, and say how exactly these do what they do.
-
-    Args:
-        grounding: The learned domain.
-    """
+    """Count the symbols and operators of a domain, and say how exactly these do what they do."""
     promises = [operator.promise for operator in grounding.live if operator.promise]
     spreads = [1000 * math.hypot(*promise.scatter) for promise in promises]
     return {
@@ -179,15 +155,7 @@ def described(grounding: Grounding) -> dict[str, Any]:
 def summarise(
     found: Mapping[str, Any], tried: Mapping[Learned, Sequence[Jobs]], *, seeds: int, steps: int, tasks: int
 ) -> dict[str, Any]:
-    """Gather what was learned, and the shares of reached goals.
-
-    Args:
-        found: What the jobs found, by name.
-        tried: The jobs that tried each domain, seed by seed.
-        seeds: How many seeds.
-        steps: Interactions of each exploration.
-        tasks: With one object, and with two.
-    """
+    """Gather what was learned, and the shares of reached goals."""
     return {
         "command": "python -m tools.benchmarks.planning.bits",
         "versions": machine("numpy", "pybullet", "torch", "up-fast-downward"),
@@ -203,11 +171,7 @@ def summarise(
 
 
 def page(summary: Mapping[str, Any]) -> str:
-    """Write the tables.
-
-    Args:
-        summary: What `summarise` returned.
-    """
+    """Write the tables."""
     learned, reached = summary["learned"], summary["reached"]
     names = ("categories", "primitives", "operators", "spread_median_mm", "spread_p90_mm")
     known = {how: [one for one in ones if one] for how, ones in learned.items()}
@@ -257,5 +221,4 @@ def _spread(values: Sequence[float]) -> str:
 
 
 if __name__ == "__main__":
-    os.environ.setdefault("OMP_NUM_THREADS", "1")  # for the jobs, of which there are several at once
-    tyro.cli(main)
+    begin(main)

@@ -6,8 +6,6 @@ scaling, each as .json, .md and .png), as far as they are known.
 """
 
 import json
-import os
-import sys
 import time
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from functools import partial
@@ -16,11 +14,10 @@ from typing import Annotated, Any
 
 import tyro
 
-from neurosym.console import say
 from neurosym.evaluation.comparison import TaskRecord
 from neurosym.files import write_atomically
-from tools.benchmarks.jobs import as_text, load_jobs, machine, pack, perform, unpack
-from tools.benchmarks.options import CORES, OnlyReport, Results, Steps, Workers
+from tools.benchmarks.jobs import Evaluation, as_text, machine
+from tools.benchmarks.options import CORES, OnlyReport, Results, Steps, Workers, begin, check_positive
 from tools.benchmarks.planning import jobs, measures, tally, trial_jobs
 from tools.benchmarks.planning.jobs import COMPARED, SIZES, Size
 from tools.benchmarks.planning.pictures import draw_scaling, draw_table3
@@ -30,8 +27,6 @@ from tools.benchmarks.planning.tasks import DIFFICULTIES
 from tools.benchmarks.planning.trial_tables import trial_sections
 
 RESULTS, WORK = Path("docs/results"), Path("evaluation/planning")
-RECORDS = "planning-records.zip"
-"""What every job found, so that another machine can go on from there, or count anew."""
 REPORT_EVERY = 60.0
 """Seconds between two reports while jobs are being done."""
 PAPER = {"single": {"curiosity": 0.82, "active": 0.56, "random": 0.13}}
@@ -63,21 +58,10 @@ def main(
 ) -> None:
     """Learn, do every job that was not done, and write the results."""
     size = jobs.size_of(seeds, steps, tasks, precise=precise, far=far, strategies=strategies)
-    for name, value in (
-        ("seeds", seeds),
-        ("steps", steps),
-        ("tasks", size.tasks),
-        ("precise", size.precise),
-        ("far", 1 + min(size.far)),
-        ("workers", workers),
-    ):
-        if value < 1:
-            sys.exit(f"--{name} {value} must be at least 1.")
-    begin = time.perf_counter()
-    (work / "jobs").mkdir(parents=True, exist_ok=True)
-    results.mkdir(parents=True, exist_ok=True)
-    unpack(results / RECORDS, work / "jobs")
-    report = partial(write_results, work, results, size)
+    counts = {"seeds": seeds, "steps": steps, "workers": workers}
+    check_positive(**counts, tasks=size.tasks, precise=size.precise, far=1 + min(size.far))
+    evaluation = Evaluation("planning", work, results, workers)
+    report = partial(write_results, evaluation, size)
     report()
     now_and_then = sparing(report, REPORT_EVERY)
     if not only_report:
@@ -86,19 +70,12 @@ def main(
             if label.startswith("seed"):
                 prepare_domains(work, size)
             wanted = {name: job for name, job in turn.items() if "-none-" not in name}
-            perform(work / "jobs", wanted, workers, now_and_then, fresh=label == "scaling", label=label)
+            evaluation.perform(wanted, label, now_and_then, fresh=label == "scaling")
     report()
-    say(f"took {(time.perf_counter() - begin) / 60:.0f} min; the tables are in {results / 'planning.md'}")
 
 
 def turns(work: Path, size: Size, *, learn: bool) -> Iterator[jobs.Turn]:
-    """List all jobs; trials come when the tasks are drawn and Table III of the shipped domain is done.
-
-    Args:
-        work: The working folder.
-        size: How much is measured.
-        learn: Whether to learn the domains of Table III; else those that are there are taken.
-    """
+    """List all jobs; trials come when the tasks are drawn and Table III of the shipped domain is done."""
     for label, turn in jobs.jobs_in_turn(work, size, learn=learn):
         yield label, turn
         if label == "shipped domain":
@@ -126,18 +103,15 @@ def prepare_domains(work: Path, size: Size) -> None:
             measures.prepare(jobs.folder_of(work, jobs.domain_name(strategy, seed)))
 
 
-def write_results(work: Path, results: Path, size: Size) -> None:
+def write_results(evaluation: Evaluation, size: Size) -> None:
     """Write JSON, Markdown and PNG from the jobs that are done."""
+    results = evaluation.results
     matrix = results / "planners.json"
     planners = json.loads(matrix.read_text()) if matrix.exists() else None
-    summary = summarise(load_jobs(work / "jobs"), work, size, planners)
-    pack(work / "jobs", results / RECORDS)
-    for name, values, text in (
-        ("planning", summary, page(summary, trial_sections(summary))),
-        ("scaling", summary["scaling"], scaling_page(summary)),
-    ):
-        write_atomically(results / f"{name}.json", as_text(values))
-        write_atomically(results / f"{name}.md", text)
+    summary = summarise(evaluation.found(), evaluation.work, size, planners)
+    evaluation.write(summary, page(summary, trial_sections(summary)))
+    write_atomically(results / "scaling.json", as_text(summary["scaling"]))
+    write_atomically(results / "scaling.md", scaling_page(summary))
     draw_table3(summary, results / "planning.png")
     draw_scaling(summary["scaling"], results / "scaling.png")
 
@@ -224,5 +198,4 @@ def _gathered(found: Mapping[str, Any], names: Sequence[str] | Iterable[str], pa
 
 
 if __name__ == "__main__":
-    os.environ.setdefault("OMP_NUM_THREADS", "1")  # for the jobs, of which there are several at once
-    tyro.cli(main)
+    begin(main)

@@ -17,12 +17,7 @@ _RESAMPLES = 2000
 
 
 def reached(trials: Sequence[Trial], way: str = "replanned") -> int:
-    """Count the trials that ended at their goal; one without a plan did not.
-
-    Args:
-        trials: What became of the tasks.
-        way: `blind` or `replanned`.
-    """
+    """Count the trials that ended at their goal; one without a plan did not."""
     runs: Iterable[Followed | None] = (getattr(trial, way) for trial in trials)
     return sum(run is not None and run.reached for run in runs)
 
@@ -45,11 +40,7 @@ def motions(trials: Sequence[Trial], way: str = "replanned") -> float | None:
 
 
 def promise_errors(steps: Sequence[Step]) -> dict[str, Any]:
-    """Say how far steps ended from their promise [mm]: RMS and median, of all and of the worst category.
-
-    Args:
-        steps: Steps that were executed; those that promised nothing do not count.
-    """
+    """Say how far steps ended from their promise [mm]: RMS and median, of all and of the worst category."""
     by_category: dict[str, list[float]] = defaultdict(list)
     for step in steps:
         if step.error is not None:
@@ -71,10 +62,6 @@ def rms_interval(trials: Sequence[Trial], way: str = "replanned") -> tuple[float
     """Return the bootstrap interval of the RMS of promises over runs, at 95 % [mm]; None without a step.
 
     A few steps that went wrong decide an RMS, so it says little without this (Efron, 1979).
-
-    Args:
-        trials: What became of the tasks.
-        way: `blind` or `replanned`.
     """
     runs = [[step.error for step in steps_of([trial], way) if step.error is not None] for trial in trials]
     squares = np.array([np.sum(np.square(errors)) for errors in runs])
@@ -112,11 +99,7 @@ def ended_by(trials: Iterable[Trial]) -> dict[str, int]:
 
 
 def calibration(trials: Iterable[Trial]) -> dict[str, Any]:
-    """Compare the printed chances of plans with how often they came true, followed blindly.
-
-    Args:
-        trials: Trials whose plans were followed blindly.
-    """
+    """Compare the printed chances of plans with how often they came true, followed blindly."""
     known = [trial for trial in trials if trial.blind and trial.chance is not None]
     return _calibrated(
         np.array([trial.chance for trial in known], dtype=float),
@@ -125,11 +108,7 @@ def calibration(trials: Iterable[Trial]) -> dict[str, Any]:
 
 
 def calibration_replanned(trials: Iterable[Trial]) -> dict[str, Any]:
-    """Compare the printed chances to be there in so many motions with how often plans were, planned anew.
-
-    Args:
-        trials: Trials whose plans were followed with replanning.
-    """
+    """Compare the printed chances to be there in so many motions with how often plans were, planned anew."""
     known = [trial for trial in trials if trial.replanned and trial.chance_replanned is not None]
     came = [
         trial.replanned.reached and len(trial.replanned.steps) <= trial.primitives + MORE_MOTIONS
@@ -152,23 +131,12 @@ def _calibrated(chances: np.ndarray, came: np.ndarray) -> dict[str, Any]:
 
 
 def brier(chances: np.ndarray, came: np.ndarray) -> float:
-    """Return the mean squared distance between chances and what came, 1 for true and 0 for false.
-
-    Args:
-        chances: Chances, (N,).
-        came: What came, (N,).
-    """
+    """Return the mean squared distance between chances and what came, 1 for true and 0 for false."""
     return float(np.mean((chances - came) ** 2))
 
 
 def bins(chances: np.ndarray, came: np.ndarray, least: int = BIN) -> list[dict[str, float]]:
-    """Cut plans by their chance into bins of nearly the same number, each of a least number of plans.
-
-    Args:
-        chances: Chances, (N,).
-        came: What came, (N,).
-        least: So many plans are in a bin at least, if there are so many.
-    """
+    """Cut plans by their chance into bins of nearly the same number, each of a least number of plans."""
     order = np.argsort(chances, kind="stable")
     parts = np.array_split(order, max(1, len(order) // least)) if len(order) else []
     return [

@@ -93,13 +93,7 @@ def size_of(
 
 
 def jobs_in_turn(work: Path, size: Size, *, learn: bool) -> Iterator[Turn]:
-    """List the jobs, what is most asked for first; later jobs read what earlier ones wrote.
-
-    Args:
-        work: The working folder.
-        size: How much is measured.
-        learn: Whether to learn the domains of Table III; else those that are there are taken.
-    """
+    """List the jobs, what is most asked for first; later jobs read what earlier ones wrote."""
     yield "drawing tasks", drawing_jobs(size)
     yield "shipped domain", table3_jobs(work, size, "shipped", 0.05)
     yield "disturbed runs", disturbed_jobs(work, size)
@@ -255,14 +249,7 @@ def timing_jobs(work: Path) -> dict[str, Job]:
 
 
 def on_drawn(work: Path, prefix: str, tasks: int, measure: Any) -> dict[str, Job]:
-    """List a job for each block of drawn tasks, single and double in turn.
-
-    Args:
-        work: The working folder.
-        prefix: Beginning of the names of the jobs.
-        tasks: How many tasks of each size.
-        measure: Is handed the file with the tasks.
-    """
+    """List a job for each block of drawn tasks, single and double in turn."""
     return {
         f"{prefix}-{objects}-{block_name(block)}": partial(
             measure, work / "jobs" / f"{_drawn(objects, block)}.json"

@@ -28,8 +28,7 @@ from neurosym.execution.summary import summarise_run
 from neurosym.grounding import Grounding
 from neurosym.operators import TOLERANCE
 from neurosym.planners import PlanResult, PlanStatus, plan
-from neurosym.planners.bfs import plan_bfs
-from neurosym.planners.branching import branching_of
+from neurosym.planners.bfs import branching_of, plan_bfs
 from neurosym.planners.counting import fewest_steps
 from neurosym.problems import Problem
 from neurosym.stages.compiling import compile_stage
@@ -213,8 +212,7 @@ def timings(folder: Path, double: Path) -> dict[str, Any]:
     tables = [branching_of(problem, bench.setting.grounding) for problem in problems]
     table = bench.setting.world.table
     searches = [
-        _seconds(lambda p=p, b=b, n=n: plan_bfs(p, b, n, table))
-        for p, (b, n) in zip(problems, tables, strict=True)
+        _seconds(lambda p=p, b=b: plan_bfs(p, b, table)) for p, b in zip(problems, tables, strict=True)
     ]
     with tempfile.TemporaryDirectory(prefix="neurosym-timing-") as name:
         copy = Path(name) / "domain"

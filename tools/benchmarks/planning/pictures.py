@@ -19,12 +19,7 @@ BARS = (
 
 
 def draw_table3(results: Mapping[str, Any], path: Path) -> None:
-    """Draw the shares of goals reached, for one and two objects, beside the paper's figures.
-
-    Args:
-        results: What `planning.json` holds.
-        path: The PNG.
-    """
+    """Draw the shares of goals reached, for one and two objects, beside the paper's figures."""
     table, paper = results["table3"], results["paper"]
     figure, axes = plt.subplots(1, 2, figsize=(13, 4.6), layout="constrained", sharey=True)
     for axis, kind in zip(axes, ("single", "double"), strict=True):
@@ -49,12 +44,7 @@ def draw_table3(results: Mapping[str, Any], path: Path) -> None:
 
 
 def draw_scaling(scaling: Mapping[str, Any], path: Path) -> None:
-    """Draw time and plan length against objects, for easy and for hard goals.
-
-    Args:
-        scaling: What `scaling.json` holds.
-        path: The PNG.
-    """
+    """Draw time and plan length against objects, for easy and for hard goals."""
     figure, axes = plt.subplots(2, 3, figsize=(14, 7), layout="constrained")
     panels = (
         ("seconds", "median time [s]", "log"),

@@ -31,11 +31,12 @@ from neurosym.pddl.sas import sas_text
 from neurosym.pddl.strips_problem import printed_cell
 from neurosym.planners import PLANNERS, PlanStatus, plan
 from neurosym.planners.catalogue import COARSE, PROGRAMS
+from neurosym.planners.external import plan_program
 from neurosym.planners.fast_downward import SAS_SUFFIX
 from neurosym.planners.planner import PddlProgram
 from neurosym.planners.process import run_limited
 from neurosym.planners.track_record import FILE, TrackRecord
-from neurosym.planners.unified_planning import plan_unified_planning
+from neurosym.planners.unified_planning import engine_program
 from neurosym.problems import Problem
 from neurosym.stages.folder import DomainFolder
 from neurosym.stages.layout import GROUNDING
@@ -63,7 +64,7 @@ READERS = {
     "r.parse_domain(sys.argv[1]); r.parse_instance(sys.argv[2])",
 }
 """Programs that read PDDL and do not plan."""
-REFUSING = {"tamer": partial(plan_unified_planning, engine="tamer")}
+REFUSING = {"tamer": partial(plan_program, program=engine_program("tamer"))}
 """Planners that refuse all of it, for the record."""
 _PLACES, _RELATIONS = "places-", "relations-"
 """What the names of problems begin with in which objects are carried, and put on and into one another."""
@@ -275,11 +276,7 @@ def _write(
 
 
 def record_of(values: Mapping[str, Any]) -> TrackRecord:
-    """Return what each planner solved of shipped problems, in the encodings that it takes and was given.
-
-    Args:
-        values: What `planners.json` holds.
-    """
+    """Return what each planner solved of shipped problems, in the encodings that it takes and was given."""
     problems = tuple(name for name in values["problems"] if name.startswith("task-"))
     solved: dict[str, dict[str, int]] = {planner.name: {} for planner in PROGRAMS}
     for planner in PROGRAMS:

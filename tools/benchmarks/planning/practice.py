@@ -5,7 +5,6 @@ domain and both copies are tried on the same tasks, which no practice has seen. 
 interrupted.
 """
 
-import os
 import shutil
 from collections.abc import Mapping
 from functools import partial
@@ -15,28 +14,19 @@ from typing import Annotated, Any
 
 import tyro
 
-from neurosym.console import say
-from neurosym.files import write_atomically
 from neurosym.markdown import markdown_table
 from neurosym.pddl.compiler import CELL
 from neurosym.stages.compiling import compile_stage
 from neurosym.stages.folder import DomainFolder
 from neurosym.stages.layout import MANIFEST, TABLE_FILES
-from neurosym.stages.practising import practice_of, practise_stage
-from tools.benchmarks.jobs import as_text, load_jobs, machine, pack, perform, unpack
-from tools.benchmarks.options import CORES, Results, Work, Workers
+from neurosym.stages.practised import practice_of
+from neurosym.stages.practising import practise_stage
+from tools.benchmarks.jobs import Evaluation, machine
+from tools.benchmarks.options import CORES, Results, Work, Workers, begin
 from tools.benchmarks.planning.jobs import SHIPPED
-from tools.benchmarks.planning.trying import (
-    Jobs,
-    in_millimetres,
-    in_percent,
-    promise_rms,
-    shares,
-    trying,
-)
+from tools.benchmarks.planning.trying import Jobs, in_millimetres, in_percent, promise_rms, shares, trying
 
 RESULTS, WORK = Path("docs/results"), Path("evaluation/practice")
-RECORDS = "practice-records.zip"
 HOW = ("before", "practised", "evenly")
 FIRST_TASK = 200_000
 """Seed of the first task, far from those of other evaluations."""
@@ -54,37 +44,25 @@ def main(
     workers: Workers = CORES,
 ) -> None:
     """Practise, try, and write what came of it."""
-    (work / "jobs").mkdir(parents=True, exist_ok=True)
-    unpack(results / RECORDS, work / "jobs")
+    evaluation = Evaluation("practice", work, results, workers)
     copies = [_KEPT, *((how, str(seed)) for how in HOW[1:] for seed in range(1, seeds + 1))]
     learning = {
         f"learn-{how}-{seed}": partial(learn, domain, work / f"{how}-{seed}", how, int(seed), interactions)
         for how, seed in copies
     }
-    perform(work / "jobs", learning, workers, lambda: None, label="practising")
+    evaluation.perform(learning, "practising")
     tried = {
         (how, seed): trying(work / f"{how}-{seed}", f"{how}-{seed}", tasks, FIRST_TASK)
         for how, seed in copies
     }
     every = {name: job for cells in tried.values() for jobs in cells.values() for name, job in jobs.items()}
-    perform(work / "jobs", every, workers, lambda: None, label="trying")
-    found = load_jobs(work / "jobs")
-    pack(work / "jobs", results / RECORDS)
-    summary = summarise(found, tried, interactions=interactions, tasks=tasks)
-    write_atomically(results / "practice.json", as_text(summary))
-    write_atomically(results / "practice.md", page(summary))
-    say(f"wrote {results / 'practice.md'}")
+    evaluation.perform(every, "trying")
+    summary = summarise(evaluation.found(), tried, interactions=interactions, tasks=tasks)
+    evaluation.write(summary, page(summary))
 
 
 def learn(domain: Path, folder: Path, how: str, seed: int, interactions: int) -> dict[str, Any]:
     """Copy a domain, and practise with it, or rehearse all its operators evenly.
-
-    Args:
-        domain: The domain folder.
-        folder: Where the copy lies; one that is there is gone on with.
-        how: One of `HOW`.
-        seed: Of practice.
-        interactions: How many.
 
     Returns:
         How many interactions there were, and the competence of what was practised, before and after.
@@ -112,14 +90,7 @@ def learn(domain: Path, folder: Path, how: str, seed: int, interactions: int) ->
 def summarise(
     found: Mapping[str, Any], tried: Mapping[tuple[str, str], Jobs], *, interactions: int, tasks: int
 ) -> dict[str, Any]:
-    """Gather shares of reached goals, and what practice was.
-
-    Args:
-        found: What the jobs found, by name.
-        tried: The jobs that tried each copy, by how it was treated and its seed.
-        interactions: Of practice.
-        tasks: With one object, and with two.
-    """
+    """Gather shares of reached goals, and what practice was."""
     of = {how: [jobs for (one, _), jobs in tried.items() if one == how] for how in HOW}
     command = f"python -m tools.benchmarks.planning.practice --interactions {interactions} --tasks {tasks}"
     return {
@@ -134,11 +105,7 @@ def summarise(
 
 
 def page(summary: Mapping[str, Any]) -> str:
-    """Write the tables.
-
-    Args:
-        summary: What `summarise` returned.
-    """
+    """Write the tables."""
     reached = summary["reached"]
     rows = [[what, *(in_percent(reached[how][what]) for how in HOW)] for what in reached[HOW[0]]]
     missed = summary["promise_rms_mm"]
@@ -172,5 +139,4 @@ def _competence(entry: Mapping[str, Any]) -> tuple[str, str]:
 
 
 if __name__ == "__main__":
-    os.environ.setdefault("OMP_NUM_THREADS", "1")  # for the jobs, of which there are several at once
-    tyro.cli(main)
+    begin(main)

@@ -7,11 +7,7 @@ from tools.benchmarks.planning.tables import NOT_YET, markdown
 
 
 def scaling_page(results: Mapping[str, Any]) -> str:
-    """Write the page.
-
-    Args:
-        results: What `planning.json` holds.
-    """
+    """Write the page."""
     scaling, missing = results["scaling"], results["missing"]
     cap, tasks = scaling["cap_seconds"], scaling["tasks_in_a_cell"]
     unfinished = f" **Not finished**: {missing} jobs of the evaluation to do." if missing else ""

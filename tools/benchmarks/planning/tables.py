@@ -9,12 +9,7 @@ _SHARE_NAMES = ("plan found", "valid in the model", "reached, followed blindly",
 
 
 def page(results: Mapping[str, Any], trials: Sequence[str] = ()) -> str:
-    """Write the page.
-
-    Args:
-        results: What `planning.json` holds.
-        trials: Sections about trials, as `trial_sections` writes them.
-    """
+    """Write the page."""
     versions = ", ".join(f"{name} {value}" for name, value in results["versions"].items())
     missing, size = results["missing"], results["size"]
     unfinished = f" **Not finished**: {missing} jobs to do; the same command goes on." if missing else ""
@@ -221,12 +216,7 @@ def _number(value: float | None) -> str:
 
 
 def markdown(columns: Sequence[str], rows: Sequence[Sequence[str]]) -> str:
-    """Print a table, or say that there is nothing to print yet.
-
-    Args:
-        columns: Headings.
-        rows: One text for each heading.
-    """
+    """Print a table, or say that there is nothing to print yet."""
     if not rows:
         return NOT_YET
     lines = [columns, ["---"] * len(columns), *rows]

@@ -21,12 +21,7 @@ def records_of(entries: Entries) -> list[TaskRecord]:
 
 
 def table3_cell(by_seed: Mapping[str, Sequence[TaskRecord]], planners: Sequence[str]) -> dict[str, Any]:
-    """Say which share of the tasks each planner solved and reached: mean and spread over seeds.
-
-    Args:
-        by_seed: What became of the tasks, for each seed that was measured.
-        planners: Whom to count.
-    """
+    """Say which share of the tasks each planner solved and reached: mean and spread over seeds."""
     cell: dict[str, Any] = {}
     counted = {seed: summarise(records, planners) for seed, records in by_seed.items() if records}
     for planner in planners:

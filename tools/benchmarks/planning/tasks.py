@@ -31,12 +31,6 @@ def draw_symbolic(bench: Bench, objects: int, difficulty: str, seed: int) -> Pro
 
     No object is at its goal at the start, and none but the last may end held.
 
-    Args:
-        bench: The world and the learned domain.
-        objects: How many objects.
-        difficulty: One of `DIFFICULTIES`.
-        seed: Same seed, same task.
-
     Raises:
         InvalidValue: If no such task is found.
     """

@@ -81,9 +81,6 @@ def far(folder: Path, objects: int, seeds: Sequence[int]) -> list[Any]:
 def kinds(folder: Path) -> list[str] | None:
     """Say which of the six kinds of primitive the operators of a domain are, by their rehearsals.
 
-    Args:
-        folder: The domain folder.
-
     Returns:
         The kinds that were found; None if the rehearsals are not kept.
     """
@@ -93,9 +90,6 @@ def kinds(folder: Path) -> list[str] | None:
 
 def kinds_of(grounding: Grounding) -> list[str] | None:
     """Say which of the six kinds of primitive there are, by the rule of `primitive_kinds`.
-
-    Args:
-        grounding: The learned domain.
 
     Returns:
         The kinds that were found; None if the rehearsals are not kept.
@@ -112,13 +106,7 @@ def kinds_of(grounding: Grounding) -> list[str] | None:
 
 
 def summarise_trials(found: Mapping[str, Any], work: Path, size: Size) -> dict[str, Any]:
-    """Gather trials into figures; what is not done yet is missing.
-
-    Args:
-        found: What the jobs found, by name.
-        work: The working folder.
-        size: How much was to be measured.
-    """
+    """Gather trials into figures; what is not done yet is missing."""
     drawn = {
         f"{1000 * tolerance:g}": {kind: _drawn(found, work, size, tolerance, kind) for kind in SIZES}
         for tolerance in TOLERANCES

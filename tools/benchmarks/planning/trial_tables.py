@@ -9,11 +9,7 @@ from tools.benchmarks.planning.tables import NOT_YET, markdown
 
 
 def trial_sections(results: Mapping[str, Any]) -> list[str]:
-    """Write the sections; none for results of earlier versions, which have no such figures.
-
-    Args:
-        results: What `planning.json` holds.
-    """
+    """Write the sections; none for results of earlier versions, which have no such figures."""
     if "precision" not in results:
         return []
     return [
@@ -112,12 +108,7 @@ def _calibration(what: str, told: Mapping[str, Any]) -> str:
 
 
 def with_interval(share: float | None, of: int) -> str:
-    """Print a share with its Wilson interval.
-
-    Args:
-        share: The share; None if there is nothing to count.
-        of: Of how many.
-    """
+    """Print a share with its Wilson interval."""
     if share is None:
         return "-"
     low, high = wilson(round(share * of), of)

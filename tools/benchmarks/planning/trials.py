@@ -125,8 +125,7 @@ def try_task(setting: Setting, task: Problem, *, blind: bool, time_limit: float 
         primitives=primitives(found.steps),
         chance=round(expected_success(found.steps, task, setting.grounding), 4),
         chance_replanned=round(
-            expected_within(found.steps, task, setting.grounding, primitives(found.steps) + MORE_MOTIONS),
-            4,
+            expected_within(found.steps, task, setting.grounding, primitives(found.steps) + MORE_MOTIONS), 4
         ),
         blind=followed,
         replanned=shortened(replanned, task, setting.grounding),
@@ -135,13 +134,7 @@ def try_task(setting: Setting, task: Problem, *, blind: bool, time_limit: float 
 
 
 def shortened(run: Run, task: Problem, grounding: Grounding) -> Followed:
-    """Keep of a run what is counted.
-
-    Args:
-        run: The run.
-        task: What was to be done.
-        grounding: The learned domain.
-    """
+    """Keep of a run what is counted."""
     before = {item.name: item.position for item in task.objects}
     steps = []
     for record in run.steps:

@@ -23,14 +23,7 @@ Jobs = dict[tuple[str, int], dict[str, Job]]
 
 
 def trying(folder: Path, name: str, tasks: int, first: int) -> Jobs:
-    """List the jobs that try tasks in a domain.
-
-    Args:
-        folder: The domain folder.
-        name: What the domain is called in the names of jobs.
-        tasks: How many tasks of each size.
-        first: Seed of the first; the others follow.
-    """
+    """List the jobs that try tasks in a domain."""
     return {
         (kind, mm): {
             f"try-{name}-{kind}-{mm}mm-{block.start}": partial(
@@ -51,12 +44,7 @@ def try_all(folder: Path, objects: int, mm: int, seeds: Sequence[int]) -> list[A
 
 
 def shares(found: Mapping[str, Any], jobs: Sequence[Jobs]) -> dict[str, list[float | None]]:
-    """Gather which share of the goals was reached, for several domains each.
-
-    Args:
-        found: What the jobs found, by name.
-        jobs: Those of each domain.
-    """
+    """Gather which share of the goals was reached, for several domains each."""
     return {
         f"{kind}, {mm} mm, {way}": [figures.share(_trials(found, of_one[kind, mm]), way) for of_one in jobs]
         for mm in TOLERANCES
@@ -66,12 +54,7 @@ def shares(found: Mapping[str, Any], jobs: Sequence[Jobs]) -> dict[str, list[flo
 
 
 def promise_rms(found: Mapping[str, Any], jobs: Sequence[Jobs]) -> dict[str, list[float | None]]:
-    """Gather how far steps ended from their promises, with replanning, for several domains each [mm, RMS].
-
-    Args:
-        found: What the jobs found, by name.
-        jobs: Those of each domain.
-    """
+    """Gather how far steps ended from their promises, with replanning, for several domains each [mm, RMS]."""
     return {
         f"{mm} mm": [
             figures.promise_errors(

@@ -20,9 +20,10 @@ from neurosym.pair_sight import ChancesOfStates
 from neurosym.pair_states import describe_pair
 from neurosym.primitives.sampling import draw_scene
 from neurosym.relation_operators import PairStates
+from neurosym.stages.aims import TO_OBJECTS
+from neurosym.stages.exploring import explore_stage
 from neurosym.stages.folder import DomainFolder
 from neurosym.stages.layout import RELATION_INTERACTIONS, WORLD
-from neurosym.stages.relating import explore_relations_stage
 from neurosym.strategies import StrategyName
 from neurosym.world import Outcome, Scene
 from neurosym.worlds.related import REFERENCE, TARGET, RelatedFactory
@@ -45,14 +46,6 @@ def found_after(
 ) -> list[dict[str, Any]]:
     """Find out what can be done after some interactions and after more.
 
-    Args:
-        places: A domain with places.
-        explored: A domain with relations in which more interactions may have been made; the first of many are
-            the same as the first of few.
-        folder: Where they are made if not.
-        seed: Of everything.
-        strategy: How interactions are chosen.
-
     Returns:
         For each number of interactions how many of them ended in a state that bears, and how often what puts
         on and what puts in did so, with the share of all pairs with which that was foreseen; None if nothing
@@ -61,8 +54,8 @@ def found_after(
     if not (explored / RELATION_INTERACTIONS).exists():
         copy_start(places, folder)
         domain, explored = DomainFolder(folder), folder
-        stage = explore_relations_stage(
-            domain, strategy=strategy, steps=NUMBERS[-1], seed=seed, regime=REGIME, workers=1
+        stage = explore_stage(
+            domain, TO_OBJECTS, strategy=strategy, steps=NUMBERS[-1], seed=seed, regime=REGIME, workers=1
         )
         domain.perform(stage, again=False)
     every = Interactions.load(explored / RELATION_INTERACTIONS)

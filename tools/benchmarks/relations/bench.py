@@ -40,8 +40,7 @@ SMALL = 0.09
 
 
 def main(
-    tasks: Annotated[int, tyro.conf.arg(help="How many tasks of each kind.")] = 5,
-    output: Output = None,
+    tasks: Annotated[int, tyro.conf.arg(help="How many tasks of each kind.")] = 5, output: Output = None
 ) -> None:
     """Measure, and print what was found as JSON."""
     folder, seeds = DomainFolder(SHIPPED), range(FIRST, FIRST + tasks)
@@ -89,15 +88,7 @@ def _timed(problems: Sequence[Problem], grounding: Grounding, limit: float) -> d
 def towers(
     kinds: Sequence[SceneObject], grounding: Grounding, sight: PairSight, state: str, seed: int
 ) -> Problem:
-    """Draw twenty objects on a lattice, of which several towers shall be built.
-
-    Args:
-        kinds: Objects to take after, all of them small.
-        grounding: The learned domain.
-        sight: What networks say of pairs.
-        state: Name of the state in which one rests on another.
-        seed: Same seed, same problem.
-    """
+    """Draw twenty objects on a lattice, of which several towers shall be built."""
     rng = np.random.default_rng(seed)
     points = lattice_points(grounding.table, ROWS, COLUMNS)
     items = tuple(

@@ -16,25 +16,16 @@ from neurosym.sim.scenes import sample_features, sample_scene
 from neurosym.sim.shapes import SHAPES
 from neurosym.table import OtherObject
 from neurosym.world import Outcome, Scene
-from neurosym.worlds.workers import Perform, Task, crew
+from neurosym.worlds.workers import Perform, Task, crew, perform_all
 from tools.benchmarks.relations.geometry import relation
 from tools.benchmarks.world.hand_written import carry_to
-from tools.benchmarks.world.measures import (
-    MARGIN,
-    NUDGE,
-    Advance,
-    Results,
-    factory,
-    perform_watched,
-    random_place,
-    random_tasks,
-)
+from tools.benchmarks.world.measures import MARGIN, NUDGE, Results, factory, random_place, random_tasks
 
 TARGET, UNDER = 0, 1
 """Which object of a scene is carried, and which one it is put over."""
 
 
-def put_over(objects: int, seed: int, workers: int, advance: Advance) -> Results:
+def put_over(objects: int, seed: int, workers: int) -> Results:
     """Put objects of each shape over objects of each shape, and take away again what stands on or in them."""
     table: Results = {}
     pairs = [(shape, under) for shape in SHAPES for under in SHAPES]
@@ -43,7 +34,6 @@ def put_over(objects: int, seed: int, workers: int, advance: Advance) -> Results
             tasks = [_task(shape, under, [seed, done, number]) for number in range(objects)]
             put = [*perform(tasks)]
             table[f"{shape} over {under}"] = _told(put) | _taken(put, perform, [seed, done])
-            advance(done, len(pairs))
     return table
 
 
@@ -94,11 +84,11 @@ def _taken(put: Sequence[Outcome], perform: Perform, seed: Sequence[int]) -> dic
     return {f"taken_{name}": [of[name], names.count(name)] for name in ("on", "in")}
 
 
-def towers(count: int, seed: int, workers: int, advance: Advance) -> Results:
+def towers(count: int, seed: int, workers: int) -> Results:
     """Build towers of solid objects that can be grasped, the widest below, and count those that stand."""
     table: Results = {}
     with crew(factory(), workers) as perform:
-        for done, height in enumerate((3, 4), 1):
+        for height in (3, 4):
             scenes = [_solids(height, [seed, height, number]) for number in range(count)]
             for level in range(1, height):
                 tasks = [_next_level(scene, level) for scene in scenes]
@@ -108,7 +98,6 @@ def towers(count: int, seed: int, workers: int, advance: Advance) -> Results:
                 all(relation(outcome, n, n - 1) == "on" for n in range(1, height)) for outcome in outcomes
             ]
             table[str(height)] = {"tried": count, "stand": sum(stand)}
-            advance(done, 2)
     return table
 
 
@@ -128,11 +117,11 @@ def _next_level(scene: Scene, level: int) -> Task:
     return Task(scene, action, level, reference=OtherObject(level - 1))
 
 
-def predictability(count: int, seed: int, workers: int, advance: Advance) -> Results:
+def predictability(count: int, seed: int, workers: int) -> Results:
     """Aim random actions at another object, and once more with the action changed by 0.1 mm."""
     runs = [random_tasks(count, seed, nudge=nudge, objects=2) for nudge in (0.0, NUDGE)]
     tasks = [replace(task, reference=OtherObject(UNDER)) for run in runs for task in run]
-    outcomes = perform_watched(factory(), tasks, workers, advance)
+    outcomes = [*perform_all(factory(), tasks, workers)]
     ends = [relation(outcome, TARGET, UNDER) for outcome in outcomes]
     carried = [outcome.carried for outcome in outcomes]
     first, again = ends[:count], ends[count:]

@@ -6,31 +6,28 @@ that a person can solve. Goes on where it was interrupted.
 """
 
 import json
-import os
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from functools import partial
 from pathlib import Path
 from typing import Annotated, Any
 
 import tyro
 
-from neurosym.console import progress_bar, say
-from neurosym.files import make_folder, write_atomically
+from neurosym.files import make_folder
 from neurosym.stages.layout import RELATIONS
 from tools.benchmarks.carrying import keeping
-from tools.benchmarks.jobs import Job, as_text, load_jobs, machine, pack, perform, unpack
-from tools.benchmarks.options import CORES, Seeds, Workers
+from tools.benchmarks.jobs import Evaluation, Job, machine
+from tools.benchmarks.options import CORES, Seeds, Workers, begin
 from tools.benchmarks.relations import by_hand, learned, protocols, tasks
 from tools.benchmarks.relations.beginnings import found_after
 from tools.benchmarks.relations.singly import one_by_one
 from tools.benchmarks.relations.summary import CURIOUS, FIRST, RANDOM, SINGLY, Way, summarise
 from tools.benchmarks.relations.tables import page
 from tools.benchmarks.relations.trying import try_all
-from tools.benchmarks.world.measures import Advance
 from tools.relearn_towers import RELATIONS as STEPS
 
 RESULTS, WORK = Path("docs/results"), Path("evaluation/relations")
-RECORDS, DOMAINS = "relations-records.zip", "relations-domains.zip"
+DOMAINS = "relations-domains.zip"
 PLACES = "places-domains.zip"
 FIRST_TASK = 740_000
 """Seed of the first task, far from those of other evaluations."""
@@ -54,9 +51,8 @@ def main(
 ) -> None:
     """Measure, learn and try, and write the results; what was done is not done again."""
     cells = (*tasks.cells(count), *protocols.cells(count))
-    hand = _by_hand(results / "relations.json", scale)
-    make_folder(work / "jobs")
-    unpack(results / RECORDS, work / "jobs")
+    evaluation = Evaluation("relations", work, results, workers)
+    hand = _by_hand(evaluation, scale)
     make_folder(work / "places")
     keeping.restore(results / PLACES, work / "places")
     keeping.take_shipped(work / "places")
@@ -65,51 +61,43 @@ def main(
         learned.take_shipped(work)
 
     def report() -> None:
-        pack(work / "jobs", results / RECORDS)
-        summary = summarise(hand, load_jobs(work / "jobs"), cells, seeds=seeds, steps=steps)
-        write_atomically(results / "relations.json", as_text(summary))
-        write_atomically(results / "relations.md", page(summary))
+        summary = summarise(hand, evaluation.found(), cells, seeds=seeds, steps=steps)
+        evaluation.write(summary, page(summary))
 
     report()
 
     def do(jobs: Mapping[str, Job], label: str) -> None:
-        perform(work / "jobs", jobs, workers, report, label=label)
+        evaluation.perform(jobs, label, report)
 
     every, some = range(1, seeds + 1), range(1, min(seeds, AT_RANDOM) + 1)
     do(_learning(work, CURIOUS, every, steps), "learning relations")
     learned.keep(work, results / DOMAINS)
-    do(_tried(work, CURIOUS, every, cells), "trying tasks")
+    do(_tried(evaluation, CURIOUS, every, cells), "trying tasks")
     do(_singly(work, every, tasks.cells(count)), "trying with single objects")
     do(_first(work, every), "learning from the first interactions")
     do(_learning(work, RANDOM, some, steps), "learning from random actions")
-    do(_tried(work, RANDOM, some, cells), "trying what was learned from these")
-    say(f"wrote {results / 'relations.md'}")
+    do(_tried(evaluation, RANDOM, some, cells), "trying what was learned from these")
 
 
-def _by_hand(path: Path, scale: float) -> dict[str, Any]:
-    """Measure what needs no learning, unless the results have it."""
-    known = json.loads(path.read_text()) if path.exists() else {}
-    found: dict[str, Any] = {"scale": scale}
-    if known.get("scale") == scale:
-        found |= {name: known[name] for name in _parts(scale) if name in known}
-    for name, measure in _parts(scale).items():
-        if name not in found:
-            with progress_bar(name.replace("_", " ")) as advance:
-                found[name] = measure(advance)
-    return {"command": "make evaluate-relations", "machine": machine("numpy", "pybullet"), **found}
-
-
-def _parts(scale: float) -> dict[str, Callable[[Advance], Any]]:
-    """List what is measured, each part over so many times the usual number of interactions."""
+def _by_hand(evaluation: Evaluation, scale: float) -> dict[str, Any]:
+    """Measure what needs no learning, over a share of the usual interactions, unless the results have it."""
 
     def some(number: int) -> int:
         return max(4, round(number * scale))
 
-    return {
+    parts = {
         "put_over": partial(by_hand.put_over, some(50), 110, WORKERS),
         "towers_by_hand": partial(by_hand.towers, some(50), 111, WORKERS),
         "random": partial(by_hand.predictability, some(1000), 112, WORKERS),
     }
+    path = evaluation.results / "relations.json"
+    known = json.loads(path.read_text()) if path.exists() else {}
+    if known.get("scale") != scale or not parts.keys() <= known.keys():
+        evaluation.perform({f"hand-{name}-{scale:g}": job for name, job in parts.items()}, "by hand")
+        found = evaluation.found()
+        known = {name: found[f"hand-{name}-{scale:g}"] for name in parts}
+    about = {"command": "make evaluate-relations", "machine": machine("numpy", "pybullet"), "scale": scale}
+    return about | {name: known[name] for name in parts}
 
 
 def _learning(work: Path, way: Way, seeds: Sequence[int], steps: int) -> dict[str, Job]:
@@ -121,9 +109,11 @@ def _learning(work: Path, way: Way, seeds: Sequence[int], steps: int) -> dict[st
     }
 
 
-def _tried(work: Path, way: Way, seeds: Sequence[int], cells: Sequence[tasks.Cell]) -> dict[str, Job]:
+def _tried(
+    evaluation: Evaluation, way: Way, seeds: Sequence[int], cells: Sequence[tasks.Cell]
+) -> dict[str, Job]:
     """List the tasks of those seeds with which something was learned, some at a time."""
-    known = load_jobs(work / "jobs")
+    known, work = evaluation.found(), evaluation.work
     return {
         f"try-{way.label(seed)}-{tasks.slug(name)}-{start}": partial(
             try_all, way.folder(work, seed), learnt["words"], draw, _tasks(seed, start, BLOCK)
@@ -173,5 +163,4 @@ def _tasks(seed: int, start: int, count: int) -> range:
 
 
 if __name__ == "__main__":
-    os.environ.setdefault("OMP_NUM_THREADS", "1")  # for the jobs, of which there are several at once
-    tyro.cli(main)
+    begin(main)

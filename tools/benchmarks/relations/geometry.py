@@ -6,8 +6,8 @@ from typing import Literal
 import numpy as np
 from jaxtyping import Float
 
+from neurosym.sim.interaction import rotation
 from neurosym.sim.shapes import OPEN_TOP, SOLID
-from neurosym.sim.toppling import rotation
 from neurosym.world import Outcome, Scene
 
 Relation = Literal["on", "in", "leaning", "against", "beside", "apart", "around"]
@@ -22,13 +22,7 @@ NEAR = 0.05
 
 
 def relation(outcome: Outcome, one: int, other: int) -> Relation:
-    """Say how one object stands to another in the end.
-
-    Args:
-        outcome: What an interaction did.
-        one: Index of the object.
-        other: Index of what it may stand on, in, or beside.
-    """
+    """Say how one object stands to another in the end."""
     scene, pair = outcome.end, (min(one, other), max(one, other))
     low, high = spans(scene, one)
     below, above = spans(scene, other)
@@ -57,12 +51,7 @@ def is_inside(scene: Scene, one: int, other: int) -> bool:
 
 
 def fits(target: Float[np.ndarray, " F"], reference: Float[np.ndarray, " F"]) -> bool:
-    """Say whether an object fits between the walls of another.
-
-    Args:
-        target: Features of the one.
-        reference: Features of the other.
-    """
+    """Say whether an object fits between the walls of another."""
     is_hollow = reference[3] > (SOLID + OPEN_TOP) / 2
     return bool(is_hollow and np.all(target[:2] < reference[:2] - 2 * WALL))
 

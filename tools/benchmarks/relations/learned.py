@@ -11,6 +11,9 @@ import msgspec
 from neurosym.files import make_folder, write_json
 from neurosym.grounding import FORMAT_WITH_RELATIONS, Grounding
 from neurosym.relation_operators import RelationOperators
+from neurosym.stages.aims import TO_OBJECTS
+from neurosym.stages.distilling import distill_stage
+from neurosym.stages.exploring import explore_stage
 from neurosym.stages.folder import DomainFolder
 from neurosym.stages.layout import (
     GROUNDING,
@@ -23,11 +26,7 @@ from neurosym.stages.layout import (
     RELATION_STATES,
     WORLD,
 )
-from neurosym.stages.relating import (
-    distill_relations_stage,
-    explore_relations_stage,
-    train_relations_stage,
-)
+from neurosym.stages.training import train_stage
 from neurosym.strategies import StrategyName
 from tools.benchmarks.jobs import pack
 from tools.benchmarks.planning.measures import REHEARSALS
@@ -47,13 +46,6 @@ def learn(
 ) -> dict[str, Any]:
     """Learn relations; what was done is not done again.
 
-    Args:
-        places: A domain with places.
-        folder: Where the domain with relations lies.
-        seed: Of everything.
-        steps: Interactions that are aimed at other objects.
-        strategy: How they are chosen.
-
     Returns:
         How well its symbols agree with geometry, see `symbols.measure`, how well ends are predicted, see
         `protocols.effect_errors`, and CPU seconds of each stage.
@@ -71,12 +63,7 @@ def learn(
 
 
 def copy_start(places: Path, folder: Path) -> None:
-    """Copy what relations are learned from.
-
-    Args:
-        places: A domain with places.
-        folder: Where the domain with relations lies.
-    """
+    """Copy what relations are learned from."""
     make_folder(folder / PLACES)
     for name in (WORLD, MODEL):
         shutil.copy(places / name, folder / name)
@@ -86,9 +73,11 @@ def copy_start(places: Path, folder: Path) -> None:
 def _learn(domain: DomainFolder, seed: int, steps: int, strategy: StrategyName) -> dict[str, float]:
     seconds = {}
     for stage in (
-        explore_relations_stage(domain, strategy=strategy, steps=steps, seed=seed, regime=REGIME, workers=1),
-        train_relations_stage(domain, seed=seed, regime=REGIME),
-        distill_relations_stage(domain, pairs=REHEARSALS, seed=seed, workers=1),
+        explore_stage(
+            domain, TO_OBJECTS, strategy=strategy, steps=steps, seed=seed, regime=REGIME, workers=1
+        ),
+        train_stage(domain, TO_OBJECTS, seed=seed, regime=REGIME),
+        distill_stage(domain, TO_OBJECTS, objects=REHEARSALS, seed=seed, workers=1),
     ):
         begin = time.process_time()
         domain.perform(stage, again=False)
@@ -97,12 +86,7 @@ def _learn(domain: DomainFolder, seed: int, steps: int, strategy: StrategyName) 
 
 
 def keep(work: Path, archive: Path) -> None:
-    """Put what it takes to try the learned domains into an archive, but for the one that is shipped.
-
-    Args:
-        work: The working folder.
-        archive: A zip file.
-    """
+    """Put what it takes to try the learned domains into an archive, but for the one that is shipped."""
     with TemporaryDirectory() as flat:
         for folder in sorted(work.glob("seed-*")):
             is_own = folder.name != f"seed-{SEED}" or not SHIPPED.exists()
@@ -112,11 +96,7 @@ def keep(work: Path, archive: Path) -> None:
 
 
 def take_shipped(work: Path) -> None:
-    """Copy what the shipped domain, which is that of its seed, learned of relations, unless it is there.
-
-    Args:
-        work: The working folder.
-    """
+    """Copy what the shipped domain, which is that of its seed, learned of relations, unless it is there."""
     for name in KEPT if SHIPPED.exists() else ():
         target = work / f"seed-{SEED}" / name
         if not target.exists():

@@ -15,7 +15,7 @@ import tyro
 from neurosym.console import say
 from neurosym.markdown import markdown_table
 from neurosym.pooled_puts import pooled
-from neurosym.primitives.by_state import end_state
+from neurosym.primitives.judging import end_state
 from neurosym.relation_operators import PairStates, RelationOperators
 from neurosym.stages.folder import DomainFolder
 from neurosym.stages.layout import RELATION_OPERATORS, WORLD

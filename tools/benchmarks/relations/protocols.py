@@ -53,11 +53,7 @@ class Likened(Asked):
 
 
 def cells(count: int) -> tuple[Cell, ...]:
-    """List what is tried.
-
-    Args:
-        count: How many tasks of each cell.
-    """
+    """List what is tried."""
     return (("up to three puts of three", few, count), ("one put among 5 to 8", one_put, count))
 
 
@@ -128,11 +124,6 @@ def _put(scene: Scene, rng: np.random.Generator, world: World, *, off: float) ->
 
 def effect_errors(folder: Path, seed: int, workers: int) -> dict[str, dict[str, float]]:
     """Predict where all objects end, by the network of pairs, for actions drawn as exploring draws them.
-
-    Args:
-        folder: The domain, with relations.
-        seed: Where the draws start.
-        workers: How many processes.
 
     Returns:
         For each number of objects the mean error of an object, summed over x, y and z [cm]; the same if

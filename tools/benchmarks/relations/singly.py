@@ -14,19 +14,13 @@ from neurosym.errors import InvalidValue
 from neurosym.operators import TOLERANCE
 from neurosym.tasks.carriers import carriers_for
 from neurosym.world import relative_to
-from neurosym.worlds.stacks import upright_items
+from neurosym.worlds.problem_drawing import items_of
 from tools.benchmarks.relations.tasks import Asked, Draw
 from tools.benchmarks.relations.trying import bench_of
 
 
 def one_by_one(folder: Path, draw: Draw, seeds: Sequence[int]) -> list[bool]:
-    """Say of tasks whether they are reached with symbols of one object at a time.
-
-    Args:
-        folder: A domain with places.
-        draw: Draws the tasks.
-        seeds: Those of the tasks.
-    """
+    """Say of tasks whether they are reached with symbols of one object at a time."""
     world = bench_of(folder)[0].setting.world
     return [_is_reached(folder, draw(world, seed)) for seed in seeds]
 
@@ -34,7 +28,7 @@ def one_by_one(folder: Path, draw: Draw, seeds: Sequence[int]) -> list[bool]:
 def _is_reached(folder: Path, asked: Asked) -> bool:
     bench, _ = bench_of(folder)
     world, grounding = bench.setting.world, bench.setting.grounding
-    items = upright_items(asked.start, bench.categorise)
+    items = items_of(asked.start, bench.categorise)
     scene, outcome = asked.start, None
     for target, reference in asked.deeds:
         carriers = carriers_for(items[target], grounding, TOLERANCE)

@@ -45,22 +45,9 @@ AT_PLACE = "tower of 3 at a place"
 
 
 def summarise(
-    hand: Mapping[str, Any],
-    found: Mapping[str, Any],
-    cells: Sequence[Cell],
-    *,
-    seeds: int,
-    steps: int,
+    hand: Mapping[str, Any], found: Mapping[str, Any], cells: Sequence[Cell], *, seeds: int, steps: int
 ) -> dict[str, Any]:
-    """Gather what was found, for each seed and in the mean over those that are done.
-
-    Args:
-        hand: What was measured without learning.
-        found: What the jobs found, by name.
-        cells: What is tried.
-        seeds: How many seeds.
-        steps: Interactions that are aimed at other objects.
-    """
+    """Gather what was found, for each seed and in the mean over those that are done."""
     every = range(1, seeds + 1)
     each, at_random = (_learned(found, way, every) for way in (CURIOUS, RANDOM))
     table = {name: _cell(found, name, CURIOUS, every) for name, *_ in cells}

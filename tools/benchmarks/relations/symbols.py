@@ -16,7 +16,7 @@ from neurosym.learning.effect_model import EffectModel
 from neurosym.pair_sight import PairSight
 from neurosym.pair_states import describe_pair
 from neurosym.place_operators import PlaceOperators
-from neurosym.primitives.by_state import end_state
+from neurosym.primitives.judging import end_state
 from neurosym.primitives.sampling import draw_scene
 from neurosym.relation_operators import PairStates, RelationOperator, RelationOperators
 from neurosym.stages.folder import DomainFolder
@@ -49,13 +49,7 @@ _STREAM = 0x6765
 
 
 def measure(folder: Path, seed: int, workers: int) -> dict[str, Any]:
-    """Try the operators of a domain on new pairs, and match its codes with names.
-
-    Args:
-        folder: The domain, with relations.
-        seed: Where the draws start, far from those that the domain was learned with.
-        workers: How many processes.
-    """
+    """Try the operators of a domain on new pairs, and match its codes with names."""
     table, sight = RelationOperators.load(folder / RELATION_OPERATORS), sight_of_pairs(DomainFolder(folder))
     assert sight is not None, "relations were learned"
     factory = RelatedFactory(read_world(folder / WORLD))

@@ -13,11 +13,7 @@ RELATIONS = ("on", "in", "leaning", "against", "beside", "apart", "around")
 
 
 def page(found: Mapping[str, Any]) -> str:
-    """Write the tables.
-
-    Args:
-        found: What was measured, by part; see `summary.summarise`.
-    """
+    """Write the tables."""
     sections = [
         "# One object relative to another",
         f"`{found['command']}` wrote this page. Which relation two objects have is told by "

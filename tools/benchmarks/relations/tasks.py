@@ -151,11 +151,7 @@ Cell = tuple[str, Draw, int]
 
 
 def cells(count: int) -> tuple[Cell, ...]:
-    """List what is tried.
-
-    Args:
-        count: How many tasks of each cell.
-    """
+    """List what is tried."""
     return (
         ("tower of 3", partial(tower, height=3), count),
         ("tower of 4", partial(tower, height=4), count),
@@ -171,12 +167,6 @@ def drawn(
     attempt: Callable[[Scene, np.random.Generator], AnyAsked | None], objects: int, kind: list[int], seed: int
 ) -> AnyAsked:
     """Draw scenes until one makes a task.
-
-    Args:
-        attempt: Makes a task of a scene, or says that there is none.
-        objects: How many objects a scene has.
-        kind: Tells this kind of tasks from others.
-        seed: Same seed, same task.
 
     Raises:
         RuntimeError: If none of many scenes makes one.
@@ -260,9 +250,5 @@ def _done(scene: Scene, deeds: Sequence[Deed], world: World) -> Outcome | None:
 
 
 def slug(name: str) -> str:
-    """Return what files of a cell are called.
-
-    Args:
-        name: What the cell is called.
-    """
+    """Return what files of a cell are called."""
     return name.replace(" ", "-")

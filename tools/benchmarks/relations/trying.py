@@ -20,10 +20,10 @@ from neurosym.problems import Problem
 from neurosym.related import with_contacts
 from neurosym.stages.folder import DomainFolder
 from neurosym.stages.task_drawing import sight_of_pairs
-from neurosym.tasks.pair_goals import puts_for
+from neurosym.tasks.puts import puts_for
 from neurosym.world import Outcome, Scene, World
 from neurosym.worlds.aimed import Adapted
-from neurosym.worlds.stacks import standing, upright_items
+from neurosym.worlds.problem_drawing import items_of
 from tools.benchmarks.planning.trials import PLANNER
 from tools.benchmarks.relations.tasks import Asked, Draw
 from tools.benchmarks.spent import cpu_seconds
@@ -89,15 +89,7 @@ def try_all(folder: Path, words: Words, draw: Draw, seeds: Sequence[int]) -> lis
 
 
 def try_task(bench: Bench, sight: PairSight | None, words: Words, asked: Asked, name: str) -> Trial:
-    """Plan for a task, and execute the plan with replanning and blindly.
-
-    Args:
-        bench: The learned domain.
-        sight: What networks say of pairs.
-        words: Which of its states mean what.
-        asked: The task.
-        name: What its problem is called.
-    """
+    """Plan for a task, and execute the plan with replanning and blindly."""
     begin = cpu_seconds()
     problem = as_problem(bench, sight, words, asked, name)
     if problem is None:
@@ -125,18 +117,11 @@ def as_problem(
     """Say what is asked for in the words of a domain; None if it has none for that.
 
     Of several states that mean the same, a goal gets the one that the pair is brought to most surely.
-
-    Args:
-        bench: The learned domain.
-        sight: What networks say of pairs.
-        words: Which of its states mean what.
-        asked: The task.
-        name: What the problem is called.
     """
     grounding = bench.setting.grounding
     relations = grounding.relations
     assert relations is not None, "relations were learned"
-    items = standing(upright_items(asked.start, bench.categorise), asked.start)
+    items = items_of(asked.start, bench.categorise)
     names = [item.name for item in items]
     heights = {target: items[target].features[2] / 2 for target in asked.places}
     goals = {names[n]: (place.x, place.y, heights[n]) for n, place in asked.places.items()}

@@ -1,6 +1,6 @@
 """Measure how far neurosym goes, into docs/results/scale.json and scale.md.
 
-Finished parts are kept beside it and not measured again, so that the run can be interrupted.
+Finished parts are kept and not measured again, so that the run can be interrupted.
 """
 
 from collections.abc import Callable
@@ -10,13 +10,12 @@ from typing import Annotated, Any
 
 import tyro
 
-from neurosym.console import say
-from neurosym.files import write_atomically
 from neurosym.markdown import markdown_table
-from tools.benchmarks.jobs import as_text, load_jobs, machine, perform
+from tools.benchmarks.jobs import Evaluation, machine
+from tools.benchmarks.options import Results, Work
 from tools.benchmarks.scale import measures
 
-RESULTS = Path("docs/results")
+RESULTS, WORK = Path("docs/results"), Path("evaluation/scale")
 ROWS = (10_000, 100_000, 1_000_000)
 BITS = (3, 6, 8, 10)
 OBJECTS = (10, 100, 1000)
@@ -38,24 +37,18 @@ def main(
     rows: Annotated[tuple[int, ...], tyro.conf.arg(help="Sizes of data sets.")] = ROWS,
     bits: Annotated[tuple[int, ...], tyro.conf.arg(help="Bits of action symbols.")] = BITS,
     objects: Annotated[tuple[int, ...], tyro.conf.arg(help="Objects in a problem.")] = OBJECTS,
-    results: Annotated[Path, tyro.conf.arg(help="Folder for scale.json and scale.md.")] = RESULTS,
+    work: Work = WORK,
+    results: Results = RESULTS,
 ) -> None:
     """Measure part after part, and write the results."""
-    unfinished = results / "scale.parts"
-    unfinished.mkdir(parents=True, exist_ok=True)
-    perform(unfinished, parts(rows, bits, objects), 1, lambda: None, fresh=True)
-    found = {"machine": machine("numpy", "torch", "up-fast-downward"), **load_jobs(unfinished)}
-    write_atomically(results / "scale.json", as_text(found))
-    write_atomically(results / "scale.md", page(found))
-    say(f"wrote {results / 'scale.json'} and {results / 'scale.md'}")
+    evaluation = Evaluation("scale", work, results)
+    evaluation.perform(parts(rows, bits, objects), "measuring", fresh=True)
+    found = {"machine": machine("numpy", "torch", "up-fast-downward"), **evaluation.found()}
+    evaluation.write(found, page(found), records=False)
 
 
 def page(found: dict[str, Any]) -> str:
-    """Write the tables.
-
-    Args:
-        found: What was measured, by part.
-    """
+    """Write the tables."""
     sections = [
         "# How far it goes, measured",
         "By `make evaluate-scale`, which wrote this page and `scale.json`. Machine: "

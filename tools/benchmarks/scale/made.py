@@ -21,12 +21,7 @@ _PUSHED, _LIFTED = 0.08, 0.2
 
 
 def write_data(path: Path, rows: int) -> None:
-    """Write a data set that looks like the toy world's: lifts, pushes, and a little noise.
-
-    Args:
-        path: An .npz file.
-        rows: How many interactions.
-    """
+    """Write a data set that looks like the toy world's: lifts, pushes, and a little noise."""
     rng = np.random.default_rng(0)
     features = rng.uniform((0.03, 0.03, 0.02, 0), (0.18, 0.18, 0.1, 1), (rows, 4))
     features[:, 3] = features[:, 3] > 0.5
@@ -49,11 +44,7 @@ def write_data(path: Path, rows: int) -> None:
 
 
 def made_table(action_bits: int) -> OperatorTable:
-    """Make a table of operators: of eight primitives one lifts, the others push, each category elsewhere.
-
-    Args:
-        action_bits: Bits of the symbols of the primitives.
-    """
+    """Make a table of operators: of eight primitives one lifts, the others push, each category elsewhere."""
     rng = np.random.default_rng(action_bits)
     codes = [f"{number:02b}" for number in range(_CATEGORIES)]
     features = [(0.03, 0.03, 0.05, 0.0) for _ in codes]
@@ -83,12 +74,7 @@ def _operator(symbol: str, category: Category, rng: np.random.Generator, *, held
 
 
 def made_domain(action_bits: int, objects: int) -> Grounding:
-    """Compile a made table of operators for a table with room for so many objects.
-
-    Args:
-        action_bits: Bits of the symbols of the primitives.
-        objects: How many objects the table has room for.
-    """
+    """Compile a made table of operators for a table with room for so many objects."""
     side = 2 * _MARGIN + PITCH * math.ceil(math.sqrt(objects))
     bounds = Table((0.0, side), (0.0, side))
     table = made_table(action_bits)
@@ -96,12 +82,7 @@ def made_domain(action_bits: int, objects: int) -> Grounding:
 
 
 def made_problem(grounding: Grounding, objects: int) -> Problem:
-    """Make a problem: objects in rows and columns, and for each the goal that a push leads to, done twice.
-
-    Args:
-        grounding: The domain.
-        objects: How many.
-    """
+    """Make a problem: objects in rows and columns, and for each the goal that a push leads to, done twice."""
     columns = math.ceil(math.sqrt(objects))
     pushes = {
         category.symbol: [op for op in grounding.live if op.category == category.symbol and not is_lift(op)]

@@ -31,13 +31,7 @@ Value = TypeVar("Value")
 
 
 def command(name: str, rows: int, *options: str) -> Results:
-    """Measure a command on a data set.
-
-    Args:
-        name: The command.
-        rows: How many interactions the data set has.
-        options: What else is typed.
-    """
+    """Measure a command on a data set."""
     with tempfile.TemporaryDirectory() as place:
         write_data(Path(place) / "interactions.npz", rows)
         typed = [sys.executable, "-m", "neurosym", name, place, *options]
@@ -52,11 +46,7 @@ def command(name: str, rows: int, *options: str) -> Results:
 
 
 def symbols(action_bits: int) -> Results:
-    """Measure compiling a domain of so many bits, and planning with it for one object.
-
-    Args:
-        action_bits: Bits of the symbols of the primitives.
-    """
+    """Measure compiling a domain of so many bits, and planning with it for one object."""
     grounding, compiling = _timed(lambda: made_domain(action_bits, 1))
     texts, printing = _timed(lambda: [domain_text(grounding, encoding) for encoding in ENCODINGS])
     size = max(map(len, texts)) / 1e6
@@ -65,11 +55,7 @@ def symbols(action_bits: int) -> Results:
 
 
 def objects(count: int) -> Results:
-    """Measure printing, reading and solving a problem with so many objects, each with a goal.
-
-    Args:
-        count: How many.
-    """
+    """Measure printing, reading and solving a problem with so many objects, each with a goal."""
     grounding = made_domain(3, count)
     problem = made_problem(grounding, count)
     text, printing = _timed(lambda: problem_text(problem, grounding))

@@ -6,10 +6,10 @@ from collections.abc import Callable
 from typing import Any
 
 import numpy as np
+from scipy.spatial.transform import Rotation
 
 from neurosym.studio.page import Page
 from neurosym.studio.serving import Studio
-from neurosym.studio.shapes import rotation
 
 BROWSERS = ("chromium-headless-shell", "chromium", "chromium-browser", "google-chrome")
 FLAGS = (
@@ -63,7 +63,7 @@ class Window:
         """Where a point of the table is seen [pixels]."""
         camera = next(iter(self.page.server.get_clients().values())).camera
         w, x, y, z = camera.wxyz
-        ahead = rotation((x, y, z, w)).T @ (np.array(point) - camera.position)
+        ahead = Rotation.from_quat((x, y, z, w)).inv().apply(np.array(point) - camera.position)
         width, height = self.tab.evaluate(
             "(c => [c.clientWidth, c.clientHeight])(document.querySelector('canvas'))"
         )

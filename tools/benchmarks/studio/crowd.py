@@ -62,7 +62,7 @@ def measure_crowd() -> dict[str, Any]:
         for session in running:
             session.running.begin()
         wait_for(lambda: all(one.running.seen for one in running), 120)
-        workers = [one.running.process for one in running if one.running.process]
+        workers = [worker for one in running if one.running.ticket and (worker := one.running.ticket.process)]
         drawn = [page.drawn for page in pages[:RUNNING]]
         began, cpu = time.monotonic(), cpu_seconds(os.getpid())
         theirs = sum(map(cpu_seconds, workers))

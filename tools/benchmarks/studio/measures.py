@@ -16,7 +16,7 @@ from playwright.sync_api import sync_playwright
 from neurosym.shipped import shipped_domain
 from neurosym.stages.folder import DomainFolder
 from neurosym.studio.library import Library
-from neurosym.studio.recording import recording_of
+from neurosym.studio.recording import film_of
 from neurosym.studio.serving import Studio
 from tools.benchmarks.studio.browser import FLAGS, SLOW, Window, browser_here, wait_for
 
@@ -108,7 +108,8 @@ def measure_run() -> dict[str, Any]:
         opened.wait(lambda: session.plans and not session.is_planning)
         session.running.begin()
         opened.wait(lambda: session.running.seen)
-        worker = session.running.process
+        ticket = session.running.ticket
+        worker = ticket.process if ticket else None
         assert worker is not None, "it runs"
         began, ours, theirs = time.monotonic(), cpu_seconds(os.getpid()), cpu_seconds(worker)
         first, drawn = len(session.running.seen), opened.page.drawn
@@ -154,15 +155,14 @@ def measure_recording() -> dict[str, Any]:
         session.running.begin()
         wait_for(lambda: not session.running.is_active, 120)
         began = time.monotonic()
-        film = recording_of(session)
+        running, problem = session.running, session.problem
+        film = film_of(session.library, problem, running.seen, running.records)
         seconds = time.monotonic() - began
-        empty = session.running.seen[:1]
-        poses, session.running.seen = len(session.running.seen), empty
         return {
-            "steps": len(session.running.records),
-            "poses of the run": poses,
+            "steps": len(running.records),
+            "poses of the run": len(running.seen),
             "bytes of the file": len(film),
-            "of these, the viewer": len(recording_of(session)),
+            "of these, the viewer": len(film_of(session.library, problem, running.seen[:1], running.records)),
             "seconds to make it": round(seconds, 1),
         }
 

@@ -14,7 +14,6 @@ import time
 from pathlib import Path
 from typing import Annotated, Any
 
-import pybullet
 import tyro
 
 from neurosym.sim.simulation import Simulation
@@ -114,7 +113,7 @@ def stepping(world: Any, tasks: list[Task]) -> tuple[float, float, float]:
         inner(simulation)
         if simulation.ticks % BARE_STEP_EVERY == 0:
             begin = time.process_time()
-            pybullet.stepSimulation(physicsClientId=simulation.client)
+            simulation.client.stepSimulation()
             bare += time.process_time() - begin
             bare_steps += 1
 

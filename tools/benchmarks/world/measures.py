@@ -27,7 +27,6 @@ MARGIN = 0.05
 """How far inside the edge places lie that objects are carried to, lest their centres end beyond it [m]."""
 
 Results = dict[str, Any]
-Advance = Callable[[int, int], None]
 
 
 def factory(**options: Any) -> Callable[[], Tabletop]:
@@ -52,17 +51,6 @@ def random_tasks(
     return tasks
 
 
-def perform_watched(
-    make: Callable[[], Tabletop], tasks: Sequence[Task], workers: int, advance: Advance
-) -> list[Outcome]:
-    """Have tasks performed, telling how far they have come."""
-    outcomes = []
-    for outcome in perform_all(make, tasks, workers):
-        outcomes.append(outcome)
-        advance(len(outcomes), len(tasks))
-    return outcomes
-
-
 def kind_of(features: np.ndarray) -> str:
     """Name what kind of object features describe: how it is open, and whether the hand spans it."""
     opened = {SOLID: "solid", OPEN_TOP: "open-topped", OPEN_THROUGH: "ring"}[float(features[3])]
@@ -70,12 +58,12 @@ def kind_of(features: np.ndarray) -> str:
     return f"{'plank' if flat else opened}, {'spannable' if features[1] <= SPANNABLE else 'too wide'}"
 
 
-def predictability(count: int, seed: int, workers: int, advance: Advance, **options: Any) -> Results:
+def predictability(count: int, seed: int, workers: int, **options: Any) -> Results:
     """Measure the share of the effects' variance that survives a 0.1 mm change of the action."""
     make = factory(**options)
     tasks = random_tasks(count, seed, world=make())
     nudged = random_tasks(count, seed, nudge=NUDGE, world=make())
-    outcomes = perform_watched(make, [*tasks, *nudged], workers, advance)
+    outcomes = [*perform_all(make, [*tasks, *nudged], workers)]
     effects = np.array([outcome.effect for outcome in outcomes]).reshape(2, count, 3)
     held = np.array([outcome.held for outcome in outcomes]).reshape(2, count)
     shapes = np.array([kind_of(task.scene.features[0]).split(",")[0] for task in tasks])
@@ -129,7 +117,7 @@ def _lowest(outcome: Outcome) -> float:
     return float(outcome.end.positions[outcome.target][2]) - half
 
 
-def object_matters(actions: int, objects: int, seed: int, workers: int, advance: Advance) -> Results:
+def object_matters(actions: int, objects: int, seed: int, workers: int) -> Results:
     """Split the effects' variance: what the action alone decides, and what the object adds.
 
     The same random actions are performed on the same random objects. The share of the action alone is the
@@ -139,7 +127,7 @@ def object_matters(actions: int, objects: int, seed: int, workers: int, advance:
     scenes = [world.sample_scene(np.random.default_rng([seed, 0, i]), 1) for i in range(objects)]
     drawn = world.action_box.sample(np.random.default_rng([seed, 1]), actions)
     tasks = [Task(scene, action) for action in drawn for scene in scenes]
-    outcomes = perform_watched(factory(), tasks, workers, advance)
+    outcomes = [*perform_all(factory(), tasks, workers)]
     effects = np.array([outcome.effect for outcome in outcomes]).reshape(actions, objects, 3)
     within = effects.var(axis=1, ddof=1).mean(axis=0)
     alone = effects.mean(axis=1).var(axis=0, ddof=1) - within / objects
@@ -168,13 +156,12 @@ def _outcomes_by_kind(
     }
 
 
-def hand_written(objects: int, seed: int, workers: int, advance: Advance) -> Results:
+def hand_written(objects: int, seed: int, workers: int) -> Results:
     """Perform the hand-written primitives on objects of each shape that afford them."""
     table: Results = {}
     with crew(factory(), workers) as perform:
-        for done, (name, primitive) in enumerate(HAND_WRITTEN.items(), 1):
+        for name, primitive in HAND_WRITTEN.items():
             table[name] = {shape: _success(perform, primitive, shape, objects, seed) for shape in SHAPES}
-            advance(done, len(HAND_WRITTEN))
     return table
 
 
@@ -198,11 +185,11 @@ def _success(perform: Perform, primitive: HandWritten, shape: str, objects: int,
     }
 
 
-def carrying(objects: int, seed: int, workers: int, advance: Advance) -> Results:
+def carrying(objects: int, seed: int, workers: int) -> Results:
     """Carry objects of each shape to places all over the table, by hand-written actions."""
     table: Results = {}
     with crew(factory(), workers) as perform:
-        for done, shape in enumerate(SHAPES, 1):
+        for shape in SHAPES:
             config, tasks, drawn = TabletopConfig(shapes={shape: 1.0}), list[Task](), 0
             while len(tasks) < objects:
                 rng = np.random.default_rng([seed, drawn])
@@ -212,7 +199,6 @@ def carrying(objects: int, seed: int, workers: int, advance: Advance) -> Results
                     tasks.append(Task(scene, action, reference=place))
             outcomes = [*perform(tasks)]
             table[shape] = {"afforded_by": round(objects / drawn, 3), **_carried(outcomes)}
-            advance(done, len(SHAPES))
     return table
 
 
@@ -227,7 +213,7 @@ def _carried(outcomes: Sequence[Outcome]) -> Results:
     }
 
 
-def predictability_of_carrying(count: int, seed: int, workers: int, advance: Advance) -> Results:
+def predictability_of_carrying(count: int, seed: int, workers: int) -> Results:
     """Perform random actions with a place as reference, and once more with the action changed by 0.1 mm."""
     world = Tabletop()
     plain, nudged = (
@@ -240,7 +226,7 @@ def predictability_of_carrying(count: int, seed: int, workers: int, advance: Adv
         for run in (plain, nudged)
         for task, place in zip(run, places, strict=True)
     ]
-    outcomes = perform_watched(factory(), tasks, workers, advance)
+    outcomes = [*perform_all(factory(), tasks, workers)]
     carried = np.array([outcome.carried for outcome in outcomes]).reshape(2, count)
     ends = np.array([outcome.end.positions[0] for outcome in outcomes]).reshape(2, count, 3)
     apart = np.linalg.norm(ends[0] - ends[1], axis=1)
@@ -260,10 +246,10 @@ def random_place(rng: np.random.Generator, table: Table, margin: float = 0.0) ->
     return Place(x, y)
 
 
-def several_objects(scenes: int, objects: int, seed: int, workers: int, advance: Advance) -> Results:
+def several_objects(scenes: int, objects: int, seed: int, workers: int) -> Results:
     """Act on one of several objects, and count what that does to the others."""
     tasks = random_tasks(scenes, seed, objects=objects)
-    outcomes = perform_watched(factory(), tasks, workers, advance)
+    outcomes = [*perform_all(factory(), tasks, workers)]
     return {
         "scenes": scenes,
         "objects": objects,

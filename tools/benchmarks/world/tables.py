@@ -2,13 +2,11 @@
 
 from typing import Any
 
+from neurosym.markdown import markdown_table
+
 
 def page(results: dict[str, Any]) -> str:
-    """Write the page.
-
-    Args:
-        results: What `world.json` holds.
-    """
+    """Write the page."""
     details = results["details"]
     matters = details["object_matters"]
     machine = ", ".join(f"{name} {value}" for name, value in results["machine"].items())
@@ -16,7 +14,7 @@ def page(results: dict[str, Any]) -> str:
         "# The tabletop world, measured",
         f"By `{results['command']}`, which wrote this page and `world.json`. Machine: {machine}.",
         "## Main figures",
-        _table(["figure", "value"], _main_figures(results)),
+        markdown_table(["figure", "value"], _main_figures(results)),
         "## Hand-written primitives",
         "Success on objects that afford the primitive; in brackets the share of objects that do.",
         _hand_written(results["hand_written"]),
@@ -37,11 +35,7 @@ def page(results: dict[str, Any]) -> str:
 
 def _main_figures(results: dict[str, Any]) -> list[list[str]]:
     details = results["details"]
-    chaos, coarse, chance = (
-        details["predictability"],
-        details["predictability_at_1_120"],
-        details["random"],
-    )
+    chaos, coarse, chance = (details["predictability"], details["predictability_at_1_120"], details["random"])
     other = details["predictability_other_seed"]
     by_shape = ", ".join(f"{shape} {share:.3f}" for shape, share in chaos["by_shape"].items())
     held = ", ".join(f"{kind} {share:.1%}" for kind, share in chance["held_by_kind"].items())
@@ -86,7 +80,7 @@ def _hand_written(table: dict[str, Any]) -> str:
         [name, *(f"{row[shape]['success']:.0%} ({row[shape]['afforded_by']:.0%})" for shape in shapes)]
         for name, row in table.items()
     ]
-    return _table(["primitive", *shapes], rows)
+    return markdown_table(["primitive", *shapes], rows)
 
 
 def _carrying(table: dict[str, Any], chaos: dict[str, Any]) -> str:
@@ -107,7 +101,7 @@ def _carrying(table: dict[str, Any], chaos: dict[str, Any]) -> str:
         f"{chaos['ends_apart_by_over_10_mm']:.1%} end over 10 mm apart; what is carried both times ends "
         f"{median} mm apart (90 %: {most} mm)."
     )
-    return f"{_table(columns, rows)}\n\n{said}"
+    return f"{markdown_table(columns, rows)}\n\n{said}"
 
 
 def _failures(table: dict[str, Any]) -> str:
@@ -126,7 +120,7 @@ def _outcomes(kinds: dict[str, dict[str, float]]) -> str:
         [kind, f"{row['objects']:.0f}", *(f"{row.get(mode, 0.0):.1%}" for mode in modes)]
         for kind, row in kinds.items()
     ]
-    return _table(["kind", "objects", *modes], rows)
+    return markdown_table(["kind", "objects", *modes], rows)
 
 
 def _speeds(details: dict[str, Any]) -> str:
@@ -138,13 +132,8 @@ def _speeds(details: dict[str, Any]) -> str:
     grown = f"{memory['memory_growth_mb']} MB over {memory['memory_growth_over_interactions']} interactions"
     return "\n\n".join(
         [
-            _table(["figure", "1/240 s", "1/120 s"], rows),
+            markdown_table(["figure", "1/240 s", "1/120 s"], rows),
             f"Where the time goes at 1/240 s, as the profiler sees it: {spent}.",
             f"One worker takes {memory['memory_mb_a_worker']} MB and grows by {grown}.",
         ]
     )
-
-
-def _table(columns: list[str], rows: list[list[str]]) -> str:
-    lines = [columns, ["---"] * len(columns), *rows]
-    return "\n".join(f"| {' | '.join(line)} |" for line in lines)

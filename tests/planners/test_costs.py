@@ -1,9 +1,7 @@
-"""Alternatives: the cheapest plans of other steps, compared with all there are; chances, and unit costs."""
+"""Chances and costs: what a plan is worth, and plans without costs or for all objects at once."""
 
-import itertools
 import math
 import re
-from collections import Counter
 
 import msgspec
 import pytest
@@ -12,57 +10,11 @@ import toy_domain
 
 from neurosym.pddl.chances import expected_success
 from neurosym.pddl.problem import problem_text
-from neurosym.planners import PlanStatus, alternatives, plan
+from neurosym.planners import PlanStatus, plan
 from neurosym.problems import Problem
 from neurosym.tasks.moves import cost
 from neurosym.tasks.steps import PlanStep
 from neurosym.tasks.transition import validate
-
-
-def task(tolerance: float = 0.05) -> Problem:
-    return Problem(
-        "p", (tables.item("item-01", 0.45, 0.0),), {"item-01": (0.6, 0.07, 0.025)}, tolerance=tolerance
-    )
-
-
-def price(steps: tuple[PlanStep, ...]) -> int:
-    return sum(cost(tables.grounding().operator_named(step.base)) for step in steps if not step.puts_down)
-
-
-def test_alternatives_are_the_cheapest_of_all_other_choices_of_steps():
-    learned = tables.grounding()
-    names = [one.name for one in learned.live if one.category == "00"]
-    fewest = len(plan(task(), learned, "counting").steps)
-    good: list[tuple[int, Counter[str]]] = []
-    for length in range(fewest + 3):
-        for chosen in itertools.combinations_with_replacement(names, length):
-            pairs = ([one, f"put-down-{one}"] if one.startswith("lift") else [one] for one in chosen)
-            steps = tuple(PlanStep(one, "item-01") for pair in pairs for one in pair)
-            if validate(steps, task(), learned).valid:
-                good.append((price(steps), Counter(chosen)))
-    good.sort(key=lambda pair: pair[0])
-    expected = [price_ for price_, one in good if not any(other < one for _, other in good)]
-    found = alternatives(task(), learned, 3)
-    assert all(validate(steps, task(), learned).valid for steps in found)
-    assert [price(steps) for steps in found] == expected[:3]
-    others = alternatives(task(), learned, 2, besides=found[0])
-    assert others == found[1:]
-
-
-def test_alternatives_for_two_objects_are_all_ways_to_choose_one_for_each():
-    """Each block comes near enough to its goal by a push to the left, or away."""
-    items = tuple(tables.item(f"item-0{n}", 0.5, y) for n, y in enumerate((-0.15, 0.1)))
-    goals = {item.name: (item.position[0] + 0.055, item.position[1] + 0.045, 0.025) for item in items}
-    both = Problem("p", items, goals, tolerance=0.066)
-    found = alternatives(both, tables.grounding(), 9)
-    assert len({tuple(sorted((step.operator, step.object) for step in steps)) for steps in found}) == 4
-    assert len(found) == 4
-    assert all(validate(steps, both, tables.grounding()).valid for steps in found)
-
-
-def test_no_alternatives_to_what_cannot_be_done():
-    far = Problem("p", (tables.item("item-01", 0.5, 0.0),), {"item-01": (0.35, 0.0, 0.025)})
-    assert alternatives(far, tables.grounding(), 3) == ()
 
 
 def test_chance_of_a_plan_is_the_product_over_its_primitives():

@@ -1,16 +1,11 @@
 """The forms that plans are written in: a table of what planners and services print, one form a row.
 
-Each form is a few templates, so it can be written as well as read: tests and `tools.benchmarks.strangers`
-write plans in every form and read them back, and an error names the form that a line comes nearest to.
-Reading itself goes by what lines are made of (`written_plans`), not by these examples.
+Each form is a few templates: tests and `tools.benchmarks.strangers` write plans in every form and read them
+back. Reading itself goes by what lines are made of (`written_plans`), not by these examples.
 """
 
-import re
 from collections.abc import Sequence
 from dataclasses import dataclass
-from difflib import SequenceMatcher
-
-_WORD, _LOOKED_AT = re.compile(r"[^\W\d][\w-]*"), 120
 
 
 @dataclass(frozen=True, slots=True)
@@ -49,11 +44,6 @@ class PlanForm:
             for number, action in enumerate(actions)
         )
         return self.head + self.between.join(steps) + self.tail.format(count=len(actions))
-
-    @property
-    def example(self) -> str:
-        """One action in this form."""
-        return _filled(self.step, 0, "move-x", "item-01", "dx3", "x40", "x43")
 
 
 def _filled(template: str, number: int, name: str, *arguments: str) -> str:
@@ -171,18 +161,3 @@ FORMS = (
     PlanForm("times and durations in short", ".{number:03}:({words})[1e-3]"),
 )
 """Every form that is read; for other forms see `written_plans`."""
-
-
-def nearest_form(line: str) -> PlanForm:
-    """Return the form that a line comes nearest to.
-
-    Args:
-        line: The line as it was written.
-    """
-    wanted = _skeleton(line)
-    return max(FORMS, key=lambda form: SequenceMatcher(None, wanted, _skeleton(form.example)).ratio())
-
-
-def _skeleton(line: str) -> str:
-    """Return what a line is made of: words count alike, whatever they say, and so do digits."""
-    return re.sub(r"\d", "0", _WORD.sub("a", line[:_LOOKED_AT].strip()))
