@@ -10,8 +10,6 @@ from importlib import import_module
 TYPE_CHECKING = False  # as of `typing`, whose import takes long
 __version__: str
 if TYPE_CHECKING:
-    from neurosym.actions import ActionBox as ActionBox
-    from neurosym.actions import Mirror as Mirror
     from neurosym.data.interactions import Interactions as Interactions
     from neurosym.errors import NeurosymError as NeurosymError
     from neurosym.execution.executor import execute as execute
@@ -25,14 +23,14 @@ if TYPE_CHECKING:
     from neurosym.operators import OperatorTable as OperatorTable
     from neurosym.operators import Primitive as Primitive
     from neurosym.pddl.compiler import compile_domain as compile_domain
+    from neurosym.planners.pddl_search import pddl_planner as pddl_planner
     from neurosym.planners.planner import Planner as Planner
+    from neurosym.planners.planner import PlannerAnswer as PlannerAnswer
+    from neurosym.planners.planner import PlanResult as PlanResult
+    from neurosym.planners.planner import PlanStatus as PlanStatus
     from neurosym.planners.planner import Query as Query
-    from neurosym.planners.refinement import pddl_planner as pddl_planner
     from neurosym.planners.registry import plan as plan
     from neurosym.planners.registry import register_planner as register_planner
-    from neurosym.planners.result import PlannerAnswer as PlannerAnswer
-    from neurosym.planners.result import PlanResult as PlanResult
-    from neurosym.planners.result import PlanStatus as PlanStatus
     from neurosym.planners.unified_planning import from_unified_planning as from_unified_planning
     from neurosym.planners.unified_planning import to_unified_planning as to_unified_planning
     from neurosym.primitives.audition import choose as choose
@@ -42,19 +40,20 @@ if TYPE_CHECKING:
     from neurosym.primitives.rehearsal import tabulate as tabulate
     from neurosym.problems import Problem as Problem
     from neurosym.problems import SceneObject as SceneObject
-    from neurosym.table import OtherObject as OtherObject
-    from neurosym.table import Place as Place
-    from neurosym.table import Table as Table
-    from neurosym.tasks.steps import PlanStep as PlanStep
+    from neurosym.tasks.transition import PlanStep as PlanStep
+    from neurosym.world import ActionBox as ActionBox
+    from neurosym.world import Mirror as Mirror
+    from neurosym.world import OtherObject as OtherObject
     from neurosym.world import Outcome as Outcome
+    from neurosym.world import Place as Place
     from neurosym.world import Scene as Scene
+    from neurosym.world import Table as Table
     from neurosym.world import World as World
-    from neurosym.worlds.check import check_world as check_world
-    from neurosym.worlds.problem_drawing import draw_problem as draw_problem
-    from neurosym.worlds.tasks import draw_task as draw_task
+    from neurosym.worlds.own_world import check_world as check_world
+    from neurosym.worlds.task_drawing import draw_problem as draw_problem
+    from neurosym.worlds.task_drawing import draw_task as draw_task
 
 _PLACES = {
-    "neurosym.actions": ("ActionBox", "Mirror"),
     "neurosym.data.interactions": ("Interactions",),
     "neurosym.errors": ("NeurosymError",),
     "neurosym.execution.executor": ("execute",),
@@ -64,21 +63,18 @@ _PLACES = {
     "neurosym.learning.training": ("Trained", "train"),
     "neurosym.operators": ("Category", "Operator", "OperatorTable", "Primitive"),
     "neurosym.pddl.compiler": ("compile_domain",),
-    "neurosym.tasks.steps": ("PlanStep",),
-    "neurosym.planners.planner": ("Planner", "Query"),
-    "neurosym.planners.refinement": ("pddl_planner",),
+    "neurosym.planners.pddl_search": ("pddl_planner",),
+    "neurosym.planners.planner": ("PlanResult", "PlanStatus", "Planner", "PlannerAnswer", "Query"),
     "neurosym.planners.registry": ("plan", "register_planner"),
-    "neurosym.planners.result": ("PlannerAnswer", "PlanResult", "PlanStatus"),
     "neurosym.planners.unified_planning": ("from_unified_planning", "to_unified_planning"),
     "neurosym.primitives.audition": ("choose",),
     "neurosym.primitives.distillation": ("distill",),
     "neurosym.primitives.rehearsal": ("Rehearsals", "rehearse", "tabulate"),
     "neurosym.problems": ("Problem", "SceneObject"),
-    "neurosym.table": ("OtherObject", "Place", "Table"),
-    "neurosym.world": ("Outcome", "Scene", "World"),
-    "neurosym.worlds.check": ("check_world",),
-    "neurosym.worlds.problem_drawing": ("draw_problem",),
-    "neurosym.worlds.tasks": ("draw_task",),
+    "neurosym.tasks.transition": ("PlanStep",),
+    "neurosym.world": ("ActionBox", "Mirror", "OtherObject", "Outcome", "Place", "Scene", "Table", "World"),
+    "neurosym.worlds.own_world": ("check_world",),
+    "neurosym.worlds.task_drawing": ("draw_problem", "draw_task"),
 }
 """Where each name comes from when it is first used; type checkers read the block above."""
 _HOMES = {name: module for module, names in _PLACES.items() for name in names}
@@ -90,7 +86,7 @@ if not TYPE_CHECKING:  # a type checker would take every name for granted
 
     def __getattr__(name: str) -> object:
         if name == "__version__":
-            from neurosym.distribution import version_of
+            from neurosym.errors import version_of
 
             return version_of("neurosym")
         if name in _HOMES:

@@ -4,16 +4,19 @@ import math
 import operator
 import os
 import reprlib
+import sys
 import threading
 from collections.abc import Iterable
 from functools import cache
 from pathlib import Path
-from typing import Any, TypeVar, get_type_hints
+from typing import TYPE_CHECKING, Any, TypeVar, get_type_hints
 
 import msgspec
 import numpy as np
 
 from neurosym.errors import InvalidValue
+
+# Refusing what cannot be, where it enters: a check raises `InvalidValue`, which says what would be valid
 
 Kind = TypeVar("Kind")
 decoding = threading.local()
@@ -154,3 +157,24 @@ def _is_finite(value: Any) -> bool:
     if isinstance(value, tuple | list):
         return all(map(_is_finite, value))
     return all(map(_is_finite, value.values())) if isinstance(value, dict) else True
+
+
+# Arrays in annotations: what they hold, and along which axes, as in `Float[np.ndarray, "N 4"]`.
+#
+# Type checkers and tests read these as jaxtyping's. Who has not imported jaxtyping checks no shapes, and
+# gets the plain type: making the others would take half as long as importing numpy.
+
+if TYPE_CHECKING or "jaxtyping" in sys.modules:
+    from jaxtyping import Bool as Bool
+    from jaxtyping import Float as Float
+    from jaxtyping import Int as Int
+    from jaxtyping import UInt8 as UInt8
+else:
+
+    class Bool:
+        """An array as its plain type."""
+
+        def __class_getitem__(cls, told: tuple[Any, str]) -> Any:
+            return told[0]
+
+    Float = Int = UInt8 = Bool

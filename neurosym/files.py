@@ -1,17 +1,359 @@
-"""Writing files whole or not at all.
+"""Files: read through one door, written whole or not at all, as drafts and under locks."""
 
-Every file of ours is written here, so that a write that fails names the file.
-"""
-
+import codecs
+import fcntl
+import hashlib
 import os
-from collections.abc import Mapping
+import re
+import secrets
+import stat
+import time
+import tomllib
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager, suppress
+from contextvars import ContextVar
+from io import BufferedReader
 from pathlib import Path
+from typing import Any, TypeVar
 
 import msgspec
 
-from neurosym.drafts import collecting, draft, naming, remove_leftovers
-from neurosym.errors import InvalidFile
-from neurosym.reading import digest, refuse_other_kinds
+from neurosym.errors import CannotWrite, InvalidFile, InvalidValue, shortened
+
+# The door through which files come in: regular files only, no larger and no deeper than what they can be.
+#
+# A domain folder may come from a stranger, and any file may be a link. Nothing is waited for (a named
+# pipe), read without end (a device), or unpacked, nested or counted beyond what the package itself can
+# write.
+
+Document = TypeVar("Document")
+
+KILOBYTE, MEGABYTE, GIGABYTE = 2**10, 2**20, 2**30
+MOST_DATA = GIGABYTE
+"""Bytes of the arrays of a data set, unpacked, or of a network: ten million rows and more."""
+MOST_JSON = 256 * MEGABYTE
+MOST_TEXT = 64 * MEGABYTE
+MOST_SETTINGS = MEGABYTE
+"""Bytes of a `world.toml`."""
+DEEPEST = 50
+"""How deep lists and tables stand in one another at most; ours do in 8."""
+LARGEST_WHOLE = 2**63 - 1
+"""Greatest whole number in a file or on the command line."""
+_MOST_DOTS = 200  # in a key of TOML, which is read in time that grows with their square
+_NOT_FINITE = re.compile(rb"\b(NaN|Infinity)\b")
+_PATTERN = re.compile(r"Expected `str` matching regex '\\\\A\[(01|a-z)\]\S*'")
+_MATCHING = {"01": "bits, like '10'", "a-z": "a name: a lower-case letter, then a-z, 0-9 and hyphens"}
+_STRING = re.compile(rb'"[^"\\]*(?:\\.[^"\\]*)*"', re.DOTALL)
+_NO_BRACKETS = bytes(set(range(256)) - set(b"[]{}"))
+
+
+@contextmanager
+def opened(path: Path, most: int) -> Iterator[BufferedReader]:
+    """Open a file for reading, if it is a regular one and not too large.
+
+    Args:
+        path: The file.
+        most: How large it can be [bytes].
+
+    Raises:
+        InvalidFile: If there is none, it is of another kind or too large, or cannot be read.
+    """
+    try:
+        _check_kind(path, path.stat())  # a device might do something when it is opened
+        descriptor = os.open(path, os.O_RDONLY | os.O_NONBLOCK | os.O_CLOEXEC)
+        with os.fdopen(descriptor, "rb") as file:
+            found = os.fstat(descriptor)
+            _check_kind(path, found)
+            if found.st_size > most:
+                raise _too_large(path, found.st_size, most)
+            yield file
+    except FileNotFoundError as error:
+        raise InvalidFile(path, "there is no such file") from error
+    except OSError as error:
+        raise InvalidFile(path, f"it cannot be read ({error.strerror or error})") from error
+    except MemoryError as error:
+        raise InvalidFile(path, "there is not enough memory to read it") from error
+
+
+def read_bytes(path: Path, most: int = MOST_TEXT) -> bytes:
+    """Read a file.
+
+    Args:
+        path: The file.
+        most: How large it can be [bytes].
+
+    Raises:
+        InvalidFile: See `opened`.
+    """
+    with opened(path, most) as file:
+        content = file.read(most + 1) or b""  # some files say that they hold nothing, and go on and on
+    if len(content) > most:
+        raise _too_large(path, len(content), most)
+    return content
+
+
+def read_text(path: Path, most: int = MOST_TEXT) -> str:
+    """Read a file of UTF-8 text; a byte order mark at its beginning is left out.
+
+    Args:
+        path: The file.
+        most: How large it can be [bytes].
+
+    Raises:
+        InvalidFile: If it is no text; see `opened`.
+    """
+    try:
+        return read_bytes(path, most).decode("utf-8-sig")
+    except UnicodeDecodeError as error:
+        raise InvalidFile(path, f"it is not UTF-8 text: byte {error.start} is none of it") from error
+
+
+def read_json(path: Path, kind: type[Document], remedy: str = "") -> Document:
+    """Read a JSON document and check it against its type.
+
+    Args:
+        path: The file.
+        kind: The msgspec structure that it must fit.
+        remedy: What the message ends with, if the file does not fit.
+
+    Raises:
+        InvalidFile: If the file cannot be read or does not fit; the message names the field.
+    """
+    return decode_json(path, read_bytes(path, MOST_JSON), kind, remedy)
+
+
+def decode_json(path: Path, content: bytes, kind: type[Document], remedy: str = "") -> Document:
+    """Read a JSON document that was found in a file, and check it against its type.
+
+    Args:
+        path: The file.
+        content: The document.
+        kind: The type that it must fit.
+        remedy: What the message ends with, if it does not fit.
+
+    Raises:
+        InvalidFile: If it does not fit; the message names the field.
+    """
+    from neurosym.checks import decoding  # with numpy, which takes long to import
+
+    content = content.removeprefix(codecs.BOM_UTF8)
+    outside = _STRING.sub(b"", content)
+    if _depth(outside) > DEEPEST:
+        raise InvalidFile(path, _too_deep() + remedy)
+    decoding.now = True
+    try:
+        return msgspec.json.decode(content, type=kind)
+    except (msgspec.MsgspecError, UnicodeDecodeError, OverflowError, RecursionError, InvalidValue) as error:
+        is_other = isinstance(error, msgspec.ValidationError | InvalidValue)
+        said = ("" if is_other else "it is not JSON: ") + shortened(_in_words(error), 300)
+        if not is_other and (found := _NOT_FINITE.search(outside)):
+            said += f"; {found[0].decode()} is no number there"
+        raise InvalidFile(path, said + remedy) from error
+    finally:
+        decoding.now = False
+
+
+def _depth(outside: bytes) -> int:
+    """Return how deep lists and tables stand in one another in a document without its strings."""
+    import numpy as np
+
+    brackets = np.frombuffer(outside.translate(None, _NO_BRACKETS), dtype=np.uint8)
+    opens = np.isin(brackets, tuple(b"[{"))
+    return int(np.cumsum(np.where(opens, 1, -1)).max(initial=0))
+
+
+def _in_words(error: Exception) -> str:
+    """Return what an error says, with words for patterns of ours."""
+    said = str(error).rstrip(".")
+    return _PATTERN.sub(lambda found: f"Expected {_MATCHING[found[1]]}", said)
+
+
+def read_toml(path: Path, remedy: str = "") -> dict[str, Any]:
+    """Read a TOML document.
+
+    Args:
+        path: The file.
+        remedy: What the message ends with, if it cannot be read.
+
+    Raises:
+        InvalidFile: If it is not TOML, or nested without measure; see `opened`.
+    """
+    text = read_text(path, MOST_SETTINGS)
+    lines = (line for line in text.splitlines() if not line.lstrip().startswith("#"))
+    if any(piece.count(".") > _MOST_DOTS for line in lines for piece in line.split(",")):
+        raise InvalidFile(path, _too_deep() + remedy)
+    try:
+        return tomllib.loads(text)
+    except (ValueError, RecursionError) as error:
+        deep = isinstance(error, RecursionError)
+        said = _too_deep() if deep else f"it is not TOML: {shortened(str(error).rstrip('.'), 300)}"
+        raise InvalidFile(path, said + remedy) from error
+
+
+def digest(path: Path) -> str:
+    """Return the SHA-256 of a file, in hexadecimal.
+
+    Raises:
+        InvalidFile: See `opened`.
+    """
+    with opened(path, 4 * MOST_DATA) as file:
+        return hashlib.file_digest(file, "sha256").hexdigest()
+
+
+def refuse_other_kinds(path: Path) -> None:
+    """Raise `InvalidFile` if something stands in the place of a file that is none."""
+    if path.exists():
+        _check_kind(path, path.stat(), "; move it away")
+
+
+def _check_kind(path: Path, found: os.stat_result, remedy: str = "") -> None:
+    if not stat.S_ISREG(found.st_mode):
+        kind = "a folder" if stat.S_ISDIR(found.st_mode) else "a pipe, a socket or a device"
+        raise InvalidFile(path, f"it is {kind}, and should be a file{remedy}")
+
+
+def _too_large(path: Path, size: int, most: int) -> InvalidFile:
+    return InvalidFile(path, f"it has {size / MEGABYTE:.0f} MB; valid: at most {most / MEGABYTE:g} MB")
+
+
+def _too_deep() -> str:
+    return f"its lists and tables are nested too deep; valid: at most {DEEPEST} in one another"
+
+
+# Drafts: files that are written beside their places, under names that begin with `.neurosym-`.
+#
+# A rename puts a draft in its place, so that a kill leaves the old file or the new. The name holds the
+# number of the process that writes it; what a killed process leaves, `remove_leftovers` removes.
+
+_BESIDE = ".neurosym-"
+_OWNER = re.compile(re.escape(_BESIDE) + r"(\d+)-")
+
+
+@contextmanager
+def draft(place: Path, data: bytes) -> Iterator[Path]:
+    """Write a draft, and drop it if what is done with it fails, whenever a signal is raised meanwhile.
+
+    Args:
+        place: Where the file shall stand; its folder exists.
+        data: What it holds.
+    """
+    path = place.parent / f"{_BESIDE}{os.getpid()}-{secrets.token_hex(8)}"  # known before there is a file
+    try:
+        with path.open("xb") as file:
+            file.write(data)
+        path.chmod(0o644)
+        yield path
+    except BaseException:
+        path.unlink(missing_ok=True)
+        raise
+
+
+class Drafts:
+    """Files that are written beside their places, and put there together.
+
+    Within `with Drafts() as drafts:` every write of this thread is a draft, and every removal is noted. What
+    was not put in place by the end is dropped: the files are as they were.
+    """
+
+    def __init__(self) -> None:
+        self._drafts: dict[Path, Path | None] = {}
+
+    def __enter__(self) -> "Drafts":
+        self._token = _drafts.set(self)
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        _drafts.reset(self._token)
+        for written in filter(None, self._drafts.values()):
+            written.unlink(missing_ok=True)
+
+    def put_in_place(self) -> None:
+        """Rename every draft to its place, and remove what shall be gone.
+
+        Raises:
+            CannotWrite: If a file cannot be put in its place; those before it are.
+        """
+        for path, written in tuple(self._drafts.items()):
+            with naming(path):
+                written.replace(path) if written else path.unlink(missing_ok=True)
+            del self._drafts[path]
+
+    def add(self, path: Path, written: Path | None) -> None:
+        """Note a draft for a place, or that nothing shall stand there; an earlier one is dropped."""
+        if earlier := self._drafts.pop(path, None):
+            earlier.unlink(missing_ok=True)
+        self._drafts[path] = written
+
+    def holds(self, path: Path) -> bool:
+        """Say whether something is to be written at a place, or removed there."""
+        return path in self._drafts
+
+    def now_at(self, path: Path) -> Path | None:
+        """Return where the content lies that a place has, or will have; None if nothing will stand there."""
+        return self._drafts.get(path, path)
+
+
+_drafts: ContextVar[Drafts | None] = ContextVar("drafts", default=None)
+
+
+def collecting() -> Drafts | None:
+    """Return the drafts that writes are added to now, if any are."""
+    return _drafts.get()
+
+
+@contextmanager
+def at_once() -> Iterator[None]:
+    """Put files in place as they are written, even among `Drafts`: a checkpoint must outlive a kill."""
+    token = _drafts.set(None)
+    try:
+        yield
+    finally:
+        _drafts.reset(token)
+
+
+def remove_leftovers(folder: Path) -> None:
+    """Remove what killed processes left of files that they wrote in a folder."""
+    for path in folder.glob(f"{_BESIDE}*"):
+        if path.is_file() and not path.is_symlink() and not _is_owned(path.name):
+            with suppress(OSError):
+                path.unlink()
+
+
+def _is_owned(name: str) -> bool:
+    """Say whether the process that writes a draft is alive."""
+    owner = _OWNER.match(name)
+    if owner is None:
+        return False
+    try:
+        os.kill(int(owner[1]), 0)
+    except (ProcessLookupError, OverflowError):
+        return False
+    except PermissionError:  # somebody else's
+        pass
+    return True
+
+
+@contextmanager
+def naming(path: Path) -> Iterator[None]:
+    """Have errors of the system name the file that could not be written.
+
+    Args:
+        path: The file, or folder.
+
+    Raises:
+        CannotWrite: In place of any error of the system.
+    """
+    try:
+        yield
+    except CannotWrite:
+        raise
+    except OSError as error:
+        raise CannotWrite(path, error) from error
+
+
+# Writing files whole or not at all.
+#
+# Every file of ours is written here, so that a write that fails names the file.
 
 _BLOCK = bytes(4096)  # as much as any file system sets aside for a small file
 
@@ -114,3 +456,76 @@ def digests(places: Mapping[str, Path]) -> dict[str, str]:
     drafts = collecting()
     found = {name: drafts.now_at(path) if drafts else path for name, path in places.items()}
     return {name: digest(path) for name, path in found.items() if path and path.is_file()}
+
+
+# Locks on files and folders, which the system takes back from a process that ends, however it ends.
+#
+# No lock file is needed, and none can be left behind: the lock is on the file or folder itself (`flock`).
+# Where the file system knows no locks, nothing is locked.
+
+_TRIES, _PAUSE = 40, 0.05  # how often somebody who is busy for a moment is asked, and how long apart [s]
+
+
+@contextmanager
+def locked(path: Path) -> Iterator[None]:
+    """Hold a file or folder, which exists, for oneself alone; wait while another process holds it.
+
+    Args:
+        path: The file or folder; it may be replaced by a rename meanwhile.
+    """
+    while True:
+        descriptor = os.open(path, os.O_RDONLY)
+        try:
+            _lock(descriptor, fcntl.LOCK_EX)
+            if os.path.samestat(os.fstat(descriptor), path.stat()):
+                yield
+                return
+        finally:
+            os.close(descriptor)
+
+
+def take(folder: Path, *, alone: bool) -> int | None:
+    """Take a folder, for oneself or together with others who do not want it alone.
+
+    Whoever has it for a moment only, about two seconds, is waited for.
+
+    Args:
+        folder: The folder.
+        alone: Whether to take it for oneself.
+
+    Returns:
+        What `os.close` gives back; None if another process has the folder.
+    """
+    how = (fcntl.LOCK_EX if alone else fcntl.LOCK_SH) | fcntl.LOCK_NB
+    descriptor = os.open(folder, os.O_RDONLY)
+    try:
+        for left in reversed(range(_TRIES)):
+            with suppress(BlockingIOError):
+                _lock(descriptor, how)
+                return descriptor
+            time.sleep(_PAUSE if left else 0.0)
+    except BaseException:
+        os.close(descriptor)
+        raise
+    os.close(descriptor)
+    return None
+
+
+def holders(path: Path) -> tuple[int, ...]:
+    """List the processes that have a file or folder locked, as far as the system tells."""
+    try:
+        lines, node = Path("/proc/locks").read_text().splitlines(), path.stat().st_ino
+    except OSError:
+        return ()
+    fields = [line.split() for line in lines]
+    found = {int(f[4]) for f in fields if f[1] == "FLOCK" and f[5].endswith(f":{node}")}
+    return tuple(sorted(number for number in found if number > 0))
+
+
+def _lock(descriptor: int, how: int) -> None:
+    try:
+        fcntl.flock(descriptor, how)
+    except BlockingIOError:
+        raise
+    except OSError:
+        pass  # a file system without locks

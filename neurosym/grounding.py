@@ -1,41 +1,130 @@
-"""Grounding: what is needed to plan with a learned domain and to turn plans back into motions.
-
-It is the table of operators together with the grid that the PDDL text is printed on. No neural network is
-needed beyond this point. It is stored as `grounding.json`, next to the domain.
-"""
+"""Grounding: what is needed to plan with a learned domain and to turn plans back into motions."""
 
 import math
-from collections.abc import Collection
+from collections import defaultdict
+from collections.abc import Callable, Collection, Iterable, Sequence
 from functools import lru_cache
 from pathlib import Path
 from typing import Annotated
 
 import msgspec
 
-from neurosym.cells import Cells, at_rest, in_cells, in_space, remainder
 from neurosym.checks import as_path, check_fields, check_length
-from neurosym.duplicates import find_duplicates
-from neurosym.errors import InvalidFile, InvalidValue, UnknownChoice
-from neurosym.files import write_json
-from neurosym.fits import remember_fits
-from neurosym.naming import counted_axes
+from neurosym.errors import InvalidFile, InvalidValue, UnknownChoice, quoted
+from neurosym.files import MOST_JSON, decode_json, read_bytes, write_json
 from neurosym.operators import (
     MIN_CHANCE,
     Category,
+    Effect,
     LegalName,
     Mode,
     Operator,
     OperatorTable,
     Primitive,
+    Symbol,
     Vector,
+    counted_axes,
     unknown_format,
 )
-from neurosym.place_operators import NEVER_CARRIES, PlaceOperators
-from neurosym.reading import MOST_JSON, decode_json, read_bytes
-from neurosym.relation_operators import RelationOperators
-from neurosym.symbols import Symbol
-from neurosym.table import Table
-from neurosym.wording import quoted
+from neurosym.pair_operators import NEVER_CARRIES, PlaceOperators, RelationOperators
+from neurosym.regression import remember_fits
+from neurosym.world import Table
+
+# Displacements in space, and in whole cells of a grid
+
+Cells = tuple[int, int, int]
+"""A displacement along x, y and z in whole cells."""
+
+
+def in_space(effect: Effect) -> Vector:
+    """Return an effect along x, y and z as a vector [m]."""
+    x, y, z = effect
+    return (x, y, z)
+
+
+def at_rest(promise: Mode) -> Vector:
+    """Return where a promise to end upright brings the object: it keeps its height [m]."""
+    x, y, _ = promise.resting_effect
+    return (x, y, 0.0)
+
+
+def in_cells(displacement: Vector, cell: float) -> Cells:
+    """Round a displacement to whole cells, halves away from zero.
+
+    Args:
+        displacement: The displacement [m].
+        cell: Edge of a cell [m].
+    """
+    x, y, z = (int(math.copysign(math.floor(abs(part) / cell + 0.5), part)) for part in displacement)
+    return (x, y, z)
+
+
+def remainder(displacement: Vector, cells: Cells, cell: float) -> Vector:
+    """Return by how much a displacement in whole cells is off, on each axis [m].
+
+    Args:
+        displacement: The displacement [m].
+        cells: The same in cells.
+        cell: Edge of a cell [m].
+    """
+    x, y, z = (abs(part - cell * whole) for part, whole in zip(displacement, cells, strict=True))
+    return (x, y, z)
+
+
+# Operators that do the same as another: a planner needs one of them, and a reader, too.
+#
+# Many action symbols share what can be done among them, so some do the same to a category.
+
+
+def find_duplicates(
+    operators: Iterable[Operator], moves: Callable[[Operator], Sequence[Vector]], apart: float
+) -> dict[str, str]:
+    """Say of each operator that does the same as a more reliable one, which one that is and how they compare.
+
+    The same means: to the same category, with the same kind of promise, and with displacements that differ
+    by less than `apart` on every axis. Of equally reliable operators the first by name is kept.
+
+    Args:
+        operators: Operators with a promise.
+        moves: Returns the displacements that an operator promises [m].
+        apart: From which difference on displacements are not the same [m].
+
+    Returns:
+        Reasons to leave operators out, by their names.
+    """
+    kept = defaultdict[tuple[str, str], list[tuple[Operator, Sequence[Vector]]]](list)
+    reasons = {}
+    for operator in sorted(operators, key=lambda one: (-_reliability(one), one.name)):
+        promise, own = operator.promise, moves(operator)
+        assert promise is not None, f"{operator.name} promises nothing"
+        others = kept[operator.category, promise.kind]
+        other = next((other for other, its in others if _alike(own, its, apart)), None)
+        if other is None:
+            others.append((operator, own))
+        else:
+            how = "less" if _reliability(operator) < _reliability(other) else "as"
+            reasons[operator.name] = f"does the same as {other.name}, {how} reliably"
+    return reasons
+
+
+def _reliability(operator: Operator) -> float:
+    return (operator.successes + 1) / (
+        operator.trials + 2
+    )  # the mean chance of success, after so many trials
+
+
+def _alike(one: Sequence[Vector], other: Sequence[Vector], apart: float) -> bool:
+    return all(
+        abs(a - b) < apart
+        for mine, its in zip(one, other, strict=True)
+        for a, b in zip(mine, its, strict=True)
+    )
+
+
+# Grounding: what is needed to plan with a learned domain and to turn plans back into motions.
+#
+# It is the table of operators together with the grid that the PDDL text is printed on. No neural network is
+# needed beyond this point. It is stored as `grounding.json`, next to the domain.
 
 FORMATS = tuple(f"neurosym-grounding-{number}" for number in range(1, 5))
 """Versions of groundings that can be read; the second knows operators with parameters of their own, the third

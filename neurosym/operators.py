@@ -1,23 +1,70 @@
-"""The table of operators: what each primitive does to each category of objects.
+"""Operators: what each primitive does to each category of objects, and how all these are named."""
 
-This one table is what every PDDL output is printed from, what plans are replayed with, and what execution
-compares observations against. It is stored in `primitives.json`.
-"""
-
-from collections.abc import Sequence
+import math
+import re
+from collections.abc import Callable, Sequence
+from itertools import product
 from pathlib import Path
 from typing import Annotated, Literal
 
 import msgspec
 import numpy as np
 
-from neurosym.arrays import Float
-from neurosym.checks import check_fields
+from neurosym.checks import Float, UInt8, check_all, check_callable, check_fields
 from neurosym.choices import TOLERANCE as TOLERANCE
-from neurosym.errors import InvalidFile, InvalidValue
-from neurosym.reading import read_json
-from neurosym.symbols import Symbol, all_symbols
-from neurosym.world import OutcomeKind
+from neurosym.errors import InvalidFile, InvalidValue, shortened
+from neurosym.files import read_json
+from neurosym.world import Frame, OutcomeKind
+
+# Symbols: codes of bits, written as strings like "101"
+
+_BITS = r"\A[01]{1,64}\Z"
+Symbol = Annotated[str, msgspec.Meta(pattern=_BITS)]
+"""A code of bits; what stands in files is checked when it is read."""
+Categorise = Callable[[Float[np.ndarray, "N F"]], tuple[Symbol, ...]]
+"""Gives the object symbols of features."""
+
+
+def symbols_of(categorise: Categorise, features: Float[np.ndarray, "N F"]) -> tuple[Symbol, ...]:
+    """Return the symbols that a function gives to objects.
+
+    Args:
+        categorise: The function.
+        features: Features of the objects.
+
+    Raises:
+        InvalidValue: If it gives what are not as many symbols.
+    """
+    check_callable("categorise", categorise, "a function from features (N, F) to N symbols")
+    symbols = categorise(features)
+    check_all("the symbols that categorise gives", symbols, str, "a tuple of symbols, like '10'")
+    if len(symbols) != len(features):
+        raise InvalidValue(f"categorise gives {len(symbols)} symbols for {len(features)} objects.")
+    for symbol in symbols:
+        if not re.match(_BITS, symbol):
+            raise InvalidValue(f"categorise gives the symbol {shortened(symbol)!r}; valid: bits, like '10'.")
+    return tuple(symbols)
+
+
+def all_symbols(bits: int) -> tuple[Symbol, ...]:
+    """List the 2^K symbols of K bits in counting order."""
+    return tuple("".join(code) for code in product("01", repeat=bits))
+
+
+def binarize(embeddings: Float[np.ndarray, "N K"]) -> tuple[Symbol, ...]:
+    """Turn embeddings into symbols by the binary step function (eq. 2): a bit is 1 where the value is > 0."""
+    return tuple("".join("1" if value > 0 else "0" for value in row) for row in embeddings)
+
+
+def signs(symbol: Symbol) -> Float[np.ndarray, "K"]:
+    """Write a symbol in tanh's range: +1 for each 1, -1 for each 0."""
+    return np.array([1.0 if bit == "1" else -1.0 for bit in symbol])
+
+
+# The table of operators: what each primitive does to each category of objects.
+#
+# This one table is what every PDDL output is printed from, what plans are replayed with, and what execution
+# compares observations against. It is stored in `primitives.json`.
 
 LegalName = Annotated[str, msgspec.Meta(pattern=r"\A[a-z][a-z0-9-]{0,199}\Z")]
 """A name that PDDL takes, and that a terminal and a page show as it is."""
@@ -296,3 +343,154 @@ class OperatorTable(msgspec.Struct, frozen=True, forbid_unknown_fields=True, omi
     @property
     def _widths(self) -> set[int]:
         return {len(mode.effect) for operator in self.operators for mode in operator.modes}
+
+
+# Names that a person can read, for categories and operators, from what was measured.
+#
+# Forward is +x (away from the robot), back is -x, left is +y. A name ends with the bits it stands for, so
+# that it is unique, and matches `[a-z][a-z0-9-]*`, so that it is legal in PDDL.
+
+CARRIED = 0.02
+"""Least height on the way of an object that was carried and not pushed [m]."""
+
+NO_EFFECT = 0.01
+"""Displacements below this are none [m]."""
+
+_DIAGONAL = 0.5  # least share of the lesser axis in the greater that is worth a word
+_CONTRAST = 0.1  # least relative difference to the other categories that is worth a word
+_SURE = 0.75  # least share of one type that is worth a word
+
+
+def name_categories(
+    symbols: Sequence[Symbol], means: Float[np.ndarray, "L F"], feature_names: Sequence[str]
+) -> tuple[str, ...]:
+    """Name categories by what sets each apart from the others: `hollow-low-10`, `solid-wide-01`, `any-11`.
+
+    Args:
+        symbols: The object symbols.
+        means: Mean features of each category; of t, the share that is hollow.
+        feature_names: What the features are; of s_x, s_y, d and t those are used that are there.
+    """
+    columns = {name: means[:, number] for number, name in enumerate(feature_names)}
+    names = []
+    for row, symbol in enumerate(symbols):
+        words = [_type_word(columns["t"][row]) if "t" in columns else "kind"]
+        if "d" in columns:
+            words.append(_contrast(columns["d"], row, "low", "tall"))
+        if "s_x" in columns and "s_y" in columns:
+            words.append(_contrast(columns["s_x"] + columns["s_y"], row, "narrow", "wide"))
+        names.append("-".join([*filter(None, words), symbol]))
+    return tuple(names)
+
+
+def names_of_features(count: int, given: Sequence[str] = ()) -> tuple[str, ...]:
+    """Return the names of object features: those given, or `f1`, `f2`, ...
+
+    Args:
+        count: How many features there are.
+        given: Their names, if they have any.
+    """
+    return tuple(given) or tuple(f"f{number}" for number in range(1, count + 1))
+
+
+def name_axes(count: int) -> tuple[str, ...]:
+    """Name the axes of an effect: x, y and z if there are three, else `e1`, `e2`, ...
+
+    Args:
+        count: How many axes there are.
+    """
+    return ("x", "y", "z") if count == 3 else tuple(f"e{number}" for number in range(1, count + 1))
+
+
+def counted_axes(count: int) -> str:
+    """Say how many axes there are: `1 axis`, `2 axes`."""
+    return f"{count} {'axis' if count == 1 else 'axes'}"
+
+
+def name_operator(primitive: str, category_name: str, modes: Sequence[Mode]) -> str:
+    """Name an operator by what it does: `push-left-101b-hollow-low-10`.
+
+    Args:
+        primitive: Label of the primitive.
+        category_name: Name of the category.
+        modes: The outcomes seen, most frequent first.
+    """
+    promised = next((mode for mode in modes if mode.kind in PROMISING), modes[0])
+    return f"{verb(promised)}-{primitive}-{category_name}"
+
+
+def verb(mode: Mode) -> str:
+    """Say in a word or three what happened to the object: `act`, where effects are not along x, y and z."""
+    if mode.kind == "held":
+        return "lift"
+    if mode.kind in ("carried", "missed"):
+        return "carry-to" if mode.kind == "carried" else "miss"
+    if mode.kind == "lost":
+        return "throw-off"
+    if mode.kind == "toppled":
+        return "topple"
+    if len(mode.resting_effect) != 3:
+        return "act"
+    x, y, z = mode.resting_effect
+    if np.hypot(x, y) < NO_EFFECT:
+        return "stay" if abs(z) < NO_EFFECT else "raise" if z > 0 else "lower"
+    if mode.peak_height > CARRIED:
+        return f"place-{_direction(x, y)}"
+    return f"push-{_direction(x, y)}".replace("push-back", "pull")
+
+
+def _direction(x: float, y: float) -> str:
+    along_x, along_y = ("forward" if x > 0 else "back"), ("left" if y > 0 else "right")
+    if min(abs(x), abs(y)) >= _DIAGONAL * max(abs(x), abs(y)):
+        return f"{along_x}-{along_y}"
+    return along_x if abs(x) >= abs(y) else along_y
+
+
+def _type_word(share_hollow: float) -> str:
+    if share_hollow >= _SURE:
+        return "hollow"
+    return "solid" if share_hollow <= 1 - _SURE else "any"
+
+
+def _contrast(values: np.ndarray, row: int, less: str, more: str) -> str:
+    others = np.delete(values, row)
+    if not len(others) or others.mean() == 0:
+        return ""
+    ratio = values[row] / others.mean()
+    return less if ratio < 1 - _CONTRAST else more if ratio > 1 + _CONTRAST else ""
+
+
+# Dots that mark the waypoints of an action in a picture, as in the paper: blue, green, red
+
+DOT_COLOURS = ((31, 98, 224), (30, 160, 70), (222, 40, 45))
+"""Of waypoints 1, 2 and 3: where the motion starts, its middle, its end."""
+_RIM_COLOUR = (255, 255, 255)
+_RIM = 0.25  # width of the rim, as a share of the radius
+
+
+def draw_dots(frame: Frame, places: Float[np.ndarray, "N 2"], radius: float) -> Frame:
+    """Draw a round dot with a white rim at each place, smooth at its edge; later dots lie on earlier ones.
+
+    Args:
+        frame: The picture, which is left as it is.
+        places: Centres of the dots, rightwards and downwards from the upper left corner [pixels].
+        radius: Of a dot without its rim [pixels].
+    """
+    picture = frame.copy()
+    for number, (x, y) in enumerate(places.tolist()):
+        for reach, colour in (
+            ((1 + _RIM) * radius, _RIM_COLOUR),
+            (radius, DOT_COLOURS[number % len(DOT_COLOURS)]),
+        ):
+            _draw_disc(picture, x, y, reach, np.array(colour, dtype=np.uint8))
+    return picture
+
+
+def _draw_disc(picture: Frame, x: float, y: float, radius: float, colour: UInt8[np.ndarray, "3"]) -> None:
+    """Draw a disc into a picture, each pixel covered by as much of it as lies inside."""
+    top, left = (max(0, math.floor(middle - radius - 1)) for middle in (y, x))
+    part = picture[top : max(0, math.ceil(y + radius + 1)), left : max(0, math.ceil(x + radius + 1))]
+    rows, columns = np.indices(part.shape[:2]) + 0.5
+    distance = np.hypot(columns + left - x, rows + top - y)
+    cover = np.clip(radius - distance + 0.5, 0, 1)[:, :, None]  # (rows, columns, 1)
+    part[:] = np.rint((1 - cover) * part + cover * colour)

@@ -1,20 +1,25 @@
-"""Gaussian process regression: from features of objects to what an operator does to them.
+"""Regression: how effects depend on features, by a Gaussian process, and what was found for a grounding."""
 
-After Rasmussen and Williams, *Gaussian Processes for Machine Learning*, 2006, algorithm 2.1. How far the
-prediction misses objects that are left out (section 5.4.2) says how sure it is for others like them.
-"""
-
-from collections.abc import Sequence
+import hashlib
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cache
 from itertools import combinations
+from pathlib import Path
 
 import msgspec
 import numpy as np
 
-from neurosym.arrays import Bool, Float
-from neurosym.operators import TOLERANCE
-from neurosym.threads import one_thread
+from neurosym.checks import Bool, Float
+from neurosym.choices import one_thread
+from neurosym.errors import InvalidFile
+from neurosym.files import MEGABYTE, decode_json, digests, read_bytes, write_json
+from neurosym.operators import TOLERANCE, Category, LegalName, Operator
+
+# Gaussian process regression: from features of objects to what an operator does to them.
+#
+# After Rasmussen and Williams, *Gaussian Processes for Machine Learning*, 2006, algorithm 2.1. How far the
+# prediction misses objects that are left out (section 5.4.2) says how sure it is for others like them.
 
 _LENGTHS = (0.7, 1.5, 3.0, 6.0)  # over which outcomes change, in spreads of the features
 _NOISES = (0.001, 0.01, 0.1, 0.3, 1.0, 10.0)  # variance that features do not explain, of that they do
@@ -268,3 +273,69 @@ def _alike(apart: Float[np.ndarray, "n m"], length: float) -> Float[np.ndarray, 
 def _apart(ones: Float[np.ndarray, "n F"], others: Float[np.ndarray, "m F"]) -> Float[np.ndarray, "n m"]:
     """Compute how far objects are apart."""
     return np.asarray(np.sqrt(((ones[:, None] - others[None]) ** 2).sum(-1)))
+
+
+# What fitting the rehearsals of a grounding came to, kept beside it so that it is not sought at each call.
+#
+# A fit seeks how far outcomes reach, how noisy they are, and which features decide, each among few; the
+# rest follows in no time. So that is what the file holds, with the digest of the grounding that it was
+# found for. Where it is missing, damaged, or of another grounding, it is sought anew.
+
+NAME = "fits.json"
+"""What the file is called, beside the grounding."""
+FORMAT = "neurosym-fits-1"
+_MOST = 64 * MEGABYTE
+_found: dict[str, tuple[Operator, Category | None, Choice]] = {}  # for the grounding that was read last
+
+
+class _Fits(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
+    format: str
+    grounding: str
+    choices: dict[LegalName, Choice]
+
+
+def save_fits(grounding_file: Path, choices: Mapping[str, Choice]) -> None:
+    """Write what was found beside a grounding.
+
+    Args:
+        grounding_file: The grounding; it is there, or will be when `Drafts` are put in place.
+        choices: What was found for its operators, by name.
+    """
+    (digest,) = digests({NAME: grounding_file}).values()
+    write_json(grounding_file.with_name(NAME), _Fits(FORMAT, digest, dict(sorted(choices.items()))))
+
+
+def remember_fits(
+    grounding_file: Path, content: bytes, operators: Iterable[Operator], categories: Iterable[Category]
+) -> None:
+    """Read what was found for a grounding, if that is known.
+
+    Args:
+        grounding_file: Where the grounding was read.
+        content: What it was read from.
+        operators: Its operators.
+        categories: Its categories.
+    """
+    _found.clear()
+    path = grounding_file.with_name(NAME)
+    try:
+        fits = decode_json(path, read_bytes(path, _MOST), _Fits)
+    except InvalidFile:
+        return
+    if fits.format != FORMAT or fits.grounding != hashlib.sha256(content).hexdigest():
+        return
+    by_symbol = {category.symbol: category for category in categories}
+    for operator in operators:
+        if choice := fits.choices.get(operator.name):
+            _found[operator.name] = (operator, by_symbol.get(operator.category), choice)
+
+
+def found_for(operator: Operator, category: Category) -> Choice | None:
+    """Return what fitting an operator's rehearsals came to, if it is known.
+
+    Args:
+        operator: The operator; what is known is of one that is the same in everything.
+        category: Its category; likewise.
+    """
+    *known, choice = _found.get(operator.name, (None, None, None))
+    return choice if known == [operator, category] else None

@@ -15,12 +15,11 @@ import msgspec
 import numpy as np
 
 import neurosym as ns
-from neurosym.exploration.choice import ExplorationConfig
-from neurosym.learning.model_config import ModelConfig
-from neurosym.learning.training_config import TrainingConfig
+from neurosym.exploration.loop import ExplorationConfig
+from neurosym.learning.training_config import ModelConfig, TrainingConfig
 from neurosym.operators import Mode
 from neurosym.world import check_action
-from neurosym.worlds.problem_drawing import set_problem
+from neurosym.worlds.task_drawing import set_problem
 from neurosym.worlds.toy import ToyConfig, make_world
 
 NAN, INF = math.nan, math.inf
@@ -157,8 +156,8 @@ class Model:
     """Makes a small model when it is first needed."""
 
     def __call__(self):  # noqa: D102
-        from neurosym.data.dimensions import Dimensions
-        from neurosym.learning.effect_model import EffectModel
+        from neurosym.data.origin import Dimensions
+        from neurosym.learning.network import EffectModel
 
         return EffectModel(Dimensions(4, 12, 3, (3, 7, 11)), ModelConfig(hidden=8))
 

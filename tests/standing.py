@@ -2,8 +2,7 @@
 
 import numpy as np
 
-from neurosym.table import Place
-from neurosym.world import Scene
+from neurosym.world import Place, Scene
 
 OPEN, CLOSED = 1.0, 0.0
 CARRY = np.array([0, 0, 0, OPEN, 0, 0, 0, CLOSED, 0, 0, 0, CLOSED])

@@ -10,12 +10,12 @@ from toy_domain import grounding, problem
 
 from neurosym.pddl import domain_text
 from neurosym.problems import Problem
+from neurosym.stages.compilation import print_problem
 from neurosym.stages.folder import DomainFolder
 from neurosym.stages.layout import DOMAIN
-from neurosym.stages.problem_printing import print_problem
-from neurosym.studio.library import Library
+from neurosym.studio.desk import Library
 from neurosym.studio.session import Session
-from neurosym.studio.workers import Workers
+from neurosym.studio.studio_workers import Workers
 from tools.benchmarks.studio.browser import wait_for
 
 __all__ = ["wait_for"]

@@ -4,10 +4,9 @@ from neurosym.grounding import Grounding
 from neurosym.operators import Category, Mode, Operator, OperatorTable, Primitive, Vector
 from neurosym.pddl import compile_domain
 from neurosym.problems import Problem, SceneObject
-from neurosym.table import Table
-from neurosym.tasks.moves import cost
-from neurosym.tasks.steps import PlanStep
-from neurosym.world import OutcomeKind
+from neurosym.tasks.options import cost
+from neurosym.tasks.transition import PlanStep
+from neurosym.world import OutcomeKind, Table
 
 BOUNDS = Table(x=(0.3, 0.9), y=(-0.3, 0.3))
 

@@ -5,7 +5,7 @@ import sys
 
 import pytest
 
-from neurosym import console, terminal
+from neurosym.stages import console, terminal
 
 
 @pytest.fixture

@@ -8,10 +8,9 @@ import numpy as np
 import pybullet
 import pytest
 
-from neurosym.exploration.choice import ExplorationConfig
 from neurosym.exploration.curiosity import LearningConfig
-from neurosym.exploration.loop import STATE_FILE, explore
-from neurosym.learning.model_config import ModelConfig
+from neurosym.exploration.loop import STATE_FILE, ExplorationConfig, explore
+from neurosym.learning.training_config import ModelConfig
 from neurosym.sim.simulation import Simulation
 from neurosym.sim.tabletop import Tabletop
 from neurosym.worlds.workers import Task, perform_all

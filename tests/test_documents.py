@@ -49,7 +49,7 @@ def test_every_test_that_is_named_exists(path: Path):
 
 def test_every_file_that_the_map_names_exists():
     text = (DOCS / "architecture.md").read_text()
-    rows = [line for line in text.splitlines() if line.startswith("| ") and not line.startswith("| what")]
+    rows = [line for line in text.splitlines() if line.startswith("| ") and line != "| what | look in |"]
     assert len(rows) >= 20
     for part in [*rows, *text.split("## I want to change")[0].splitlines()]:
         folder = ""

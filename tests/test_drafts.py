@@ -12,10 +12,19 @@ from types import FrameType
 
 import pytest
 
-from neurosym import drafts, files
-from neurosym.drafts import Drafts, at_once, remove_leftovers
+from neurosym import files
+from neurosym import files as drafts
 from neurosym.errors import CannotWrite
-from neurosym.files import check_writable, digests, remove, write_atomically, write_new
+from neurosym.files import (
+    Drafts,
+    at_once,
+    check_writable,
+    digests,
+    remove,
+    remove_leftovers,
+    write_atomically,
+    write_new,
+)
 
 
 def names(folder: Path) -> list[str]:
@@ -158,7 +167,7 @@ def test_more_drafts_can_be_made_than_files_may_be_open(tmp_path: Path):
 DRAFT_AND_WAIT = """
 import sys, time
 from pathlib import Path
-from neurosym.drafts import Drafts
+from neurosym.files import Drafts
 from neurosym.files import write_atomically
 with Drafts():
     write_atomically(Path(sys.argv[1]) / "a", "1")

@@ -7,11 +7,12 @@ from pathlib import Path
 import pytest
 from rehearsed import grounding, item
 
-from neurosym import promises, regression
-from neurosym.fits import NAME, save_fits
+from neurosym import regression
+from neurosym.choices import DOMAINS, shipped_domain
 from neurosym.grounding import Grounding
-from neurosym.promises import fits_of, promised
-from neurosym.shipped import DOMAINS, shipped_domain
+from neurosym.regression import NAME, save_fits
+from neurosym.tasks import promises
+from neurosym.tasks.promises import fits_of, promised
 
 BLOCK = item("item-01", 0.45, 0.0, 0.05)
 

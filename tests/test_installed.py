@@ -15,7 +15,7 @@ from pathlib import Path
 import pytest
 from places import ROOT
 
-from neurosym.shipped import DOMAINS
+from neurosym.choices import DOMAINS
 
 
 def completed(*command: object, **options: object) -> subprocess.CompletedProcess[str]:

@@ -13,50 +13,42 @@ from tools.package_imports import DOORS, arrows, files_of, imported, layer_of
 
 PACKAGE = ROOT / "neurosym"
 LAYERS = {
-    "sim": "",
-    "worlds": "sim",
-    "data": "",
-    "learning": "data",
-    "exploration": "worlds data learning",
-    "relations": "worlds data learning",
-    "primitives": "worlds data learning",
     "tasks": "",
+    "sim": "",
+    "worlds": "sim tasks",
+    "data": "",
+    "learning": "data tasks",
+    "exploration": "worlds data learning",
+    "primitives": "worlds data learning tasks",
     "pddl": "tasks",
     "planners": "tasks pddl",
     "execution": "tasks pddl planners",
-    "practice": "worlds data learning primitives tasks pddl planners execution",
     "pictures": "worlds data primitives tasks pddl execution",
-    "stages": (
-        "worlds data learning exploration relations primitives tasks pddl planners execution practice "
-        "pictures"
-    ),
+    "stages": ("worlds data learning exploration primitives tasks pddl planners execution pictures"),
     "evaluation": "worlds data learning primitives tasks pddl planners execution stages",
-    "explain": "worlds data tasks pddl stages",
-    "report": "worlds data learning tasks pddl execution pictures stages evaluation explain",
-    "studio": "worlds data learning tasks pddl planners execution pictures stages explain",
+    "report": "worlds data learning tasks pddl execution pictures stages evaluation",
+    "studio": "worlds data learning tasks pddl planners execution pictures stages report",
     "commands": (
-        "worlds data learning tasks pddl planners execution pictures stages evaluation explain report studio"
+        "worlds data learning tasks pddl planners execution pictures stages evaluation report studio"
     ),
 }
 """The folders in the order of the flow, each with those it may import besides the root.
 
 The root holds the nouns that cross folders, and imports no folder.
 """
-ROOMS_TO_COME = {"relations"}
-"""Layers that have no folder yet."""
 FENCES = {
-    "pybullet": ("sim/bullet.py",),
-    "pybullet_data": ("sim/bullet.py",),
-    "pybullet_utils": ("sim/bullet.py",),
+    "pybullet": ("sim/config.py",),
+    "pybullet_data": ("sim/config.py",),
+    "pybullet_utils": ("sim/config.py",),
     "torch": ("learning/", "exploration/", "primitives/distillation.py"),
-    "unified_planning": ("planners/unified_planning.py", "planners/plan_validator.py"),
+    "unified_planning": ("planners/unified_planning.py",),
     "gymnasium": ("worlds/gymnasium_env.py",),
     "trimesh": ("studio/",),
     "viser": ("studio/",),
 }
 """Where each heavy or optional dependency may be imported, at the head of a file or inside a function."""
-MAY_PRINT = ("commands/", "stages/", "console.py", "terminal.py")
-PRINTERS = {"neurosym.console", "rich"}
+MAY_PRINT = ("commands/", "stages/")
+PRINTERS = {"neurosym.stages.console", "rich"}
 """Modules that are imported for printing."""
 OPENERS = (
     "open",
@@ -71,21 +63,16 @@ OPENERS = (
 )
 LOADERS = {"np", "numpy", "torch", "json", "pickle", "marshal", "tomllib"}
 OPENED_ELSEWHERE = {
-    "array_files.py": {"np.load": "what the door opened"},
-    "execution/machine.py": {"_CPUINFO.read_text": "the system's own"},
-    "commands/surroundings.py": {"os.open": "the null device"},
-    "console.py": {"os.open": "the null device"},
-    "drafts.py": {"path.open": "to write, and a leftover to lock it"},
-    "locks.py": {
-        "os.open": "files and folders, to lock them",
-        "Path('/proc/locks').read_text": "the system's own",
-    },
+    "data/archives.py": {"np.load": "what the door opened"},
+    "execution/record.py": {"_CPUINFO.read_text": "the system's own"},
+    "commands/ending.py": {"os.open": "the null device"},
+    "stages/console.py": {"os.open": "the null device"},
     "planners/keeper.py": {"Path(f'/proc/{process}/{what}').read_bytes": "the system's own"},
     "planners/process.py": {"source_file.open": "what we wrote for the planner"},
-    "sim/bullet.py": {"os.open": "the null device"},
+    "sim/config.py": {"os.open": "the null device"},
     "sim/interaction.py": {"self._robot.open": "a gripper"},
 }
-"""What is opened past the door, `neurosym/reading.py`, and why: no file that a user may have put there."""
+"""What is opened past the door, `neurosym/files.py`, and why: no file that a user may have put there."""
 
 
 def wrong_arrows(package: Path) -> list[str]:
@@ -143,7 +130,7 @@ def past_the_door(package: Path) -> list[str]:
     """Calls that open or read a file anywhere but in the one module that bounds what comes in."""
     found = []
     for name, _, path in files_of(package):
-        if name == "reading.py":
+        if name == "files.py":
             continue
         calls = [node.func for node in ast.walk(ast.parse(path.read_text())) if isinstance(node, ast.Call)]
         for call in calls:
@@ -163,7 +150,7 @@ def is_main(node: ast.AST) -> bool:
 
 def test_every_module_lies_in_a_layer():
     assert without_layer(PACKAGE) == []
-    assert {path.parent.name for path in PACKAGE.glob("*/__init__.py")} == LAYERS.keys() - ROOMS_TO_COME
+    assert {path.parent.name for path in PACKAGE.glob("*/__init__.py")} == LAYERS.keys()
 
 
 def test_every_layer_names_only_layers_before_it():
@@ -254,7 +241,7 @@ def test_a_breach_of_a_fence_is_noticed(package: Path, fence: str, line: str):
     "line",
     [
         "print('x')",
-        "from neurosym.console import say",
+        "from neurosym.stages.console import say",
         "import sys\nsys.stdout.write('x')",
         "import rich.table",
     ],

@@ -8,12 +8,12 @@ from pathlib import Path
 
 import pytest
 
-from neurosym import locks
+from neurosym import files
 
 HOLD = """
 import sys, time
 from pathlib import Path
-from neurosym import locks
+from neurosym import files as locks
 assert locks.take(Path(sys.argv[1]), alone=sys.argv[2] == "alone") is not None
 print("taken", flush=True)
 time.sleep(60)
@@ -22,7 +22,7 @@ time.sleep(60)
 
 @pytest.fixture(autouse=True)
 def ask_once(monkeypatch: pytest.MonkeyPatch):
-    monkeypatch.setattr(locks, "_TRIES", 1)
+    monkeypatch.setattr(files, "_TRIES", 1)
 
 
 def holder(folder: Path, how: str) -> subprocess.Popen[str]:
@@ -38,32 +38,32 @@ def holder(folder: Path, how: str) -> subprocess.Popen[str]:
 @pytest.mark.parametrize(("held", "alone"), [("alone", True), ("alone", False), ("shared", True)])
 def test_folder_that_another_process_holds_is_not_had(tmp_path: Path, held: str, alone: bool):
     with holder(tmp_path, held) as process:
-        assert locks.take(tmp_path, alone=alone) is None
-        assert locks.holders(tmp_path) == (process.pid,)
+        assert files.take(tmp_path, alone=alone) is None
+        assert files.holders(tmp_path) == (process.pid,)
         process.send_signal(signal.SIGKILL)
-    given = locks.take(tmp_path, alone=alone)
+    given = files.take(tmp_path, alone=alone)
     assert given is not None
-    assert locks.holders(tmp_path) == (os.getpid(),)
+    assert files.holders(tmp_path) == (os.getpid(),)
     os.close(given)
     assert list(tmp_path.iterdir()) == []
-    assert locks.holders(tmp_path) == ()
+    assert files.holders(tmp_path) == ()
 
 
 def test_folder_is_shared_by_those_who_share(tmp_path: Path):
     with holder(tmp_path, "shared") as process:
-        given = locks.take(tmp_path, alone=False)
+        given = files.take(tmp_path, alone=False)
         assert given is not None
-        assert set(locks.holders(tmp_path)) == {process.pid, os.getpid()}
+        assert set(files.holders(tmp_path)) == {process.pid, os.getpid()}
         os.close(given)
         process.kill()
 
 
 def test_folder_is_had_when_its_holder_is_soon_done(tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
-    first = locks.take(tmp_path, alone=True)
+    first = files.take(tmp_path, alone=True)
     assert first is not None
-    monkeypatch.setattr(locks, "_TRIES", 2)
-    monkeypatch.setattr(locks.time, "sleep", lambda _: os.close(first))
-    second = locks.take(tmp_path, alone=True)
+    monkeypatch.setattr(files, "_TRIES", 2)
+    monkeypatch.setattr(files.time, "sleep", lambda _: os.close(first))
+    second = files.take(tmp_path, alone=True)
     assert second is not None
     os.close(second)
 
@@ -72,7 +72,7 @@ COUNT = """
 import sys
 from pathlib import Path
 from neurosym.files import write_atomically
-from neurosym.locks import locked
+from neurosym.files import locked
 path = Path(sys.argv[1])
 for _ in range(50):
     with locked(path):

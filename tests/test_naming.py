@@ -5,8 +5,15 @@ import re
 import numpy as np
 import pytest
 
-from neurosym.naming import counted_axes, name_axes, name_categories, name_operator, names_of_features, verb
-from neurosym.operators import Mode
+from neurosym.operators import (
+    Mode,
+    counted_axes,
+    name_axes,
+    name_categories,
+    name_operator,
+    names_of_features,
+    verb,
+)
 
 NAMES = ("s_x", "s_y", "d", "t")
 

@@ -21,7 +21,7 @@ from places import GOLDEN, ROOT
 
 from neurosym.execution.executor import execute
 from neurosym.pddl import domain_text, problem_text
-from neurosym.pddl.encodings import ground_plan
+from neurosym.pddl.compiler import ground_plan
 from neurosym.planners import plan
 
 DIGESTS = GOLDEN / "net.json"

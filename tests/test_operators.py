@@ -9,7 +9,7 @@ from neurosym.files import write_json
 from neurosym.grounding import Grounding
 from neurosym.operators import Mode, Operator, OperatorTable, Primitive
 from neurosym.pddl import compile_domain
-from neurosym.table import Table
+from neurosym.world import Table
 
 
 def a_mode(*effect):

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from neurosym.pair_states import FARTHEST, describe_pair, extent, tilt, touching_units
+from neurosym.pair_operators import FARTHEST, describe_pair, extent, tilt, touching_units
 from neurosym.world import Scene
 
 UPRIGHT = (0.0, 0.0, 0.0, 1.0)

@@ -10,17 +10,16 @@ from independent.random_sizes import draw_sizes
 from independent.random_tables import draw
 from places import ROOT
 
+from neurosym.choices import DOMAINS
 from neurosym.grounding import Grounding
-from neurosym.pddl.encodings import domain_text, ground_plan
+from neurosym.pddl.compiler import domain_text, ground_plan, problem_text
 from neurosym.pddl.plan_reading import read_plan
-from neurosym.pddl.problem import problem_text
 from neurosym.planners import PlanStatus, plan
-from neurosym.planners.catalogue import PLANNERS
-from neurosym.planners.plan_validator import validate_pddl
+from neurosym.planners.planner_table import PLANNERS
+from neurosym.planners.unified_planning import validate_pddl
 from neurosym.problems import Problem
-from neurosym.shipped import DOMAINS
 from neurosym.stages.folder import DomainFolder
-from neurosym.stages.plan_verdict import judge_plan
+from neurosym.stages.verdicts import judge_plan
 from neurosym.tasks.transition import validate
 
 QUICK = ("fast-downward", "lama-first", "bfs-operators", "counting")

@@ -10,13 +10,12 @@ import tables
 
 from neurosym.grounding import Grounding
 from neurosym.operators import TOLERANCE, Rehearsal
-from neurosym.pddl.problem import problem_text
+from neurosym.pddl.compiler import problem_text
 from neurosym.planners import PlanStatus, plan
 from neurosym.problems import Problem, SceneObject
-from neurosym.promises import LEAST_REHEARSALS, chances_of, is_rehearsed, promised, usable, why_unfit
 from neurosym.regression import fit
-from neurosym.tasks.steps import PlanStep
-from neurosym.tasks.transition import validate
+from neurosym.tasks.promises import LEAST_REHEARSALS, chances_of, is_rehearsed, promised, usable, why_unfit
+from neurosym.tasks.transition import PlanStep, validate
 
 AWAY = "push-away-001-block"
 

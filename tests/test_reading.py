@@ -17,7 +17,7 @@ import pytest
 from command_line import neurosym
 
 from neurosym.errors import InvalidFile
-from neurosym.reading import DEEPEST, MOST_SETTINGS, digest, read_bytes, read_json, read_text, read_toml
+from neurosym.files import DEEPEST, MOST_SETTINGS, digest, read_bytes, read_json, read_text, read_toml
 
 READERS = {
     "world.toml": ["explain", "{}"],
@@ -201,7 +201,7 @@ def test_pipes_and_endless_files_are_neither_waited_for_nor_read(tmp_path: Path)
     os.mkfifo(tmp_path / "pipe")
     (tmp_path / "zero").symlink_to("/dev/zero")
     code = "import resource; resource.setrlimit(resource.RLIMIT_AS, (2**30, 2**30))\n"
-    code += "from pathlib import Path; from neurosym import reading\nfor name in ('pipe', 'zero'):\n"
+    code += "from pathlib import Path; from neurosym import files as reading\nfor name in ('pipe', 'zero'):\n"
     code += "  for read in (reading.read_text, reading.read_toml, reading.digest):\n"
     code += "    try: read(Path(name))\n    except reading.InvalidFile as error: print(error)\n"
     ran = subprocess.run(
@@ -247,7 +247,7 @@ def test_files_with_names_of_terminal_escapes_are_named_without_them(folder: Pat
 
 
 def test_a_million_rows_are_read(tmp_path: Path):
-    from neurosym.array_files import read_arrays
+    from neurosym.data.archives import read_arrays
 
     np.savez(tmp_path / "a.npz", features=np.zeros((1_000_000, 4), dtype=np.float32))
     arrays, given, problems = read_arrays(tmp_path / "a.npz", ["features"])

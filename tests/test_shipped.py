@@ -5,8 +5,8 @@ import shutil
 
 import pytest
 
+from neurosym.choices import DOMAINS, copy_shipped, shipped_domain
 from neurosym.errors import CannotWrite
-from neurosym.shipped import DOMAINS, copy_shipped, shipped_domain
 
 
 @pytest.mark.parametrize("name", DOMAINS)

@@ -6,15 +6,15 @@ import pytest
 from shipped import FOLDER, GROUNDING
 
 import neurosym
+from neurosym.files import digest, read_json
 from neurosym.operators import OperatorTable
 from neurosym.pddl import domain_text
 from neurosym.pddl.compiler import with_every_outcome
 from neurosym.planners import PlanStatus, plan
-from neurosym.planners.fast_downward import plan_fast_downward
-from neurosym.reading import digest, read_json
+from neurosym.planners.external import plan_fast_downward
+from neurosym.stages.compilation import texts_of
 from neurosym.stages.folder import load_scene
 from neurosym.stages.plan_records import PlanRecord, recorded_plans
-from neurosym.stages.problem_printing import texts_of
 from neurosym.tasks.transition import validate
 
 NAMES = FOLDER.problem_names()

@@ -5,11 +5,11 @@ from places import ROOT
 
 from neurosym.execution.record import Run
 from neurosym.execution.rerun import compare_runs, rerun
+from neurosym.files import digest, read_json
 from neurosym.grounding import Grounding
 from neurosym.pddl import domain_text, problem_text
 from neurosym.planners import PlanStatus
-from neurosym.planners.fast_downward import plan_fast_downward
-from neurosym.reading import digest, read_json
+from neurosym.planners.external import plan_fast_downward
 from neurosym.stages.folder import DomainFolder, load_scene
 from neurosym.worlds.world_file import read_world
 

@@ -5,13 +5,13 @@ from places import ROOT
 
 from neurosym.execution.record import Run
 from neurosym.execution.rerun import compare_runs, rerun
+from neurosym.files import digest, read_json
 from neurosym.grounding import Grounding
 from neurosym.pddl import domain_text, problem_text
 from neurosym.planners import PlanStatus, plan
-from neurosym.planners.fast_downward import plan_fast_downward
-from neurosym.reading import digest, read_json
-from neurosym.related import is_reached
+from neurosym.planners.external import plan_fast_downward
 from neurosym.stages.folder import DomainFolder, load_scene
+from neurosym.tasks.supports import is_reached
 from neurosym.worlds.world_file import read_world
 
 FOLDER = DomainFolder(ROOT / "domains" / "towers")

@@ -12,13 +12,10 @@ from neurosym.execution.rerun import rerun
 from neurosym.pddl.plan_reading import read_plan
 from neurosym.pddl.problem_check import check_places
 from neurosym.planners import PlanStatus
-from neurosym.planners.planner import Planner, Query
+from neurosym.planners.planner import Planner, PlanResult, Query
 from neurosym.planners.registry import solve_checked
-from neurosym.planners.result import PlanResult
-from neurosym.problems import Problem
-from neurosym.spots import spot_name, spot_named
-from neurosym.tasks.steps import PlanStep, print_plan
-from neurosym.tasks.transition import validate
+from neurosym.problems import Problem, spot_name, spot_named
+from neurosym.tasks.transition import PlanStep, print_plan, validate
 
 
 def test_names_tell_where_spots_lie():

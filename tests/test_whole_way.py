@@ -13,12 +13,11 @@ from pathlib import Path
 import pytest
 from command_line import neurosym
 
-from neurosym.exploration.choice import ExplorationConfig
 from neurosym.exploration.curiosity import LearningConfig
-from neurosym.exploration.loop import explore
+from neurosym.exploration.loop import ExplorationConfig, explore
+from neurosym.files import read_json
 from neurosym.planners import PlanStatus
-from neurosym.planners.fast_downward import plan_fast_downward
-from neurosym.reading import read_json
+from neurosym.planners.external import plan_fast_downward
 from neurosym.stages.plan_records import PlanRecord
 from neurosym.worlds.world_file import make_world
 

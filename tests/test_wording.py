@@ -1,6 +1,6 @@
 """Words for paths, lengths and lists."""
 
-from neurosym.wording import listed_briefly
+from neurosym.errors import listed_briefly
 
 
 def test_long_list_is_cut_and_says_how_many_more_there_are():

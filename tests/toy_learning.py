@@ -6,17 +6,17 @@ from functools import cache
 import numpy as np
 
 from neurosym.data.interactions import Interactions
-from neurosym.exploration.choice import ExplorationConfig
-from neurosym.exploration.loop import explore
-from neurosym.learning.model_config import DirectConfig, ModelConfig
+from neurosym.exploration.loop import ExplorationConfig, explore
 from neurosym.learning.training_config import (
     CodingConfig,
     DecoderConfig,
+    DirectConfig,
+    ModelConfig,
     NamingConfig,
     TeacherConfig,
     TrainingConfig,
 )
-from neurosym.primitives.search import Search
+from neurosym.primitives.rehearsal import Search
 from neurosym.world import Scene
 from neurosym.worlds.toy import make_world
 

@@ -4,8 +4,8 @@ import toy_domain
 
 from neurosym.grounding import Grounding
 from neurosym.operators import Category, Mode, Operator, OperatorTable, Primitive
+from neurosym.pair_operators import Kept, PlaceOperators
 from neurosym.pddl import compile_domain
-from neurosym.place_operators import Kept, PlaceOperators
 from neurosym.problems import Problem, SceneObject
 
 CARRY = (0, 0, 0, 1.0, 0.01, 0, 0, 0.0, 0.03, -0.02, 0, 0.0)

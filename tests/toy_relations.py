@@ -8,10 +8,16 @@ import msgspec
 
 from neurosym.grounding import Grounding
 from neurosym.operators import Category, Mode, Operator, OperatorTable, Primitive
+from neurosym.pair_operators import (
+    Kept,
+    PairEnd,
+    PairState,
+    PlaceOperators,
+    RelationOperator,
+    RelationOperators,
+)
 from neurosym.pddl import compile_domain
-from neurosym.place_operators import Kept, PlaceOperators
 from neurosym.problems import Problem, SceneObject
-from neurosym.relation_operators import PairEnd, PairState, RelationOperator, RelationOperators
 from neurosym.world import World
 from neurosym.worlds.toy_relations import make_world
 

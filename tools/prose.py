@@ -12,7 +12,7 @@ from typing import Annotated
 
 import tyro
 
-from neurosym.console import say, show_table
+from neurosym.stages.console import say, show_table
 from tools.program_texts import program_texts
 
 PAGES = ("README.md", "CONTRIBUTING.md", "SECURITY.md", "CODE_OF_CONDUCT.md", "docs/*.md")

@@ -7,11 +7,11 @@ is done twice. None of the problems is removed.
 from pathlib import Path
 
 from neurosym.choices import TaskKind
-from neurosym.commands.run import run
-from neurosym.console import say
+from neurosym.commands.learn import run
 from neurosym.files import write_atomically
 from neurosym.grounding import Grounding
 from neurosym.operators import OperatorTable
+from neurosym.stages.console import say
 from neurosym.stages.folder import DomainFolder
 from neurosym.stages.layout import PRIMITIVES
 from neurosym.stages.problem_making import Asked, problem_stage

@@ -11,24 +11,23 @@ from typing import Annotated
 
 import tyro
 
-from neurosym.commands.run import run
-from neurosym.console import say
-from neurosym.files import write_atomically
+from neurosym.commands.learn import run
+from neurosym.errors import counted
+from neurosym.evaluation.summary import markdown_table
+from neurosym.files import read_json, write_atomically
 from neurosym.grounding import Grounding
-from neurosym.learning.model_config import DEFAULT_BITS, PAPER_BITS
-from neurosym.learning.report import TrainingReport
-from neurosym.markdown import markdown_table
+from neurosym.learning.training import TrainingReport
+from neurosym.learning.training_config import DEFAULT_BITS, PAPER_BITS
 from neurosym.operators import Category, Operator, OperatorTable, Vector
 from neurosym.pddl.compiler import CELL
-from neurosym.reading import read_json
-from neurosym.stages.compiling import compile_stage
-from neurosym.stages.executing import execute_stage, load_run
+from neurosym.stages.compilation import compile_stage
+from neurosym.stages.console import say
+from neurosym.stages.execution import execute_stage, load_run
 from neurosym.stages.folder import DomainFolder
 from neurosym.stages.layout import GROUNDING, PRIMITIVES, TRAINING, plan_files
 from neurosym.stages.plan_records import PlanRecord, written_steps
 from neurosym.stages.planning import load_problem, plan_stage
 from neurosym.stages.problem_making import Asked, problem_stage
-from neurosym.wording import counted
 
 TABLETOP = Path("domains/tabletop")
 STEPS, SEED = 10_000, 1

@@ -9,17 +9,16 @@ import shutil
 from pathlib import Path
 
 from neurosym.choices import AnyTask
-from neurosym.commands.run import run
-from neurosym.console import say
+from neurosym.commands.learn import run
+from neurosym.evaluation.summary import markdown_table
 from neurosym.files import make_folder, write_atomically, write_json
 from neurosym.grounding import Grounding
-from neurosym.markdown import markdown_table
-from neurosym.relation_operators import RelationOperator, RelationOperators
-from neurosym.stages.folder import DomainFolder
+from neurosym.pair_operators import RelationOperator, RelationOperators
+from neurosym.stages.console import say
+from neurosym.stages.folder import DomainFolder, Manifest
 from neurosym.stages.layout import GROUNDING, MANIFEST
-from neurosym.stages.manifest import Manifest
 from neurosym.stages.problem_making import Asked, problem_stage
-from neurosym.tasks.puts import left_out
+from neurosym.tasks.options import left_out
 from tools.relearn_places import FOLDER as LEARNED
 from tools.relearn_places import PLACES, PLANNER, SEED, STEPS
 from tools.relearn_tabletop import STAGES, give_name, problems_table, stages_table, try_problem

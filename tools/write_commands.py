@@ -9,9 +9,9 @@ from pathlib import Path
 from typing import Annotated, Any, get_args, get_origin, get_type_hints
 
 from neurosym.commands.catalogue import GROUPS, SUMMARIES, command_named
-from neurosym.console import say
+from neurosym.evaluation.summary import markdown_table
 from neurosym.files import write_atomically
-from neurosym.markdown import markdown_table
+from neurosym.stages.console import say
 
 PAGE = Path("docs/commands.md")
 HEAD = """# Commands

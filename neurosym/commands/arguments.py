@@ -1,20 +1,167 @@
-"""Reading what was typed on the command line: tyro does it, and what it refuses is said in one sentence.
-
-tyro tells what it is about to refuse as an event. Events are no stable part of it, so the version is pinned.
-"""
+"""Options that several commands of the command line share."""
 
 import inspect
 import math
+import os
 import re
 from collections.abc import Callable, Sequence
+from difflib import get_close_matches
 from functools import partial, wraps
 from itertools import pairwise
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Annotated, Any, Literal, Optional
 
+import msgspec
+from tyro.conf import Positional, arg
+
+from neurosym.choices import DOMAINS, DrawnTask, StrategyName, copy_shipped
 from neurosym.commands.catalogue import ABOUT, SUMMARIES, Command, command_named, nearest
-from neurosym.errors import InvalidValue, UnknownChoice, shortened
-from neurosym.reading import LARGEST_WHOLE
+from neurosym.errors import InvalidValue, UnknownChoice, quoted, shortened
+from neurosym.files import LARGEST_WHOLE, check_writable
+from neurosym.learning.training_config import DEFAULT_BITS, PAPER_BITS
+from neurosym.stages.console import be_quiet, is_quiet, print_raw, say
+from neurosym.stages.folder import DomainFolder
+
+if TYPE_CHECKING:
+    from neurosym.stages.execution import Showing
+
+
+Folder = Annotated[Positional[Path], arg(metavar="DIR", help="The domain folder.")]
+DataPath = Annotated[
+    Positional[Path],
+    arg(metavar="DATA", help="A data set: an .npz file, or a folder that holds interactions.npz."),
+]
+ProblemName = Annotated[
+    Positional[str], arg(metavar="PROBLEM", help="A problem in DIR/problems: its name or its file.")
+]
+Tolerance = Annotated[
+    Optional[float],
+    arg(
+        metavar="METRES",
+        help="How near objects must come to their goals, instead of the problem's own tolerance.",
+    ),
+]
+Seed = Annotated[int, arg(help="Where all random draws start: same seed, same bytes.")]
+Workers = Annotated[int, arg(help="Processes that simulate; their number does not change the result.")]
+StrategyOption = Annotated[
+    StrategyName,
+    arg(
+        help="How actions are chosen: disagreement (of several networks), entropy (the paper's, also called "
+        "curiosity), random or active."
+    ),
+]
+TimeLimit = Annotated[
+    Optional[float],
+    arg(
+        metavar="SECONDS",
+        help="Your own ceiling: when planning ends without a plan. Ours and Fast Downward need none: their "
+        "budgets count work, so that plans are the same on a busy machine. Others give up after 60 s.",
+    ),
+]
+Places = Annotated[
+    int, arg(help="Interactions besides that are aimed at a place, to learn what carries objects there.")
+]
+Relations = Annotated[
+    int,
+    arg(
+        help="Interactions that are aimed at another object, to learn what can be done with pairs, once it "
+        "is known what carries objects to places."
+    ),
+]
+Task = Annotated[
+    Optional[DrawnTask],
+    arg(
+        help="What tasks ask for: goals anywhere, a swap, a row, or to clear a crowd; in a domain with "
+        "relations also a tower, boxes, unstack or exchange; else as in the paper."
+    ),
+]
+Choice = Annotated[
+    Literal["own", "predictable", "lowest-error"],
+    arg(
+        help="Which candidate stands for a symbol: own (categories of objects have their own), "
+        "predictable (the same for all), or lowest-error (the paper)."
+    ),
+]
+RegimeName = Annotated[
+    Literal["default", "quick", "paper"],
+    arg(help="Network and training: default, quick (a first look), paper (as printed)."),
+]
+
+
+ObjectBits = Annotated[
+    Optional[int],
+    arg(
+        help="Bits of an object symbol, 1 to 6: up to 2^bits categories of objects. By default "
+        f"{DEFAULT_BITS[0]}."
+    ),
+]
+ActionBits = Annotated[
+    Optional[int],
+    arg(
+        help="Bits of an action symbol, 1 to 8: up to 2^bits primitives. By default "
+        f"{DEFAULT_BITS[1]}, and {PAPER_BITS[1]} with quick and paper."
+    ),
+]
+
+
+def check_file(path: Path | None, what: str, *endings: str) -> None:
+    """Raise unless a file can be written, if one is asked for: by its ending, its folder, and the system.
+
+    Args:
+        path: The file.
+        what: What is written there, as a sentence has it.
+        endings: Those that it may have; any, if none are given.
+
+    Raises:
+        InvalidValue: If it has another ending, or stands in no folder.
+        CannotWrite: If the system does not let it be written.
+    """
+    if path is None:
+        return
+    is_named = not endings or path.suffix.lower() in endings
+    if not is_named or path.is_dir() or not path.absolute().parent.is_dir():
+        ending = f" that ends in {' or '.join(endings)}," if endings else ""
+        raise InvalidValue(f"No {what} can be written to {path}; name a file{ending} in an existing folder.")
+    check_writable(path)
+
+
+def check_least(least: int, **values: int) -> None:
+    """Raise `InvalidValue` unless options, by their names, are at least so much."""
+    for name, value in values.items():
+        if value < least:
+            raise InvalidValue(f"{name} = {value} must be at least {least}.")
+
+
+def check_time_limit(time_limit: float | None) -> None:
+    """Raise `InvalidValue` unless a ceiling is a number of seconds, if there is one."""
+    if time_limit is not None and not 0 < time_limit < math.inf:
+        raise InvalidValue(f"time-limit = {time_limit:g} must be a number of seconds greater than 0.")
+
+
+CPUS = os.cpu_count() or 1
+
+
+def opened(folder: Path) -> DomainFolder:
+    """Return a domain folder that prints its notes; a shipped domain that is named is copied there first.
+
+    Raises:
+        FolderNotFound: If there is none.
+        CannotWrite: If a shipped domain cannot be copied.
+    """
+    if len(folder.parts) == 1 and not folder.exists() and copy_shipped(folder.name, folder):
+        say(f"copied the shipped domain {folder.name} to {folder.absolute()}; all results go there")
+    if not folder.exists() and (meant := get_close_matches(str(folder), DOMAINS, n=1)):
+        raise InvalidValue(
+            f"There is no folder {folder}; the shipped domain is called {meant[0]}, and `neurosym init "
+            f"{quoted(folder)}` makes a new one."
+        )
+    return DomainFolder(folder, notify=lambda remark: say(f"note: {remark}"))
+
+
+# Reading what was typed on the command line: tyro does it, and what it refuses is said in one sentence.
+#
+# tyro tells what it is about to refuse as an event. Events are no stable part of it, so the version is
+# pinned.
 
 LONGEST = 4096
 """Characters of one argument, as of a path."""
@@ -114,7 +261,7 @@ def _refuse(command: Command | None, typed: Sequence[str], event: Any) -> None:
         choices = [choice for choice in event.choices if choice != "None"]  # which is no word of ours
         option = _called(event.argument).removeprefix("--")
         if option == "encoding":
-            from neurosym.pddl.encodings import check_former
+            from neurosym.pddl.compiler import check_former
 
             check_former(event.value)
         raise UnknownChoice(option, event.value, choices)
@@ -159,10 +306,68 @@ def _unrecognized(command: Command | None, tokens: Sequence[str], before: str = 
 
 def _problems_of(typed: str) -> str:
     """List the problems of a domain folder or shipped domain, if one was typed; else nothing."""
-    from neurosym.shipped import shipped_domain
+    from neurosym.choices import shipped_domain
     from neurosym.stages.folder import DomainFolder
     from neurosym.stages.layout import PROBLEMS
 
     folder = Path(typed) if Path(typed).is_dir() else shipped_domain(typed)
     names = DomainFolder(folder).problem_names() if folder and (folder / PROBLEMS).is_dir() else ()
     return f"; problems of {typed}: {', '.join(names)}" if names else ""
+
+
+# How commands answer programs: one JSON value on standard output, and nothing else there
+
+Json = Annotated[bool, arg(help="Print the answer as JSON and nothing else, for programs.")]
+
+Answer = Callable[..., None]
+"""Prints a struct or dictionary as JSON, if that was asked for; more fields, given by name, come first."""
+
+
+def answer_in(json: bool) -> Answer:
+    """Return how a command gives its answer; from now on nothing else is printed if that is JSON.
+
+    Args:
+        json: Whether a program asked.
+    """
+    was_quiet = is_quiet()
+    be_quiet(was_quiet or json)
+
+    def answer(value: Any, **besides: Any) -> None:
+        if json:
+            be_quiet(was_quiet)
+            found = msgspec.to_builtins(value)
+            text = msgspec.json.encode({**besides, **found} if besides else found)
+            print_raw(msgspec.json.format(text, indent=2).decode())
+
+    return answer
+
+
+# Options of the commands that run something in the world, on how it is shown
+
+Gif = Annotated[Optional[Path], arg(help="Write an animated GIF of the run here.")]
+
+
+Strip = Annotated[Optional[Path], arg(help="Write a PNG with a picture for each step here.")]
+
+
+Gui = Annotated[bool, arg(help="Show the run live in a window instead.")]
+
+
+def showing_of(gif: Path | None, strip: Path | None, gui: bool) -> "Showing":
+    """Check what was asked for of pictures: files with the right endings, or a window."""
+    from neurosym.pictures.film import check_picture_path
+    from neurosym.stages.execution import Showing
+
+    if gui and (gif or strip):
+        raise InvalidValue("Give --gui or files for pictures, not both.")
+    for picture, ending in ((gif, ".gif"), (strip, ".png")):
+        if picture:
+            check_picture_path(picture, [ending])
+    return Showing(gif, strip, gui)
+
+
+def say_written(*paths: Path | None) -> None:
+    """Print which of some files were written."""
+    for path in paths:
+        if path and path.exists():
+            say(f"wrote {path}")

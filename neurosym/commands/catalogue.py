@@ -1,6 +1,6 @@
 """The commands by name, and what `--help` says of all of them.
 
-A command is a function of its own name, in a module of its own name; it is imported when it is typed.
+A command is a function of its own name; its module is imported when it is typed.
 """
 
 from collections.abc import Callable, Iterable
@@ -55,6 +55,14 @@ Everything about one learned domain lies in one folder, DIR. Each command reads 
 own file; `neurosym run DIR` goes the whole way. To begin: neurosym demo, or neurosym run my-domain --steps
 1024. Any command prints only what goes wrong with --quiet; neurosym --version says which this is."""
 
+_HOMES = {
+    "learn": ("init", "explore", "check", "train", "distill", "compile-domain", "practise", "run"),
+    "tasks": ("new-problem", "plan", "planners", "validate"),
+    "execute": ("demo", "execute", "replay"),
+    "show": ("show", "explain", "report", "compare", "evaluate"),
+    "studio": ("studio",),
+}
+"""In which module of this folder each command is."""
 _MORE = "`neurosym COMMAND --help` says what a command does and takes."
 _NAMES = max(map(len, SUMMARIES)) + 4  # columns of the names of commands, with the space about them
 
@@ -71,8 +79,8 @@ def command_named(name: str) -> Command:
             said = f"There is no command {name!r}; the nearest is {near}, and `neurosym --help` lists all."
             raise InvalidValue(said)
         raise UnknownChoice("command", name, SUMMARIES)
-    own = name.replace("-", "_")
-    command: Command = getattr(import_module(f"neurosym.commands.{own}"), own)
+    home = next(home for home, names in _HOMES.items() if name in names)
+    command: Command = getattr(import_module(f"neurosym.commands.{home}"), name.replace("-", "_"))
     return command
 
 

@@ -18,7 +18,7 @@ def main(arguments: Sequence[str] | None = None) -> None:
         arguments: What was typed after `neurosym`; the process's own arguments if not given.
     """
     try:
-        from neurosym.commands.surroundings import make_usable
+        from neurosym.commands.ending import make_usable
 
         make_usable()
         from neurosym.commands.ending import perform

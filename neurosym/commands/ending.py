@@ -1,19 +1,142 @@
 """How a command ends: its exit code, and the one sentence if it could not be done."""
 
+import io
 import os
+import signal
 import sys
-from collections.abc import Sequence
-from contextlib import suppress
+import threading
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager, suppress
 from pathlib import Path
+from types import FrameType
 
+from neurosym.choices import compute_in_one_thread
 from neurosym.commands.catalogue import overview
-from neurosym.commands.exit_codes import BAD_INPUT, DONE, NOBODY_READS
-from neurosym.commands.signals import raised_signals, say_interrupted
-from neurosym.commands.surroundings import leave_no_folders
-from neurosym.console import OutputClosed, be_quiet, complain, naming_output, say, width
-from neurosym.distribution import NAME, refuse_other_library, version_of
-from neurosym.errors import InvalidValue, NeurosymError
-from neurosym.threads import compute_in_one_thread
+from neurosym.errors import NAME, InvalidValue, NeurosymError, refuse_other_library, version_of
+from neurosym.stages.console import OutputClosed, be_quiet, complain, naming_output, say, width
+
+# How a command ends: its exit codes
+
+DONE = 0
+"""The work was done."""
+BAD_INPUT = 2
+"""Something cannot be done as it was asked for; one sentence says what would be valid."""
+NO_RESULT = 3
+"""The work was done and the answer is no: no plan, or the goal was not reached."""
+INTERRUPTED = 130
+"""Interrupted; the same command goes on from what is written. Other signals: 128 + their number."""
+NOBODY_READS = 141
+"""Whoever read the output has closed it, as `head` does: 128 + SIGPIPE."""
+
+
+# What ends a command from outside: Ctrl-C, a closed terminal, `timeout`, a batch system.
+#
+# The first signal is raised as an exception, so that what is being done is left in order: planners are
+# killed, temporary folders removed, workers ended. What comes after it is ignored, since closed terminals
+# and batch systems send several, but for a second Ctrl-C, which ends at once; the keeper of `planners/`
+# clears away then.
+
+SIGNALS = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)
+"""What a command is ended with in order."""
+_PATIENCE = 10.0  # until a command that does not end in order is ended at once [s]
+_IMPATIENT = 0.5  # Ctrl-C within this time after the first signal is the same one [s]
+
+
+class Ended(KeyboardInterrupt):
+    """A signal ended the command; like Ctrl-C, it is no `Exception`.
+
+    Attributes:
+        code: The exit code that says so.
+        name: What the signal is called.
+    """
+
+    def __init__(self, number: signal.Signals):
+        super().__init__(number)
+        self.code = _exit_code(number)
+        self.name = number.name
+
+
+def say_interrupted(error: KeyboardInterrupt) -> int:
+    """Say that the command was interrupted, if there is still somebody to say it to; return its exit code.
+
+    Args:
+        error: What was raised.
+    """
+    how = (
+        f"ended by {error.name}" if isinstance(error, Ended) and error.code != INTERRUPTED else "interrupted"
+    )
+    with suppress(OSError):
+        complain(f"{how}; the same command goes on from what is written, or begins again")
+    return error.code if isinstance(error, Ended) else INTERRUPTED
+
+
+def _exit_code(number: int) -> int:
+    return 128 + number
+
+
+@contextmanager
+def raised_signals() -> Iterator[None]:
+    """Raise `Ended` where a signal is heard, unless it is ignored already (as by `nohup`).
+
+    Once a signal was heard, this process is to end, and remains deaf to others until then.
+    """
+    if threading.current_thread() is not threading.main_thread():
+        yield  # only the main thread may say what becomes of signals
+        return
+    heard: list[int] = []
+
+    def hear(number: int, _: FrameType | None) -> None:
+        if not heard:
+            heard.append(number)
+            signal.setitimer(signal.ITIMER_REAL, _PATIENCE)
+            raise Ended(signal.Signals(number))
+        is_same = signal.getitimer(signal.ITIMER_REAL)[0] > _PATIENCE - _IMPATIENT
+        if number == signal.SIGALRM or (number == signal.SIGINT and not is_same):
+            os._exit(_exit_code(heard[0]))
+
+    before = {number: signal.getsignal(number) for number in SIGNALS}
+    ours = [number for number, handler in before.items() if handler is not signal.SIG_IGN]
+    alarm = signal.signal(signal.SIGALRM, hear)
+    for number in ours:
+        signal.signal(number, hear)
+    try:
+        yield
+    finally:
+        if not heard:
+            signal.signal(signal.SIGALRM, alarm)
+            for number in ours:
+                signal.signal(number, before[number])
+
+
+# Making do with the surroundings that a command is started in: closed streams, narrow encodings
+
+
+def make_usable() -> None:
+    """Make standard streams such that anything can be printed.
+
+    Where one is closed (`>&-`), what is printed goes nowhere; without this the next file that is opened would
+    be taken for it.
+    """
+    for descriptor in (0, 1, 2):
+        try:
+            os.fstat(descriptor)
+        except OSError:
+            os.open(os.devnull, os.O_RDWR)  # the lowest number that is free
+    for name in ("stdin", "stdout", "stderr"):
+        if getattr(sys, name) is None:
+            setattr(sys, name, io.TextIOWrapper(io.FileIO(os.devnull, "r+"), encoding="utf-8"))
+    for stream in (sys.stdout, sys.stderr):
+        if isinstance(stream, io.TextIOWrapper):
+            stream.reconfigure(errors="backslashreplace")  # names that the encoding does not have
+
+
+def leave_no_folders() -> None:
+    """Let nothing be left in temporary folders: torch would make one there as soon as it is imported."""
+    import tempfile
+
+    with suppress(OSError):
+        os.environ.setdefault("TORCHINDUCTOR_CACHE_DIR", tempfile.gettempdir())
+
 
 QUIET = "--quiet"
 """What any command may be given to print nothing but what goes wrong."""

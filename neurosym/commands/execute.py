@@ -1,17 +1,40 @@
 """The command `neurosym execute`: a plan, run in the world."""
 
+import math
+from dataclasses import replace
 from pathlib import Path
-from typing import Annotated, Optional
+from typing import TYPE_CHECKING, Annotated, Optional
 
 from tyro.conf import Positional, arg
 
-from neurosym.commands.answers import Json, answer_in
-from neurosym.commands.exit_codes import NO_RESULT
-from neurosym.commands.options import Folder, ProblemName, TimeLimit, Tolerance, check_time_limit, opened
-from neurosym.commands.plan_streams import given_plan
-from neurosym.commands.showing import Gif, Gui, Strip, say_written, showing_of
-from neurosym.console import say, say_next
-from neurosym.wording import quoted
+from neurosym.choices import copy_shipped
+from neurosym.commands.arguments import (
+    Folder,
+    Gif,
+    Gui,
+    Json,
+    ProblemName,
+    Strip,
+    TimeLimit,
+    Tolerance,
+    answer_in,
+    check_file,
+    check_time_limit,
+    opened,
+    say_written,
+    showing_of,
+)
+from neurosym.commands.ending import NO_RESULT
+from neurosym.commands.tasks import given_plan
+from neurosym.errors import InvalidFile, InvalidValue, UnknownChoice, counted, quoted
+from neurosym.files import make_folder, write_atomically
+from neurosym.stages.console import say, say_next
+from neurosym.stages.folder import DomainFolder
+from neurosym.stages.layout import RUNS
+
+if TYPE_CHECKING:
+    from neurosym.commands.tables import Filmed
+    from neurosym.execution.record import Run
 
 
 def execute(
@@ -50,7 +73,7 @@ def execute(
     miss the goal, a new plan is made, which takes into account what each object did so far.
     """
     from neurosym.commands.tables import show_run
-    from neurosym.stages.executing import execute_stage, load_run
+    from neurosym.stages.execution import execute_stage, load_run
     from neurosym.stages.layout import run_file
     from neurosym.stages.plan_records import planned_tolerance
 
@@ -99,3 +122,142 @@ def _say_how(plan_file: Path, replanner: str, replans: int | None) -> None:
         say(f"follows {plan_file} as it is, to its end{more}")
     else:
         say(f"follows {plan_file}, and asks {replanner} for a new plan where it would miss the goal")
+
+
+# The command `neurosym replay`: a record of a run, run again
+
+
+def replay(
+    folder: Folder,
+    record: Annotated[
+        Positional[Path],
+        arg(metavar="RUN", help="A record that `neurosym execute` wrote: its file, or its name in DIR/runs."),
+    ],
+    gif: Gif = None,
+    strip: Strip = None,
+    gui: Gui = False,
+    page: Annotated[
+        Optional[Path], arg(help="Write the run here as one HTML page whose view can be turned.")
+    ] = None,
+) -> int:
+    """Run a record again, nudge and all, and say whether the same happens (exit code 3: no).
+
+    That is byte for byte on the machine that it was made on, and within a micrometre on another.
+    """
+    from neurosym.stages.execution import replay_run
+
+    domain = opened(folder)
+    if page:
+        from neurosym.errors import check_extra
+
+        check_extra()
+        check_file(page, "page", ".html", ".htm")
+    record = _record(domain, record)
+    inside = record.resolve()
+    if inside.is_relative_to(domain.path.resolve()):
+        for remark in domain.outdated((inside.relative_to(domain.path.resolve()).as_posix(),)):
+            say(f"note: {remark}")
+    film = _film(domain) if page else None
+    showing = showing_of(gif, strip, gui)
+    run, agreement = replay_run(domain, record, replace(showing, audience=film.onlooker if film else None))
+    if film and page:
+        if text := film.page(run):
+            write_atomically(page, text)
+        else:
+            say("no page: nothing moves in this run")
+    say_written(gif, strip, page)
+    if agreement.course == "another":
+        by = f", by {1000 * agreement.apart:.2g} mm" if math.isfinite(agreement.apart) else ""
+        say(f"something else happened than {record} says, first in {agreement.where}{by}")
+        say(_machines(run))
+        return NO_RESULT
+    steps = counted(len(run.steps), "step")
+    goal = f"{run.outcome}; {run.credit}"
+    if agreement.course == "same bytes":
+        say(f"the same happened again in {steps}, byte for byte; {goal}")
+        return 0
+    by = f"lengths differ by {1000 * agreement.apart:.1g} mm at most, first in {agreement.where}"
+    say(f"the same happened again in {steps}, within a micrometre; {goal}")
+    say(f"not byte for byte: {by}")
+    say(_machines(run))
+    return 0
+
+
+def _film(domain: DomainFolder) -> "Filmed":
+    from neurosym.commands.tables import Filmed
+
+    return Filmed(domain)
+
+
+def _machines(run: "Run") -> str:
+    """Say on which machines a record was made and run again, as far as they differ."""
+    from neurosym.execution.record import this_machine
+
+    here = this_machine()
+    if run.machine is None:
+        return f"the record does not name its machine; this one has: {here.processor}, {here.system}"
+    if apart := run.machine.differences(here):
+        return f"the record was made on another machine than this: {'; '.join(apart)}"
+    return f"machine and versions are those of the record: {here.processor}, {here.system}"
+
+
+def _record(domain: DomainFolder, typed: Path) -> Path:
+    """Find the record of a run that was typed as a file, or as a name."""
+    from neurosym.stages.layout import RECORD
+
+    if typed.exists() and not typed.is_dir():
+        return typed
+    known = {path.name.removesuffix(RECORD): path for path in (domain / RUNS).glob(f"*{RECORD}")}
+    if found := known.get(typed.name.removesuffix(RECORD)) if typed.name == str(typed) else None:
+        return found
+    if not known:
+        raise InvalidFile(typed, "there is no such file; `neurosym execute` writes one")
+    raise UnknownChoice("record of a run", str(typed), known)
+
+
+# The command `neurosym demo`: a shipped domain compiled, planned with and executed, with pictures
+
+DOMAIN, PROBLEM = "places", "swap-2-07"
+"""Two objects stand where the other is to stand: one steps aside, so the plan has three steps."""
+
+
+def demo(
+    output: Annotated[
+        Path, arg(metavar="FOLDER", help="Where the copy of the domain and the pictures go.")
+    ] = Path("demo"),
+) -> int:
+    """Compile a shipped domain, plan how two objects change places, execute, film.
+
+    It prints each command that it performs, so that any of them can be tried again with changes.
+    """
+    from neurosym.commands.learn import compile_domain
+    from neurosym.commands.tasks import plan
+    from neurosym.stages.layout import plan_files
+
+    folder = _copied(output)
+    plan_file = folder / plan_files(PROBLEM, "fast-downward")[0]
+    gif, strip = (output / f"{PROBLEM}{ending}" for ending in (".gif", ".png"))
+    _say_command("compile-domain", folder)
+    compile_domain(folder)
+    say(f"{PROBLEM} came with the domain: two objects are to change places")
+    _say_command("plan", folder, PROBLEM)
+    if code := plan(folder, PROBLEM):
+        return code
+    _say_command("execute", folder, PROBLEM, plan_file, "--gif", gif, "--strip", strip)
+    code = execute(folder, PROBLEM, plan_file, gif=gif, strip=strip)
+    say(f"look at {gif} and {strip}, and read {folder / 'domain.pddl'}")
+    say_next(f"neurosym report {quoted(folder)}")
+    return code
+
+
+def _copied(output: Path) -> Path:
+    """Copy the domain; what an earlier demonstration left is used again, and nothing is removed."""
+    target = output / DOMAIN
+    make_folder(output)
+    if not target.exists() and not copy_shipped(DOMAIN, target):
+        raise InvalidValue("No domain came with this installation; install neurosym-pddl again.")
+    return target
+
+
+def _say_command(*words: str | Path) -> None:
+    say(f"\n$ neurosym {' '.join(quoted(word) for word in words)}")

@@ -8,14 +8,14 @@ from typing import TYPE_CHECKING, Annotated, Optional
 
 from tyro.conf import Positional, arg
 
-from neurosym.commands.options import opened
-from neurosym.console import say
+from neurosym.choices import DOMAINS, shipped_domain
+from neurosym.commands.arguments import opened
 from neurosym.errors import InvalidValue
-from neurosym.shipped import DOMAINS, shipped_domain
+from neurosym.stages.console import say
 from neurosym.stages.folder import DomainFolder
 
 if TYPE_CHECKING:
-    from neurosym.studio.library import Library
+    from neurosym.studio.desk import Library
 
 LARGEST_PORT = 65535
 _LOOK_UP = 1.0  # how long the main thread waits at a time [s]
@@ -39,7 +39,7 @@ def studio(
     It needs no network, and ends with Ctrl-C. Nothing is written into a shipped domain. Each browser has a
     page of its own, so that a class can share one address.
     """
-    from neurosym.studio.extra import check_extra
+    from neurosym.errors import check_extra
 
     if not 0 <= port <= LARGEST_PORT:
         raise InvalidValue(f"port = {port} must be 0 to {LARGEST_PORT}.")
@@ -48,7 +48,7 @@ def studio(
 
     rich.get_console().quiet = True  # on which the server of pages announces itself
     library = _library(folder)
-    from neurosym.studio.serving import Studio
+    from neurosym.studio.server import Studio
 
     first = library.load_problem(library.folder.problem(problem)) if problem is not None else None
     running = Studio(library, host, port, first)
@@ -72,7 +72,7 @@ def studio(
 
 def _library(folder: Path | None) -> "Library":
     """Read the domain: a folder, or a shipped one by its name, which is only read."""
-    from neurosym.studio.library import Library
+    from neurosym.studio.desk import Library
 
     name = folder.name if folder is not None else DOMAINS[0]
     shipped = shipped_domain(name)

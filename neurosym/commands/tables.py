@@ -1,23 +1,35 @@
 """Tables for the command line: how well a model fits, what operators do, what became of plans."""
 
 import math
-from collections.abc import Sequence
+import textwrap
+from collections.abc import Iterator, Sequence
 from pathlib import Path
 
 import numpy as np
+import rich
 
-from neurosym.console import say, show_table
-from neurosym.data.check import FLAGS
 from neurosym.data.interactions import Interactions
+from neurosym.data.origin import FLAGS
+from neurosym.errors import counted, harmless, listed_briefly
 from neurosym.execution.record import Run
-from neurosym.learning.report import TrainingReport, empty_codes, error_table
-from neurosym.naming import NO_EFFECT, name_axes, names_of_features
-from neurosym.operators import CONVERGED, Effect, Operator, OperatorTable
-from neurosym.reading import read_json
-from neurosym.relation_operators import RelationOperators
-from neurosym.stages.verdict import Verdict, judge_training
-from neurosym.tasks.steps import PlanStep, primitives
-from neurosym.wording import counted, listed_briefly
+from neurosym.files import read_json
+from neurosym.learning.training import TrainingReport, empty_codes, error_table
+from neurosym.operators import (
+    CONVERGED,
+    NO_EFFECT,
+    Effect,
+    Operator,
+    OperatorTable,
+    name_axes,
+    names_of_features,
+)
+from neurosym.pair_operators import RelationOperators
+from neurosym.report.symbol_words import EffectRow, Explanation, SymbolExplanation
+from neurosym.stages.console import say, show_table, width
+from neurosym.stages.folder import DomainFolder
+from neurosym.stages.planning import load_problem
+from neurosym.stages.verdicts import Verdict, judge_training
+from neurosym.tasks.transition import PlanStep, primitives
 
 
 def show_training(path: Path, data: Path) -> None:
@@ -181,3 +193,118 @@ def _plain(effect: Effect) -> str:
 
 def _millimetres(vector: Effect) -> str:
     return "(" + ", ".join(f"{1000 * value:.0f}" for value in vector) + ")"
+
+
+# An explanation of symbols, as Markdown or for a terminal
+
+_WIDEST = 110  # columns of running text
+_MANY = 60
+_KINDS = {
+    "actions": "Action",
+    "carrying": "Carrying",
+    "relating": "Relating",
+    "states": "Pair state",
+    "pairs": "Pair",
+    "objects": "Object",
+}
+
+
+def is_long(explanation: Explanation) -> bool:
+    """Say whether there are so many symbols that a terminal shows only what each is called."""
+    return sum(map(len, explanation.parts.values())) > _MANY
+
+
+def show_explanation(explanation: Explanation) -> None:
+    """Print an explanation for a terminal; of many symbols only what each is called."""
+    for line in explanation.summary:
+        _say_wrapped(line)
+    for name, symbols in explanation.parts.items():
+        for symbol in symbols:
+            if is_long(explanation):
+                _say_wrapped(f"  {symbol.symbol}: {symbol.title}")
+                continue
+            say("")
+            _say_wrapped(f"{_KINDS[name]} symbol {symbol.symbol}: {symbol.title}")
+            for line in _told(symbol):
+                _say_wrapped(f"  {line}")
+    if is_long(explanation):
+        _say_wrapped("With --symbol all that is known of one is said, and --output FILE.md writes all of it.")
+
+
+def explanation_page(explanation: Explanation, title: str) -> str:
+    """Return an explanation as a page of Markdown.
+
+    Args:
+        explanation: The explanation.
+        title: Name of the domain.
+    """
+    blocks = [f"# What the symbols of {title} mean", *explanation.summary]
+    for name, symbols in explanation.parts.items():
+        blocks.append(f"## {_KINDS[name]} symbols")
+        for symbol in symbols:
+            effects = "\n".join(_effects(symbol.effects))
+            blocks += [f"### {symbol.symbol}: {symbol.title}", symbol.about, effects]
+    text = "\n\n".join(filter(None, blocks)) + "\n"
+    return harmless(text).replace("<", "&lt;")  # names in data of a user's own may hold anything
+
+
+def _told(symbol: SymbolExplanation) -> list[str]:
+    return [line for line in (symbol.about, *_effects(symbol.effects)) if line]
+
+
+def _effects(effects: Sequence[EffectRow]) -> Iterator[str]:
+    """Yield a line for each operator, whole so that its name can be copied, and one for each of its modes."""
+    before = ""
+    for row in effects:
+        if row.operator != before:
+            yield f"- {row.operator} ({row.trials} trials, {row.promised} as promised{_domain(row)})"
+        before = row.operator
+        effect = f": {row.effect} ({row.spread})" if row.effect else ""
+        yield f"    - {row.share:.0%} {row.ends}{effect}"
+
+
+def _domain(row: EffectRow) -> str:
+    if not row.domain:
+        return ""
+    return ", in the domain" if row.domain == "yes" else f", not in the domain{row.domain.removeprefix('no')}"
+
+
+def _say_wrapped(text: str) -> None:
+    """Print text between words, and never broken within a name."""
+    indent = " " * (len(text) - len(text.lstrip()))
+    for line in textwrap.wrap(
+        text, min(width(), _WIDEST), subsequent_indent=indent, break_long_words=False, break_on_hyphens=False
+    ):
+        say(line)
+
+
+# A run that a command shows, written as a page whose view can be turned
+
+
+class Filmed:
+    """Looks on at a run, and makes a page of what was seen.
+
+    Args:
+        domain: The domain folder.
+
+    Attributes:
+        onlooker: Who looks on.
+    """
+
+    def __init__(self, domain: DomainFolder):
+        from neurosym.studio.desk import Library
+        from neurosym.studio.messages import Controls, Onlooker
+        from neurosym.studio.view import Reel
+
+        self._library, self._reel = Library(domain, domain.path.name), Reel()
+        self.onlooker = Onlooker(self._reel, Controls(speed=0.0), pace=0.0)
+
+    def page(self, run: Run) -> bytes:
+        """Return the page as HTML; a run without a step has none."""
+        from neurosym.studio.view import film_of
+
+        if not self._reel.seen:
+            return b""
+        rich.get_console().quiet = True  # on which the server of pages announces itself
+        problem = load_problem(self._library.folder, run.problem).within(run.tolerance)
+        return film_of(self._library, problem, self._reel.seen, run.steps)

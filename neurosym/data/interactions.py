@@ -17,15 +17,13 @@ from typing import Any
 
 import numpy as np
 
-from neurosym.array_files import read_arrays
-from neurosym.arrays import Bool, Float
-from neurosym.checks import as_path, check_array, check_kind
-from neurosym.data.check import FLAGS, file_problems
+from neurosym.checks import Bool, Float, as_path, check_array, check_kind
+from neurosym.data.archives import read_arrays
+from neurosym.data.origin import FLAGS, file_problems
 from neurosym.errors import InvalidFile
 from neurosym.files import write_atomically
-from neurosym.pair_states import FARTHEST, describe_pair, touching_units
-from neurosym.table import OtherObject
-from neurosym.world import Outcome
+from neurosym.pair_operators import FARTHEST, describe_pair, touching_units
+from neurosym.world import OtherObject, Outcome
 
 FORMAT = "neurosym-interactions-1"
 

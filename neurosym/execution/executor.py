@@ -13,34 +13,28 @@ from dataclasses import dataclass, field
 import msgspec
 
 from neurosym.checks import check_all, check_callable, check_count, check_kind, check_seed
+from neurosym.contract import guarded, limits_of, placed
 from neurosym.errors import InvalidValue
-from neurosym.execution.experience import Experience, believed_name
-from neurosym.execution.nudges import Nudger
-from neurosym.execution.performing import Situation, check_aims, lifts
-from neurosym.execution.reasons import why_missed
-from neurosym.execution.record import Ended, Nudge, Replanning, Run, StepRecord, own_steps
+from neurosym.execution.performance import STOP, Moment, Nudger, Situation, Watcher, check_aims, lifts
+from neurosym.execution.record import Ended, Nudge, Replanning, Run, StepRecord, own_steps, why_missed
 from neurosym.execution.replanning import (
     PATIENCE,
+    Experience,
     Progress,
+    believed_name,
     new_plan,
     usual_replans,
     usual_work,
     why_not_go_on,
 )
-from neurosym.execution.watching import STOP, Moment, Watcher
 from neurosym.grounding import Grounding
-from neurosym.guarded import guarded, placed
-from neurosym.object_limits import limits_of
-from neurosym.planners.effort import Effort
-from neurosym.planners.planner import Tell
+from neurosym.planners.planner import Effort, Tell
 from neurosym.planners.registry import Replanner
 from neurosym.problems import Problem
-from neurosym.related import relating
-from neurosym.table import OtherObject, Reference
-from neurosym.tasks.steps import PlanStep, Steps, named_steps, primitives
+from neurosym.tasks.supports import relating
 from neurosym.tasks.task import understand
-from neurosym.tasks.transition import promise_of, validate
-from neurosym.world import FrameSink, Outcome, Scene, World
+from neurosym.tasks.transition import PlanStep, Steps, named_steps, primitives, promise_of, validate
+from neurosym.world import FrameSink, OtherObject, Outcome, Reference, Scene, World
 
 FAR = 0.1
 """As how far from its goal an object counts whose relation is missed [m]."""

@@ -1,27 +1,136 @@
 """The record of a run: what each step promised and did, what was planned anew, and where everything ended."""
 
+import functools
 import math
+import platform
 from collections.abc import Sequence
+from pathlib import Path
 from typing import Any, Literal
 
 import msgspec
 import numpy as np
 
-from neurosym.execution.appearance import as_it_shows
-from neurosym.execution.machine import Machine
+from neurosym.checks import Float
+from neurosym.errors import counted, in_millimetres, version_of
 from neurosym.grounding import Grounding
 from neurosym.operators import TOLERANCE, Length, Vector, vector
-from neurosym.pair_states import describe_pair, extent
-from neurosym.problems import Problem
-from neurosym.promises import promised
-from neurosym.related import Contacts, bearers_of, relating, with_contacts
-from neurosym.relation_goals import RelationGoal
-from neurosym.relation_operators import PairState
-from neurosym.table import OtherObject, Place, Reference
-from neurosym.tasks.puts import put_named
-from neurosym.tasks.steps import PlanStep, Steps, primitives
-from neurosym.wording import counted
-from neurosym.world import Disturbance, Outcome, OutcomeKind, Scene
+from neurosym.pair_operators import PairState, describe_pair, extent, rotation
+from neurosym.problems import Problem, RelationGoal, SceneObject
+from neurosym.tasks.options import put_named
+from neurosym.tasks.promises import promised
+from neurosym.tasks.supports import Contacts, bearers_of, relating, with_contacts
+from neurosym.tasks.transition import PlanStep, Steps, primitives
+from neurosym.world import Disturbance, OtherObject, Outcome, OutcomeKind, Place, Reference, Scene
+
+# Appearance: what an object shows to the robot once it was turned, and which category that is.
+#
+# What was learned holds for objects that stand straight. One that was turned by a quarter has its sizes
+# along other axes; one that stands askew is as wide as the box around it.
+
+STRAIGHT = math.radians(15)
+"""An object that is turned by less than this beyond a quarter counts as straight [rad]."""
+
+
+def as_it_shows(item: SceneObject, grounding: Grounding) -> SceneObject:
+    """Return an object with the sizes that it has along the axes, and the category of objects like that.
+
+    Args:
+        item: The object as it lies; its first three features are its sizes along x, y and z [m].
+        grounding: The learned domain; where it keeps no rehearsals, the category stays.
+    """
+    turned = _turned(item.orientation)
+    if np.array_equal(turned, np.eye(3)):
+        return item
+    sizes = np.array(item.features[:3])
+    shown = tuple(round(size, 6) for size in (turned @ sizes).tolist())
+    features = (*shown, *item.features[3:])
+    category = _category_like(features, grounding) or item.category
+    return msgspec.structs.replace(item, features=features, category=category)
+
+
+def _turned(orientation: tuple[float, float, float, float]) -> Float[np.ndarray, "3 3"]:
+    """Return what each size adds to what shows along x, y and z; one to each if the object is straight."""
+    along = np.abs(rotation(np.array(orientation)))
+    straight = along > math.cos(STRAIGHT)
+    return np.asarray(straight.astype(float) if straight.sum() == 3 else along)
+
+
+def _category_like(features: tuple[float, ...], grounding: Grounding) -> str | None:
+    """Name the category of the rehearsed object that is most like one of these features."""
+    rehearsed = [(objects, one.symbol) for one in grounding.operators.categories for objects in one.objects]
+    if not rehearsed:
+        return None
+    objects = np.array([row for row, _ in rehearsed])
+    apart = (objects - features) / np.maximum(objects.std(0), 1e-9)
+    return rehearsed[int(np.argmin((apart**2).sum(1)))][1]
+
+
+# The machine that a run was made on: another processor, or other versions, may round otherwise
+
+PACKAGES = ("numpy", "pybullet")
+"""The packages whose arithmetic decides how a run goes."""
+_CPUINFO = Path("/proc/cpuinfo")
+_UNKNOWN = "unknown"
+
+
+class Machine(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
+    """What the last digits of a run may depend on besides its input.
+
+    Attributes:
+        processor: Model of the processor.
+        instructions: The groups of vector instructions that numpy found on it.
+        architecture: What kind of machine it is, like x86_64.
+        system: Operating system, with its C library where it has one of its own.
+        versions: Versions of Python and of the packages that compute, by name.
+    """
+
+    processor: str
+    instructions: str
+    architecture: str
+    system: str
+    versions: dict[str, str]
+
+    def differences(self, other: "Machine") -> tuple[str, ...]:
+        """Say in what another machine differs, as "processor: this one's and the other's"."""
+        pairs = {
+            name: (getattr(self, name), getattr(other, name))
+            for name in ("processor", "instructions", "architecture", "system")
+        }
+        for name in sorted({*self.versions, *other.versions}):
+            pairs[name] = (self.versions.get(name, _UNKNOWN), other.versions.get(name, _UNKNOWN))
+        return tuple(f"{name}: {one} and {two}" for name, (one, two) in pairs.items() if one != two)
+
+
+@functools.cache
+def this_machine() -> Machine:
+    """Return the machine that this process runs on; always the same as long as nothing is installed."""
+    libc = " ".join(filter(None, platform.libc_ver()))
+    return Machine(
+        processor=_processor(),
+        instructions=_instructions(),
+        architecture=platform.machine() or _UNKNOWN,
+        system=f"{platform.system()} {libc or platform.release()}".strip(),
+        versions={"python": platform.python_version(), **{name: version_of(name) for name in PACKAGES}},
+    )
+
+
+def _processor() -> str:
+    """Name the processor; names that clouds give are of whole families, so that its numbers are added."""
+    try:
+        lines = _CPUINFO.read_text(errors="replace").split("\n\n")[0].splitlines()
+    except OSError:
+        return platform.processor() or _UNKNOWN
+    values = {name.strip(): value.strip() for name, _, value in (line.partition(":") for line in lines)}
+    numbers = {"family": "cpu family", "model": "model", "stepping": "stepping"}
+    known = ", ".join(f"{word} {values[name]}" for word, name in numbers.items() if values.get(name))
+    name = values.get("model name") or platform.processor() or _UNKNOWN
+    return f"{name} ({known})" if known else name
+
+
+def _instructions() -> str:
+    found = np.show_config(mode="dicts").get("SIMD Extensions", {})
+    return " ".join((*found.get("baseline", ()), *found.get("found", ())))
+
 
 StepOutcome = OutcomeKind | Literal["not performed"]
 Ended = Literal[
@@ -314,3 +423,94 @@ def _put(step: PlanStep, problem: Problem, grounding: Grounding, outcome: Outcom
         "promised_state": put.state.name if put else msgspec.UNSET,
         "state": state.name if state else msgspec.UNSET,
     }
+
+
+# Why a run missed its goals, in words: which goal, what ended the run, and which step went otherwise
+
+
+def why_missed(run: Run, problem: Problem, grounding: Grounding, work: int = 0) -> str:
+    """Say which goals of a run were missed, and what ended it; nothing if all were reached.
+
+    Args:
+        run: The run, without a reason.
+        problem: What it was to solve.
+        grounding: The learned domain.
+        work: How much might be looked at for all new plans [states].
+    """
+    if run.reached:
+        return ""
+    unmet = run.unmet if isinstance(run.unmet, tuple) else ()
+    relations = ", ".join(_missed(goal, run.steps, grounding) for goal in unmet)
+    missed = [relations] if relations else []
+    name, distance = max(run.distances.items(), key=lambda item: item[1], default=("", 0.0))
+    if name and not (relations and distance <= problem.tolerance):
+        allowed = f"{1000 * problem.tolerance:g} mm allowed"
+        missed += [f"{name} is {in_millimetres(distance, problem.tolerance)} from its goal ({allowed})"]
+    return "; ".join([*missed, _what_ended(run, work)])
+
+
+def _missed(goal: RelationGoal, records: Sequence[StepRecord], grounding: Grounding) -> str:
+    """Say what is so in the place of a goal by relation, and in which step that ended if it held."""
+    target, reference, name = goal
+    state = grounding.relations.state_named(name).name if grounding.relations else name
+    wanted, told = f"{state} {reference}", [_relations(record).get(target) for record in records]
+    now = (told[-1] or "borne by nothing") if records else "where it was"
+    said, held = f"{target} is {now}, not {wanted}", [one == wanted for one in told]
+    if not any(held) or held[-1]:
+        return said
+    number = len(held) - held[::-1].index(True) + 1
+    return f"{said} as after step {number - 1}: that ended in step {number}"
+
+
+def _relations(record: StepRecord) -> dict[str, str]:
+    return record.relations if isinstance(record.relations, dict) else {}
+
+
+def _what_ended(run: Run, work: int) -> str:
+    ended, records, count = run.ended, run.steps, counted(run.replans, "new plan")
+    number = len(records)
+    if ended == "lost":
+        lost = [records[-1].object] if records[-1].happened == "lost" else []
+        lost += [name for name, how in records[-1].disturbed.items() if how == "lost"]
+        return f"step {number} threw {' and '.join(lost)} off the table"
+    if ended == "out of reach":
+        return f"{records[-1].object} was out of the arm's reach in step {number}"
+    if ended == "stopped":
+        return f"it was stopped before step {number + 1}"
+    spent = f"the budget of {work:,} states for new plans was used up after {count}"
+    why = {
+        "no plan": f"no new plan after step {number}: {run.replannings[-1].reason if run.replans else ''}",
+        "budget": f"all {count} were used up",
+        "work": f"gave up planning anew: {spent}",
+        "no progress": f"the last new plans came no nearer to the goal, after {run.replans}",
+    }
+    if ended in why:
+        return why[ended] + _toppled(records)
+    return f"the plan came to its end; {_first_otherwise(records)}"
+
+
+def _toppled(records: Sequence[StepRecord]) -> str:
+    """Say which step toppled something last, if one did."""
+    for number, record in reversed([*enumerate(records, 1)]):
+        fell = [record.object] if record.happened == "toppled" else []
+        fell += [name for name, how in record.disturbed.items() if how == "toppled"]
+        if fell:
+            return f"; {' and '.join(fell)} toppled in step {number}"
+    return ""
+
+
+def _first_otherwise(records: Sequence[StepRecord]) -> str:
+    """Say which step was the first not to do as promised."""
+    for number, record in enumerate(records, 1):
+        if not record.as_promised:
+            apart = (
+                ""
+                if record.apart is None
+                else f", {in_millimetres(record.apart, TOLERANCE)} from the promise"
+            )
+            promised, happened = record.promised_state or record.promised, record.state or record.happened
+            told = f"promised {promised}, ended {happened}{apart}"
+            return f"step {number}, {record.operator}: {told}"
+    if not records:
+        return "it has no step"
+    return f"every step did as promised within {1000 * TOLERANCE:.0f} mm"

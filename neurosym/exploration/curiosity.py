@@ -13,17 +13,14 @@ import numpy as np
 import torch
 from torch import Tensor, nn
 
-from neurosym.actions import Mirror
-from neurosym.arrays import Float
-from neurosym.data.dimensions import Dimensions
+from neurosym.checks import Float
 from neurosym.data.interactions import Interactions
+from neurosym.data.origin import Dimensions
 from neurosym.errors import InvalidValue
-from neurosym.learning.direct_model import DirectModel
-from neurosym.learning.effect_model import EffectModel
-from neurosym.learning.inputs import reflected
 from neurosym.learning.losses import reproducible, run_epochs, total_loss
-from neurosym.learning.model_config import DirectConfig, ModelConfig
-from neurosym.learning.training_config import check_numbers
+from neurosym.learning.network import DirectModel, EffectModel, reflected
+from neurosym.learning.training_config import DirectConfig, ModelConfig, check_numbers
+from neurosym.world import Mirror
 
 _STREAM = 0x626C  # keeps these draws apart from those of scenes and candidates
 

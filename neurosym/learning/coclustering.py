@@ -10,7 +10,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from neurosym.arrays import Float, Int
+from neurosym.checks import Float, Int
 
 _ROUNDS = 12
 _LLOYD_STEPS = 15

@@ -10,23 +10,99 @@ from dataclasses import dataclass, replace
 import msgspec
 import numpy as np
 
-from neurosym.arrays import Float
-from neurosym.checks import check_kind, check_seed
-from neurosym.data.check import too_few
-from neurosym.data.dimensions import Dimensions
+from neurosym.checks import Float, check_kind, check_seed
 from neurosym.data.interactions import Interactions
-from neurosym.data.origin import strategy_of
-from neurosym.errors import InvalidValue
-from neurosym.learning.baselines import trivial_predictions
-from neurosym.learning.direct_model import DirectModel
-from neurosym.learning.effect_model import EffectModel
-from neurosym.learning.losses import FitProgress, reproducible
-from neurosym.learning.model_config import DEFAULT_BITS, ModelConfig
+from neurosym.data.origin import Dimensions, strategy_of, too_few
+from neurosym.errors import InvalidValue, listed_briefly
+from neurosym.learning.losses import FitProgress, Samples, dimensions_of, reproducible, samples_of
+from neurosym.learning.network import DirectModel, EffectModel
 from neurosym.learning.recipes import RECIPES, Fit, fit_direct
-from neurosym.learning.report import TrainingReport
-from neurosym.learning.samples import Samples, dimensions_of, samples_of
-from neurosym.learning.training_config import TrainingConfig
-from neurosym.symbols import all_symbols
+from neurosym.learning.training_config import DEFAULT_BITS, ModelConfig, TrainingConfig
+from neurosym.operators import all_symbols, name_axes
+
+# The report of a training as it is read, and its table of errors
+
+
+class TrainingReport(msgspec.Struct, frozen=True, omit_defaults=True):
+    """How well a model fits, on interactions held out from training.
+
+    Attributes:
+        held_out: How many interactions it was measured on.
+        r2_through_codes: R2 of the effect through the binary codes, mean over the axes that vary.
+        r2_direct: The same of the network without a bottleneck.
+        share: The one divided by the other; see `share_of`.
+        mae: Mean absolute error on each axis [m], of the model through its codes and of trivial predictors.
+        object_symbols: Share of each object symbol.
+        action_symbols: Share of each action symbol.
+        r2_through_codes_by_axis: R2 through the codes on each axis.
+        r2: R2 without cutting the embeddings to bits.
+        r2_by_axis: The same on each axis.
+        r2_direct_by_axis: R2 of the network without a bottleneck on each axis.
+        restarts: R2 through the codes of each fit that was made.
+        empty_object_codes: Codes that no object of the data has, neither of those learned from nor held out.
+        empty_action_codes: The same of actions.
+    """
+
+    held_out: int
+    r2_through_codes: float
+    r2_through_codes_by_axis: tuple[float, ...]
+    r2: float
+    r2_by_axis: tuple[float, ...]
+    r2_direct: float
+    r2_direct_by_axis: tuple[float, ...]
+    share: float | None
+    mae: dict[str, list[float]]
+    object_symbols: dict[str, float]
+    action_symbols: dict[str, float]
+    restarts: tuple[float, ...] = ()
+    empty_object_codes: tuple[str, ...] = ()
+    empty_action_codes: tuple[str, ...] = ()
+
+
+def empty_codes(report: TrainingReport) -> str:
+    """Say in a sentence which codes no row of the data has; empty if there are none.
+
+    Args:
+        report: What was measured after training.
+    """
+    kinds = {"objects": report.empty_object_codes, "actions": report.empty_action_codes}
+    listed = [f"{len(codes)} for {kind} ({listed_briefly(codes)})" for kind, codes in kinds.items() if codes]
+    return f"codes that stay empty, since no row of the data has them: {', '.join(listed)}" if listed else ""
+
+
+def error_table(report: TrainingReport) -> tuple[list[str], list[list[str]]]:
+    """Return headings and rows of the errors of each predictor, in mm if the axes are x, y and z."""
+    names = name_axes(max(map(len, report.mae.values()), default=3))
+    is_in_space = len(names) == 3
+    rows = [
+        [name, *(f"{1000 * error:.1f}" if is_in_space else f"{error:.3g}" for error in errors)]
+        for name, errors in report.mae.items()
+    ]
+    return ["predictor", *(f"{axis} [mm]" if is_in_space else axis for axis in names)], rows
+
+
+# What predictors achieve that look at nothing: every table of errors shows them beside the model
+
+TEST_ROWS = 2400
+"""Interactions of a test set that are used: the first ones with a high effect, as many as the paper's."""
+
+
+def trivial_predictions(
+    seen: Float[np.ndarray, "N E"], count: int
+) -> dict[str, Float[np.ndarray, "{count} E"]]:
+    """Predict effects without looking at objects and actions [m].
+
+    Args:
+        seen: The effects that were learned from.
+        count: How many predictions.
+    """
+    shape = (count, seen.shape[1])
+    return {
+        "always zero": np.zeros(shape),
+        "always mean": np.broadcast_to(seen.mean(0), shape),
+        "per-axis median": np.broadcast_to(np.median(seen, axis=0), shape),
+    }
+
 
 _PARTS = {TrainingConfig: "training", ModelConfig: "model"}
 _DIRECT = 0x6469  # keeps the draws of the network without a bottleneck apart from those of restarts

@@ -14,9 +14,7 @@ again. The way over the table counts as its diagonal, so that no carry takes muc
 import math
 from collections.abc import Iterator, Mapping, Sequence
 
-from neurosym.errors import InvalidValue, UnknownChoice
-from neurosym.grounding import Grounding
-from neurosym.motion import (
+from neurosym.contract import (
     CLEARANCE,
     FINGER_SPEED,
     GRASP_TEST,
@@ -24,17 +22,17 @@ from neurosym.motion import (
     TRANSIT_CLEARANCE,
     way_seconds,
 )
+from neurosym.errors import InvalidValue, UnknownChoice
+from neurosym.grounding import Grounding
 from neurosym.operators import Operator
-from neurosym.pddl.encoding_names import DURATIVE, domain_name
-from neurosym.pddl.problem import check_object
+from neurosym.pddl.compiler import check_object
 from neurosym.pddl.strips import NOWHERE, common_head
 from neurosym.pddl.strips_plan import Misread
-from neurosym.pddl.syntax import Atom
+from neurosym.pddl.syntax import DURATIVE, Atom, domain_name
 from neurosym.problems import Problem
-from neurosym.tasks.carriers import carriers_of
-from neurosym.tasks.places import GOAL, START, check_place, is_at
-from neurosym.tasks.steps import PlanStep
-from neurosym.tasks.task import Task, understand
+from neurosym.tasks.options import carriers_of
+from neurosym.tasks.task import GOAL, START, Task, check_place, is_at, understand
+from neurosym.tasks.transition import PlanStep
 
 CARRY = "carry"
 MOST_OVER = 3

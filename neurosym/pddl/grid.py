@@ -12,12 +12,11 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import lru_cache
 
-from neurosym.cells import Cells
 from neurosym.errors import InvalidValue
-from neurosym.grounding import Grounding, is_lift
+from neurosym.grounding import Cells, Grounding, is_lift
 from neurosym.operators import Vector
 from neurosym.problems import SceneObject
-from neurosym.promises import usable
+from neurosym.tasks.promises import usable
 
 AXES = ("x", "y", "z")
 

@@ -22,7 +22,6 @@ import msgspec
 
 from neurosym.errors import InvalidValue
 from neurosym.grounding import Grounding
-from neurosym.pddl.encoding_names import NUMERIC, domain_name
 from neurosym.pddl.grid import AXES, best_levels, levels
 from neurosym.pddl.strips import (
     LIFT,
@@ -37,11 +36,11 @@ from neurosym.pddl.strips import (
 )
 from neurosym.pddl.strips_plan import Misread
 from neurosym.pddl.strips_problem import motion_name
-from neurosym.pddl.syntax import OBJECT, Atom, Domain, Facts, PddlProblem
+from neurosym.pddl.syntax import NUMERIC, OBJECT, Atom, Domain, Facts, PddlProblem, domain_name
 from neurosym.problems import SceneObject
-from neurosym.tasks.moves import Move
-from neurosym.tasks.steps import PlanStep
+from neurosym.tasks.options import Move
 from neurosym.tasks.task import Task
+from neurosym.tasks.transition import PlanStep
 
 UNIT = 0.0001
 """What positions are counted in [m]."""

@@ -6,21 +6,19 @@ from itertools import combinations
 
 import numpy as np
 
-from neurosym.arrays import Float
+from neurosym.checks import Float
+from neurosym.contract import ObjectLimits
 from neurosym.errors import InvalidValue
 from neurosym.grounding import Grounding
-from neurosym.object_limits import ObjectLimits
-from neurosym.pair_states import rotation
+from neurosym.pair_operators import rotation
+from neurosym.pddl.compiler import is_taken
 from neurosym.pddl.grid import check_on_table
-from neurosym.pddl.problem import is_taken
 from neurosym.pddl.strips import NOWHERE
-from neurosym.problems import NEAR_TABLE, Problem, SceneObject, check_goals, check_names, goal_heights
-from neurosym.related import chain_below, known_bearers
-from neurosym.spots import SPOT
-from neurosym.tasks.carriers import carriers_of
-from neurosym.tasks.footprints import footprints_apart
+from neurosym.problems import NEAR_TABLE, SPOT, Problem, SceneObject, check_goals, check_names, goal_heights
+from neurosym.tasks.options import carriers_of
 from neurosym.tasks.pair_goals import check_relations
-from neurosym.tasks.places import GOAL, PARK, START, is_at
+from neurosym.tasks.supports import chain_below, known_bearers
+from neurosym.tasks.task import GOAL, PARK, START, footprints_apart, is_at
 
 OFF_REST = 0.005
 """How far from the height it rests at an object's centre may be [m]; physics settles it within 0.1 mm."""

@@ -10,11 +10,11 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import NamedTuple
 
 from neurosym.grounding import Grounding
+from neurosym.pddl.compiler import check_object
 from neurosym.pddl.grid import AXES, goal_region, grid_of
-from neurosym.pddl.problem import check_object
 from neurosym.pddl.strips_problem import STEPS
 from neurosym.problems import Problem, SceneObject
-from neurosym.tasks.moves import Move, moves_for
+from neurosym.tasks.options import Move, moves_for
 
 _FREE = "Atom ready()"
 _EMPTY = "Atom hand-empty()"

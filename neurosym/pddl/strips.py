@@ -18,9 +18,7 @@ from functools import lru_cache
 from neurosym.grounding import Grounding, is_lift
 from neurosym.operators import Operator
 from neurosym.pddl.syntax import OBJECT, Action, Atom, Domain, Predicate, Typed
-from neurosym.tasks.carriers import carriers_of
-from neurosym.tasks.moves import chance
-from neurosym.tasks.puts import Put, bearing_states, puts_of
+from neurosym.tasks.options import Put, bearing_states, carriers_of, chance, puts_of
 
 WIDTH = 108
 """So many columns lines of comments have behind their semicolon, at most."""

@@ -6,16 +6,13 @@ from dataclasses import dataclass
 from neurosym.errors import InvalidValue, UnknownChoice
 from neurosym.grounding import Grounding, is_lift
 from neurosym.pddl import strips
-from neurosym.pddl.encoding_names import STRIPS, EncodingName
 from neurosym.pddl.strips_problem import COUNTS, StripsProblem, motion_name, price_name, step_name
-from neurosym.pddl.syntax import Atom, Course, words
-from neurosym.related import loads_of, relating
-from neurosym.spots import spot_named
-from neurosym.tasks.moves import PUT_DOWN, Move
-from neurosym.tasks.places import START, check_place
-from neurosym.tasks.steps import PlanStep
-from neurosym.tasks.task import PutOption, Task
-from neurosym.tasks.transition import apply, start
+from neurosym.pddl.syntax import STRIPS, Atom, Course, EncodingName, words
+from neurosym.problems import spot_named
+from neurosym.tasks.options import PUT_DOWN, Move
+from neurosym.tasks.supports import loads_of, relating
+from neurosym.tasks.task import START, PutOption, Task, check_place
+from neurosym.tasks.transition import PlanStep, apply, start
 
 _BEGUN_BY = {
     "rest": (strips.PUSH, "pushes"),

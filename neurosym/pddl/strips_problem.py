@@ -7,7 +7,9 @@ from itertools import pairwise
 
 import msgspec
 
+from neurosym.errors import counted
 from neurosym.grounding import Grounding
+from neurosym.pair_operators import PairState
 from neurosym.pddl.grid import goal_region, grid_of
 from neurosym.pddl.strips import (
     COUNT,
@@ -26,13 +28,9 @@ from neurosym.pddl.strips import (
     Y_SHIFT,
 )
 from neurosym.pddl.syntax import Atom, Facts, PddlProblem, Typed
-from neurosym.related import loads_of
-from neurosym.relation_operators import PairState
-from neurosym.tasks.moves import Move
-from neurosym.tasks.places import START, is_at
-from neurosym.tasks.puts import bearing_states
-from neurosym.tasks.task import Pair, PutOption, Task
-from neurosym.wording import counted
+from neurosym.tasks.options import Move, bearing_states
+from neurosym.tasks.supports import loads_of
+from neurosym.tasks.task import START, Pair, PutOption, Task, is_at
 
 COUNTS = (NONE, *(f"n{number}" for number in range(1, 100)))
 """How many objects another one bears."""

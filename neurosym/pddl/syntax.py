@@ -6,9 +6,10 @@ Everything is positive STRIPS with types, and costs. An atom is its words, like 
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from itertools import groupby
+from typing import Literal
 
-from neurosym.errors import InvalidValue, UnknownChoice
-from neurosym.wording import counted
+from neurosym.errors import InvalidValue, UnknownChoice, counted
+from neurosym.grounding import Grounding
 
 Atom = tuple[str, ...]
 """A predicate or a function and its arguments."""
@@ -276,3 +277,26 @@ class Course:
 def ground(atoms: Iterable[Atom], given: Mapping[str, str]) -> list[Atom]:
     """Put arguments in the place of parameters."""
     return [tuple([given.get(word, word) for word in atom]) for atom in atoms]
+
+
+# The encodings of a domain, by name
+
+EncodingName = Literal["strips", "numeric", "sas"]
+
+STRIPS: EncodingName = "strips"
+"""The page: lifted actions, places, relations, and cells for what can only be pushed."""
+NUMERIC: EncodingName = "numeric"
+"""Positions are numbers; there are no cells, places and relations."""
+SAS: EncodingName = "sas"
+"""No PDDL: what Fast Downward's search reads of objects that are led over cells."""
+ENCODINGS: tuple[EncodingName, ...] = (STRIPS, NUMERIC)
+"""Those that are printed."""
+DURATIVE = "durative"
+"""Objects are carried by actions that take time; no command plans in it."""
+FORMER = ("stepwise", "operators", "places", "relational", "relational-lifted")
+"""What earlier versions had in the place of `strips`."""
+
+
+def domain_name(grounding: Grounding, encoding: str) -> str:
+    """Name the domain in an encoding, like `tabletop-numeric`; the page has the name of the domain itself."""
+    return grounding.name if encoding in (STRIPS, SAS) else f"{grounding.name}-{encoding}"

@@ -1,22 +1,133 @@
 """Films: the pictures of an interaction or of a whole run, and which of them tell what happened."""
 
+import io
 import time
 from collections.abc import Callable, Container, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Protocol, TypeVar, runtime_checkable
 
+import msgspec
 import numpy as np
+from PIL import Image, ImageDraw, ImageFont
 
-from neurosym.arrays import Float
-from neurosym.errors import InvalidValue
+from neurosym.checks import Float, UInt8
+from neurosym.errors import CannotWrite, InvalidValue, counted
+from neurosym.execution.performance import nudged, perform
 from neurosym.execution.record import Run, StepRecord
-from neurosym.operators import TOLERANCE
-from neurosym.pictures.images import Row, save_gif, save_sheet, shrink
-from neurosym.pictures.motions import Motion
+from neurosym.files import check_writable, write_atomically
+from neurosym.grounding import Grounding
+from neurosym.operators import TOLERANCE, Categorise
+from neurosym.pictures.motions import Motion, operator_motions, operators_of
 from neurosym.problems import Problem
-from neurosym.table import Reference
-from neurosym.world import Frame, FrameSink, Outcome, Pictured, Scene, World
+from neurosym.world import Frame, FrameSink, Outcome, Pictured, Reference, Scene, World
+
+# Files of pictures: an animated GIF of a motion, or a sheet with a row of captioned pictures for each
+
+ENDINGS = (".png", ".gif")
+GIF_SIZE = (480, 360)
+FRAME_MILLISECONDS = 50
+PAUSE_MILLISECONDS = 1500
+STRIP_SIZE = (640, 480)
+_CAPTION, _GAP = 34, 8
+_TEXT = 18
+_GIF_TEXT = 14
+_PALETTE_SAMPLES = 6
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Row:
+    """Pictures that belong together.
+
+    Attributes:
+        title: A line above them; none if empty.
+        frames: The pictures, at least one.
+        captions: A line under each.
+    """
+
+    title: str
+    frames: tuple[Frame, ...]
+    captions: tuple[str, ...]
+
+    @property
+    def height(self) -> int:
+        """How much of a sheet it takes [pixels]."""
+        return STRIP_SIZE[1] + _CAPTION * (2 if self.title else 1)
+
+
+def check_picture_path(path: Path, endings: Sequence[str] = ENDINGS) -> None:
+    """Raise `InvalidValue` unless a picture can be written to a file, whose name can end so."""
+    if path.suffix.lower() not in endings:
+        raise InvalidValue(
+            f"No picture can be written to {path}; name a file that ends in {' or '.join(endings)}."
+        )
+    if path.is_dir() or not path.absolute().parent.is_dir():
+        raise InvalidValue(f"No picture can be written to {path}; name a file in an existing folder.")
+    try:
+        check_writable(path)
+    except CannotWrite as error:
+        said = f"No picture can be written to {path} ({error.reason})"
+        raise InvalidValue(f"{said}; name a file in a folder that can be written.") from error
+
+
+def shrink(frame: Frame) -> UInt8[np.ndarray, "strip_height strip_width 3"]:
+    """Bring a picture to the size that it has in a strip, smoothly."""
+    return np.asarray(Image.fromarray(frame).resize(STRIP_SIZE, Image.Resampling.LANCZOS))
+
+
+def save_gif(path: Path, frames: Sequence[Frame], captions: Sequence[str] = ()) -> None:
+    """Write one or more pictures as a GIF that pauses on the last, each with a line at its foot if given."""
+    lines = captions or [""] * len(frames)
+    images = _with_one_palette([_gif_image(*pair) for pair in zip(frames, lines, strict=True)])
+    durations = [FRAME_MILLISECONDS] * (len(images) - 1) + [PAUSE_MILLISECONDS]
+    buffer = io.BytesIO()
+    images[0].save(buffer, "GIF", save_all=True, append_images=images[1:], duration=durations, loop=0)
+    write_atomically(path, buffer.getvalue())
+
+
+def _with_one_palette(images: Sequence[Image.Image]) -> list[Image.Image]:
+    """Reduce images to 256 colours that they share, among them those of small things like dots."""
+    samples = images[:: max(1, len(images) // _PALETTE_SAMPLES)]
+    together = Image.fromarray(np.vstack([np.asarray(image) for image in samples]))
+    palette = together.quantize(256, method=Image.Quantize.FASTOCTREE)
+    return [image.quantize(palette=palette, dither=Image.Dither.NONE) for image in images]
+
+
+def save_sheet(path: Path, rows: Sequence[Row]) -> None:
+    """Write rows of pictures one below the other, as a PNG."""
+    width = STRIP_SIZE[0] * max(len(row.frames) for row in rows)
+    sheet = Image.new("RGB", (width, sum(row.height + _GAP for row in rows) - _GAP), "white")
+    top = 0
+    for row in rows:
+        _paste(sheet, row, top)
+        top += row.height + _GAP
+    buffer = io.BytesIO()
+    sheet.save(buffer, "PNG", optimize=True)
+    write_atomically(path, buffer.getvalue())
+
+
+def _paste(sheet: Image.Image, row: Row, top: int) -> None:
+    width, height = STRIP_SIZE
+    draw = ImageDraw.Draw(sheet)
+    font = ImageFont.load_default(size=_TEXT)
+    if row.title:
+        draw.text((_CAPTION / 3, top + _CAPTION / 2), row.title, fill="black", font=font, anchor="lm")
+        top += _CAPTION
+    for index, (frame, caption) in enumerate(zip(row.frames, row.captions, strict=True)):
+        sheet.paste(Image.fromarray(shrink(frame)), (index * width, top))
+        middle = (index * width + width / 2, top + height + _CAPTION / 2)
+        draw.text(middle, caption, fill="black", font=font, anchor="mm")
+
+
+def _gif_image(frame: Frame, caption: str) -> Image.Image:
+    image = Image.fromarray(frame).resize(GIF_SIZE, Image.Resampling.LANCZOS)
+    if caption:
+        place = (GIF_SIZE[0] / 2, GIF_SIZE[1] - _GIF_TEXT)
+        font = ImageFont.load_default(size=_GIF_TEXT)
+        draw = ImageDraw.Draw(image)
+        draw.text(place, caption, fill="black", font=font, anchor="mm", stroke_width=2, stroke_fill="white")
+    return image
+
 
 T = TypeVar("T")
 BEFORE = "start"
@@ -202,3 +313,168 @@ class Film:
             frames = (start, *(self._frames[end] for end, _ in self._ends))
             save_sheet(strip, [Row("", frames, tuple(captions))])
         return True
+
+
+# Showing motions and problems, in files of pictures or live in a window
+
+
+def picture_motions(world: World, motions: Sequence[Motion], path: Path) -> tuple[Outcome, ...]:
+    """Perform one or more motions and write their pictures: a row of a PNG for each, or one GIF of all."""
+    check_pictured(world)
+    if path.suffix.lower() != ".gif":
+        filmed = [film_row(world, motion) for motion in motions]
+        save_sheet(path, [row for row, _ in filmed])
+        return tuple(outcome for _, outcome in filmed)
+    takes = [film(world, motion) for motion in motions]
+    told = zip(motions, takes, strict=True)
+    captions = [f"{motion.title}: {phase}" for motion, take in told for phase in take.phases]
+    save_gif(path, [frame for take in takes for frame in take.frames], captions)
+    return tuple(take.outcome for take in takes)
+
+
+def film_row(world: World, motion: Motion) -> tuple[Row, Outcome]:
+    """Perform a motion, and keep the start and the end of each phase as a row; say what it did, too."""
+    take = film_phases(world, motion.scene, motion.action, motion.reference)
+    return Row(f"{motion.title}: {tell(take.outcome)}", take.frames, take.phases), take.outcome
+
+
+def tell(outcome: Outcome) -> str:
+    """Say how an object ended, and how far it moved."""
+    x, y, z = (round(1000 * float(value)) + 0 for value in outcome.effect)
+    return f"{outcome.kind}, effect ({x}, {y}, {z}) mm"
+
+
+def show_live(world: World, motions: Sequence[Motion]) -> tuple[Outcome, ...]:
+    """Perform motions in a window, in real time; raise `InvalidValue` if there is none."""
+    open_window(world)
+    outcomes = []
+    for motion in motions:
+        outcomes.append(motion.perform(world, ignore))
+        hold_window()
+    return tuple(outcomes)
+
+
+def picture_problem(world: World, problem: Problem, path: Path) -> None:
+    """Write a picture of a problem's start with its goals transparent; the ending of the path decides how."""
+    frame = check_pictured(world).picture(problem.scene(), problem.goal_positions())
+    if path.suffix.lower() == ".gif":
+        save_gif(path, [frame])
+    else:
+        save_sheet(path, [Row("", (frame,), (f"{problem.name}: start, and its goals transparently",))])
+
+
+def check_pictured(world: World) -> Pictured:
+    """Return a world as one that draws pictures, or raise `InvalidValue`."""
+    if not isinstance(world, Pictured):
+        raise InvalidValue(f"The {world.name} world draws no pictures; give it a method `picture`.")
+    return world
+
+
+# Stills: the few pictures that tell what a primitive or a run does, as in the paper's Figures 3 and 4
+
+SAME = 0.001
+"""How near every object must end to where it ended before, for a run to have gone the same way again [m]."""
+
+
+def motion_stills(
+    world: World, grounding: Grounding, name: str, categorise: Categorise, *, objects: int, seed: int
+) -> Row:
+    """Perform an operator as it promises, or a primitive as it mostly turns out.
+
+    Kept are the start and the end of each phase.
+
+    Args:
+        world: The world to act in.
+        grounding: The learned domain.
+        name: The operator, or the primitive's action symbol or one of its labels.
+        categorise: Gives the object symbols of features.
+        objects: How many objects rehearsal sampled.
+        seed: Where rehearsal's draws started.
+
+    Raises:
+        UnknownChoice: If there is no such primitive or operator.
+        InvalidValue: If there is no object to perform it on, or the world draws no pictures.
+    """
+    weights, operators = _weights(grounding), [one for one in grounding.every_operator if one.name == name]
+    for operator in operators or sorted(
+        operators_of(grounding, name), key=lambda operator: weights[operator.name], reverse=True
+    ):
+        motions = operator_motions(world, grounding, (operator,), categorise, objects=objects, seed=seed)
+        if motions:
+            return film_row(world, motions[0])[0]
+    raise InvalidValue(f"Rehearsal sampled no object that {name} was tried on.")
+
+
+def _weights(grounding: Grounding) -> dict[str, tuple[float, float]]:
+    """Say for which share of objects a symbol's operators of the same verb keep promises, and each alone."""
+    categories = {category.symbol: category for category in grounding.operators.categories}
+    kept: dict[str, tuple[str, float]] = {}
+    by_verb: dict[str, float] = {}
+    for operator in grounding.operators.operators:
+        category = categories[operator.category]
+        verb = operator.name.removesuffix(f"-{operator.label}-{category.name}")
+        share = category.share * operator.successes / max(1, operator.trials)
+        kept[operator.name] = (f"{verb}-{operator.primitive}", share)
+        by_verb[kept[operator.name][0]] = by_verb.get(kept[operator.name][0], 0.0) + share
+    return {name: (by_verb[verb], share) for name, (verb, share) in kept.items()}
+
+
+def run_stills(world: World, grounding: Grounding, problem: Problem, run: Run) -> Row:
+    """Perform the steps of a run again, and keep the start and the end of each.
+
+    As in the paper's Figure 4, the first picture shows the goals transparently, and the last one where the
+    objects stood at the start.
+
+    Args:
+        world: The world to act in.
+        grounding: What the operators' names mean.
+        problem: What the run was to solve.
+        run: What became of the plan.
+
+    Raises:
+        InvalidValue: If it goes another way this time, or the world draws no pictures.
+        UnknownChoice: If an operator or an object is unknown here.
+    """
+    scene, performed = problem.scene(), [step for step in run.steps if step.happened != "not performed"]
+    names = {*problem.object_names}
+    if any(record.object not in names or record.positions.keys() != names for record in performed):
+        raise InvalidValue(f"The run is not of the objects of {problem.name}.")
+    frames = [check_pictured(world).picture(scene, problem.goal_positions())]
+    captions = [f"{problem.name}: start, goal transparent"]
+    start = {item.name: item.position for item in problem.objects}
+    for number, record in enumerate(performed, 1):
+        for nudge in (one for one in run.nudges if one.before_step == number):
+            scene = nudged(scene, nudge, problem)
+            captions[-1] += f"; then {nudge.object} was nudged"
+        ghostly = msgspec.structs.replace(problem, goals=start if number == len(performed) else {})
+        frame, scene = _perform(world, ghostly, grounding, record, scene)
+        _check_same(problem, record, scene, number)
+        frames.append(frame)
+        captions.append(f"{number}. {caption_of(record, problem)}")
+    reached = f"goal {'reached' if run.reached else 'missed'}"
+    captions[-1] += f", {reached}"
+    told = f"{problem.name}: {reached}, {counted(len(performed), 'step')}"
+    return Row(told, tuple(frames), tuple(captions))
+
+
+def _perform(
+    world: World, problem: Problem, grounding: Grounding, record: StepRecord, scene: Scene
+) -> tuple[Frame, Scene]:
+    """Perform a step again, and return its last picture and where everything is then."""
+    step, put_down = record.step, not ends_in_the_air(record, problem)
+
+    def attempt(keep: FrameSink) -> Outcome | None:
+        aim = record.reference
+        return perform(world, problem, grounding, step, scene, put_down, keep, reference=aim)
+
+    outcome, ((frame, _),) = sparing(world, attempt, lambda phases: (len(phases) - 1,))
+    return frame, outcome.end if outcome else scene
+
+
+def _check_same(problem: Problem, record: StepRecord, scene: Scene, number: int) -> None:
+    recorded = [record.positions[name] for name in problem.object_names]
+    if np.abs(scene.positions - np.array(recorded)).max() > SAME:
+        raise InvalidValue(
+            f"Step {number} of the run of {problem.name} goes another way this time: the domain, the world "
+            "or the computer is not the one that it was recorded with."
+        )

@@ -8,21 +8,17 @@ from itertools import islice
 
 import numpy as np
 
-from neurosym.arrays import Float
+from neurosym.checks import Float
 from neurosym.data.interactions import Interactions
 from neurosym.errors import InvalidValue
 from neurosym.grounding import Grounding
-from neurosym.operators import TOLERANCE, Operator
-from neurosym.pair_sight import PairSight, nearest_kinds
-from neurosym.pair_states import describe_pair
-from neurosym.primitives.among_others import MARGIN
-from neurosym.primitives.rehearsal import rehearsal_sample
-from neurosym.relation_operators import RelationOperator, RelationOperators
-from neurosym.symbols import Categorise, Symbol
-from neurosym.table import OtherObject, Reference
-from neurosym.tasks.carriers import carriers_of
-from neurosym.world import FrameSink, Outcome, Scene, World, relative_to
-from neurosym.worlds.aimed import Aimed, AimedScene
+from neurosym.operators import TOLERANCE, Categorise, Operator, Symbol
+from neurosym.pair_operators import RelationOperator, RelationOperators, describe_pair
+from neurosym.primitives.rehearsal import MARGIN, rehearsal_sample
+from neurosym.tasks.options import carriers_of
+from neurosym.tasks.supports import PairSight, nearest_kinds
+from neurosym.world import FrameSink, OtherObject, Outcome, Reference, Scene, World, relative_to
+from neurosym.worlds.aims import Aimed, AimedScene
 
 TRIES = 5
 """Sampled objects of a category, or pairs of a kind, that are tried until one does as promised."""

@@ -19,20 +19,17 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from neurosym.arrays import Bool, Float, Int
-from neurosym.cells import at_rest
-from neurosym.grounding import Grounding, is_lift
-from neurosym.operators import Operator, Vector
-from neurosym.planners.effort import check_time, within
-from neurosym.planners.result import PlanResult, PlanStatus
+from neurosym.checks import Bool, Float, Int
+from neurosym.errors import counted
+from neurosym.grounding import Grounding, at_rest, is_lift
+from neurosym.operators import Operator, Symbol, Vector
+from neurosym.planners.planner import PlanResult, PlanStatus, check_time, within
 from neurosym.problems import Problem, SceneObject
-from neurosym.promises import promised, usable
-from neurosym.symbols import Symbol
-from neurosym.table import Table
-from neurosym.tasks.footprints import footprints_apart, overlapping
-from neurosym.tasks.moves import PUT_DOWN
-from neurosym.tasks.steps import PlanStep
-from neurosym.wording import counted
+from neurosym.tasks.options import PUT_DOWN
+from neurosym.tasks.promises import promised, usable
+from neurosym.tasks.task import footprints_apart, overlapping
+from neurosym.tasks.transition import PlanStep
+from neurosym.world import Table
 
 DEPTH = 3
 """How many primitives a plan may have (section IV-D)."""

@@ -18,11 +18,11 @@ from typing import NamedTuple
 
 import numpy as np
 
-from neurosym.arrays import Float
+from neurosym.checks import Float
+from neurosym.errors import counted, in_millimetres
 from neurosym.grounding import Grounding
 from neurosym.operators import Vector
-from neurosym.planners.bfs import Branching, branching_of
-from neurosym.planners.counting import (
+from neurosym.planners.action_counts import (
     DEPTH,
     MOST_WORK,
     Choices,
@@ -33,15 +33,13 @@ from neurosym.planners.counting import (
     plan_counting,
     plan_nearest,
 )
-from neurosym.planners.effort import Effort
-from neurosym.planners.planner import Planner
-from neurosym.planners.result import PlanResult, PlanStatus
+from neurosym.planners.bfs import Branching, branching_of
+from neurosym.planners.planner import Effort, Planner, PlanResult, PlanStatus
 from neurosym.problems import Problem
-from neurosym.related import is_relational
-from neurosym.tasks.carriers import carriers_for
-from neurosym.tasks.footprints import footprints_apart
-from neurosym.tasks.steps import primitives
-from neurosym.wording import counted, in_millimetres
+from neurosym.tasks.options import carriers_for
+from neurosym.tasks.supports import is_relational
+from neurosym.tasks.task import footprints_apart
+from neurosym.tasks.transition import primitives
 
 MOST_PRIMITIVES = 1_000_000
 """Rounding is reckoned with for so many primitives."""

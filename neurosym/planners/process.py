@@ -23,9 +23,9 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from neurosym.errors import CannotStart, InvalidFile
+from neurosym.files import read_bytes
 from neurosym.planners import keeper
 from neurosym.planners.keeper import FOLDER_PREFIX, MARK, end_processes, marked, state_of, this_process
-from neurosym.reading import read_bytes
 
 MEMORY = 4 * 1024**3
 """How much memory a planner may take, unless this process may take less [bytes]."""

@@ -17,36 +17,35 @@ from pathlib import Path
 import msgspec
 
 from neurosym.checks import check_callable, check_kind
-from neurosym.errors import InvalidPlanner, InvalidValue, UnknownChoice, shortened
-from neurosym.factories import admit, is_factory, load_factory, one_line, told
+from neurosym.choices import admit, is_factory, load_factory, one_line, told
+from neurosym.errors import InvalidPlanner, InvalidValue, UnknownChoice, counted, shortened
 from neurosym.grounding import Grounding
-from neurosym.pddl.encoding_names import STRIPS, EncodingName
-from neurosym.pddl.encodings import domain_text
+from neurosym.pddl.compiler import domain_text, problem_text
 from neurosym.pddl.grid import check_on_table
 from neurosym.pddl.plan_reading import parse_plan
-from neurosym.pddl.problem import problem_text
-from neurosym.planners.catalogue import PLANNERS
-from neurosym.planners.effort import UNTOLD, check_time, within
+from neurosym.pddl.syntax import STRIPS, EncodingName
+from neurosym.planners.pddl_search import FILES, answered, ask
 from neurosym.planners.planner import (
+    LONGEST_REASON,
+    UNTOLD,
     Option,
     PddlProgram,
     Planner,
     PlannerMissing,
+    PlanResult,
+    PlanStatus,
     PredictEffects,
     Query,
     Tell,
+    check_time,
+    within,
 )
-from neurosym.planners.refinement import FILES, answered, ask
-from neurosym.planners.result import LONGEST_REASON, PlanResult, PlanStatus
-from neurosym.problems import NEAR_TABLE, Problem
-from neurosym.related import is_reached, is_relational, relating, relations_of
-from neurosym.spots import spot_named
+from neurosym.planners.planner_table import PLANNERS
+from neurosym.problems import NEAR_TABLE, Problem, spot_named
 from neurosym.tasks.pair_goals import why_no_relation
-from neurosym.tasks.places import with_places
-from neurosym.tasks.steps import PlanStep
-from neurosym.tasks.task import Task, understand
-from neurosym.tasks.transition import State, apply, missed, refusal, start, validate
-from neurosym.wording import counted
+from neurosym.tasks.supports import is_reached, is_relational, relating, relations_of
+from neurosym.tasks.task import Task, understand, with_places
+from neurosym.tasks.transition import PlanStep, State, apply, missed, refusal, start, validate
 
 Replanner = Callable[[Problem, Grounding], PlanResult]
 """Plans from where things are now, with what is now believed of them."""

@@ -9,17 +9,13 @@ import numpy as np
 import torch
 from torch import Tensor
 
-from neurosym.actions import ActionBox
-from neurosym.arrays import Float
-from neurosym.checks import check_count, check_kind, check_seed
+from neurosym.checks import Float, check_count, check_kind, check_seed
 from neurosym.data.interactions import Interactions
-from neurosym.errors import InvalidValue
+from neurosym.errors import InvalidValue, Progress
 from neurosym.learning.coclustering import kmeans
-from neurosym.learning.effect_model import EffectModel
-from neurosym.learning.network import one_thread
-from neurosym.operators import CONVERGED, Primitive
-from neurosym.progress import Progress
-from neurosym.symbols import all_symbols, signs
+from neurosym.learning.network import EffectModel, one_thread
+from neurosym.operators import CONVERGED, Primitive, all_symbols, signs
+from neurosym.world import ActionBox
 
 _RATE, _MOMENTUM = 0.05, 0.9  # of a step, where the action box is scaled to [-1, 1]
 _KINDS_OF_OUTCOME = 12

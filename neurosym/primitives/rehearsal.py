@@ -5,20 +5,22 @@ rehearsed effects. Outcomes that differ in kind (at rest, held, toppled, lost) a
 never averaged together, since the mean of "on the table" and "in the air" is a place where no object ever is.
 """
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
+from functools import partial
 from itertools import compress
+from typing import Any
 
+import msgspec
 import numpy as np
 
-from neurosym.arrays import Float
-from neurosym.checks import check_all, check_array, check_count, check_kind, check_seed, check_whole
-from neurosym.errors import InvalidValue
-from neurosym.guarded import made
-from neurosym.naming import name_categories, name_operator
+from neurosym.checks import Float, check_all, check_array, check_count, check_kind, check_seed, check_whole
+from neurosym.contract import made
+from neurosym.errors import InvalidValue, OpenBar, Progress, part, silent
 from neurosym.operators import (
     TABLE_FORMAT,
     TOLERANCE,
+    Categorise,
     Category,
     Effect,
     Mode,
@@ -26,14 +28,24 @@ from neurosym.operators import (
     OperatorTable,
     Primitive,
     Rehearsal,
+    Symbol,
+    all_symbols,
+    name_categories,
+    name_operator,
 )
-from neurosym.primitives.judging import judge, performance
-from neurosym.primitives.performing import perform_each, tasks_of
-from neurosym.primitives.repertoire import Repertoire, shared_by_all
-from neurosym.primitives.sampling import Sample, sample_by_category
-from neurosym.progress import Progress
-from neurosym.symbols import Categorise, Symbol, all_symbols
-from neurosym.world import Outcome, OutcomeKind, World, WorldFactory
+from neurosym.pair_operators import Kept, PlaceOperators
+from neurosym.primitives.reliability import PredictOutcomes, judge, performance
+from neurosym.primitives.sampling import (
+    Repertoire,
+    Sample,
+    perform_each,
+    sample_by_category,
+    shared_by_all,
+    tasks_of,
+)
+from neurosym.tasks.promises import chances_of, rehearsed_objects
+from neurosym.world import Outcome, OutcomeKind, Scene, World, WorldFactory
+from neurosym.worlds.aims import AimedFactory, AimedScene, CrowdedFactory, joined
 
 LEAST = 30
 """Objects of a category that are rehearsed on, however rare it is, if at least so many are asked for."""
@@ -323,3 +335,238 @@ def rounded(values: Float[np.ndarray, "N"]) -> Effect:
         values: Lengths [m], or types.
     """
     return tuple(round(float(value), _DIGITS) + 0.0 for value in values)
+
+
+# A search for operators: what there is to choose from, and how it goes on for what actions are aimed at
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Search:
+    """What operators are chosen from, and measured with.
+
+    Attributes:
+        candidates: Distilled actions.
+        predict: A network without a bottleneck on the same data, which shortlists.
+        features: What it can be asked about: of the objects of the data.
+        categorise: Gives the object symbols of features.
+        world_factory: Builds the world; must survive pickling if there is more than one worker.
+        shown: Builds it as it is shown: every action in it is aimed.
+        seed: Where all draws start.
+        objects: How many objects each symbol is rehearsed on, not counting those added for rare categories.
+        workers: How many processes; their number does not change the result.
+        open_bar: Shows how far each part has come.
+    """
+
+    candidates: tuple[Primitive, ...]
+    predict: PredictOutcomes
+    features: Float[np.ndarray, "M F"]
+    categorise: Categorise
+    world_factory: WorldFactory
+    shown: WorldFactory
+    seed: int
+    objects: int = 100
+    workers: int = 1
+    open_bar: OpenBar = silent
+
+
+@dataclass(frozen=True, slots=True)
+class Method:
+    """How operators are found for what actions are aimed at.
+
+    Attributes:
+        adapt: Has every action in a world aimed so.
+        choose: Chooses among the candidates.
+        measure: Tells from the rehearsals of what was chosen what each operator does; rehearses it further.
+    """
+
+    adapt: Callable[[WorldFactory], WorldFactory]
+    choose: Callable[[Search], Repertoire]
+    measure: Callable[[Search, Rehearsals], Any]
+
+
+# Rehearsing where an outcome is unsure: on more of those objects that may turn out either way.
+#
+# A hand of 14 cm holds what is 126 mm wide and nothing that is wider. Objects as the world draws them leave
+# gaps where outcomes turn, so plans hope for what never comes. So each operator is rehearsed once more on
+# objects of which its rehearsals say least, and again after that: uncertainty sampling (Lewis and Gale,
+# 1994).
+
+ROUNDS = 3
+"""How often operators are rehearsed again."""
+SHARE = 0.16
+"""How many objects each time at most, as a share of those that every operator is rehearsed on."""
+UNSURE = 0.09
+"""Least variance of an outcome that is worth a rehearsal: of one that comes in 10 to 90 % of all cases."""
+POOLED = 12
+"""How many objects of all categories these are chosen from, for each that is rehearsed on."""
+_APART = 0.5  # objects nearer than this tell much the same, in spreads of the features
+_UNSURE_STREAM = 0x756E  # keeps these draws apart from those of other rehearsals
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class _Pool:
+    """Objects of one category that operators may be rehearsed on.
+
+    Attributes:
+        category: The category.
+        scenes: One of them in each.
+        features: Their features.
+    """
+
+    category: Category
+    scenes: tuple[Scene, ...]
+    features: Float[np.ndarray, "P F"]
+
+
+def rehearse_unsure(search: Search, table: OperatorTable) -> OperatorTable:
+    """Rehearse operators on objects for which it is unsure whether their promise is kept.
+
+    The other rehearsals come first, and are those that trials and modes count: their objects are drawn as
+    the world draws them.
+
+    Args:
+        search: What the operators were found with.
+        table: Operators, with their rehearsals.
+    """
+    if not (count := int(SHARE * search.objects)):
+        return table
+    sample = sample_by_category(
+        made(search.shown),
+        search.categorise,
+        least=1,
+        typical=POOLED * search.objects,
+        seed=search.seed,
+        stream=_UNSURE_STREAM,
+    )
+    pools = {
+        one.symbol: _Pool(one, scenes, np.concatenate([scene.features for scene in scenes]))
+        for one in table.categories
+        if (scenes := sample.scenes.get(one.symbol))
+    }
+    primitives = {one.label: one for one in table.primitives}
+    operators, done = list(table.operators), 0
+    pool_of = {place: pools[one.category] for place, one in enumerate(operators) if one.category in pools}
+    free = {place: np.ones(len(pool.scenes), dtype=bool) for place, pool in pool_of.items()}
+    with search.open_bar("rehearsing what is unsure") as advance:
+        for _ in range(ROUNDS):
+            chosen = {
+                place: _unsure(operators[place], pool, free[place], count) for place, pool in pool_of.items()
+            }
+            tasks = [
+                tasks_of(primitives[operators[place].label], [pool_of[place].scenes[n] for n in numbers])
+                for place, numbers in chosen.items()
+            ]
+            performed = perform_each(search.shown, tasks, search.workers, part(advance, done))
+            done += sum(map(len, tasks))
+            for (place, numbers), outcomes in zip(chosen.items(), performed, strict=True):
+                rows = tuple(map(rehearsal_of, outcomes))
+                operators[place] = _with_rows(operators[place], pool_of[place], numbers, rows)
+                free[place][numbers] = False
+    return msgspec.structs.replace(table, operators=tuple(operators))
+
+
+def _with_rows(operator: Operator, pool: _Pool, numbers: list[int], rows: tuple[Rehearsal, ...]) -> Operator:
+    """Add to an operator what was seen of some objects of a pool."""
+    if not numbers:
+        return operator
+    known = rehearsed_objects(operator, pool.category)
+    objects = (*known, *(rounded(pool.features[number]) for number in numbers))
+    return msgspec.structs.replace(operator, objects=objects, rehearsals=(*operator.rehearsals, *rows))
+
+
+def _unsure(operator: Operator, pool: _Pool, free: np.ndarray, count: int) -> list[int]:
+    """Choose the objects that an operator's rehearsals say least of, none of them like another.
+
+    Args:
+        operator: The operator.
+        pool: The objects to choose from.
+        free: Which of these it was not rehearsed on.
+        count: How many are chosen at most.
+    """
+    chances = chances_of(operator, pool.category, pool.features)
+    if chances is None:
+        return []
+    variance = np.where(free, chances * (1 - chances), 0.0)
+    scale = np.maximum(pool.features.std(0), 1e-3)
+    chosen: list[int] = []
+    while len(chosen) < count and variance.max() >= UNSURE:
+        best = int(np.argmax(variance))
+        chosen.append(best)
+        apart = ((pool.features - pool.features[best]) / scale) ** 2
+        variance *= 1 - 0.5 * np.exp(-apart.sum(1) / (2 * _APART**2))
+        variance[best] = 0.0
+    return chosen
+
+
+# Rehearsing operators that carry where there are other objects: beside the target, or on the place
+
+MARGIN = 0.06
+"""How far inside the edge of the table the places of rehearsals lie, lest what is held askew be lost [m]."""
+AMONG_OTHERS = 20
+"""Rehearsals of an operator with another object on the place, and with others beside the target."""
+GAP = 0.04
+"""How far apart the target and the object on the place are at least [m]."""
+_LEVEL = 0.01  # what stands higher than it did stands on something else [m]
+_OTHERS_STREAM, _BESIDE = 0x6F63, 0x6273  # keep these draws apart from those of other rehearsals
+
+
+def rehearse_among_others(search: Search, table: OperatorTable) -> PlaceOperators:
+    """Rehearse operators with another object on the place, and with others close around the target.
+
+    That says whether the place must be free, and whether others are left alone.
+
+    Args:
+        search: What they were found with.
+        table: The operators.
+    """
+    factory = AimedFactory(search.world_factory, MARGIN)
+    world, rng = factory(), np.random.default_rng([search.seed, _OTHERS_STREAM])
+    sample = partial(sample_by_category, categorise=search.categorise, least=AMONG_OTHERS, seed=search.seed)
+    drawn = {
+        symbol: [_occupied(scene, world.sample_scene(rng, 1)) for scene in members]
+        for symbol, members in sample(world, stream=_OTHERS_STREAM).scenes.items()
+    }
+    on_place = {symbol: [one for one in among if one is not None] for symbol, among in drawn.items()}
+    crowded = CrowdedFactory(search.world_factory, MARGIN)
+    around = sample(crowded(), stream=_BESIDE).scenes
+    with search.open_bar("rehearsing on occupied places") as advance:
+        occupied = _kept(factory, table, on_place, search.workers, advance)
+    with search.open_bar("rehearsing among neighbours") as advance:
+        beside = _kept(crowded, table, around, search.workers, advance)
+    return PlaceOperators(operators=table, occupied=occupied, beside=beside)
+
+
+def _kept(
+    factory: WorldFactory,
+    table: OperatorTable,
+    scenes: Mapping[Symbol, Sequence[Scene]],
+    workers: int,
+    progress: Progress | None,
+) -> tuple[Kept, ...]:
+    """Rehearse operators that ever carry in scenes for their category, and count what went as promised."""
+    primitives = {one.label: one for one in table.primitives}
+    worthy = [one for one in table.operators if one.successes and scenes.get(one.category)]
+    tasks = [tasks_of(primitives[one.label], scenes[one.category]) for one in worthy]
+    ended = zip(worthy, perform_each(factory, tasks, workers, progress), strict=True)
+    return tuple(
+        Kept(one.name, len(ends), sum(_stands_there(one, end) for end in ends)) for one, ends in ended
+    )
+
+
+def _occupied(scene: Scene, other: Scene) -> AimedScene | None:
+    """Put another object on the place that a scene is aimed at; None if it would stand in the target."""
+    assert isinstance(scene, AimedScene), "drawn from a world in which actions are aimed"
+    centre = np.array([[scene.reference.x, scene.reference.y, other.positions[0, 2]]])
+    room = (scene.features[0, :2] + other.features[0, :2]) / 2
+    if np.all(np.abs(scene.positions[0, :2] - centre[0, :2]) < room + GAP):
+        return None
+    every = joined([scene, Scene(other.features, centre, other.orientations)])
+    return AimedScene(every.features, every.positions, every.orientations, scene.reference)
+
+
+def _stands_there(operator: Operator, outcome: Outcome) -> bool:
+    """Say whether a target was carried as promised, onto the table, and nothing else was moved."""
+    assert operator.promise is not None, "it has successes"
+    away, up = outcome.resting_effect - operator.promise.outcome, outcome.resting_effect[2]
+    is_near = float(np.linalg.norm(away[:2])) <= TOLERANCE
+    return outcome.kind == "carried" and is_near and abs(float(up)) <= _LEVEL and not outcome.disturbed

@@ -1,12 +1,18 @@
 """Sampling by category: objects as the world draws them, and enough of each category, rare ones included."""
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from itertools import count
+from string import ascii_lowercase
 
+import msgspec
 import numpy as np
 
-from neurosym.symbols import Categorise, Symbol, all_symbols, symbols_of
-from neurosym.world import Scene, World
+from neurosym.contract import placed
+from neurosym.errors import Progress
+from neurosym.operators import Categorise, OperatorTable, Primitive, Symbol, all_symbols, symbols_of
+from neurosym.world import Outcome, Scene, World, WorldFactory
+from neurosym.worlds.workers import Task, perform_all
 
 MOST_DRAWS = 60
 """How many objects are drawn at most for each one that a category shall have."""
@@ -70,3 +76,128 @@ def sample_by_category(
 def _lacks(symbols: list[Symbol], least: int) -> bool:
     """Say whether there is a code that too few of the objects have."""
     return any(symbols.count(code) < least for code in all_symbols(len(symbols[0])))
+
+
+# Performing actions, in order, by any number of workers
+
+
+def perform(
+    world_factory: WorldFactory, tasks: Sequence[Task], workers: int, progress: Progress | None
+) -> Iterator[Outcome]:
+    """Perform actions, and give the outcomes in order.
+
+    Args:
+        world_factory: Builds the world.
+        tasks: What to perform.
+        workers: How many processes; their number does not change the outcomes.
+        progress: Called after each performance.
+    """
+    performed = perform_all(world_factory, tasks, workers)
+    for number in range(1, len(tasks) + 1):
+        with placed(f"rehearsal {number} of {len(tasks)}"):
+            outcome = next(performed)
+        if progress is not None:
+            progress(number, len(tasks))
+        yield outcome
+
+
+def perform_each(
+    world_factory: WorldFactory,
+    tasks: Sequence[Sequence[Task]],
+    workers: int,
+    progress: Progress | None = None,
+) -> list[list[Outcome]]:
+    """Perform several lists of actions, and give the outcomes of each; see `perform`."""
+    performed = perform(world_factory, [task for some in tasks for task in some], workers, progress)
+    return [[next(performed) for _ in some] for some in tasks]
+
+
+def tasks_of(primitive: Primitive, scenes: Iterable[Scene]) -> list[Task]:
+    """Return what it takes to perform an action in each of some scenes."""
+    return [Task(scene, np.array(primitive.action, dtype=np.float64)) for scene in scenes]
+
+
+# The repertoire: distilled actions, and on which categories of objects each of them is performed
+
+
+@dataclass(frozen=True, slots=True)
+class Repertoire:
+    """Actions, and which of them are performed on which category.
+
+    Attributes:
+        primitives: In the order of their symbols; the one that a symbol shares among categories comes first.
+        own: Labels of those that are performed on a category, for categories with actions of their own. On
+            others the shared ones are performed; None if every action is performed on every category.
+    """
+
+    primitives: tuple[Primitive, ...]
+    own: Mapping[Symbol, tuple[str, ...]] | None = None
+
+    def serves(self, primitive: Primitive, category: Symbol) -> bool:
+        """Say whether an action is performed on the objects of a category.
+
+        Args:
+            primitive: One of the actions.
+            category: An object symbol.
+        """
+        if self.own is None:
+            return True
+        if category not in self.own:
+            return not primitive.variant
+        return primitive.label in self.own[category]
+
+
+def shared_by_all(primitives: Sequence[Primitive]) -> Repertoire:
+    """Return the repertoire in which every action is performed on every category."""
+    return Repertoire(tuple(sorted(primitives, key=lambda one: (one.symbol, one.variant))))
+
+
+def with_own(shared: Sequence[Primitive], chosen: Mapping[Symbol, Sequence[Primitive]]) -> Repertoire:
+    """Return the repertoire in which categories have actions of their own, a letter for each.
+
+    The same action has the same letter on every category that it is chosen for. Without one it is shared.
+
+    Args:
+        shared: The action that each symbol shares among categories.
+        chosen: What is performed on the objects of each category.
+    """
+    primitives, labels = [*shared], {(one.symbol, one.action): one.label for one in shared}
+    own: dict[Symbol, tuple[str, ...]] = {}
+    for category, actions in sorted(chosen.items()):
+        for action in actions:
+            if (action.symbol, action.action) not in labels:
+                primitives.append(
+                    msgspec.structs.replace(action, variant=next_variant(primitives, action.symbol))
+                )
+                labels[action.symbol, action.action] = primitives[-1].label
+        own[category] = tuple(labels[action.symbol, action.action] for action in actions)
+    return Repertoire(shared_by_all(primitives).primitives, own)
+
+
+def repertoire_of(table: OperatorTable) -> Repertoire:
+    """Return the repertoire that a table of operators was made with."""
+    if not any(primitive.variant for primitive in table.primitives):
+        return shared_by_all(table.primitives)
+    own = {
+        category.symbol: tuple(op.label for op in table.operators if op.category == category.symbol)
+        for category in table.categories
+        if category.share
+    }
+    return Repertoire(table.primitives, own)
+
+
+def next_variant(primitives: Sequence[Primitive], symbol: Symbol) -> str:
+    """Return the letter of the next action that a symbol has beside its shared one.
+
+    Args:
+        primitives: Those that there are, the shared one among them.
+        symbol: The symbol.
+    """
+    taken = {one.variant for one in primitives if one.symbol == symbol}
+    return next(letters for number in count() if (letters := _letters(number)) not in taken)
+
+
+def _letters(number: int) -> str:
+    """Return "a" to "z" for 0 to 25, and "aa", "ab" and so on thereafter."""
+    rounds, letter = divmod(number, len(ascii_lowercase))
+    return (ascii_lowercase[rounds - 1] if rounds else "") + ascii_lowercase[letter]

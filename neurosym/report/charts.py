@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from neurosym.arrays import Bool, Float
+from neurosym.checks import Bool, Float
 
 WIDTH, HEIGHT = 520, 320
 LEFT, RIGHT, TOP, BOTTOM = 52.0, 26.0, 12.0, 44.0

@@ -9,17 +9,23 @@ from itertools import chain, product
 
 import numpy as np
 
-from neurosym.arrays import Float
+from neurosym.checks import Float
 from neurosym.errors import InvalidArm
-from neurosym.sim.arm import TOOL_DOWN, Arm, check_reach, corners
-from neurosym.sim.bullet import Client, pybullet
-from neurosym.sim.config import TabletopConfig
+from neurosym.sim.config import (
+    SOLID,
+    TOOL_DOWN,
+    Arm,
+    Client,
+    TabletopConfig,
+    check_reach,
+    corners,
+    loaded,
+    pybullet,
+)
 from neurosym.sim.interaction import MARGIN, Interaction
 from neurosym.sim.numeric_inverse import forward, read_chain
 from neurosym.sim.robot import LOWEST_TOOL_POINT
-from neurosym.sim.shapes import SOLID
 from neurosym.sim.simulation import Simulation
-from neurosym.sim.urdf import loaded
 from neurosym.world import Scene
 
 OFF, OFF_TURN = 0.001, 0.01

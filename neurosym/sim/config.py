@@ -1,11 +1,171 @@
 """What the tabletop world is made of."""
 
+import math
+import os
+import re
+import tempfile
+from collections import Counter
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from dataclasses import dataclass, field
+from functools import partial
+from itertools import pairwise, product
+from pathlib import Path
+from threading import Lock
+from typing import Any
+from xml.etree import ElementTree
 
-from neurosym.errors import InvalidValue, UnknownChoice
-from neurosym.object_limits import ObjectLimits
-from neurosym.sim.shapes import FEATURE_NAMES, SHAPES, TYPES
-from neurosym.table import Table
+import numpy as np
+
+from neurosym.checks import Float
+from neurosym.contract import ObjectLimits, Range
+from neurosym.errors import InvalidArm, InvalidFile, InvalidValue, UnknownChoice
+from neurosym.files import read_text
+from neurosym.world import Table
+
+# PyBullet, imported without the build time that its C code prints to standard error on every import.
+#
+# The rest of this folder takes it from here, so that sizes and shapes can be asked for without it.
+
+_saved, _nowhere = os.dup(2), os.open(os.devnull, os.O_WRONLY)
+try:
+    os.dup2(_nowhere, 2)
+    import pybullet
+finally:
+    os.dup2(_saved, 2)
+    os.close(_saved)
+    os.close(_nowhere)
+
+__all__ = ["Client", "overheard", "pybullet"]
+_HEARING = Lock()
+
+
+class Client:
+    """A physics client; its methods are PyBullet's functions of that name, for this client.
+
+    Args:
+        mode: How it connects: without a screen, or in a window.
+    """
+
+    def __init__(self, mode: int = pybullet.DIRECT):
+        self.number = int(pybullet.connect(mode))
+
+    def __getattr__(self, name: str) -> Any:
+        """Return a function of PyBullet's, and keep it at hand."""
+        method = self.__dict__[name] = partial(getattr(pybullet, name), physicsClientId=self.number)
+        return method
+
+
+@contextmanager
+def overheard(words: list[str]) -> Iterator[None]:
+    """Keep what PyBullet prints to standard output meanwhile, instead of showing it.
+
+    Args:
+        words: What it says is appended to these.
+    """
+    with _HEARING, tempfile.TemporaryFile() as file:
+        shown = os.dup(1)
+        os.dup2(file.fileno(), 1)
+        try:
+            yield
+        finally:
+            os.dup2(shown, 1)
+            os.close(shown)
+            file.seek(0)
+            words.append(file.read().decode(errors="replace"))
+
+
+# The objects: boxes, open-topped boxes, planks and rings, built from their features (s_x, s_y, d, t)
+
+FEATURE_NAMES = ("s_x", "s_y", "d", "t")
+"""Size along x, size along y, height [m], and type: 0 solid, 1 open at the top, 2 open at both ends."""
+SOLID, OPEN_TOP, OPEN_THROUGH = 0.0, 1.0, 2.0
+RING_SEGMENTS = 12
+
+Box = tuple[tuple[float, float, float], tuple[float, float, float], float]
+"""Half extents [m], centre in the object's frame [m], and turn about the object's z axis [rad]."""
+
+
+def boxes_of(features: Float[np.ndarray, "F"], wall: float) -> list[Box]:
+    """List the boxes that an object is built from.
+
+    Args:
+        features: s_x, s_y, d [m] and t.
+        wall: Thickness of walls and floors [m].
+    """
+    x, y, z = (float(size) / 2 for size in features[:3])
+    if features[3] < (SOLID + OPEN_TOP) / 2:
+        return [((x, y, z), (0.0, 0.0, 0.0), 0.0)]
+    if features[3] < (OPEN_TOP + OPEN_THROUGH) / 2:
+        return _open_box(x, y, z, wall / 2)
+    return _ring(x, y, z, wall / 2)
+
+
+def _open_box(x: float, y: float, z: float, t: float) -> list[Box]:
+    return [
+        ((x, y, t), (0.0, 0.0, t - z), 0.0),
+        ((t, y, z - t), (x - t, 0.0, t), 0.0),
+        ((t, y, z - t), (t - x, 0.0, t), 0.0),
+        ((x - 2 * t, t, z - t), (0.0, y - t, t), 0.0),
+        ((x - 2 * t, t, z - t), (0.0, t - y, t), 0.0),
+    ]
+
+
+def _ring(x: float, y: float, z: float, t: float) -> list[Box]:
+    """Build a ring (an ellipse, if x and y differ) of straight segments."""
+    corners = [
+        np.array([(x - t) * math.cos(angle), (y - t) * math.sin(angle)])
+        for angle in np.linspace(0, 2 * math.pi, RING_SEGMENTS + 1)
+    ]
+    boxes: list[Box] = []
+    for start, end in pairwise(corners):
+        middle, along = (start + end) / 2, end - start
+        half = float(np.linalg.norm(along)) / 2
+        turn = math.atan2(along[1], along[0])
+        boxes.append(((half, t, z), (float(middle[0]), float(middle[1]), 0.0), turn))
+    return boxes
+
+
+def _part(whole: Range, low: float, high: float) -> Range:
+    """Return the part of a range between two shares of its length."""
+    least, greatest = whole
+    return least + low * (greatest - least), least + high * (greatest - least)
+
+
+def _box(rng: np.random.Generator, size: Range, height: Range) -> tuple[float, ...]:
+    return rng.uniform(*size), rng.uniform(*size), rng.uniform(*height), SOLID
+
+
+def _open_topped(rng: np.random.Generator, size: Range, height: Range) -> tuple[float, ...]:
+    return rng.uniform(*size), rng.uniform(*size), rng.uniform(*height), OPEN_TOP
+
+
+def _plank(rng: np.random.Generator, size: Range, height: Range) -> tuple[float, ...]:
+    sides = [rng.uniform(*_part(size, 0.5, 1.0)), rng.uniform(*_part(size, 0.0, 0.25))]
+    if rng.random() < 0.5:
+        sides.reverse()
+    return *sides, rng.uniform(*_part(height, 0.0, 0.25)), SOLID
+
+
+def _round(rng: np.random.Generator, size: Range, height: Range) -> tuple[float, ...]:
+    diameter = rng.uniform(*_part(size, 0.5, 1.0))
+    return diameter, diameter, rng.uniform(*_part(height, 0.0, 0.5)), OPEN_THROUGH
+
+
+TYPES = {"box": SOLID, "open-box": OPEN_TOP, "plank": SOLID, "ring": OPEN_THROUGH}
+"""The type of each shape."""
+SHAPES: dict[str, Callable[[np.random.Generator, Range, Range], tuple[float, ...]]] = {
+    "box": _box,
+    "open-box": _open_topped,
+    "plank": _plank,
+    "ring": _round,
+}
+"""Draws the features of an object of each shape from the ranges of sizes and heights [m].
+
+A plank is a flat solid box, one side in the upper half of the sizes and the other in the lowest quarter; a
+ring is round, in the upper half of the sizes and the lower half of the heights.
+"""
+
 
 MOST_OBJECTS = 8
 """Objects that one scene can be simulated with; larger problems are symbolic only."""
@@ -96,3 +256,228 @@ class TabletopConfig:
     def table(self) -> Table:
         """The part of the table that objects must stay on."""
         return Table(self.table_x, self.table_y)
+
+
+# What the simulator needs to know of an arm and its hand. The UR10 is one; yours can be another.
+#
+# Every arm is driven alike (`robot.py`): the hand points down, its two fingers open along the world's y
+# axis, and its tool point, between the fingertips, follows straight lines.
+
+TOOL_DOWN = np.array([[1.0, 0.0, 0.0], [0.0, -1.0, 0.0], [0.0, 0.0, -1.0]])
+"""Orientation of the hand in the world: its z axis down, its fingers opening along the world's y axis."""
+
+InverseKinematics = Callable[[Float[np.ndarray, "N 3"]], Float[np.ndarray, "N J"]]
+"""Joint angles [rad] that bring the tool point to each point of a path in the world [m], the hand down.
+
+Neighbouring points must get neighbouring angles; the same path must always get the same ones. Raises
+`InvalidValue` if a point is out of reach.
+"""
+
+
+@dataclass(frozen=True, slots=True)
+class Arm:
+    """An arm with a two-finger hand; lengths in metres.
+
+    Attributes:
+        urdf: File that describes it.
+        base: Where its base stands in the world [m].
+        joints: Indices of the J joints of the arm, in PyBullet's count, in the order from base to tool.
+        fingers: Indices of the two sliding finger joints; both open in the positive sense, from 0.
+        tool: Index of the link whose frame is the tool point.
+        inverse_kinematics: From tool points to joint angles; must survive pickling for worker processes.
+        forces: Largest torque of each joint [Nm]; a soft arm yields where a stiff one would crush.
+        half_opening: Travel of each finger [m]; the hand opens to twice this.
+        finger_length: From the palm to the tool point [m].
+        finger_half_width: Half the extent of a finger along x [m].
+        finger_thickness: Extent of a finger along y [m].
+        palm_half_size: Half the palm's size along x and y [m].
+        mass_scale: Factor on all masses, in place of gravity compensation where the file gives true masses.
+
+    Raises:
+        InvalidArm: If a length is not greater than 0, or what belongs together is not of one number. Whether
+            it is as its file says is checked where a world is made with it (`arm_check.py`).
+    """
+
+    urdf: str
+    base: tuple[float, float, float]
+    joints: tuple[int, ...]
+    fingers: tuple[int, int]
+    tool: int
+    inverse_kinematics: InverseKinematics
+    forces: tuple[float, ...]
+    half_opening: float
+    finger_length: float
+    finger_half_width: float
+    finger_thickness: float
+    palm_half_size: tuple[float, float]
+    mass_scale: float = 1.0
+
+    def __post_init__(self) -> None:
+        given = (*self.joints, *self.fingers)
+        for index in (*given, self.tool):
+            if not isinstance(index, int | np.integer) or isinstance(index, bool):
+                raise InvalidArm(f"of {self.urdf} has the index {index!r}; valid: whole numbers")
+        if len(self.fingers) != 2:
+            raise InvalidArm(f"of {self.urdf} has {len(self.fingers)} fingers; valid: two")
+        if twice := [index for index in given if given.count(index) > 1]:
+            raise InvalidArm(f"of {self.urdf} has joint {twice[0]} twice among its joints and fingers")
+        if len(self.forces) != len(self.joints):
+            raise InvalidArm(
+                f"of {self.urdf} has {len(self.forces)} forces for {len(self.joints)} joints; valid: one each"
+            )
+        lengths = (
+            "half_opening",
+            "finger_length",
+            "finger_half_width",
+            "finger_thickness",
+            "palm_half_size",
+            "mass_scale",
+            "forces",
+        )
+        for name in lengths:
+            value = getattr(self, name)
+            if not all(0 < number < math.inf for number in np.atleast_1d(value)):
+                raise InvalidArm(f"of {self.urdf} has {name} = {value}; valid: greater than 0")
+
+
+def check_reach(config: TabletopConfig, arm: Arm) -> None:
+    """Raise `InvalidValue` unless an arm reaches over the whole table, as high as it lifts.
+
+    Args:
+        config: The world's options.
+        arm: The arm.
+    """
+    for corner in corners(config):
+        try:
+            arm.inverse_kinematics(corner[None])
+        except InvalidArm:
+            raise
+        except InvalidValue as error:
+            raise InvalidValue(
+                f"table_x = {list(config.table_x)}, table_y = {list(config.table_y)} and lift_height = "
+                f"{config.lift_height} m ask for more than the arm reaches: {error} Lengths are in metres."
+            ) from error
+
+
+def corners(config: TabletopConfig) -> Float[np.ndarray, "8 3"]:
+    """Return the corners of the space over the table that an arm must reach [m].
+
+    Args:
+        config: The world's options.
+    """
+    heights = config.height[0], config.height[1] + config.lift_height
+    return np.array([*product(config.table_x, config.table_y, heights)])
+
+
+# A robot's file, read by PyBullet; what cannot be read is told in one sentence, with the reason
+
+_HEADINGS = re.compile(r"b3\w+\[[^\]]*\]:\s*")
+"""What PyBullet puts before each piece of what it says: where in its sources it says it."""
+_MESH = re.compile(
+    r"cannot find '(?P<lost>[^']+)' in any directory|cannot extract mesh from '(?P<broken>[^']+)'"
+)
+
+
+@contextmanager
+def loaded(
+    urdf: str,
+    base: tuple[float, float, float] = (0.0, 0.0, 0.0),
+    *,
+    collides: bool = True,
+    visible: bool = False,
+) -> Iterator[tuple[Client, int]]:
+    """Load a robot into a simulation that is used for nothing else, and yield that and the robot.
+
+    Args:
+        urdf: The file.
+        base: Where the base stands in the world [m].
+        collides: Whether collision shapes are loaded, too.
+        visible: Whether its looks are loaded, too.
+
+    Raises:
+        InvalidArm: If the file cannot be read.
+    """
+    flags = pybullet.URDF_USE_INERTIA_FROM_FILE
+    flags |= 0 if collides else pybullet.URDF_IGNORE_COLLISION_SHAPES
+    flags |= 0 if visible else pybullet.URDF_IGNORE_VISUAL_SHAPES
+    client = Client()
+    try:
+        client.setPhysicsEngineParameter(enableFileCaching=0)  # it may be mended
+        yield client, _load(client, urdf, base, flags)
+    finally:
+        client.disconnect()
+
+
+def _load(client: Client, urdf: str, base: tuple[float, float, float], flags: int) -> int:
+    robot = _parsed(urdf)
+    if problem := _tree_problem(robot):
+        raise _unreadable(urdf, problem)  # PyBullet would crash
+    said: list[str] = []
+    try:
+        with overheard(said):
+            body = client.loadURDF(urdf, base, useFixedBase=True, flags=flags)
+    except pybullet.error as error:
+        raise _unreadable(urdf, _mesh_problem(robot, said[0]) or _plainly(said[0])) from error
+    if problem := _mesh_problem(robot, said[0]):
+        raise _unreadable(urdf, problem)
+    return int(body)
+
+
+def _parsed(urdf: str) -> ElementTree.Element:
+    try:
+        return ElementTree.fromstring(read_text(Path(urdf)))
+    except InvalidFile as error:
+        raise _unreadable(urdf, str(error).removeprefix(f"{Path(urdf)} cannot be used: ")) from error
+    except ElementTree.ParseError as error:
+        raise _unreadable(urdf, f"it is no whole XML ({error})") from error
+
+
+def _tree_problem(robot: ElementTree.Element) -> str:
+    """Say what keeps the links from being one tree, or nothing."""
+    names = [str(link.get("name")) for link in robot.findall("link")]
+    ends = [(joint.find("parent"), joint.find("child")) for joint in robot.findall("joint")]
+    pairs = [
+        (str(above.get("link")), str(below.get("link")))
+        for above, below in ends
+        if above is not None and below is not None
+    ]
+    if unknown := next((name for pair in pairs for name in pair if name not in names), None):
+        return f"a joint names the link {unknown}, which it does not describe; valid: {', '.join(names)}"
+    children = Counter(child for _, child in pairs)
+    if twice := [name for name, count in children.items() if count > 1]:
+        return f"the link {twice[0]} is the child of {children[twice[0]]} joints; valid: of one"
+    roots = [name for name in names if name not in children]
+    if len(roots) > 1:
+        return f"the links {' and '.join(roots[:2])} are no joint's child; valid: one such link, the base"
+    reached = found = set(roots)
+    while found:
+        found = {child for parent, child in pairs if parent in reached} - reached
+        reached = reached | found
+    if around := sorted(set(names) - reached):
+        return f"its joints lead round in a circle at the link {around[0]}; valid: a tree"
+    return ""
+
+
+def _mesh_problem(robot: ElementTree.Element, said: str) -> str:
+    """Tell which mesh PyBullet did not find or read, and of which link; or nothing."""
+    if (match := _MESH.search(said)) is None:
+        return ""
+    name = match["lost"] or match["broken"]
+    for link in robot.iter("link"):
+        for mesh in link.iter("mesh"):
+            written = mesh.get("filename", "")
+            if written and Path(written).name == Path(name).name:
+                name = f"{written} of the link {link.get('name')}"
+    why = "is not found" if match["lost"] else "cannot be read"
+    valid = "a path from the file's folder" if match["lost"] else "a whole .stl, .obj or .dae file"
+    return f"the mesh {name} {why}; valid: {valid}"
+
+
+def _plainly(said: str) -> str:
+    """Say in one line what PyBullet said."""
+    words = " ".join(_HEADINGS.sub(" ", said).split())
+    return f"PyBullet says: {words}" if words else "it describes no robot"
+
+
+def _unreadable(urdf: str, why: str) -> InvalidArm:
+    return InvalidArm(f"cannot be read from {urdf}: {why.rstrip('.')}")

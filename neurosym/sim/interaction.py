@@ -15,18 +15,13 @@ from collections.abc import Iterator, Mapping, Sequence
 
 import numpy as np
 
-from neurosym.arrays import Float
-from neurosym.motion import CLEARANCE, GRASP_TEST, LOWERING_SPEED, TRANSIT_CLEARANCE
-from neurosym.poses import PoseSink
-from neurosym.sim.arm import Arm
-from neurosym.sim.bullet import pybullet
-from neurosym.sim.camera import Camera
-from neurosym.sim.posing import Poser
+from neurosym.checks import Float
+from neurosym.contract import CLEARANCE, GRASP_TEST, LOWERING_SPEED, TRANSIT_CLEARANCE, PoseSink
+from neurosym.sim.camera import Camera, Poser
+from neurosym.sim.config import OPEN_THROUGH, OPEN_TOP, Arm, pybullet
 from neurosym.sim.robot import LOWEST_TOOL_POINT, Robot
-from neurosym.sim.shapes import OPEN_THROUGH, OPEN_TOP
 from neurosym.sim.simulation import Simulation
-from neurosym.table import Reference, centre_of
-from neurosym.world import Disturbance, FrameSink, Outcome, Scene
+from neurosym.world import Disturbance, FrameSink, Outcome, Reference, Scene, centre_of
 
 PARKING_CLEARANCE, LEAST_PARKING_CLEARANCE = 0.25, 0.05
 """How far above the tallest object there can be the hand waits at first; and at least above any stack [m]."""

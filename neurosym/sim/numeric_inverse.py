@@ -13,11 +13,9 @@ from functools import lru_cache
 
 import numpy as np
 
-from neurosym.arrays import Bool, Float
+from neurosym.checks import Bool, Float
 from neurosym.errors import InvalidArm, InvalidValue
-from neurosym.sim.arm import TOOL_DOWN
-from neurosym.sim.bullet import Client, pybullet
-from neurosym.sim.urdf import loaded
+from neurosym.sim.config import TOOL_DOWN, Client, loaded, pybullet
 
 MOST_STEPS = 100
 LARGEST_STEP = 0.5

@@ -6,24 +6,35 @@ from typing import ClassVar
 
 import numpy as np
 
-from neurosym.actions import ActionBox, three_waypoints
-from neurosym.arrays import Float
+from neurosym.checks import Float
+from neurosym.contract import ObjectLimits, Part, PoseSink
 from neurosym.errors import InvalidValue
-from neurosym.object_limits import ObjectLimits
-from neurosym.poses import Part, PoseSink
-from neurosym.sim.arm import Arm, check_reach
 from neurosym.sim.arm_check import check_arm, check_lift
-from neurosym.sim.bullet import Client, pybullet
-from neurosym.sim.camera import Camera, open_window
-from neurosym.sim.config import MOST_OBJECTS, TabletopConfig
+from neurosym.sim.camera import Camera, links_at_rest, object_parts, open_window, robot_parts
+from neurosym.sim.config import (
+    FEATURE_NAMES,
+    MOST_OBJECTS,
+    Arm,
+    Client,
+    TabletopConfig,
+    check_reach,
+    pybullet,
+)
 from neurosym.sim.interaction import Interaction
-from neurosym.sim.posing import links_at_rest, object_parts, robot_parts
-from neurosym.sim.scenes import sample_scene
-from neurosym.sim.shapes import FEATURE_NAMES
-from neurosym.sim.simulation import Simulation
-from neurosym.sim.ur10 import UR10
-from neurosym.table import Reference, ReferenceKind, Table
-from neurosym.world import Frame, FrameSink, Outcome, Scene, check_action
+from neurosym.sim.robot import UR10
+from neurosym.sim.simulation import Simulation, sample_scene
+from neurosym.world import (
+    ActionBox,
+    Frame,
+    FrameSink,
+    Outcome,
+    Reference,
+    ReferenceKind,
+    Scene,
+    Table,
+    check_action,
+    three_waypoints,
+)
 
 WINDOW_EVERY = 4
 """Steps of the simulation between two looks at the clock, when it is shown live."""

@@ -10,18 +10,16 @@ from pathlib import Path
 import msgspec
 
 from neurosym.errors import InvalidFile, InvalidValue, UnknownChoice
-from neurosym.files import make_folder, remove, write_atomically, write_json
+from neurosym.files import digest, make_folder, read_json, remove, write_atomically, write_json
 from neurosym.grounding import Grounding
-from neurosym.pddl.chances import expected_success, expected_within
-from neurosym.pddl.encoding_names import NUMERIC, STRIPS, EncodingName
-from neurosym.pddl.encodings import GroundPlan, ground_plan
-from neurosym.planners.result import PlanResult, PlanStatus
+from neurosym.pddl.compiler import GroundPlan, ground_plan
+from neurosym.pddl.syntax import NUMERIC, STRIPS, EncodingName
+from neurosym.planners.planner import PlanResult, PlanStatus
 from neurosym.problems import Problem
-from neurosym.reading import digest, read_json
 from neurosym.stages.folder import DomainFolder
 from neurosym.stages.layout import PLAN, PLANS, plan_files, steps_file
-from neurosym.tasks.steps import PlanStep, Steps, named_steps, primitives, print_plan
-from neurosym.tasks.transition import validate
+from neurosym.tasks.chances import expected_success, expected_within
+from neurosym.tasks.transition import PlanStep, Steps, named_steps, primitives, print_plan, validate
 
 MORE_MOTIONS = 2
 """How many motions more than a plan has primitives are told the chance of."""

@@ -1,31 +1,131 @@
 """The stage that plans: problem and grounding -> a plan, and how planning went."""
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from pathlib import Path
 from typing import Any
 
-from neurosym.errors import InvalidFile, InvalidPlanner, InvalidValue, StageMissing, UnknownChoice
-from neurosym.factories import is_factory
+import msgspec
+import numpy as np
+
+from neurosym.choices import is_factory
+from neurosym.contract import limits_of
+from neurosym.errors import InvalidFile, InvalidPlanner, InvalidValue, StageMissing, UnknownChoice, quoted
 from neurosym.grounding import Grounding
-from neurosym.object_limits import limits_of
-from neurosym.pddl.encoding_names import ENCODINGS, SAS, STRIPS, EncodingName
+from neurosym.operators import symbols_of
 from neurosym.pddl.grid import check_on_table
 from neurosym.pddl.problem_check import check_problem
+from neurosym.pddl.syntax import ENCODINGS, SAS, STRIPS, EncodingName
 from neurosym.planners.no_plan import look_again
 from neurosym.planners.planner import PredictEffects
 from neurosym.planners.registry import check_options, plan, planner_named
 from neurosym.problems import Problem
-from neurosym.related import is_relational
-from neurosym.stages.folder import DomainFolder, load_scene
+from neurosym.stages.compilation import print_beside, print_problem
+from neurosym.stages.folder import DomainFolder, Stage, load_scene
 from neurosym.stages.layout import GROUNDING, MODEL, WORLD, plan_files, printed_file, scene_file, steps_file
-from neurosym.stages.manifest import Stage
 from neurosym.stages.plan_records import write_plans
-from neurosym.stages.problem_printing import print_beside, print_problem
-from neurosym.stages.remarks import tell_remarks
-from neurosym.tasks.task import understand
-from neurosym.wording import quoted
+from neurosym.tasks.promises import is_rehearsed, usable
+from neurosym.tasks.supports import is_relational
+from neurosym.tasks.task import blockers, footprints_apart, understand
 from neurosym.world import World
 from neurosym.worlds.world_file import read_limits
+
+# What a user should know of a problem that can be planned for, but hardly is what was meant
+
+
+def tell_remarks(
+    folder: DomainFolder, problem: Problem, grounding: Grounding, *, is_new: bool = True
+) -> None:
+    """Tell a user all that is to be said of a problem.
+
+    Args:
+        folder: The domain folder.
+        problem: The problem.
+        grounding: The learned domain.
+        is_new: Whether somebody put it there, so that nothing was said of its objects yet.
+    """
+    for remark in (
+        *(remarks_on_objects(folder, problem, grounding) if is_new else ()),
+        *remarks_on_places(problem, grounding),
+        *remarks_on_blocked(problem, grounding),
+        *remarks_on_number(folder, problem),
+    ):
+        folder.notify(remark)
+
+
+def remarks_on_places(problem: Problem, grounding: Grounding) -> Iterator[str]:
+    """Name the objects that could be carried to their goals, if only there were a place.
+
+    Args:
+        problem: The problem; only if it names places of its own, one may be missing.
+        grounding: The learned domain.
+    """
+    if not problem.places:
+        return
+    here = understand(problem, grounding).carried
+    anywhere = understand(msgspec.structs.replace(problem, places={}), grounding).carried
+    lacking = [name for name in anywhere if name in problem.goals and name not in here]
+    if lacking:
+        yield (
+            f'none of the "places" lies at the goal of {" and ".join(lacking)}, so nothing is carried there; '
+            'name one there, or leave "places" out, and places are drawn'
+        )
+
+
+def remarks_on_blocked(problem: Problem, grounding: Grounding) -> Iterator[str]:
+    """Name the places that an object stands on which nothing in the domain moves.
+
+    Args:
+        problem: The problem; only places of its own may be blocked so.
+        grounding: The learned domain.
+    """
+    if not problem.places:
+        return
+    carried, apart = understand(problem, grounding).carried, footprints_apart(problem)
+    fixed = [
+        item.name
+        for item in problem.objects
+        if item.name not in carried and not usable(grounding, item, problem.tolerance)
+    ]
+    for name, spot in problem.places.items():
+        others = blockers(carried[0], spot, problem, apart) if carried else ()
+        if on := [other for other in others if other in fixed]:
+            yield f"{on[0]} stands on the place {name}, and nothing in this domain moves it away"
+
+
+def remarks_on_number(folder: DomainFolder, problem: Problem) -> Iterator[str]:
+    """Say if there are more objects than the world of a folder simulates; plans can be found all the same.
+
+    Args:
+        folder: The domain folder.
+        problem: The problem.
+    """
+    limits = read_limits(folder / WORLD) if (folder / WORLD).is_file() else None
+    if limits and (reason := limits.too_many(len(problem.objects))):
+        yield f"{reason}, so plans for this problem cannot be executed"
+
+
+def remarks_on_objects(folder: DomainFolder, problem: Problem, grounding: Grounding) -> Iterator[str]:
+    """Name the objects that are unlike all of their category, or seem to be of another one.
+
+    Args:
+        folder: The domain folder; if it has no network, nothing is said of other categories.
+        problem: The problem.
+        grounding: The learned domain.
+    """
+    if not grounding.operators.operators:
+        return
+    for item in problem.objects:
+        if not is_rehearsed(grounding.category(item.category), item.features):
+            yield f"{item.name} is unlike all that were rehearsed: it is promised what its category is"
+    if not (folder / MODEL).is_file():
+        return
+    from neurosym.learning.network import EffectModel  # importing torch takes seconds
+
+    model = EffectModel.load(folder / MODEL)
+    seen = symbols_of(model.object_symbols, np.array([item.features for item in problem.objects]))
+    for item, symbol in zip(problem.objects, seen, strict=True):
+        if item.category != symbol:
+            yield f"{item.name} is said to be of category {item.category}; by its features it is of {symbol}"
 
 
 def load_problem(folder: DomainFolder, name: str, world: World | None = None) -> Problem:
@@ -167,7 +267,7 @@ def _asked_for(options: Mapping[str, Any]) -> dict[str, Any]:
 
 def _prediction(folder: DomainFolder, grounding: Grounding) -> PredictEffects:
     """Return what the network of a folder predicts each primitive to do."""
-    from neurosym.learning.effect_model import EffectModel
+    from neurosym.learning.network import EffectModel
 
     symbols = grounding.operators.symbols
     model = EffectModel.load(folder.require(MODEL))

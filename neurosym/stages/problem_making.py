@@ -3,24 +3,176 @@
 import dataclasses
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Any
+from pathlib import Path
+from typing import Any, cast, get_args
 
+import msgspec
 import numpy as np
 
-from neurosym.choices import AnyTask
+from neurosym.choices import AnyTask, TaskKind
+from neurosym.errors import InvalidFile, InvalidValue, UnknownChoice
+from neurosym.files import digest
 from neurosym.grounding import Grounding
-from neurosym.pair_sight import with_pairs
-from neurosym.problems import Problem
-from neurosym.relation_goals import RelationGoal
-from neurosym.stages.folder import DomainFolder
-from neurosym.stages.layout import GROUNDING, MODEL, WORLD, problem_files, scene_file
-from neurosym.stages.manifest import Stage
-from neurosym.stages.problem_printing import put_problem
-from neurosym.stages.remarks import remarks_on_number
-from neurosym.stages.task_drawing import draw_any_task, networks_of_pairs, sight_of_pairs
+from neurosym.operators import TOLERANCE, Categorise
+from neurosym.pair_operators import PairStates, RelationOperators
+from neurosym.pddl.grid import check_on_table
+from neurosym.problems import Problem, RelationGoal
+from neurosym.stages.compilation import put_problem
+from neurosym.stages.folder import DomainFolder, Stage
+from neurosym.stages.layout import (
+    GROUNDING,
+    MODEL,
+    RELATION_CHANCES,
+    RELATION_MODEL,
+    RELATION_STATES,
+    WORLD,
+    problem_files,
+    scene_file,
+)
+from neurosym.stages.planning import check_scene, remarks_on_number, tell_remarks
+from neurosym.tasks.options import LEAST_SHARE, left_out, puts_for
 from neurosym.tasks.pair_goals import check_relations, relations_meant
-from neurosym.worlds.relation_tasks import HEIGHT, RELATION_TASKS
+from neurosym.tasks.supports import PairSight, known_bearers, with_pairs
+from neurosym.world import World
+from neurosym.worlds.relation_tasks import HEIGHT, RELATION_TASKS, Way, Ways, draw_relation_task
+from neurosym.worlds.task_drawing import Fits, draw_task
 from neurosym.worlds.world_file import read_world
+
+# Drawing the tasks that a domain can be asked for: of goals on the table, or of relations
+
+
+def draw_any_task(
+    world: World,
+    categorise: Categorise,
+    grounding: Grounding,
+    kind: AnyTask,
+    *,
+    name: str,
+    objects: int,
+    seed: int,
+    height: int = HEIGHT,
+    state: str = "",
+    like: Problem | None = None,
+    tolerance: float = TOLERANCE,
+    fits: Fits | None = None,
+    sight: PairSight | None = None,
+) -> Problem:
+    """Draw a task of any kind.
+
+    Args:
+        world: The world that the objects are drawn from.
+        categorise: Gives objects their symbols.
+        grounding: The learned domain, which says what relations there are.
+        kind: What is asked for; see `draw_task` and `draw_relation_task`.
+        name: Name of the problem.
+        objects: How many objects.
+        seed: Same seed, same task.
+        height: How many objects a tower or a stack has.
+        state: The state that pairs shall come to, by name, its beginning, or symbol; any, if not given.
+        like: The other scene, for `like`.
+        tolerance: How near each object must come to its goal [m].
+        fits: Says of the features of an object whether it may be drawn; for goals on the table.
+        sight: What networks say of pairs; by default a pair is of the kind whose mean features are nearest.
+
+    Raises:
+        UnknownChoice: If there is no such kind.
+        InvalidValue: If no such task is found, or one of relations is asked for and none are known.
+    """
+    if kind not in (known := get_args(TaskKind) + RELATION_TASKS):
+        raise UnknownChoice("kind of task", str(kind), known)
+    if kind not in RELATION_TASKS:
+        plain = cast(TaskKind, kind)
+        return draw_task(
+            world, categorise, plain, name=name, objects=objects, seed=seed, tolerance=tolerance, fits=fits
+        )
+    relations = grounding.relations
+    if relations is None:
+        raise InvalidValue(
+            f"This domain has learned no relations, which the task {kind!r} is made of; "
+            f"valid: {', '.join(get_args(TaskKind))}."
+        )
+    bearers = known_bearers(like, relations) if like else {}
+    problem = draw_relation_task(
+        world,
+        categorise,
+        relations,
+        lambda drawn: ways_of(drawn, grounding, sight),
+        kind,
+        name=name,
+        objects=objects,
+        seed=seed,
+        height=height,
+        state=_state_asked(state, relations) if state else "",
+        like=like,
+        likened=tuple((target, borne.by, borne.state.name) for target, borne in bearers.items()),
+        tolerance=tolerance,
+    )
+    return with_pairs(problem, relations, sight)
+
+
+def _state_asked(asked: str, relations: RelationOperators) -> str:
+    """Return the name of a state that is asked for, if operators of the domain bring pairs there."""
+    state, left = relations.state_meant(asked), left_out(relations)
+    promised = {one.promise.state for one in relations.operators if one.promise and one.name not in left}
+    if state.symbol not in promised:
+        valid = [one.name for one in relations.states if one.symbol in promised]
+        raise InvalidValue(
+            f"No operator brings pairs to the state {state.name}, so no task asks for it; valid: "
+            f"{', '.join(valid) or 'none'}."
+        )
+    return state.name
+
+
+def sight_of_pairs(folder: DomainFolder) -> PairSight | None:
+    """Return what the networks of a domain folder say of pairs; None if none were learned.
+
+    Args:
+        folder: The domain folder.
+    """
+    if not (folder / RELATION_MODEL).exists():
+        return None
+    from neurosym.learning.network import DirectModel, EffectModel
+    from neurosym.learning.state_codes import foreseen_by
+
+    kinds = EffectModel.load(folder / RELATION_MODEL).object_symbols
+    if not (folder / RELATION_CHANCES).exists():
+        return PairSight(kinds)
+    chances = foreseen_by(DirectModel.load(folder / RELATION_CHANCES))
+    return PairSight(kinds, chances, PairStates.load(folder.require(RELATION_STATES)).bearing_order)
+
+
+def networks_of_pairs(folder: DomainFolder) -> tuple[str, ...]:
+    """Name the files of a domain folder that `sight_of_pairs` reads.
+
+    Args:
+        folder: The domain folder.
+    """
+    files = RELATION_MODEL, RELATION_CHANCES, RELATION_STATES
+    return tuple(name for name in files if (folder / name).exists())
+
+
+def ways_of(problem: Problem, grounding: Grounding, sight: PairSight | None = None) -> Ways:
+    """Say what can be done with each pair of objects of a problem, by operators for pairs of its kind.
+
+    Args:
+        problem: The problem.
+        grounding: The learned domain.
+        sight: What networks say of pairs; by default a pair is of the kind whose mean features are nearest.
+    """
+    relations = grounding.relations
+    if relations is None:
+        return {}
+    problem, names = with_pairs(problem, relations, sight), problem.object_names
+    return {
+        (target, other): tuple(
+            Way(put.state.name, put.takes_occupied, np.array(relations.primitive_of(put.operator).action))
+            for put in puts_for(problem, grounding, target, other)
+            if put.kind and put.share >= LEAST_SHARE
+        )
+        for target in names
+        for other in names
+        if target != other
+    }
 
 
 @dataclass(frozen=True, slots=True)
@@ -89,8 +241,8 @@ def problem_stage(folder: DomainFolder, name: str, asked: Asked) -> Stage:
 
 def _made(folder: DomainFolder, name: str, asked: Asked, grounding: Grounding) -> Problem:
     """Draw a problem, or set it by hand, and check what it asks of relations."""
-    from neurosym.learning.effect_model import EffectModel
-    from neurosym.worlds.problem_drawing import draw_problem, set_problem
+    from neurosym.learning.network import EffectModel
+    from neurosym.worlds.task_drawing import draw_problem, set_problem
 
     world = read_world(folder.require(WORLD))()
     categorise = EffectModel.load(folder.require(MODEL)).object_symbols
@@ -115,3 +267,35 @@ def _plain(value: Any) -> Any:
     if isinstance(value, tuple | list):
         return [_plain(entry) for entry in value]
     return value.item() if isinstance(value, np.generic) else value
+
+
+# The stage that takes over a scene that somebody wrote: checked, copied, and printed as PDDL
+
+
+def scene_stage(folder: DomainFolder, file: Path, *, name: str, tolerance: float | None = None) -> Stage:
+    """Take over a scene: a file and grounding -> `problems/NAME.pddl`, `.numeric.pddl`, `.scene.json`.
+
+    Args:
+        folder: The domain folder.
+        file: The scene, as `neurosym.problems.Problem` reads it.
+        name: What the problem is called in the folder, whatever it is called in the file.
+        tolerance: How near objects must come to their goals [m], if not as the file says.
+    """
+
+    def work() -> None:
+        grounding = Grounding.load(folder.require(GROUNDING))
+        problem = msgspec.structs.replace(Problem.load(file), name=name).within(tolerance)
+        problem = with_pairs(problem, grounding.relations, sight_of_pairs(folder))
+        check_scene(folder, problem, file)
+        try:
+            for item in problem.objects:  # only what a run saw may be a little off
+                check_on_table(item, grounding)
+        except InvalidValue as error:
+            raise InvalidFile(file, str(error).rstrip(".")) from error
+        tell_remarks(folder, problem, grounding)
+        put_problem(folder, problem, grounding)
+
+    options = {"scene": digest(file)} | ({} if tolerance is None else {"tolerance": tolerance})
+    outputs = (*problem_files(name), scene_file(name))
+    inputs = (WORLD, GROUNDING, *networks_of_pairs(folder))
+    return Stage(f"new-problem {name}", inputs, outputs, work, options)

@@ -5,22 +5,29 @@ Whoever listens is told by topic what has changed. What cannot be done is said, 
 
 import math
 import threading
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
-from functools import wraps
-from typing import Concatenate, Literal, ParamSpec, TypeVar
+from functools import cached_property, partial, wraps
+from typing import TYPE_CHECKING, Concatenate, Literal, NamedTuple, ParamSpec, TypeVar
 
 import msgspec
+import numpy as np
 
-from neurosym.errors import InvalidValue, NeurosymError
-from neurosym.operators import Vector
-from neurosym.problems import Problem
-from neurosym.related import Borne, carried_along, loads_of
-from neurosym.relation_goals import RelationGoal
-from neurosym.studio import setting
-from neurosym.studio.library import Library
-from neurosym.studio.placing import complaints_about, free_spot
-from neurosym.studio.relating import (
+from neurosym.checks import Float
+from neurosym.contract import ObjectLimits, Part, Posed, limits_of
+from neurosym.data.interactions import Interactions
+from neurosym.errors import InvalidValue, NeurosymError, harmless
+from neurosym.grounding import Grounding, is_lift
+from neurosym.operators import Operator, Symbol, Vector
+from neurosym.problems import Problem, RelationGoal, SceneObject
+from neurosym.stages.folder import DomainFolder
+from neurosym.stages.layout import GROUNDING, INTERACTIONS, MODEL, RECORD, RUNS, WORLD
+from neurosym.stages.planning import load_problem
+from neurosym.stages.problem_making import sight_of_pairs
+from neurosym.studio import scene_editor
+from neurosym.studio.scene_editor import (
+    complaints_about,
+    free_spot,
     ghost_spots,
     goals_for,
     relation_of_drop,
@@ -29,7 +36,185 @@ from neurosym.studio.relating import (
     why_no_drop,
     why_no_goal,
 )
+from neurosym.tasks.options import chance
+from neurosym.tasks.promises import usable
+from neurosym.tasks.supports import Borne, PairSight, carried_along, loads_of, with_pairs
 from neurosym.tasks.task import Task, understand
+from neurosym.world import World
+from neurosym.worlds.world_file import read_world
+
+if TYPE_CHECKING:
+    from neurosym.learning.network import EffectModel
+
+
+# The domain that a page shows: what was learned, read once and shared by all who look at it
+
+_HOLLOW = 0.5  # the least type of an object that has a hole, where a world does not say what it looks like
+_WALL = 0.006
+_T = TypeVar("_T")
+
+
+class Motion(NamedTuple):
+    """What the network says of an action on an object.
+
+    Attributes:
+        symbol: The symbol that the action has.
+        expected: Where the object goes by the bits alone [m].
+        direct: Where it goes by the network before the bits [m].
+    """
+
+    symbol: str
+    expected: tuple[float, ...]
+    direct: tuple[float, ...]
+
+
+class Library:
+    """A domain folder that is only read.
+
+    Args:
+        folder: The folder.
+        name: What the page calls it.
+        is_shipped: Whether it came with neurosym, so that nothing may be written into it.
+
+    Attributes:
+        grounding: What was learned.
+        world: The world, for its table and its objects; simulations run elsewhere.
+        damage: What could not be read: a sentence for each file. The page says it and goes on with the rest.
+
+    Raises:
+        NeurosymError: If it has no world or no grounding, without which there is nothing to show.
+    """
+
+    def __init__(self, folder: DomainFolder, name: str, *, is_shipped: bool = False):
+        self.folder, self.name, self.is_shipped = folder, name, is_shipped
+        self.damage: list[str] = []
+        self.world: World = read_world(folder.require(WORLD))()
+        self.grounding = Grounding.load(folder.require(GROUNDING))
+        self._lock = threading.Lock()
+
+    @cached_property
+    def model(self) -> "EffectModel | None":
+        """The network that gives objects their bits; None if it cannot be read, and `damage` says why."""
+        from neurosym.learning.network import EffectModel
+
+        return self._read(lambda: EffectModel.load(self.folder.require(MODEL)))
+
+    @cached_property
+    def sight_of_pairs(self) -> PairSight | None:
+        """What networks say of pairs of objects; None if they cannot be read, and `damage` says why."""
+        return self._read(lambda: sight_of_pairs(self.folder))
+
+    @cached_property
+    def interactions(self) -> Interactions | None:
+        """What was explored; None if it cannot be read, and `damage` says why if there is a file."""
+        path = self.folder / INTERACTIONS
+        return self._read(lambda: Interactions.load(path)) if path.is_file() else None
+
+    def _read(self, read: Callable[[], _T]) -> _T | None:
+        """Read something; if that fails, remember why."""
+        try:
+            return read()
+        except NeurosymError as error:
+            if (said := harmless(str(error))) not in self.damage:
+                self.damage.append(said)
+            return None
+
+    @property
+    def middle(self) -> tuple[float, float]:
+        """The middle of the table [m]."""
+        table = self.world.table
+        return sum(table.x) / 2, sum(table.y) / 2
+
+    @property
+    def limits(self) -> ObjectLimits | None:
+        """Which objects the world makes, if it says so."""
+        return limits_of(self.world)
+
+    def categorise(self, features: Float[np.ndarray, "N F"]) -> tuple[Symbol, ...]:
+        """Give objects their symbols; without a network, that of the category that they are most like."""
+        with self._lock:
+            if (model := self.model) is not None:
+                return model.object_symbols(features)
+        return tuple(self._likest(row) for row in features)
+
+    def paired(self, problem: Problem) -> Problem:
+        """Return a problem that knows the kinds of its pairs, if the domain has any."""
+        relations = self.grounding.relations
+        with self._lock:
+            return with_pairs(problem, relations, self.sight_of_pairs if relations else None)
+
+    def margins(self, features: Sequence[float]) -> tuple[float, ...]:
+        """Return what each bit of an object is the sign of, before it is squashed; () without a network."""
+        with self._lock:
+            if (model := self.model) is None:
+                return ()
+            return tuple(model.object_margins(np.array([features], dtype=float))[0].tolist())
+
+    def expect(self, features: Sequence[float], action: Float[np.ndarray, "A"]) -> Motion | None:
+        """Say which symbol an action has, and what the network expects of it; None without a network.
+
+        Args:
+            features: What the object is.
+            action: The action parameters.
+        """
+        row = np.array([features], dtype=float), action[None]
+        with self._lock:
+            if (model := self.model) is None:
+                return None
+            through, before = (
+                tuple(predict(*row)[0][0].tolist()) for predict in (model.predict_from_codes, model.predict)
+            )
+            return Motion(model.action_symbols(row[1])[0], through, before)
+
+    def problem_names(self) -> tuple[str, ...]:
+        """List the problems of the folder."""
+        return self.folder.problem_names()
+
+    def load_problem(self, name: str) -> Problem:
+        """Read a problem of the folder.
+
+        Raises:
+            NeurosymError: If it cannot be read.
+        """
+        return load_problem(self.folder, name, self.world)
+
+    def run_names(self) -> tuple[str, ...]:
+        """List the records of runs that lie in the folder."""
+        return tuple(
+            sorted(path.name.removesuffix(RECORD) for path in (self.folder / RUNS).glob(f"*{RECORD}"))
+        )
+
+    def first_problem(self) -> Problem | None:
+        """Return the first problem of the folder that can be read, if there is one."""
+        read = (self._read(partial(self.load_problem, name)) for name in self.problem_names())
+        return next(filter(None, read), None)
+
+    def robot_parts(self) -> tuple[Part, ...]:
+        """Return what the robot is drawn with; nothing if the world does not say."""
+        return self.world.robot_parts() if isinstance(self.world, Posed) else ()
+
+    def object_parts(self, features: Sequence[float]) -> tuple[Part, ...]:
+        """Return what an object is drawn with; a box, which may be open, if the world does not say.
+
+        Args:
+            features: What it is: sizes along x, y and z first [m].
+        """
+        if isinstance(self.world, Posed):
+            return self.world.object_parts(np.array(features, dtype=float))
+        x, y, z = (float(size) for size in features[:3])
+        if len(features) < 4 or features[3] < _HOLLOW:
+            return (Part("box", (x, y, z)),)
+        walls = [((x, _WALL, z), (0.0, side * (y - _WALL) / 2, 0.0)) for side in (-1, 1)]
+        walls += [((_WALL, y, z), (side * (x - _WALL) / 2, 0.0, 0.0)) for side in (-1, 1)]
+        return tuple(Part("box", size, centre) for size, centre in walls)
+
+    def _likest(self, features: Float[np.ndarray, "F"]) -> Symbol:
+        known = [one for one in self.grounding.operators.categories if one.feature_means]
+        if not known:
+            return self.grounding.operators.categories[0].symbol
+        apart = [float(np.linalg.norm(np.array(one.feature_means) - features)) for one in known]
+        return known[int(np.argmin(apart))].symbol
+
 
 Topic = Literal["scene", "place", "plan", "run", "step", "pose", "status"]
 """What has changed: which objects there are, where things are, the plan, the run, a pose, what is said."""
@@ -142,13 +327,13 @@ class Desk:
         if self._grab(name, x, y):
             return
         problem, stacks = self._problem(), self._stacks()
-        height = setting.table_height(problem, name) if name in stacks else None
-        self._change(setting.moved(problem, name, x, y, height, carried_along(name, stacks)), "place")
+        height = scene_editor.table_height(problem, name) if name in stacks else None
+        self._change(scene_editor.moved(problem, name, x, y, height, carried_along(name, stacks)), "place")
 
     @at_rest
     def aim(self, name: str, x: float, y: float, z: float | None = None) -> None:
         """Put the goal of an object somewhere; it gets one if it has none."""
-        self._change_goal(name, setting.with_goal(self._problem(), name, x, y, z))
+        self._change_goal(name, scene_editor.with_goal(self._problem(), name, x, y, z))
 
     @at_rest
     def drop_goal(self, name: str, before: Problem | None = None) -> None:
@@ -177,7 +362,7 @@ class Desk:
         goal = (name, reference, state)
         if why := why_no_goal(self.task(), goal):
             raise InvalidValue(f"{why}.")
-        self._change_goal(name, setting.with_relation(self._problem(), *goal))
+        self._change_goal(name, scene_editor.with_relation(self._problem(), *goal))
         self.say(f"goal: {name} {state} {reference}")
 
     @at_rest
@@ -189,7 +374,7 @@ class Desk:
     @at_rest
     def remove_goal(self, name: str) -> None:
         """Take the goal of an object away, on the table or by relation."""
-        self._change(setting.without_goal(self._problem(), name), "scene")
+        self._change(scene_editor.without_goal(self._problem(), name), "scene")
 
     @at_rest
     def resize(self, name: str, features: tuple[float, ...]) -> None:
@@ -199,8 +384,10 @@ class Desk:
             limits.check(name, features)
         problem, under_it = self._problem(), 0.0
         if name in self._stacks():
-            under_it = problem.object_named(name).position[2] - setting.table_height(problem, name)
-        self._change(setting.resized(problem, name, features, self.library.categorise, under_it), "scene")
+            under_it = problem.object_named(name).position[2] - scene_editor.table_height(problem, name)
+        self._change(
+            scene_editor.resized(problem, name, features, self.library.categorise, under_it), "scene"
+        )
 
     @at_rest
     def add(self, features: tuple[float, ...]) -> None:
@@ -210,13 +397,13 @@ class Desk:
         if limits := self.library.limits:
             limits.check("the object", features)
         x, y = free_spot(self.problem, features, self.library.grounding.table, self.library.middle)
-        self._change(setting.with_object(self.problem, features, x, y, self.library.categorise), "scene")
+        self._change(scene_editor.with_object(self.problem, features, x, y, self.library.categorise), "scene")
 
     @at_rest
     def remove(self, name: str) -> None:
         """Take an object away."""
         self._refuse_laden(name)
-        self._change(setting.without_object(self._problem(), name), "scene")
+        self._change(scene_editor.without_object(self._problem(), name), "scene")
 
     @at_rest
     def rename(self, name: str) -> None:
@@ -285,3 +472,55 @@ class Desk:
         with self._lock:
             self.problem = problem
         self._changed(topic)
+
+
+# Symbols of one object and of one motion, as a page shows them: bits, operators, predictions, rehearsals
+
+SAFE, OTHERWISE = (42, 157, 92), (217, 83, 79)
+"""Colours of rehearsals that ended as promised, and otherwise."""
+
+
+@dataclass(frozen=True, slots=True)
+class Promise:
+    """What an operator does to the object at hand.
+
+    Attributes:
+        operator: The operator, as it promises for this object.
+        effect: Where it takes the object, at the end of the rise if it lifts [m].
+        lifts: Whether it ends with the object in the air.
+        chance: How likely it goes as promised.
+    """
+
+    operator: Operator
+    effect: Vector
+    lifts: bool
+    chance: float
+
+
+def promises_for(item: SceneObject, library: Library) -> tuple[Promise, ...]:
+    """List what the operators of the domain do to an object, the surest first."""
+    grounding = library.grounding
+    found = [
+        Promise(one, one.promise.outcome, is_lift(one), chance(one))
+        for one in usable(grounding, item)
+        if one.promise is not None and len(one.promise.outcome) == 3
+    ]
+    return tuple(sorted(found, key=lambda one: (-one.chance, one.operator.name)))
+
+
+def rehearsal_dots(
+    operator: Operator, start: Sequence[float], library: Library
+) -> tuple[Float[np.ndarray, "N 3"], Float[np.ndarray, "N 3"]]:
+    """Return where rehearsals of an operator ended, as if all had begun at one point, and their colours.
+
+    Args:
+        operator: An operator, by whose name the rehearsals are found.
+        start: Where they begin [m].
+        library: The domain.
+    """
+    learned = library.grounding.operator_named(operator.name)
+    promise = learned.promise
+    rows = [(one.outcome, promise is not None and one.kind == promise.kind) for one in learned.rehearsals]
+    points = np.array([np.add(start, outcome) for outcome, _ in rows], dtype=float).reshape(-1, 3)
+    colours = np.array([SAFE if kept else OTHERWISE for _, kept in rows], dtype=float).reshape(-1, 3)
+    return points, colours

@@ -10,21 +10,16 @@ from typing import Any
 
 import viser
 
+from neurosym.errors import counted
 from neurosym.operators import Vector, vector
 from neurosym.problems import Problem, SceneObject
 from neurosym.studio.desk import Topic
-from neurosym.studio.grabbing import Grab
 from neurosym.studio.messages import Seen
-from neurosym.studio.panel import Board, Panel, by_user, set_content
-from neurosym.studio.panel_plan import PlanPanel
-from neurosym.studio.panel_run import RunPanel
-from neurosym.studio.panel_symbols import SymbolsPanel
-from neurosym.studio.panel_table import TablePanel
-from neurosym.studio.panel_tour import TourPanel
+from neurosym.studio.panel import Board, Panel, RunPanel, TourPanel, by_user, set_content
+from neurosym.studio.panels import PlanPanel, SymbolsPanel, TablePanel
 from neurosym.studio.session import Session
-from neurosym.studio.view import View, aim_camera
+from neurosym.studio.view import Grab, View, aim_camera
 from neurosym.studio.words import BAD, GOOD, coloured, paragraph, safe
-from neurosym.wording import counted
 from neurosym.world import Scene
 
 MOST_OFTEN = 30.0

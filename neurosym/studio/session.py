@@ -13,22 +13,20 @@ from typing import Any
 import msgspec
 
 from neurosym.choices import AnyTask
-from neurosym.errors import InvalidValue
+from neurosym.errors import InvalidValue, counted
 from neurosym.execution.record import Replanning, Run, StepRecord
-from neurosym.explain.action_words import displacement_in_words
+from neurosym.files import decode_json
 from neurosym.operators import vector
-from neurosym.planners.catalogue import PLANNERS
-from neurosym.planners.result import PlanStatus
+from neurosym.planners.planner import PlanStatus
+from neurosym.planners.planner_table import PLANNERS
 from neurosym.problems import Problem
-from neurosym.reading import decode_json
-from neurosym.related import is_relational
+from neurosym.report.symbol_words import displacement_in_words
 from neurosym.stages.folder import DomainFolder
 from neurosym.stages.layout import INTERACTIONS, PLANS, PROBLEMS, RUNS
 from neurosym.stages.plan_records import PlanRecord
 from neurosym.stages.planning import check_scene
-from neurosym.stages.scenes import scene_stage
-from neurosym.studio.desk import MOST_OBJECTS, Desk, Topic, Word, at_rest, told
-from neurosym.studio.library import Library
+from neurosym.stages.problem_making import scene_stage
+from neurosym.studio.desk import MOST_OBJECTS, Desk, Library, Topic, Word, at_rest, told
 from neurosym.studio.messages import (
     Controls,
     Drawn,
@@ -48,12 +46,10 @@ from neurosym.studio.messages import (
     Seen,
     Step,
 )
-from neurosym.studio.workers import Ticket, Workers
-from neurosym.table import Place
-from neurosym.tasks.steps import PlanStep
-from neurosym.tasks.transition import validate
-from neurosym.wording import counted
-from neurosym.world import Scene
+from neurosym.studio.studio_workers import Ticket, Workers
+from neurosym.tasks.supports import is_relational
+from neurosym.tasks.transition import PlanStep, validate
+from neurosym.world import Place, Scene
 
 MOST_FILE = 1_000_000
 """Bytes of a scene that is opened on the page."""

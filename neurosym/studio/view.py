@@ -1,20 +1,215 @@
 """The table in three dimensions: arm, objects, goals, and what is drawn on the table beside them."""
 
+import math
+import threading
 from collections.abc import Callable, Mapping, Sequence
+from contextlib import suppress
 from dataclasses import dataclass
+from functools import cache
 from itertools import cycle
 from types import MappingProxyType
 from typing import Any
 
 import numpy as np
+import trimesh
 import viser
+from scipy.spatial.transform import Rotation
 
-from neurosym.arrays import Float
+from neurosym.checks import Float
+from neurosym.contract import Part, Pose, Posed
+from neurosym.execution.record import StepRecord
 from neurosym.operators import Vector, vector
-from neurosym.poses import Part, Pose, Posed
 from neurosym.problems import Problem, SceneObject
-from neurosym.studio.library import Library
-from neurosym.studio.shapes import circle, mesh_of, rectangle, scalar_first
+from neurosym.studio.desk import Library
+from neurosym.studio.messages import Seen
+from neurosym.studio.scene_editor import REACH_CELL, ghost_spots
+from neurosym.tasks.task import understand
+
+# What is drawn over the table for a while: paths of a plan, reach, arrows, waypoints, outcomes
+
+WAYPOINTS = ((62, 117, 196), (68, 158, 88), (201, 72, 76))
+"""Blue the first, green the second, red the third, as in pictures."""
+PUSH, LIFT = (245, 166, 35), (123, 97, 255)
+_OVER = 0.004
+
+
+class Overlays:
+    """Layers over the table, each drawn anew as a whole.
+
+    Args:
+        scene: Where they are drawn.
+    """
+
+    def __init__(self, scene: viser.SceneApi):
+        self._scene = scene
+        self._layers: dict[str, list[Any]] = {}
+
+    def clear(self, layer: str) -> None:
+        """Take a layer away."""
+        for node in self._layers.pop(layer, []):
+            with suppress(RuntimeError, KeyError):  # it went with what it hung on
+                node.remove()
+
+    def paths(
+        self, positions: Float[np.ndarray, "steps M 3"], colours: Sequence[tuple[int, int, int]]
+    ) -> None:
+        """Draw the way of each object through a plan, with a dot for each step.
+
+        Args:
+            positions: Centres of the objects before the first step and after each [m].
+            colours: Of each object.
+        """
+        self.clear("paths")
+        nodes = self._layers.setdefault("paths", [])
+        for number in range(positions.shape[1]):
+            way = positions[:, number] + [0.0, 0.0, _OVER]
+            moves = np.linalg.norm(np.diff(way, axis=0), axis=1) > 1e-4
+            if not moves.any():
+                continue
+            lines = np.stack([way[:-1][moves], way[1:][moves]], axis=1)
+            colour = colours[number % len(colours)]
+            nodes.append(self._scene.add_line_segments(f"/paths/{number}", lines, colour, thickness=0.006))
+            nodes.append(self._cloud(f"/paths/{number}-dots", way[1:][moves], colour, 0.011))
+
+    def _cloud(self, name: str, points: np.ndarray, colours: Any, size: float, **options: Any) -> Any:
+        return self._scene.add_point_cloud(
+            name, points, colours, point_size=size, point_shape="circle", precision="float32", **options
+        )
+
+    def reach(self, centres: Float[np.ndarray, "N 2"], colour: tuple[int, int, int]) -> None:
+        """Draw where an object can be brought to [m], as dots on the table."""
+        self.clear("reach")
+        points = np.column_stack([centres, np.full(len(centres), 0.001)])
+        size = REACH_CELL * 0.35
+        self._layers["reach"] = [self._cloud("/reach", points, colour, size, point_shading="flat")]
+
+    def arrows(self, start: Sequence[float], effects: Sequence[tuple[Sequence[float], bool]]) -> None:
+        """Draw where operators take an object, each arrow with its number from 1.
+
+        Args:
+            start: Where the arrows begin, above the object so that they stay visible [m].
+            effects: Displacement [m] of each operator, and whether it lifts.
+        """
+        self.clear("arrows")
+        ends = np.array([np.add(start, effect) for effect, _ in effects]).reshape(-1, 3)
+        points = np.stack([np.tile(np.array(start, dtype=float), (len(ends), 1)), ends], axis=1)
+        colours = np.array([LIFT if lifts else PUSH for _, lifts in effects], dtype=np.uint8)
+        if not len(ends):
+            return
+        nodes: list[Any] = [
+            self._scene.add_arrows(
+                "/arrows", points, colours, shaft_radius=0.002, head_radius=0.007, head_length=0.016
+            )
+        ]
+        for number, end in enumerate(ends, start=1):
+            nodes.append(
+                self._scene.add_label(
+                    f"/arrow-labels/{number}", str(number), position=tuple(end), font_screen_scale=0.8
+                )
+            )
+        self._layers["arrows"] = nodes
+
+    def dots(
+        self, points: Float[np.ndarray, "N 3"], colours: Float[np.ndarray, "N 3"], layer: str = "dots"
+    ) -> None:
+        """Draw dots, as of rehearsals around a promise.
+
+        Args:
+            points: Where they are [m].
+            colours: Of each, from 0 to 255.
+            layer: Which layer they are.
+        """
+        self.clear(layer)
+        if len(points):
+            self._layers[layer] = [self._cloud(f"/{layer}", points, colours.astype(np.uint8), 0.007)]
+
+    def waypoints(
+        self,
+        points: Float[np.ndarray, "3 3"],
+        moved: Callable[[int, tuple[float, float, float]], None],
+    ) -> None:
+        """Draw the waypoints of an action, each to be dragged.
+
+        Args:
+            points: Where they are [m].
+            moved: Called with the number of a waypoint, from 0, and where it was dragged to [m].
+        """
+        self.clear("waypoints")
+        lines = np.stack([points[:-1], points[1:]], axis=1)
+        nodes: list[Any] = [self._scene.add_line_segments("/way", lines, (90, 90, 90), thickness=0.003)]
+        for number, point in enumerate(points):
+            colour = WAYPOINTS[number % len(WAYPOINTS)]
+            ball = self._scene.add_icosphere(f"/waypoints/{number}", 0.012, colour, position=tuple(point))
+            handle = self._scene.add_transform_controls(
+                f"/waypoint-handles/{number}",
+                scale=0.07,
+                disable_rotations=True,
+                disable_sliders=True,
+                position=tuple(point),
+            )
+            handle.on_update(_teller(number, moved))
+            nodes += [ball, handle]
+        self._layers["waypoints"] = nodes
+
+    def follow(self, points: Float[np.ndarray, "3 3"]) -> None:
+        """Put the waypoints elsewhere, while one of them is dragged [m]."""
+        nodes = self._layers.get("waypoints", [])
+        if nodes:
+            nodes[0].points = np.stack([points[:-1], points[1:]], axis=1).astype(np.float32)
+            for ball, point in zip(nodes[1::2], points, strict=True):
+                ball.position = tuple(point)
+
+
+def _teller(number: int, moved: Callable[[int, tuple[float, float, float]], None]) -> Callable[[Any], Any]:
+    async def tell(event: Any) -> None:
+        x, y, z = (float(part) for part in event.target.position)
+        moved(number, (x, y, z))
+
+    return tell
+
+
+# Simple bodies as triangles, since a page draws and grabs each thing as one mesh
+
+SIDES = 20
+"""How many sides a cylinder is drawn with."""
+
+
+def mesh_of(parts: Sequence[Part]) -> Any:
+    """Return one closed mesh of trimesh of several bodies, all in one frame, its faces seen from outside."""
+    return trimesh.util.concatenate([_mesh(part) for part in parts])
+
+
+def scalar_first(quaternion: Sequence[float]) -> tuple[float, float, float, float]:
+    """Return a quaternion (x, y, z, w) as a page wants it: (w, x, y, z)."""
+    x, y, z, w = (float(part) for part in quaternion)
+    return w, x, y, z
+
+
+def circle(radius: float, height: float, count: int = 48) -> Float[np.ndarray, "N 2 3"]:
+    """Return a circle around the origin as lines, each from one point to the next [m]."""
+    angles = np.linspace(0, 2 * math.pi, count + 1)
+    points = np.column_stack([radius * np.cos(angles), radius * np.sin(angles), np.full(count + 1, height)])
+    return np.stack([points[:-1], points[1:]], axis=1)
+
+
+def rectangle(x: float, y: float, height: float) -> Float[np.ndarray, "4 2 3"]:
+    """Return a rectangle around the origin as lines, by half its edges [m]."""
+    points = np.array([[x, y, height], [-x, y, height], [-x, -y, height], [x, -y, height], [x, y, height]])
+    return np.stack([points[:-1], points[1:]], axis=1)
+
+
+def _mesh(part: Part) -> Any:
+    if part.kind == "box":
+        mesh = trimesh.creation.box(part.size)
+    elif part.kind == "cylinder":
+        mesh = trimesh.creation.cylinder(part.size[0], part.size[1], sections=SIDES)
+    else:
+        mesh = trimesh.creation.icosphere(subdivisions=2, radius=part.size[0])
+    place = np.eye(4)
+    place[:3, :3] = Rotation.from_quat(part.orientation).as_matrix()
+    place[:3, 3] = part.position
+    return mesh.apply_transform(place)
+
 
 COLOURS = (
     (66, 135, 209), (92, 178, 92), (204, 84, 92), (148, 107, 191),
@@ -224,3 +419,129 @@ def aim_camera(server: viser.ViserServer, library: Library) -> None:
     server.initial_camera.position = (x + EYE[0], y + EYE[1], EYE[2])
     server.initial_camera.look_at = (x + LOOK[0], y + LOOK[1], LOOK[2])
     server.initial_camera.fov = LENS
+
+
+# Dragging on the table: a pointer that moves in the picture moves a thing at the height of its grab
+
+_LEVEL = 1e-6
+
+
+class Grab:
+    """One thing that is dragged: it keeps the offset from where it was grabbed.
+
+    Args:
+        eye: Where the camera is [m].
+        point: Where the thing was grabbed [m].
+        centre: Where the thing is [m].
+    """
+
+    def __init__(self, eye: Sequence[float], point: Sequence[float], centre: Sequence[float]):
+        self._eye, self._height = np.array(eye, dtype=float), float(point[2])
+        self._offset = np.subtract(centre, point)[:2]
+
+    def to(self, point: Sequence[float]) -> tuple[float, float] | None:
+        """Return where the centre comes to be, x and y [m], if the pointer is over a point at any distance.
+
+        That is where the line of sight through the point meets the level of the grab; None if it does not.
+        """
+        ray = np.array(point, dtype=float) - self._eye
+        if abs(ray[2]) < _LEVEL:
+            return None
+        share = (self._height - self._eye[2]) / ray[2]
+        if not (np.isfinite(share) and share > 0):
+            return None
+        x, y = ((self._eye + share * ray)[:2] + self._offset).tolist()
+        return x, y
+
+
+# A run as one file: a page without a server, with a view that can be turned
+
+PACE = 1 / 15
+"""Time between two poses that are kept, of a motion as it is [s]."""
+PAUSE = 0.4
+"""How long the end of a step is shown [s]."""
+RECORDED_FROM = 0.55
+"""How high above the middle of the table the name of a step stands [m]."""
+_LOCK = threading.Lock()
+
+
+def film_of(
+    library: Library,
+    problem: Problem,
+    seen: Sequence[Seen],
+    steps: Sequence[StepRecord] = (),
+    *,
+    is_dark: bool = False,
+) -> bytes:
+    """Return what was seen of a run as one HTML file that needs nothing else.
+
+    Args:
+        library: The domain.
+        problem: What the run was for.
+        seen: What was seen, one pose or more.
+        steps: What was done, each named while it is seen, as far as it is known at which step that was.
+        is_dark: Whether it is shown dark.
+    """
+    with _LOCK:
+        server = _server()
+        server.scene.reset()
+        server.scene.set_up_direction("+z")
+        aim_camera(server, library)
+        view = View(server.scene, library)
+        view.show_problem(problem, ghost_spots(understand(library.paired(problem), library.grounding)))
+        view.show(seen[0].pose)
+        names = step_labels(steps)
+        label = server.scene.add_label("/step", "", position=(*library.middle, RECORDED_FROM), visible=False)
+        film = server.get_scene_serializer()
+        last = -PACE
+        for one in seen:
+            if one.pose.seconds < last:  # another motion begins
+                film.insert_sleep(PAUSE)
+                last = -PACE
+            if label.text != (name := names.get(one.step, "")):
+                label.text, label.visible = name, bool(name)
+            if one.pose.seconds - last >= PACE * 0.99:
+                film.insert_sleep(min(one.pose.seconds - last, PACE * 4) if last >= 0 else 0.0)
+                view.show(one.pose)
+                last = one.pose.seconds
+        view.show(seen[-1].pose)
+        film.insert_sleep(2 * PAUSE)
+        return film.as_html(dark_mode=is_dark).encode()
+
+
+def step_labels(steps: Sequence[StepRecord]) -> dict[int, str]:
+    """Return what a film shows above the table at each step, by its number.
+
+    Args:
+        steps: What was done.
+    """
+    return {
+        number: f"{number}: {step.operator} {step.object} {step.place or ''}".rstrip()
+        for number, step in enumerate(steps, start=1)
+    }
+
+
+class Reel:
+    """A run is seen and kept, for a film of it; see `Way`."""
+
+    def __init__(self) -> None:
+        self.seen: list[Seen] = []
+
+    def send(self, message: Any, /) -> None:
+        """Keep what is seen."""
+        if isinstance(message, Seen):
+            self.seen.append(message)
+
+    def poll(self, seconds: float = 0.0, /) -> bool:  # noqa: ARG002  (a `Way`)
+        """Say that nobody says anything."""
+        return False
+
+    def recv(self) -> Any:
+        """Return nothing."""
+        return None
+
+
+@cache
+def _server() -> viser.ViserServer:
+    """Return a server that nobody looks at, in which films are made, one after another."""
+    return viser.ViserServer(host="127.0.0.1", port=0, verbose=False)

@@ -7,17 +7,15 @@ and dark pages alike.
 from collections.abc import Iterable, Sequence
 from html import escape
 
+from neurosym.errors import counted, harmless
 from neurosym.execution.record import Replanning, Run, StepRecord
-from neurosym.explain.action_words import displacement_in_words
 from neurosym.grounding import Grounding
-from neurosym.problems import Problem
-from neurosym.relation_goals import RelationGoal
+from neurosym.problems import Problem, RelationGoal
+from neurosym.report.symbol_words import displacement_in_words
 from neurosym.stages.plan_records import PlanRecord
-from neurosym.tasks.puts import put_named
-from neurosym.tasks.steps import PlanStep
+from neurosym.tasks.options import put_named
 from neurosym.tasks.task import Task, understand
-from neurosym.tasks.transition import apply, chance, cost, promise_of, start
-from neurosym.wording import counted, harmless
+from neurosym.tasks.transition import PlanStep, apply, chance, cost, promise_of, start
 
 GOOD, BAD, DIM = "#2a9d5c", "#d9534f", "#8a8a8a"
 _TABLE = "border-collapse:collapse;font-size:12px;width:100%"

@@ -5,11 +5,10 @@ from collections.abc import Mapping, Sequence
 
 from neurosym.errors import InvalidValue
 from neurosym.grounding import Grounding
-from neurosym.problems import Problem
-from neurosym.related import unmet_relations
-from neurosym.relation_goals import RelationGoal
-from neurosym.relation_operators import RelationOperators
-from neurosym.tasks.puts import bearing_states
+from neurosym.pair_operators import RelationOperators
+from neurosym.problems import Problem, RelationGoal
+from neurosym.tasks.options import bearing_states
+from neurosym.tasks.supports import unmet_relations
 from neurosym.tasks.task import understand
 
 

@@ -14,10 +14,9 @@ from gymnasium import spaces
 from gymnasium.error import ResetNeeded
 
 from neurosym.checks import check_kind
+from neurosym.contract import guarded, made
 from neurosym.errors import InvalidValue, UnknownChoice
-from neurosym.guarded import guarded, made
-from neurosym.table import Reference
-from neurosym.world import Frame, Outcome, Pictured, Scene, World, is_world, relative_to
+from neurosym.world import Frame, Outcome, Pictured, Reference, Scene, World, is_world, relative_to
 from neurosym.worlds.world_file import make_world
 
 Observation = dict[str, Any]

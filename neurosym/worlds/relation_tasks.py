@@ -12,22 +12,16 @@ from typing import get_args
 import msgspec
 import numpy as np
 
-from neurosym.arrays import Float
-from neurosym.checks import check_count, check_length, check_seed
+from neurosym.checks import Float, check_count, check_length, check_seed
 from neurosym.choices import RelationTask
-from neurosym.errors import InvalidValue, UnknownChoice
-from neurosym.guarded import guarded, placed
-from neurosym.operators import TOLERANCE
-from neurosym.problems import Problem, check_names
-from neurosym.related import bearers_of
-from neurosym.relation_goals import RelationGoal
-from neurosym.relation_operators import RelationOperators
-from neurosym.symbols import Categorise
-from neurosym.table import OtherObject
-from neurosym.wording import counted
-from neurosym.world import Scene, World, relative_to
-from neurosym.worlds.problem_drawing import items_of, standing
-from neurosym.worlds.tasks import draw_places
+from neurosym.contract import guarded, placed
+from neurosym.errors import InvalidValue, UnknownChoice, counted
+from neurosym.operators import TOLERANCE, Categorise
+from neurosym.pair_operators import RelationOperators
+from neurosym.problems import Problem, RelationGoal, check_names
+from neurosym.tasks.supports import bearers_of
+from neurosym.world import OtherObject, Scene, World, relative_to
+from neurosym.worlds.task_drawing import draw_places, items_of, standing
 
 RELATION_TASKS: tuple[RelationTask, ...] = get_args(RelationTask)
 HEIGHT = 3

@@ -25,13 +25,22 @@ from dataclasses import dataclass
 import numpy as np
 from PIL import Image, ImageDraw
 
-from neurosym.actions import three_waypoints
-from neurosym.arrays import Float
+from neurosym.checks import Float
+from neurosym.contract import ObjectLimits
 from neurosym.errors import InvalidValue
-from neurosym.object_limits import ObjectLimits
-from neurosym.table import Reference, ReferenceKind, Table, centre_of
-from neurosym.waypoint_dots import draw_dots
-from neurosym.world import Frame, FrameSink, Outcome, Scene, check_action
+from neurosym.operators import draw_dots
+from neurosym.world import (
+    Frame,
+    FrameSink,
+    Outcome,
+    Reference,
+    ReferenceKind,
+    Scene,
+    Table,
+    centre_of,
+    check_action,
+    three_waypoints,
+)
 
 FEATURE_NAMES = ("s_x", "s_y", "d", "t")
 OPEN = 0.5

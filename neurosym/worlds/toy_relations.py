@@ -17,10 +17,9 @@ import dataclasses
 
 import numpy as np
 
-from neurosym.arrays import Float
-from neurosym.related import contacts_of
-from neurosym.table import Reference, ReferenceKind
-from neurosym.world import FrameSink, Outcome, Scene
+from neurosym.checks import Float
+from neurosym.tasks.supports import contacts_of
+from neurosym.world import FrameSink, Outcome, Reference, ReferenceKind, Scene
 from neurosym.worlds.toy import ToyConfig, ToyWorld
 
 WALL = 0.01

@@ -1,6 +1,6 @@
 """`world.toml`: which world a domain folder belongs to, and its options.
 
-A world is one of ours by its name, or anybody's own as `module:factory` (`neurosym.worlds.custom`).
+A world is one of ours by its name, or anybody's own as `module:factory` (`neurosym.worlds.own_world`).
 """
 
 import json
@@ -14,14 +14,12 @@ from typing import Any
 import msgspec
 import tomli_w
 
-from neurosym.errors import InvalidFile, InvalidValue, UnknownChoice, shortened
-from neurosym.factories import is_factory
-from neurosym.object_limits import ObjectLimits
-from neurosym.reading import LARGEST_WHOLE, read_toml
-from neurosym.wording import quoted
+from neurosym.choices import is_factory
+from neurosym.contract import ObjectLimits
+from neurosym.errors import InvalidFile, InvalidValue, UnknownChoice, quoted, shortened
+from neurosym.files import LARGEST_WHOLE, read_toml
 from neurosym.world import World
-from neurosym.worlds.custom import make_own_world
-from neurosym.worlds.hosted import OwnFactory, describe_apart
+from neurosym.worlds.own_world import OwnFactory, describe_apart, make_own_world
 
 WORLDS = {
     "tabletop": ("neurosym.sim.config:TabletopConfig", "neurosym.sim.tabletop:Tabletop"),

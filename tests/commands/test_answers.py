@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 from command_line import neurosym, refusal
 
-from neurosym.distribution import version_of
+from neurosym.errors import version_of
 
 PLAN = "plans/task-01.fast-downward.plan"
 

@@ -8,17 +8,14 @@ import pytest
 from command_line import neurosym, refusal
 from conftest import LEARN_TOY
 
-from neurosym.commands.distill import distill
-from neurosym.commands.explore import explore
-from neurosym.commands.plan import plan
-from neurosym.commands.run import run
-from neurosym.commands.train import train
+from neurosym.commands.learn import distill, explore, run, train
+from neurosym.commands.tasks import plan
+from neurosym.data.origin import STRATEGIES
 from neurosym.learning.training_config import REGIMES
-from neurosym.pddl.encoding_names import ENCODINGS, SAS
+from neurosym.pddl.syntax import ENCODINGS, SAS
 from neurosym.planners import PlanStatus
-from neurosym.planners.fast_downward import plan_fast_downward
+from neurosym.planners.external import plan_fast_downward
 from neurosym.primitives.audition import CHOICES
-from neurosym.strategies import STRATEGIES
 
 
 @pytest.mark.parametrize(

@@ -10,8 +10,8 @@ from conftest import RUN_TOY
 from neurosym.data.interactions import Interactions
 from neurosym.errors import InvalidValue
 from neurosym.operators import OperatorTable
-from neurosym.stages.exploring import explore_stage
 from neurosym.stages.folder import DomainFolder
+from neurosym.stages.learning import explore_stage
 
 
 def test_run_leaves_every_file_of_the_design(toy_folder):
@@ -190,6 +190,6 @@ def test_how_a_command_ends_decides_the_exit_code(raised, code, said, monkeypatc
     def planners() -> int:
         raise raised
 
-    monkeypatch.setattr("neurosym.commands.planners.planners", planners)
+    monkeypatch.setattr("neurosym.commands.tasks.planners", planners)
     assert neurosym("planners") == code
     assert capsys.readouterr().err.strip() == said

@@ -9,15 +9,13 @@ import pytest
 from command_line import neurosym, refusal
 
 from neurosym.data.interactions import Interactions
-from neurosym.evaluation.comparison_summary import Comparison, Tally
-from neurosym.evaluation.paper_tables import KindsFound, Measured, errors_on, kinds_table, tables
-from neurosym.evaluation.primitive_kinds import KINDS
-from neurosym.files import write_json
-from neurosym.learning.report import TrainingReport
-from neurosym.reading import read_json
+from neurosym.data.origin import has_high_effect
+from neurosym.evaluation.paper_tables import KINDS, KindsFound, Measured, errors_on, kinds_table, tables
+from neurosym.evaluation.summary import Comparison, Tally
+from neurosym.files import read_json, write_json
+from neurosym.learning.training import TrainingReport
 from neurosym.stages.folder import DomainFolder
 from neurosym.stages.layout import KINDS_FOUND
-from neurosym.strategies import has_high_effect
 
 
 def tally(found: int, reached: int) -> Tally:

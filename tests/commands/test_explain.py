@@ -9,11 +9,11 @@ from places import ROOT
 from shipped import FOLDER, GROUNDING
 from tables import table
 
-from neurosym.commands.explain_text import explanation_page
-from neurosym.explain.from_folder import explain_folder
+from neurosym.commands.tables import explanation_page
 from neurosym.files import write_json
 from neurosym.grounding import Grounding
 from neurosym.operators import OperatorTable
+from neurosym.report.explanation import explain_folder
 from neurosym.stages.folder import DomainFolder
 
 

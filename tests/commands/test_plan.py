@@ -13,11 +13,11 @@ import pytest
 import toy_domain
 from command_line import neurosym, refusal
 
-from neurosym.pddl.problem import problem_text
+from neurosym.pddl.compiler import problem_text
 from neurosym.planners import PlanResult, PlanStatus, no_plan
 from neurosym.problems import Problem
 from neurosym.stages import planning
-from neurosym.tasks.steps import PlanStep
+from neurosym.tasks.transition import PlanStep
 
 
 @pytest.fixture
@@ -189,4 +189,4 @@ def test_planning_with_fast_downward_loads_neither_torch_nor_unified_planning(ba
     code, *loaded = ran.stdout.splitlines()[-1].split()
     assert code == "0"
     assert not {"torch", "unified_planning", "pybullet"} & set(loaded)
-    assert "neurosym.planners.fast_downward" in loaded
+    assert "neurosym.planners.external" in loaded

@@ -10,7 +10,7 @@ import toy_places
 from command_line import neurosym, refusal
 from toy_relations import LIE, PUT_ON, REST, grounding, relations, scene, sorting, tower, tower_at_place
 
-from neurosym.pddl.problem import problem_text
+from neurosym.pddl.compiler import problem_text
 from neurosym.problems import Problem
 
 

@@ -6,7 +6,7 @@ from pathlib import Path
 import pytest
 from command_line import neurosym
 
-from neurosym.execution.machine import this_machine
+from neurosym.execution.record import this_machine
 
 
 @pytest.fixture

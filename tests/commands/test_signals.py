@@ -143,7 +143,7 @@ def test_a_repeated_hangup_changes_nothing(here: Path):
 def test_a_second_interrupt_ends_at_once():
     code = """if True:
         import time
-        from neurosym.commands.signals import raised_signals
+        from neurosym.commands.ending import raised_signals
         with raised_signals():
             try:
                 print("ready", flush=True)
@@ -163,7 +163,7 @@ def test_a_second_interrupt_ends_at_once():
 
 def test_a_signal_that_is_ignored_stays_so():
     code = "import os, signal; signal.signal(signal.SIGHUP, signal.SIG_IGN);"
-    code += "from neurosym.commands.signals import raised_signals\n"
+    code += "from neurosym.commands.ending import raised_signals\n"
     code += "with raised_signals(): os.kill(os.getpid(), signal.SIGHUP); print('still here')"
     ended = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
     assert ended.stdout == "still here\n"

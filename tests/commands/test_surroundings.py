@@ -5,6 +5,7 @@ import os
 import subprocess
 import sys
 from collections.abc import Callable
+from contextlib import AbstractContextManager
 from pathlib import Path
 
 import pytest
@@ -75,7 +76,7 @@ main(["planners"])
 
 
 @pytest.mark.parametrize(
-    ("module", "said"), [("neurosym.commands.signals", ""), ("neurosym.commands.planners", "interrupted; ")]
+    ("module", "said"), [("neurosym.commands.ending", ""), ("neurosym.commands.tasks", "interrupted; ")]
 )
 def test_interrupt_while_the_command_line_is_imported_brings_no_traceback(module, said):
     command = [sys.executable, "-c", INTERRUPTED_IMPORT, module]
@@ -103,7 +104,7 @@ def failing(monkeypatch: pytest.MonkeyPatch, error: BaseException) -> None:
     def planners() -> int:
         raise error
 
-    monkeypatch.setattr("neurosym.commands.planners.planners", planners)
+    monkeypatch.setattr("neurosym.commands.tasks.planners", planners)
 
 
 @pytest.mark.parametrize(
@@ -184,14 +185,14 @@ def test_strip_that_the_disk_has_no_room_for_keeps_the_record(folder: Path, monk
     record = next((folder / "runs").glob("task-01.*.run.json"))
     record.write_text(record.read_text() + "\n")  # another record, of the same run
     before = record.read_bytes()
-    real = files.Draft
+    real = files.draft
 
-    def draft(place: Path, data: bytes) -> files.Draft:
+    def draft(place: Path, data: bytes) -> AbstractContextManager[Path]:
         if place.name == "a.png" and data.strip(b"\0"):
             raise OSError(errno.ENOSPC, "No space left on device")
         return real(place, data)
 
-    monkeypatch.setattr(files, "Draft", draft)
+    monkeypatch.setattr(files, "draft", draft)
     plan = next((folder / "plans").glob("task-01.*.plan"))
     said = refusal(capsys, "execute", folder, "task-01", plan, "--strip", folder / "a.png")
     assert "a.png cannot be written: No space left on device" in said
@@ -207,5 +208,5 @@ def test_training_leaves_nothing_in_the_temporary_folder(folder: Path, tmp_path:
 
 
 def test_exit_code_is_that_of_the_command(monkeypatch):
-    monkeypatch.setattr("neurosym.commands.planners.planners", lambda: 3)
+    monkeypatch.setattr("neurosym.commands.tasks.planners", lambda: 3)
     assert neurosym("planners") == 3

@@ -11,8 +11,8 @@ from command_line import neurosym, refusal
 from places import ROOT
 
 from neurosym.pddl import domain_text
-from neurosym.pddl.encodings import ground_plan
-from neurosym.tasks.steps import PlanStep
+from neurosym.pddl.compiler import ground_plan
+from neurosym.tasks.transition import PlanStep
 
 LEFT, FORWARD = PlanStep("push-left-001-cube", "item-01"), PlanStep("push-forward-010-cube", "item-01")
 GOAL = {"item-01": (0.6, 0.16, 0.025)}

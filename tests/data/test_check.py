@@ -9,8 +9,8 @@ from command_line import neurosym, refusal
 from own_data import own_columns, write_data
 from toy_learning import BRIEF
 
-from neurosym.data.check import LEAST_INTERACTIONS
 from neurosym.data.interactions import Interactions
+from neurosym.data.origin import LEAST_INTERACTIONS
 from neurosym.learning.training import train
 
 

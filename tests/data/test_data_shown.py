@@ -7,12 +7,11 @@ import pytest
 from command_line import neurosym, refusal
 from own_data import own_columns, write_data
 
-from neurosym.actions import Mirror
-from neurosym.data.check import LEAST_INTERACTIONS, training_problems
 from neurosym.data.interactions import Interactions
-from neurosym.data.origin import mirrors_of
+from neurosym.data.origin import LEAST_INTERACTIONS, mirrors_of, training_problems
 from neurosym.errors import InvalidFile
 from neurosym.exploration.loop import origin_of_world
+from neurosym.world import Mirror
 from neurosym.worlds.toy import make_world
 
 

@@ -13,17 +13,15 @@ from own_data import own_columns, write_data
 from places import DOCS
 from safetensors.numpy import save_file
 
-from neurosym.data.dimensions import Dimensions
+from neurosym.data.archives import read_tensors, write_tensors
 from neurosym.data.interactions import Interactions
-from neurosym.data.origin import strategy_of
+from neurosym.data.origin import Dimensions, strategy_of
 from neurosym.errors import InvalidFile
-from neurosym.learning.direct_model import DirectModel
-from neurosym.learning.effect_model import EffectModel
-from neurosym.learning.model_config import DirectConfig, ModelConfig
+from neurosym.learning.network import DirectModel, EffectModel
+from neurosym.learning.training_config import DirectConfig, ModelConfig
 from neurosym.operators import OperatorTable
-from neurosym.stages.distilling import distill_stage
 from neurosym.stages.folder import DomainFolder
-from neurosym.tensor_files import read_tensors, write_tensors
+from neurosym.stages.learning import distill_stage
 
 DOCUMENT = DOCS / "data.md"
 

@@ -10,11 +10,10 @@ import toy_places
 from command_line import neurosym, refusal
 from toy_domain import WORLD, grounding, problem
 
-from neurosym.evaluation.comparison import Attempt, Setting, TaskRecord, compare
-from neurosym.evaluation.comparison_summary import summarise, why_not_found
-from neurosym.evaluation.comparison_tasks import Bench, Order, compare_tasks
+from neurosym.evaluation.comparison import Attempt, Bench, Order, Setting, TaskRecord, compare, compare_tasks
+from neurosym.evaluation.summary import summarise, why_not_found
 from neurosym.execution.record import Replanning, Run, StepRecord
-from neurosym.execution.summary import Execution, failure
+from neurosym.execution.rerun import Execution, failure
 from neurosym.problems import Problem
 from neurosym.stages.folder import DomainFolder
 

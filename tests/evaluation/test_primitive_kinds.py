@@ -3,9 +3,8 @@
 import numpy as np
 import pytest
 
-from neurosym.evaluation.primitive_kinds import KINDS, kind_of, kinds_found
-from neurosym.naming import CARRIED
-from neurosym.operators import Primitive
+from neurosym.evaluation.paper_tables import KINDS, kind_of, kinds_found
+from neurosym.operators import CARRIED, Primitive
 from neurosym.primitives.rehearsal import Rehearsals
 from neurosym.world import Outcome, Scene
 

@@ -6,7 +6,7 @@ import msgspec
 import pytest
 import tables
 
-from neurosym.execution.appearance import as_it_shows
+from neurosym.execution.record import as_it_shows
 from neurosym.grounding import Grounding
 from neurosym.problems import SceneObject
 

@@ -6,14 +6,13 @@ from toy_domain import WORLD, grounding, problem
 
 from neurosym.errors import InvalidValue
 from neurosym.execution.executor import execute
-from neurosym.execution.experience import Experience
-from neurosym.execution.replanning import PATIENCE, Progress, new_plan, usual_replans, usual_work
-from neurosym.execution.summary import failure
+from neurosym.execution.replanning import PATIENCE, Experience, Progress, new_plan, usual_replans, usual_work
+from neurosym.execution.rerun import failure
 from neurosym.grounding import Grounding
 from neurosym.planners import PlanResult, PlanStatus, plan
-from neurosym.planners.effort import Effort
+from neurosym.planners.planner import Effort
 from neurosym.problems import Problem, SceneObject
-from neurosym.tasks.steps import PlanStep
+from neurosym.tasks.transition import PlanStep
 from neurosym.world import Outcome, Scene
 
 PUSH_LEFT = PlanStep("push-left-001-cube", "item-01")

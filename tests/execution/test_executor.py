@@ -8,11 +8,10 @@ from toy_domain import LEFT, WORLD, grounding, problem
 
 from neurosym.execution.executor import execute
 from neurosym.execution.record import Run
-from neurosym.files import write_json
+from neurosym.files import read_json, write_json
 from neurosym.operators import Primitive
-from neurosym.reading import read_json
 from neurosym.stages.layout import run_file
-from neurosym.tasks.steps import PlanStep
+from neurosym.tasks.transition import PlanStep
 
 PUSH_LEFT = PlanStep("push-left-001-cube", "item-01")
 LIFT = PlanStep("lift-000-cube", "item-01")

@@ -7,11 +7,11 @@ import numpy as np
 import pytest
 from tables import grounding, problem
 
-from neurosym.execution.experience import Experience, believed_name, learned_name
+from neurosym.execution.replanning import Experience, believed_name, learned_name
 from neurosym.grounding import Grounding, is_lift
 from neurosym.operators import Operator
 from neurosym.problems import Problem
-from neurosym.tasks.steps import PlanStep
+from neurosym.tasks.transition import PlanStep
 from neurosym.world import Outcome, Scene
 
 LIFT, PUSH = PlanStep("lift-010-block", "item-01"), PlanStep("push-left-000-block", "item-01")

@@ -7,9 +7,9 @@ from importlib.metadata import Distribution, version
 
 import msgspec
 
-from neurosym.distribution import BUILDS
-from neurosym.execution import machine
-from neurosym.execution.machine import Machine, this_machine
+from neurosym.errors import BUILDS
+from neurosym.execution import record
+from neurosym.execution.record import Machine, this_machine
 
 HERE = this_machine()
 
@@ -30,7 +30,7 @@ def test_machine_names_processor_system_and_versions():
 
 def test_machine_is_told_alike_by_every_process():
     code = (
-        "import msgspec\nfrom neurosym.execution.machine import this_machine\n"
+        "import msgspec\nfrom neurosym.execution.record import this_machine\n"
         "print(msgspec.json.encode(this_machine()).decode())"
     )
     for seed in ("0", "7"):
@@ -61,14 +61,14 @@ def test_processor_of_a_cloud_is_told_by_its_numbers(tmp_path, monkeypatch):
         "processor\t: 0\ncpu family\t: 26\nmodel\t\t: 2\nmodel name\t: AMD EPYC\nstepping\t: 1\n"
         "cpu MHz\t\t: 2596.124\n\nprocessor\t: 1\nmodel name\t: other\n"
     )
-    monkeypatch.setattr(machine, "_CPUINFO", told)
+    monkeypatch.setattr(record, "_CPUINFO", told)
     this_machine.cache_clear()
     assert this_machine().processor == "AMD EPYC (family 26, model 2, stepping 1)"
     for text in ("", "CPU part\t: 0xd0c\n"):
         told.write_text(text)
         this_machine.cache_clear()
         assert this_machine().processor
-    monkeypatch.setattr(machine, "_CPUINFO", tmp_path / "none")
+    monkeypatch.setattr(record, "_CPUINFO", tmp_path / "none")
     this_machine.cache_clear()
     assert this_machine().processor
     this_machine.cache_clear()

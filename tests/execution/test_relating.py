@@ -11,13 +11,12 @@ from neurosym.errors import NeurosymError
 from neurosym.execution.executor import execute
 from neurosym.execution.record import Run
 from neurosym.execution.rerun import compare_runs, rerun
-from neurosym.files import write_json
+from neurosym.files import read_json, write_json
 from neurosym.planners import PlanStatus, plan, planner_named
 from neurosym.problems import Problem
-from neurosym.reading import read_json
-from neurosym.stages.executing import replanning
-from neurosym.tasks.steps import PlanStep
-from neurosym.worlds.aimed import Aimed
+from neurosym.stages.execution import replanning
+from neurosym.tasks.transition import PlanStep
+from neurosym.worlds.aims import Aimed
 
 PROBLEMS = (tower(), tower_at_place(), sorting())
 

@@ -9,15 +9,14 @@ from toy_domain import LEFT, WORLD, grounding, problem
 
 from neurosym.commands.tables import show_run
 from neurosym.execution.executor import execute
-from neurosym.execution.nudges import LEAST, MOST, Nudger, nudged
+from neurosym.execution.performance import LEAST, MOST, Moment, Nudger, nudged
 from neurosym.execution.record import Nudge
 from neurosym.execution.rerun import compare_runs, rerun
-from neurosym.execution.watching import Moment
 from neurosym.grounding import Grounding
 from neurosym.planners import PlanResult, PlanStatus, plan
 from neurosym.problems import Problem
-from neurosym.table import Table
-from neurosym.tasks.steps import PlanStep
+from neurosym.tasks.transition import PlanStep
+from neurosym.world import Table
 
 PUSH_LEFT = PlanStep("push-left-001-cube", "item-01")
 LIFT = PlanStep("lift-000-cube", "item-01")

@@ -9,7 +9,7 @@ from toy_domain import WORLD, grounding, problem
 from neurosym.execution.executor import execute
 from neurosym.execution.record import Run
 from neurosym.execution.rerun import ROUNDING, compare_runs, rerun
-from neurosym.tasks.steps import PlanStep
+from neurosym.tasks.transition import PlanStep
 
 AWAY = {"item-01": (0.6, 0.16, 0.025)}
 PUSH_LEFT = PlanStep("push-left-001-cube", "item-01")

@@ -6,11 +6,11 @@ from toy_domain import WORLD, grounding, problem
 
 from neurosym.errors import UnknownChoice
 from neurosym.execution.executor import execute
+from neurosym.execution.performance import STOP, Answer, Moment
 from neurosym.execution.record import Nudge, Replanning
 from neurosym.execution.rerun import compare_runs, rerun
-from neurosym.execution.watching import STOP, Answer, Moment
 from neurosym.planners import plan
-from neurosym.tasks.steps import PlanStep
+from neurosym.tasks.transition import PlanStep
 
 AWAY = {"item-01": (0.6, 0.16, 0.025)}
 PUSH_LEFT = PlanStep("push-left-001-cube", "item-01")

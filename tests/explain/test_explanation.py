@@ -8,13 +8,18 @@ import pytest
 from shipped import GROUNDING
 from tables import grounding, mode, table
 
-from neurosym.actions import three_waypoints
 from neurosym.errors import InvalidValue
-from neurosym.explain.action_words import action_in_words, displacement_in_words, place_in_words
-from neurosym.explain.explanation import explain, explain_carrying, summary_of
-from neurosym.explain.object_words import objects_in_words, type_shares
 from neurosym.operators import Category, Operator, OperatorTable, Primitive
-from neurosym.place_operators import Kept, PlaceOperators
+from neurosym.pair_operators import Kept, PlaceOperators
+from neurosym.report.explanation import explain, explain_carrying, summary_of
+from neurosym.report.symbol_words import (
+    action_in_words,
+    displacement_in_words,
+    objects_in_words,
+    place_in_words,
+    type_shares,
+)
+from neurosym.world import three_waypoints
 
 GRIPPER = three_waypoints().gripper.tolist()
 FEATURES = ("s_x", "s_y", "d", "t")

@@ -4,13 +4,13 @@ import numpy as np
 import pytest
 import torch
 
-from neurosym.actions import Mirror
-from neurosym.data.dimensions import Dimensions
 from neurosym.data.interactions import Interactions
+from neurosym.data.origin import Dimensions
 from neurosym.errors import InvalidValue
-from neurosym.exploration.choice import ExplorationConfig, choose_action
 from neurosym.exploration.curiosity import Curiosity, LearningConfig, make_curiosity
-from neurosym.learning.model_config import ModelConfig
+from neurosym.exploration.loop import ExplorationConfig, choose_action
+from neurosym.learning.training_config import ModelConfig
+from neurosym.world import Mirror
 from neurosym.worlds.toy import make_world
 
 CONFIG = ExplorationConfig(candidates=50)

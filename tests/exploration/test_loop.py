@@ -11,13 +11,12 @@ import numpy as np
 import pytest
 from places import ROOT
 
+from neurosym.data.archives import read_tensors, write_tensors
+from neurosym.data.origin import STRATEGIES
 from neurosym.errors import InvalidFile, InvalidValue
-from neurosym.exploration.choice import ExplorationConfig
 from neurosym.exploration.curiosity import LearningConfig
-from neurosym.exploration.loop import FORMAT, INTERACTIONS_FILE, STATE_FILE, explore
-from neurosym.learning.model_config import ModelConfig
-from neurosym.strategies import STRATEGIES
-from neurosym.tensor_files import read_tensors, write_tensors
+from neurosym.exploration.loop import FORMAT, INTERACTIONS_FILE, STATE_FILE, ExplorationConfig, explore
+from neurosym.learning.training_config import ModelConfig
 from neurosym.worlds.toy import ToyConfig, make_world
 
 BRIEF = LearningConfig(epochs=2, ensemble=2, ensemble_hidden=16)

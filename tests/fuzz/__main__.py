@@ -21,8 +21,8 @@ from fuzz.lines import ENDING
 from fuzz.running import Finding, Runner, judge, runner
 from fuzz.seeds import build
 
-from neurosym.console import say
 from neurosym.files import write_atomically, write_json
+from neurosym.stages.console import say
 
 OFTEN = 50
 """After so many cases it says how far it is."""

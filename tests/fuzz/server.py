@@ -64,7 +64,7 @@ def _import_all() -> None:
 
 
 def _train_shortly() -> None:
-    from neurosym.exploration import choice
+    from neurosym.exploration import loop
     from neurosym.learning import training_config
     from neurosym.primitives import distillation
 
@@ -87,7 +87,7 @@ def _train_shortly() -> None:
             decoder=replace(training.decoder, imagined=200, imagined_epochs=1, epochs=2),
         )
         training_config.REGIMES[name] = replace(regime, training=short)
-    _set_defaults(choice.ExplorationConfig, candidates=20)
+    _set_defaults(loop.ExplorationConfig, candidates=20)
     distillation.distill.__kwdefaults__ |= {"candidates": 8, "steps": 10}
 
 

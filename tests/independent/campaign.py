@@ -26,16 +26,15 @@ from independent.replay import (
 )
 
 from neurosym.errors import InvalidValue
-from neurosym.pddl.encoding_names import ENCODINGS, NUMERIC, SAS, STRIPS, EncodingName
-from neurosym.pddl.encodings import GroundPlan, domain_text, ground_plan
+from neurosym.pddl.compiler import GroundPlan, domain_text, ground_plan, problem_text
 from neurosym.pddl.numeric import numeric_problem
-from neurosym.pddl.problem import problem_text
 from neurosym.pddl.strips_problem import StripsProblem, printed_cell
+from neurosym.pddl.syntax import ENCODINGS, NUMERIC, SAS, STRIPS, EncodingName
 from neurosym.planners import PLANNERS, PlannerAnswer, PlanStatus, pddl_planner
 from neurosym.planners.planner import PddlCall, Planner, Query
 from neurosym.problems import Problem
-from neurosym.tasks.steps import PlanStep
 from neurosym.tasks.task import understand
+from neurosym.tasks.transition import PlanStep
 
 FEW = 3
 """Brute force counts the primitives of so many objects."""

@@ -8,8 +8,7 @@ from independent.replay import read_text, replay
 
 from neurosym.grounding import Grounding
 from neurosym.operators import Category, Operator, Rehearsal
-from neurosym.pddl.encodings import domain_text
-from neurosym.pddl.problem import problem_text
+from neurosym.pddl.compiler import domain_text, problem_text
 
 _ROWS = 20
 _STREAM = 0x73697A65  # keeps this randomness apart from any other

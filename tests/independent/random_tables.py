@@ -17,7 +17,7 @@ from neurosym.grounding import Grounding
 from neurosym.operators import Category, Mode, Operator, OperatorTable, Primitive, Vector
 from neurosym.pddl import compile_domain
 from neurosym.problems import Problem, SceneObject
-from neurosym.table import Table
+from neurosym.world import Table
 
 Kind = Literal["walk", "random", "bystander", "tiny"]
 PUT_DOWN = "put-down-"

@@ -19,16 +19,14 @@ from validators import unified_planning_accepts
 
 from neurosym.grounding import Grounding
 from neurosym.operators import Vector
-from neurosym.pddl.encoding_names import ENCODINGS
-from neurosym.pddl.encodings import domain_text, ground_plan
-from neurosym.pddl.problem import problem_text
+from neurosym.pddl.compiler import domain_text, ground_plan, problem_text
 from neurosym.pddl.sas import sas_text
+from neurosym.pddl.syntax import ENCODINGS
 from neurosym.planners import plan as make_plan
-from neurosym.planners.fast_downward import SAS_SUFFIX, plan_fast_downward
+from neurosym.planners.external import SAS_SUFFIX, plan_fast_downward
 from neurosym.problems import Problem
-from neurosym.table import Table
-from neurosym.tasks.steps import PlanStep
-from neurosym.tasks.transition import validate
+from neurosym.tasks.transition import PlanStep, validate
+from neurosym.world import Table
 
 LIFT, DOWN = ("lift-010-block", "item-01"), ("put-down-lift-010-block", "item-01")
 AWAY, LEFT = ("push-away-001-block", "item-01"), ("push-left-000-block", "item-01")

@@ -10,8 +10,7 @@ from independent.random_sizes import draw_sizes
 from independent.random_tables import Drawn
 from independent.replay import Step
 
-from neurosym.pddl.encodings import domain_text
-from neurosym.pddl.problem import problem_text
+from neurosym.pddl.compiler import domain_text, problem_text
 
 SHORT, LONG = range(12), range(200)
 LIMIT = 2.0

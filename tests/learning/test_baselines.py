@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from neurosym.learning.baselines import trivial_predictions
+from neurosym.learning.training import trivial_predictions
 
 
 def test_each_axis_has_a_mean_and_a_median_of_its_own():

@@ -7,11 +7,11 @@ import numpy as np
 import torch
 from toy_learning import BRIEF
 
-from neurosym.data.dimensions import Dimensions
-from neurosym.learning.code_targets import _costs, _some_of_each, find_code_targets
-from neurosym.learning.direct_model import DirectModel
-from neurosym.learning.model_config import ModelConfig
-from neurosym.learning.samples import Samples
+from neurosym.data.origin import Dimensions
+from neurosym.learning.losses import Samples
+from neurosym.learning.network import DirectModel
+from neurosym.learning.recipes import _costs, _some_of_each, find_code_targets
+from neurosym.learning.training_config import ModelConfig
 
 ALONG_ACTIONS = torch.tensor([[0.0, 0.0], [0.0, 3.0], [2.0, 0.0], [5.0, 5.0]])
 ALONG_OBJECTS = torch.tensor([[0.0, 0.0], [1.0, -1.0]])

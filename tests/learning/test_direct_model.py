@@ -5,12 +5,11 @@ import pytest
 import torch
 from safetensors.numpy import save_file
 
-from neurosym.data.dimensions import Dimensions
+from neurosym.data.archives import read_tensors, write_tensors
+from neurosym.data.origin import Dimensions
 from neurosym.errors import InvalidFile
-from neurosym.learning.direct_model import DirectModel
-from neurosym.learning.effect_model import EffectModel
-from neurosym.learning.model_config import DirectConfig, ModelConfig
-from neurosym.tensor_files import read_tensors, write_tensors
+from neurosym.learning.network import DirectModel, EffectModel
+from neurosym.learning.training_config import DirectConfig, ModelConfig
 
 
 def a_model(seed=0, dimensions=None, **options):

@@ -7,12 +7,12 @@ import pytest
 import torch
 from safetensors.numpy import save_file
 
-from neurosym.data.dimensions import Dimensions
+from neurosym.data.archives import read_tensors, write_tensors
+from neurosym.data.origin import Dimensions
 from neurosym.errors import InvalidFile, InvalidValue
-from neurosym.learning.effect_model import LOG_VARIANCE_FLOOR, EffectModel, as_signs
-from neurosym.learning.model_config import ModelConfig
-from neurosym.symbols import all_symbols, signs
-from neurosym.tensor_files import read_tensors, write_tensors
+from neurosym.learning.network import LOG_VARIANCE_FLOOR, EffectModel, as_signs
+from neurosym.learning.training_config import ModelConfig
+from neurosym.operators import all_symbols, signs
 
 
 def a_model(seed=0, dimensions=None, **options):

@@ -4,12 +4,10 @@ import numpy as np
 import pytest
 import torch
 
-from neurosym.actions import Mirror
-from neurosym.data.dimensions import Dimensions
-from neurosym.learning.direct_model import DirectModel
-from neurosym.learning.effect_model import EffectModel
-from neurosym.learning.inputs import InputNorm, reflected, with_gripper_states
-from neurosym.learning.model_config import DirectConfig, ModelConfig
+from neurosym.data.origin import Dimensions
+from neurosym.learning.network import DirectModel, EffectModel, InputNorm, reflected, with_gripper_states
+from neurosym.learning.training_config import DirectConfig, ModelConfig
+from neurosym.world import Mirror
 
 MIRRORS = (Mirror(actions=(0, 4), effects=(0,)), Mirror(actions=(1, 4), effects=(1, 2)))
 

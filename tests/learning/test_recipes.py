@@ -9,12 +9,13 @@ import torch
 from toy_learning import toy_data
 
 from neurosym.data.interactions import Interactions
-from neurosym.learning.model_config import DirectConfig, ModelConfig
 from neurosym.learning.recipes import code_probabilities, draw_alike, expected_error
 from neurosym.learning.training import train
 from neurosym.learning.training_config import (
     CodingConfig,
     DecoderConfig,
+    DirectConfig,
+    ModelConfig,
     NamingConfig,
     TeacherConfig,
     TrainingConfig,

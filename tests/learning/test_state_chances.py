@@ -4,9 +4,9 @@ import numpy as np
 import pytest
 
 from neurosym.data.interactions import Interactions
-from neurosym.learning.state_chances import ended_in, fit_chances, foreseen_by
+from neurosym.learning.state_codes import ended_in, fit_chances, foreseen_by
 from neurosym.learning.training_config import regime_named
-from neurosym.relation_operators import PairState, PairStates
+from neurosym.pair_operators import PairState, PairStates
 
 STATES = PairStates(
     (

@@ -9,27 +9,29 @@ import torch
 from places import SHIPPED
 from toy_learning import BRIEF, SMALL, toy_data
 
-from neurosym.data.dimensions import Dimensions
 from neurosym.data.interactions import Interactions
-from neurosym.data.origin import mirrors_of
+from neurosym.data.origin import Dimensions, has_high_effect, mirrors_of
 from neurosym.errors import InvalidValue
-from neurosym.learning.direct_model import DirectModel
-from neurosym.learning.effect_model import EffectModel
-from neurosym.learning.losses import negative_log_likelihood, nt_xent, reproducible, run_epochs, total_loss
-from neurosym.learning.model_config import ModelConfig
+from neurosym.learning.losses import (
+    negative_log_likelihood,
+    nt_xent,
+    reproducible,
+    run_epochs,
+    samples_of,
+    total_loss,
+)
+from neurosym.learning.network import DirectModel, EffectModel
 from neurosym.learning.recipes import RECIPES
-from neurosym.learning.report import empty_codes
-from neurosym.learning.samples import samples_of
-from neurosym.learning.training import assess, r_squared, share_of, split, train
+from neurosym.learning.training import assess, empty_codes, r_squared, share_of, split, train
 from neurosym.learning.training_config import (
     REGIMES,
     CodingConfig,
     DecoderConfig,
+    ModelConfig,
     NamingConfig,
     TeacherConfig,
     TrainingConfig,
 )
-from neurosym.strategies import has_high_effect
 
 
 def test_nll_is_that_of_the_normal_distribution():

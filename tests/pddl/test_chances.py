@@ -7,8 +7,8 @@ import pytest
 import tables
 from tables import LIFT, PULL
 
-from neurosym.pddl.chances import chance_inside, expected_success, expected_within, spread_of
 from neurosym.problems import Problem
+from neurosym.tasks.chances import chance_inside, expected_success, expected_within, spread_of
 
 
 @pytest.mark.parametrize("tolerance", [0.005, 0.01, 0.02, 0.05])

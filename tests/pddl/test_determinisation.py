@@ -9,15 +9,14 @@ from tables import BOUNDS, grounding, item, mode, table
 
 from neurosym.operators import Operator
 from neurosym.pddl import compile_domain, problem_text
-from neurosym.pddl.compiler import with_every_outcome
-from neurosym.pddl.encoding_names import ENCODINGS
-from neurosym.pddl.encodings import ground_plan
+from neurosym.pddl.compiler import ground_plan, with_every_outcome
 from neurosym.pddl.plan_reading import parse_plan
+from neurosym.pddl.syntax import ENCODINGS
 from neurosym.planners import PlanStatus, plan
 from neurosym.planners.bfs import branching_of
 from neurosym.problems import Problem
-from neurosym.tasks.moves import cost
-from neurosym.tasks.steps import PlanStep
+from neurosym.tasks.options import cost
+from neurosym.tasks.transition import PlanStep
 
 HELD = mode((0.012, -0.021, 0.203), kind="held", count=14, near=14, resting=(0.014, -0.023, 0.0))
 SLIPPED = mode((0.06, 0.0, 0.0), count=6, near=5)

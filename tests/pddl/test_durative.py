@@ -14,11 +14,12 @@ import toy_relations
 from places import GOLDEN, ROOT
 from toy_places import NAME, grounding, mixed, scene, swap
 
+from neurosym.contract import way_seconds
 from neurosym.errors import InvalidValue, UnknownChoice
 from neurosym.execution.executor import execute
 from neurosym.grounding import Grounding
-from neurosym.motion import way_seconds
 from neurosym.operators import Primitive
+from neurosym.pddl.compiler import problem_text
 from neurosym.pddl.durative import (
     CARRY,
     MOST_OVER,
@@ -28,16 +29,14 @@ from neurosym.pddl.durative import (
     read_durative,
 )
 from neurosym.pddl.plan_reading import parse_plan
-from neurosym.pddl.problem import problem_text
 from neurosym.pddl.strips_plan import Misread
 from neurosym.problems import Problem
 from neurosym.sim.simulation import Simulation
 from neurosym.sim.tabletop import Tabletop
-from neurosym.table import Place
-from neurosym.tasks.carriers import carriers_of
-from neurosym.tasks.steps import PlanStep
+from neurosym.tasks.options import carriers_of
 from neurosym.tasks.task import understand
-from neurosym.world import Scene
+from neurosym.tasks.transition import PlanStep
+from neurosym.world import Place, Scene
 
 PLAN = """0.000: (carry item-02 start-item-02 park-01 nowhere nowhere nowhere) [6.100]
 6.101: (carry item-01 start-item-01 goal-item-01 start-item-02 nowhere nowhere) [6.100]

@@ -8,7 +8,7 @@ from independent.ground_pddl import judge
 from places import ROOT
 
 from neurosym.errors import InvalidValue
-from neurosym.pddl.excerpt import excerpt_for, parameters_of, tree_of
+from neurosym.pddl.compiler import excerpt_for, parameters_of, tree_of
 
 CELLS = "tabletop/plans/task-07.fast-downward.plan"
 PLACES = "places/plans/swap-2-06.fast-downward.plan"

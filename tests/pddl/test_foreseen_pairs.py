@@ -11,17 +11,14 @@ import pytest
 from toy_relations import PUT_IN, PUT_ON, REST, grounding, relations, scene, sorting, tower
 
 from neurosym.errors import InvalidFile, InvalidValue
-from neurosym.pair_sight import PairSight, with_pairs
-from neurosym.pddl.problem import problem_text
-from neurosym.place_operators import Kept
+from neurosym.pair_operators import Kept, PairEnd, pooled, share_with_any
+from neurosym.pddl.compiler import problem_text
 from neurosym.planners import PlanStatus, plan
-from neurosym.pooled_puts import pooled, share_with_any
 from neurosym.problems import Problem
-from neurosym.relation_operators import PairEnd
-from neurosym.tasks.puts import nearest_share, put_named, puts_for
-from neurosym.tasks.steps import PlanStep
+from neurosym.tasks.options import nearest_share, put_named, puts_for
+from neurosym.tasks.supports import PairSight, with_pairs
 from neurosym.tasks.task import understand
-from neurosym.tasks.transition import chance, start, validate
+from neurosym.tasks.transition import PlanStep, chance, start, validate
 
 ON_ANY, IN_ANY = "rests-on-001-by-01", "lies-in-010-by-01"
 

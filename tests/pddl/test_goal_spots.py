@@ -11,8 +11,8 @@ from toy_places import CUBE, NAME, grounding, scene
 from neurosym.execution.executor import execute
 from neurosym.planners import plan
 from neurosym.problems import Problem
-from neurosym.tasks.places import ROOM, SHARE, goal_spots
-from neurosym.tasks.steps import PlanStep
+from neurosym.tasks.task import ROOM, SHARE, goal_spots
+from neurosym.tasks.transition import PlanStep
 
 EDGE = CUBE[0]
 TABLE = grounding().table

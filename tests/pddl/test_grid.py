@@ -7,17 +7,15 @@ import numpy as np
 import pytest
 from tables import grounding, item, mode, table
 
-from neurosym.cells import at_rest
 from neurosym.errors import InvalidValue
-from neurosym.grounding import Grounding, is_lift
+from neurosym.grounding import Grounding, at_rest, is_lift
 from neurosym.operators import Operator, OperatorTable, Primitive
 from neurosym.pddl import compile_domain
 from neurosym.pddl.grid import goal_region, grid_of, rounding
 from neurosym.problems import Problem
-from neurosym.table import Table
-from neurosym.tasks.moves import PUT_DOWN, as_moves
-from neurosym.tasks.steps import PlanStep
-from neurosym.tasks.transition import validate
+from neurosym.tasks.options import PUT_DOWN, as_moves
+from neurosym.tasks.transition import PlanStep, validate
+from neurosym.world import Table
 
 BLOCK = item("item-01", 0.4512, 0.0133)
 

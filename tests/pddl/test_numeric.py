@@ -15,12 +15,11 @@ from validators import unified_planning_accepts
 from neurosym.grounding import Grounding
 from neurosym.operators import Mode, Vector
 from neurosym.pddl import domain_text, problem_text
-from neurosym.pddl.encodings import ground_plan
+from neurosym.pddl.compiler import ground_plan
 from neurosym.pddl.numeric import STEPS, UNIT
 from neurosym.pddl.plan_reading import parse_plan
 from neurosym.problems import Problem
-from neurosym.tasks.steps import PlanStep
-from neurosym.tasks.transition import validate
+from neurosym.tasks.transition import PlanStep, validate
 
 OPERATIONS: dict[str, Callable[..., float]] = {
     "<=": operator.le,

@@ -7,8 +7,7 @@ from toy_places import CUBE, grounding, scene, swap
 
 from neurosym.planners import PlanStatus, plan
 from neurosym.problems import Problem
-from neurosym.tasks.footprints import footprints_apart
-from neurosym.tasks.places import occupants, parks_wanted, with_places
+from neurosym.tasks.task import footprints_apart, occupants, parks_wanted, with_places
 from neurosym.tasks.transition import validate
 
 

@@ -15,14 +15,12 @@ from neurosym.execution.rerun import compare_runs, rerun
 from neurosym.pddl.plan_reading import parse_plan
 from neurosym.pddl.problem_check import check_places, check_problem
 from neurosym.planners import PlanStatus, plan
-from neurosym.planners.result import PlanResult
+from neurosym.planners.planner import PlanResult
 from neurosym.problems import Problem, SceneObject
-from neurosym.table import Place
-from neurosym.tasks.footprints import footprints_apart, overlapping
-from neurosym.tasks.places import GOAL, PARK, with_places
-from neurosym.tasks.steps import PlanStep
-from neurosym.tasks.transition import validate
-from neurosym.worlds.aimed import Aimed
+from neurosym.tasks.task import GOAL, PARK, footprints_apart, overlapping, with_places
+from neurosym.tasks.transition import PlanStep, validate
+from neurosym.world import Place
+from neurosym.worlds.aims import Aimed
 
 
 def solved(problem: Problem) -> tuple[PlanStep, ...]:
@@ -117,7 +115,7 @@ def test_what_is_led_and_what_is_carried_is_planned_in_turns_if_not_at_once(monk
     problem = Problem("past", scene(("cube", 0.5, -0.2), ("slab", 0.7, -0.16)), goals, 0.02)
     learned = grounding()
     monkeypatch.setattr(
-        "neurosym.planners.refinement.plan_by_places",
+        "neurosym.planners.pddl_search.plan_by_places",
         lambda *_: PlanResult(PlanStatus.FAILED, (), 0.0, "not true when replayed"),
     )
     steps = solved(problem)
@@ -238,8 +236,8 @@ def test_goal_that_nothing_can_be_put_at_is_not_said_to_be_proved_out_of_reach()
     [(1, "among more than 1 objects, none is led over cells that could be carried"), (2, "without: ")],
 )
 def test_many_objects_that_could_be_carried_are_not_led_instead(monkeypatch, most, said):
-    monkeypatch.setattr("neurosym.planners.refinement.MOST_LED", most)
-    monkeypatch.setattr("neurosym.planners.in_turns.MOST_LED", most)
+    monkeypatch.setattr("neurosym.planners.pddl_search.MOST_LED", most)
+    monkeypatch.setattr("neurosym.planners.joined_plans.MOST_LED", most)
     result = plan(with_own_places(left=(0.8, 0.1), right=(0.5, -0.1)), grounding())
     assert result.status is PlanStatus.NOT_FOUND
     assert said in result.reason

@@ -9,13 +9,12 @@ from places import DOCS, ROOT
 
 from neurosym.errors import InvalidPlan
 from neurosym.grounding import Grounding
-from neurosym.pddl.encoding_names import EncodingName
-from neurosym.pddl.encodings import ground_plan
-from neurosym.pddl.plan_reading import parse_plan
-from neurosym.pddl.written_plans import written_plan
+from neurosym.pddl.compiler import ground_plan
+from neurosym.pddl.plan_reading import parse_plan, written_plan
+from neurosym.pddl.syntax import EncodingName
 from neurosym.problems import Problem
-from neurosym.related import relating
-from neurosym.tasks.steps import PlanStep
+from neurosym.tasks.supports import relating
+from neurosym.tasks.transition import PlanStep
 from tools.benchmarks.plan_forms import FORMS, PlanForm
 
 SHIPPED = (

@@ -10,7 +10,7 @@ from toy_relations import PUT_ON
 
 from neurosym.errors import InvalidFile, InvalidPlan
 from neurosym.pddl.plan_reading import parse_plan, read_plan
-from neurosym.tasks.steps import PlanStep
+from neurosym.tasks.transition import PlanStep
 
 PULL, PUSH = PlanStep("pull-010-tray", "item-02"), PlanStep("push-away-001-block", "item-01")
 LIFT, DOWN = PlanStep("lift-010-block", "item-01"), PlanStep("put-down-lift-010-block", "item-01")

@@ -10,14 +10,14 @@ import toy_domain
 from command_line import refusal
 from places import SHIPPED
 
+from neurosym.contract import ObjectLimits, limits_of
 from neurosym.errors import InvalidValue, UnknownChoice
-from neurosym.object_limits import ObjectLimits, limits_of
 from neurosym.pddl.problem_check import check_problem
 from neurosym.problems import Problem, SceneObject
 from neurosym.sim.config import TabletopConfig
 from neurosym.stages.folder import DomainFolder
 from neurosym.stages.planning import load_problem
-from neurosym.worlds.problem_drawing import draw_problem
+from neurosym.worlds.task_drawing import draw_problem
 from neurosym.worlds.world_file import read_limits
 
 PLANK = (0.16, 0.04, 0.02, 0.0)

@@ -19,16 +19,13 @@ from toy_relations import (
 )
 
 from neurosym.grounding import Grounding
-from neurosym.pair_sight import with_pairs
 from neurosym.planners import PlanStatus, plan
-from neurosym.planners.planner import Planner
-from neurosym.planners.result import PlanResult
+from neurosym.planners.planner import Planner, PlanResult
 from neurosym.problems import Problem
-from neurosym.related import bearers_of
-from neurosym.tasks.puts import left_out, puts_for, puts_of
-from neurosym.tasks.steps import PlanStep
+from neurosym.tasks.options import left_out, puts_for, puts_of
+from neurosym.tasks.supports import bearers_of, with_pairs
 from neurosym.tasks.task import understand
-from neurosym.tasks.transition import validate
+from neurosym.tasks.transition import PlanStep, validate
 
 
 def solved(problem: Problem, learned: Grounding | None = None, **options) -> tuple[PlanStep, ...]:

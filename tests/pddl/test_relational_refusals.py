@@ -11,8 +11,7 @@ from neurosym.errors import InvalidPlan, InvalidValue, NeurosymError
 from neurosym.pddl.plan_reading import parse_plan
 from neurosym.planners import PlanStatus, plan
 from neurosym.tasks.pair_goals import check_relations, relations_meant
-from neurosym.tasks.steps import PlanStep
-from neurosym.tasks.transition import validate
+from neurosym.tasks.transition import PlanStep, validate
 
 
 @pytest.mark.parametrize(

@@ -15,10 +15,10 @@ from neurosym.pddl.sas import sas_text
 from neurosym.pddl.strips_plan import write
 from neurosym.pddl.strips_problem import StripsProblem
 from neurosym.planners import PlanStatus, plan
-from neurosym.planners.fast_downward import PORTFOLIO, Search, plan_fast_downward
+from neurosym.planners.external import PORTFOLIO, Search, plan_fast_downward
 from neurosym.problems import Problem
-from neurosym.tasks.steps import PlanStep
 from neurosym.tasks.task import understand
+from neurosym.tasks.transition import PlanStep
 
 SHIPPED = Path("domains/tabletop")
 

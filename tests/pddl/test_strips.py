@@ -19,23 +19,23 @@ from places import GOLDEN, ROOT
 from toy_relations import LIE, PUT_IN, PUT_ON, REST, relearned
 from validators import unified_planning_accepts
 
+from neurosym.choices import DOMAINS
 from neurosym.errors import InvalidValue, UnknownChoice
 from neurosym.grounding import Grounding
 from neurosym.pddl import compile_domain, domain_text, problem_text
-from neurosym.pddl.encoding_names import ENCODINGS, FORMER, EncodingName
-from neurosym.pddl.encodings import ground_plan
+from neurosym.pddl.compiler import ground_plan
 from neurosym.pddl.plan_reading import parse_plan
 from neurosym.pddl.strips import PUT_LOADED, WORDS, page
 from neurosym.pddl.strips_plan import action_for, led_by, led_in, read, write
 from neurosym.pddl.strips_problem import StripsProblem
+from neurosym.pddl.syntax import ENCODINGS, FORMER, EncodingName
 from neurosym.planners import PlanStatus
-from neurosym.planners.fast_downward import plan_fast_downward
-from neurosym.planners.plan_validator import validate_pddl
+from neurosym.planners.external import plan_fast_downward
+from neurosym.planners.unified_planning import validate_pddl
 from neurosym.problems import Problem
-from neurosym.shipped import DOMAINS
-from neurosym.tasks.puts import left_out, puts_of
-from neurosym.tasks.steps import PlanStep
+from neurosym.tasks.options import left_out, puts_of
 from neurosym.tasks.task import understand
+from neurosym.tasks.transition import PlanStep
 
 LINES, BYTES, ACTIONS, LONGEST_NAME = 150, 12_000, 20, 32
 SHIPPED = ROOT / "domains"

@@ -11,15 +11,14 @@ from toy_relations import PUT_IN, PUT_ON
 
 from neurosym.errors import InvalidPlan, InvalidValue, NeurosymError
 from neurosym.grounding import Grounding
-from neurosym.pddl.encodings import ground_plan
+from neurosym.pddl.compiler import ground_plan
 from neurosym.pddl.plan_reading import parse_plan
 from neurosym.pddl.strips_plan import Misread, led_in, read
 from neurosym.pddl.strips_problem import StripsProblem
 from neurosym.planners import PlanStatus, plan
 from neurosym.problems import Problem
-from neurosym.tasks.steps import PlanStep, print_plan
 from neurosym.tasks.task import understand
-from neurosym.tasks.transition import validate
+from neurosym.tasks.transition import PlanStep, print_plan, validate
 
 PUSHED = """(push item-01 m-001 dx7 dy-1 cost16)
 (move-x item-01 dx7 x15 x22)

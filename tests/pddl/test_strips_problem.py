@@ -12,22 +12,20 @@ import toy_relations
 from places import ROOT
 from toy_relations import LIE, PUT_IN, PUT_ON, relearned
 
+from neurosym.choices import DOMAINS
 from neurosym.errors import InvalidValue, UnknownChoice
 from neurosym.grounding import Grounding
 from neurosym.pddl import problem_text
-from neurosym.pddl.encoding_names import ENCODINGS, EncodingName
-from neurosym.pddl.encodings import ground_plan
+from neurosym.pddl.compiler import ground_plan
 from neurosym.pddl.grid import goal_region
 from neurosym.pddl.strips import NOWHERE
 from neurosym.pddl.strips_problem import StripsProblem, motion_name, perch_name, price_name, printed_cell
-from neurosym.pddl.syntax import Atom
+from neurosym.pddl.syntax import ENCODINGS, Atom, EncodingName
 from neurosym.planners import PlanStatus, plan
 from neurosym.problems import Problem, SceneObject
-from neurosym.shipped import DOMAINS
-from neurosym.tasks.moves import cost, moves_for
-from neurosym.tasks.steps import PlanStep
+from neurosym.tasks.options import cost, moves_for
 from neurosym.tasks.task import understand
-from neurosym.tasks.transition import validate
+from neurosym.tasks.transition import PlanStep, validate
 
 WITH_RELATIONS, WITH_CELLS = 15_000, 120_000
 AWAY, LEFT, LIFT = "push-away-001-block", "push-left-000-block", "lift-010-block"

@@ -3,7 +3,7 @@
 import numpy as np
 from PIL import Image
 
-from neurosym.pictures.images import STRIP_SIZE, Row, save_gif, save_sheet
+from neurosym.pictures.film import STRIP_SIZE, Row, save_gif, save_sheet
 
 FRAMES = [np.full((480, 640, 3), shade, dtype=np.uint8) for shade in (0, 120, 250)]
 

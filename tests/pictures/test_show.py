@@ -8,10 +8,8 @@ from PIL import Image
 from neurosym.data.interactions import Interactions
 from neurosym.errors import InvalidValue
 from neurosym.grounding import Grounding
-from neurosym.pictures.film import film_phases, telling
-from neurosym.pictures.images import STRIP_SIZE
+from neurosym.pictures.film import STRIP_SIZE, film_phases, picture_problem, telling
 from neurosym.pictures.motions import recall_interaction, surest_carriers
-from neurosym.pictures.show import picture_problem
 from neurosym.sim.tabletop import Tabletop
 from neurosym.stages.folder import DomainFolder
 from neurosym.stages.planning import load_problem

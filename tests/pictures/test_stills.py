@@ -8,9 +8,9 @@ from toy_domain import WORLD, grounding, problem
 
 from neurosym.errors import InvalidValue
 from neurosym.execution.executor import execute
-from neurosym.pictures.stills import run_stills
-from neurosym.report.examples import Example, telling_examples
-from neurosym.tasks.steps import PlanStep
+from neurosym.pictures.film import run_stills
+from neurosym.report.sections import Example, telling_examples
+from neurosym.tasks.transition import PlanStep
 from neurosym.worlds.toy import ToyConfig, ToyWorld
 
 GOALS = {"item-01": (0.68, 0.0, 0.025), "item-02": (0.8, 0.18, 0.025)}

@@ -10,12 +10,11 @@ from tables import PUSH
 
 from neurosym.grounding import Grounding
 from neurosym.operators import Operator
-from neurosym.pddl.chances import expected_success
 from neurosym.planners import plan
-from neurosym.planners.refinement import _aim
+from neurosym.planners.pddl_search import _aim
 from neurosym.problems import Problem
-from neurosym.tasks.steps import PlanStep
-from neurosym.tasks.transition import validate
+from neurosym.tasks.chances import expected_success
+from neurosym.tasks.transition import PlanStep, validate
 
 aim = partial(_aim, deadline=math.inf)
 

@@ -10,14 +10,13 @@ import tables
 
 from neurosym.grounding import Grounding
 from neurosym.operators import Operator
-from neurosym.pddl.chances import expected_success
 from neurosym.planners import PlanStatus, plan
-from neurosym.planners.around import plan_around
-from neurosym.planners.effort import TimeIsUp
-from neurosym.planners.refinement import _plan_likeliest
+from neurosym.planners.object_paths import plan_around
+from neurosym.planners.pddl_search import _plan_likeliest
+from neurosym.planners.planner import TimeIsUp
 from neurosym.problems import Problem
-from neurosym.tasks.steps import primitives
-from neurosym.tasks.transition import validate
+from neurosym.tasks.chances import expected_success
+from neurosym.tasks.transition import primitives, validate
 
 STEP = 0.06
 

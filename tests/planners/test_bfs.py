@@ -11,7 +11,7 @@ from neurosym.planners import PlanStatus, plan
 from neurosym.planners import bfs as bfs_module
 from neurosym.planners.bfs import Branching, branching_of, plan_bfs, predicted_branching
 from neurosym.problems import Problem, SceneObject
-from neurosym.tasks.steps import PlanStep
+from neurosym.tasks.transition import PlanStep
 
 State = tuple[np.ndarray, list[PlanStep]]
 

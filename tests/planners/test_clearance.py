@@ -5,11 +5,10 @@ import pytest
 from toy_places import NAME, grounding, scene, swap
 
 from neurosym.planners import plan
-from neurosym.planners.in_turns import clearest_first
+from neurosym.planners.joined_plans import clearest_first
 from neurosym.problems import Problem
-from neurosym.tasks.places import with_places
-from neurosym.tasks.steps import PlanStep
-from neurosym.tasks.transition import validate
+from neurosym.tasks.task import with_places
+from neurosym.tasks.transition import PlanStep, validate
 
 
 def crowd() -> Problem:

@@ -8,13 +8,12 @@ import pytest
 import tables
 import toy_domain
 
-from neurosym.pddl.chances import expected_success
-from neurosym.pddl.problem import problem_text
+from neurosym.pddl.compiler import problem_text
 from neurosym.planners import PlanStatus, plan
 from neurosym.problems import Problem
-from neurosym.tasks.moves import cost
-from neurosym.tasks.steps import PlanStep
-from neurosym.tasks.transition import validate
+from neurosym.tasks.chances import expected_success
+from neurosym.tasks.options import cost
+from neurosym.tasks.transition import PlanStep, validate
 
 
 def test_chance_of_a_plan_is_the_product_over_its_primitives():

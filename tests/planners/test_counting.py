@@ -10,13 +10,12 @@ import toy_domain
 
 from neurosym.grounding import Grounding
 from neurosym.planners import PlanStatus, fewest_steps, plan
+from neurosym.planners.action_counts import _count_vector
 from neurosym.planners.bfs import branching_of, plan_bfs
-from neurosym.planners.counting import _count_vector
-from neurosym.planners.ordering import mend
+from neurosym.planners.plan_order import mend
 from neurosym.problems import Problem, SceneObject
-from neurosym.tasks.moves import cost
-from neurosym.tasks.steps import PlanStep
-from neurosym.tasks.transition import validate
+from neurosym.tasks.options import cost
+from neurosym.tasks.transition import PlanStep, validate
 
 
 def random_task(seed: int, objects: int, tolerance: float = 0.05) -> Problem:

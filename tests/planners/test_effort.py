@@ -14,11 +14,11 @@ from neurosym.execution.executor import execute
 from neurosym.grounding import Grounding
 from neurosym.pddl.sas import sas_text
 from neurosym.planners import PLANNERS, PlanResult, PlanStatus, plan, plan_nearest
-from neurosym.planners.counting import plan_counting
-from neurosym.planners.effort import Effort, TimeIsUp, within
-from neurosym.planners.fast_downward import PORTFOLIO, Search, plan_fast_downward
+from neurosym.planners.action_counts import plan_counting
+from neurosym.planners.external import PORTFOLIO, Search, plan_fast_downward
+from neurosym.planners.planner import Effort, TimeIsUp, within
 from neurosym.problems import Problem
-from neurosym.tasks.steps import PlanStep
+from neurosym.tasks.transition import PlanStep
 
 SEARCHES = ["bfs-operators", "counting", "fast-downward"]
 

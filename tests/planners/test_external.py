@@ -18,10 +18,10 @@ from tables import grounding, item
 
 from neurosym.errors import InvalidValue
 from neurosym.planners import PLANNERS, PlannerAnswer, PlanResult, PlanStatus, pddl_planner, plan
-from neurosym.planners.catalogue import PROGRAMS
 from neurosym.planners.external import Program, plan_program
 from neurosym.planners.keeper import MARK, end_processes, marked
 from neurosym.planners.planner import PlannerMissing
+from neurosym.planners.planner_table import PROGRAMS
 from neurosym.planners.process import kept, run_limited
 from neurosym.problems import Problem
 from neurosym.tasks.transition import validate

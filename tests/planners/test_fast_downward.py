@@ -12,11 +12,10 @@ from processes import alive
 from tables import grounding, problem
 
 from neurosym.pddl import domain_text, problem_text
-from neurosym.planners import PlanStatus, fast_downward
-from neurosym.planners.external import plan_program
-from neurosym.planners.fast_downward import Search, plan_fast_downward
+from neurosym.planners import PlanStatus, external
+from neurosym.planners.external import Search, plan_fast_downward, plan_program
+from neurosym.planners.planner import PlannerAnswer
 from neurosym.planners.process import Finished, run_limited
-from neurosym.planners.result import PlannerAnswer
 from neurosym.planners.unified_planning import engine_program
 
 plan_unified_planning = partial(plan_program, program=engine_program("fast-downward"))
@@ -111,7 +110,7 @@ def test_children_are_seen_while_they_live(tmp_path: Path):
 
 def test_fast_downward_is_found_without_unified_planning():
     code = (
-        "import sys, neurosym.planners.fast_downward as f; f._programs();"
+        "import sys, neurosym.planners.external as f; f._programs();"
         "sys.exit(any(name in sys.modules for name in ('unified_planning', 'torch', 'pybullet')))"
     )
     assert subprocess.run([sys.executable, "-c", code], check=False).returncode == 0
@@ -121,6 +120,6 @@ def test_a_search_that_is_not_complete_proves_nothing(tmp_path: Path, scratch: P
     """Exit code 12: the search ended without a plan, and there may be one."""
     files = write(tmp_path, solvable=False)
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(fast_downward, "run_limited", lambda *_, **__: Finished(12, "no solution!"))
+        patch.setattr(external, "run_limited", lambda *_, **__: Finished(12, "no solution!"))
         answer = plan_fast_downward(*files, time_limit=1.0)
     assert (answer.status, answer.text) == (PlanStatus.NOT_FOUND, "")

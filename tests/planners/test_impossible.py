@@ -9,7 +9,7 @@ import toy_domain
 from neurosym.grounding import FORMATS, Grounding
 from neurosym.operators import Mode, Operator
 from neurosym.planners import PlanStatus, plan
-from neurosym.planners.counting import MOST_VECTORS, Choices, choices_of, looked_at
+from neurosym.planners.action_counts import MOST_VECTORS, Choices, choices_of, looked_at
 from neurosym.planners.no_plan import _Reach
 from neurosym.problems import Problem, SceneObject
 from neurosym.tasks.transition import validate

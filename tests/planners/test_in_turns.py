@@ -4,7 +4,7 @@ import pytest
 from toy_places import grounding, scene
 
 from neurosym.planners import PlanResult, PlanStatus, plan
-from neurosym.planners.in_turns import plan_in_turns
+from neurosym.planners.joined_plans import plan_in_turns
 from neurosym.problems import Problem
 from neurosym.tasks.transition import validate
 

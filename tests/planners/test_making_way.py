@@ -4,7 +4,7 @@ import msgspec
 import numpy as np
 from toy_places import grounding, scene
 
-from neurosym.planners.in_turns import _Way as Way
+from neurosym.planners.joined_plans import _Way as Way
 from neurosym.problems import Problem
 
 PATH = np.array([[[0.7, y, 0.025]] for y in (-0.16, -0.08, 0.0, 0.08, 0.16, 0.24)])  # (steps, 1, 3)

@@ -12,11 +12,10 @@ import toy_domain
 from neurosym.errors import InvalidValue
 from neurosym.grounding import Grounding
 from neurosym.planners import PlanStatus, plan, plan_nearest
-from neurosym.planners.counting import DEPTH, plan_counting
+from neurosym.planners.action_counts import DEPTH, plan_counting
 from neurosym.planners.no_plan import explain_no_plan
 from neurosym.problems import Problem
-from neurosym.tasks.steps import PlanStep
-from neurosym.tasks.transition import validate
+from neurosym.tasks.transition import PlanStep, validate
 
 
 def block(

@@ -3,11 +3,10 @@
 import pytest
 from tables import DOWN, LEFT, LIFT, PUSH, grounding, item
 
-from neurosym.planners import PlanResult, PlanStatus, refinement
-from neurosym.planners.effort import Effort
+from neurosym.planners import PlanResult, PlanStatus, pddl_search
+from neurosym.planners.planner import Effort
 from neurosym.problems import Problem
-from neurosym.tasks.steps import PlanStep
-from neurosym.tasks.transition import validate
+from neurosym.tasks.transition import PlanStep, validate
 
 
 def of(name: str, *steps: PlanStep) -> tuple[PlanStep, ...]:
@@ -16,8 +15,8 @@ def of(name: str, *steps: PlanStep) -> tuple[PlanStep, ...]:
 
 def test_plans_that_no_way_joins_are_no_plan(monkeypatch: pytest.MonkeyPatch):
     no_way = PlanResult(PlanStatus.NOT_FOUND, (), 0.0, "no ways")
-    monkeypatch.setattr(refinement, "plan_around", lambda *_, **__: no_way)
-    monkeypatch.setattr(refinement, "plan_counting", lambda *_, **__: no_way)
+    monkeypatch.setattr(pddl_search, "plan_around", lambda *_, **__: no_way)
+    monkeypatch.setattr(pddl_search, "plan_counting", lambda *_, **__: no_way)
     goals = {"item-1": (0.5, 0.0832, 0.025), "item-10": (0.8, -0.0168, 0.025)}
     task = Problem("p", (item("item-1", 0.5, 0.0), item("item-10", 0.8, -0.1)), goals)
     asked: list[str] = []
@@ -29,7 +28,7 @@ def test_plans_that_no_way_joins_are_no_plan(monkeypatch: pytest.MonkeyPatch):
         steps = of(name, *[LEFT] * 5) if name == "item-10" else of(name, LEFT)  # off the table, and right
         return PlanResult(PlanStatus.SOLVED, steps, 0.0)
 
-    result = refinement._plan_one_by_one(task, grounding(), believed, Effort())
+    result = pddl_search._plan_one_by_one(task, grounding(), believed, Effort())
     assert result.status is PlanStatus.FAILED
     assert "no order of the steps was found that brings item-10 past the others" in result.reason
     assert sorted(asked) == ["item-1", "item-10"]

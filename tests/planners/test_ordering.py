@@ -6,9 +6,9 @@ from tables import DOWN, LEFT, LIFT, PUSH, crossing, grounding, item, problem
 
 from neurosym.grounding import Grounding
 from neurosym.operators import Operator, Vector
-from neurosym.planners.ordering import ends_held, mend
+from neurosym.planners.plan_order import ends_held, mend
 from neurosym.problems import Problem, SceneObject
-from neurosym.tasks.steps import PlanStep
+from neurosym.tasks.transition import PlanStep
 
 
 def test_steps_are_put_in_an_order_that_is_possible():

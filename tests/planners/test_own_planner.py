@@ -29,8 +29,7 @@ from neurosym.planners import (
     register_planner,
 )
 from neurosym.planners.planner import Query
-from neurosym.tasks.steps import PlanStep
-from neurosym.tasks.transition import validate
+from neurosym.tasks.transition import PlanStep, validate
 
 CODE, REGISTERED = python_blocks("own-planner.md")
 

@@ -9,9 +9,9 @@ from pathlib import Path
 import pytest
 
 from neurosym.errors import CannotStart
+from neurosym.planners.pddl_search import _plan_together as plan_together
+from neurosym.planners.planner import PlanResult, PlanStatus
 from neurosym.planners.process import run_limited
-from neurosym.planners.refinement import _plan_together as plan_together
-from neurosym.planners.result import PlanResult, PlanStatus
 
 
 def test_results_come_in_the_order_of_the_tasks():

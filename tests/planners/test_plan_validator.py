@@ -4,10 +4,9 @@ import pytest
 import toy_domain
 
 from neurosym.errors import InvalidValue
-from neurosym.pddl.encodings import domain_text, ground_plan
-from neurosym.pddl.problem import problem_text
-from neurosym.planners.plan_validator import PddlVerdict, validate_pddl
-from neurosym.tasks.steps import PlanStep
+from neurosym.pddl.compiler import domain_text, ground_plan, problem_text
+from neurosym.planners.unified_planning import PddlVerdict, validate_pddl
+from neurosym.tasks.transition import PlanStep
 
 TASK = toy_domain.problem({"item-01": (0.6, 0.08, 0.025)})
 DOMAIN = domain_text(toy_domain.grounding())

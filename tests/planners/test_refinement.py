@@ -9,12 +9,11 @@ from tables import grounding, item, problem, total_cost
 
 from neurosym.errors import UnknownChoice
 from neurosym.grounding import Grounding
-from neurosym.planners import PlanResult, PlanStatus, pddl_planner, plan, refinement
-from neurosym.planners.effort import Effort
-from neurosym.planners.result import PlannerAnswer
+from neurosym.planners import PlanResult, PlanStatus, pddl_planner, plan
+from neurosym.planners import pddl_search as refinement
+from neurosym.planners.planner import Effort, PlannerAnswer
 from neurosym.problems import Problem
-from neurosym.tasks.steps import PlanStep
-from neurosym.tasks.transition import validate
+from neurosym.tasks.transition import PlanStep, validate
 
 
 @pytest.mark.parametrize("cell", [0.005, 0.02])

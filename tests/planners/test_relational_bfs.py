@@ -5,12 +5,11 @@ import pytest
 from independent.ground_pddl import judge
 from toy_relations import PUT_IN, PUT_ON, REST, grounding, relations, scene, sorting, tower, tower_at_place
 
-from neurosym.pair_sight import with_pairs
-from neurosym.pddl.encodings import domain_text, ground_plan
-from neurosym.pddl.problem import problem_text
+from neurosym.pddl.compiler import domain_text, ground_plan, problem_text
 from neurosym.planners import PlanStatus, plan
 from neurosym.planners.registry import _plan_breadth_first as plan_relational_bfs
 from neurosym.problems import Problem
+from neurosym.tasks.supports import with_pairs
 from neurosym.tasks.transition import validate
 
 

@@ -4,8 +4,8 @@ import json
 
 from places import DOCS
 
-from neurosym.pddl.encoding_names import FORMER
-from neurosym.planners.track_record import TrackRecord, track_record
+from neurosym.pddl.syntax import FORMER
+from neurosym.planners.planner_table import TrackRecord, track_record
 from tools.benchmarks.planning.planner_matrix import record_of
 
 

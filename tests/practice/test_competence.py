@@ -6,8 +6,8 @@ import pytest
 import rehearsed
 
 from neurosym.operators import Operator
-from neurosym.practice.competence import HOPE, competence, expected_gain
-from neurosym.promises import keeps_promises, rehearsed_objects
+from neurosym.stages.rounds import HOPE, competence, expected_gain
+from neurosym.tasks.promises import keeps_promises, rehearsed_objects
 
 CATEGORY = next(one for one in rehearsed.grounding().operators.categories if one.symbol == "00")
 

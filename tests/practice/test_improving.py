@@ -7,13 +7,12 @@ import numpy as np
 import pytest
 
 from neurosym.data.interactions import Interactions
-from neurosym.learning.direct_model import DirectModel
-from neurosym.learning.effect_model import EffectModel
+from neurosym.learning.network import DirectModel, EffectModel
 from neurosym.operators import OperatorTable
-from neurosym.practice import improving
-from neurosym.practice.improving import Learner, Workshop, audition_others, rehearse_more, renamed
 from neurosym.primitives.rehearsal import sort_into_modes
-from neurosym.promises import rehearsed_objects
+from neurosym.stages import practice
+from neurosym.stages.practice import Learner, Workshop, audition_others, rehearse_more, renamed
+from neurosym.tasks.promises import rehearsed_objects
 from neurosym.worlds.toy import make_world
 
 
@@ -75,7 +74,7 @@ def test_an_action_on_an_edge_gives_way_to_a_surer_one_that_does_the_same(shop, 
     operator = pushes(table)[0]
     one = learner(table, operator)
     primitive, category = one.primitive, one.category
-    real = improving.moved
+    real = practice.moved
 
     def spoilt(other, count, box, seed):
         actions = real(other, count, box, seed)
@@ -83,7 +82,7 @@ def test_an_action_on_an_edge_gives_way_to_a_surer_one_that_does_the_same(shop, 
             actions[::4, 8:10] = actions[::4, :2]  # a fourth of the objects is not pushed
         return actions
 
-    monkeypatch.setattr(improving, "moved", spoilt)
+    monkeypatch.setattr(practice, "moved", spoilt)
     improved = audition_others(shop, one, turn=1)
     assert improved.primitive is not None
     assert improved.primitive.symbol == primitive.symbol
@@ -98,7 +97,7 @@ def test_an_action_on_an_edge_gives_way_to_a_surer_one_that_does_the_same(shop, 
 
 def test_an_action_that_nothing_beats_stays(shop, table, monkeypatch):
     operator = pushes(table)[0]
-    monkeypatch.setattr(improving, "_rivals", lambda *_: [])
+    monkeypatch.setattr(practice, "_rivals", lambda *_: [])
     improved = audition_others(shop, learner(table, operator), turn=1)
     assert (improved.operator, improved.primitive) == (operator, None)
 
@@ -112,7 +111,7 @@ def test_a_category_that_is_not_met_is_not_practised(shop, table):
         rehearse_more(shop, one, 2, turn=1),
         audition_others(shop, one, turn=1),
     ):
-        assert improved == improving.Improved(operator, None, 0)
+        assert improved == practice.Improved(operator, None, 0)
 
 
 def test_an_operator_that_mostly_does_something_else_after_more_rehearsals_is_named_so(shop, table):

@@ -9,11 +9,11 @@ from command_line import neurosym, refusal
 
 from neurosym.errors import InvalidValue
 from neurosym.operators import OperatorTable
-from neurosym.practice.loop import LESSONS, choose_lessons
-from neurosym.practice.rounds import Lesson, Round
+from neurosym.stages.compilation import operator_table, practice_of
 from neurosym.stages.folder import DomainFolder
-from neurosym.stages.practised import operator_table, practice_of
-from neurosym.stages.practising import practise_stage
+from neurosym.stages.pipeline import practise_stage
+from neurosym.stages.practice import LESSONS, choose_lessons
+from neurosym.stages.rounds import Lesson, Round
 
 FILES = ("practice.json", "grounding.json", "domain.pddl")
 

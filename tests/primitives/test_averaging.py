@@ -6,7 +6,7 @@ import pytest
 from neurosym.data.interactions import Interactions
 from neurosym.errors import InvalidValue
 from neurosym.operators import Primitive
-from neurosym.primitives.table import average, kinds_of
+from neurosym.primitives.operator_search import average, kinds_of
 
 PRIMITIVES = (Primitive("1", (0.5, 0.5), 0.0), Primitive("0", (-0.5, 0.5), 0.0))
 

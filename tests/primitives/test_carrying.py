@@ -9,14 +9,13 @@ import pytest
 from toy_learning import BRIEF, SMALL
 
 from neurosym.errors import InvalidFile
-from neurosym.exploration.choice import ExplorationConfig
-from neurosym.exploration.loop import explore
+from neurosym.exploration.loop import ExplorationConfig, explore
 from neurosym.learning.training import Trained, train
-from neurosym.place_operators import PlaceOperators
-from neurosym.primitives.judging import foresee_carrying, judge, performance
-from neurosym.primitives.table import CARRYING, find_operators
+from neurosym.pair_operators import PlaceOperators
+from neurosym.primitives.operator_search import CARRYING, find_operators
+from neurosym.primitives.reliability import foresee_carrying, judge, performance
 from neurosym.world import Outcome
-from neurosym.worlds.aimed import Aimed, AimedFactory
+from neurosym.worlds.aims import Aimed, AimedFactory
 from neurosym.worlds.toy import make_world
 
 

@@ -5,15 +5,14 @@ import pytest
 import torch
 from toy_learning import toy_data
 
-from neurosym.data.dimensions import Dimensions
+from neurosym.data.origin import Dimensions
 from neurosym.errors import InvalidValue
-from neurosym.learning.effect_model import EffectModel
 from neurosym.learning.losses import reproducible
-from neurosym.learning.model_config import ModelConfig
-from neurosym.operators import CONVERGED, OperatorTable
+from neurosym.learning.network import EffectModel
+from neurosym.learning.training_config import ModelConfig
+from neurosym.operators import CONVERGED, OperatorTable, all_symbols
 from neurosym.primitives import distillation
 from neurosym.primitives.distillation import code_errors, distill, draw_of_every_kind
-from neurosym.symbols import all_symbols
 from neurosym.worlds.toy import make_world
 
 FEW = {"candidates": 4, "steps": 40}

@@ -5,7 +5,7 @@ from math import pi, sqrt
 import numpy as np
 import pytest
 
-from neurosym.primitives.judging import EXACT, Performance, exactness, judge, sureness
+from neurosym.primitives.reliability import EXACT, Performance, exactness, judge, sureness
 from neurosym.world import Outcome, Scene
 
 

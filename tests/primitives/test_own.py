@@ -7,13 +7,11 @@ import numpy as np
 import pytest
 from toy_learning import foretell, search, some_features
 
-from neurosym.naming import name_operator
-from neurosym.operators import Primitive
-from neurosym.primitives import own
-from neurosym.primitives.audition import choose
-from neurosym.primitives.own import choose_own, shortlist_own
+from neurosym.operators import Primitive, name_operator
+from neurosym.primitives import audition
+from neurosym.primitives.audition import choose, choose_own, shortlist_own
 from neurosym.primitives.rehearsal import rehearse, tabulate
-from neurosym.primitives.repertoire import Repertoire, repertoire_of, shared_by_all, with_own
+from neurosym.primitives.sampling import Repertoire, repertoire_of, shared_by_all, with_own
 from neurosym.world import Outcome, Scene
 from neurosym.worlds.toy import LONGEST_PUSH, WIDEST_GRASP, ToyWorld, make_world
 
@@ -104,7 +102,7 @@ def test_an_action_on_an_edge_is_demoted_because_its_performances_are_moved(monk
     for candidates, shared in (([safe, edge], [safe]), ([edge, safe], [edge])):
         found = chosen(candidates, shared, pushable, make_cliff, seed=1)
         assert actions_of(found, "1")[0] == LEFT
-    monkeypatch.setattr(own, "MOVED", 0.0)
+    monkeypatch.setattr(audition, "MOVED", 0.0)
     found = chosen([safe, edge], [safe], pushable, make_cliff, seed=1)
     assert EDGE in actions_of(found, "1")
 

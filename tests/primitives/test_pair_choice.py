@@ -5,12 +5,11 @@ import toy_relations
 from toy_learning import search
 
 from neurosym.operators import Primitive
-from neurosym.primitives.pair_choice import choose_for_pairs
-from neurosym.primitives.pair_rehearsal import tabulate_pairs
+from neurosym.pair_operators import PairStates
+from neurosym.primitives.pair_audition import choose_for_pairs, tabulate_pairs
 from neurosym.primitives.rehearsal import rehearse
-from neurosym.primitives.repertoire import Repertoire
-from neurosym.relation_operators import PairStates
-from neurosym.worlds.related import RelatedFactory
+from neurosym.primitives.sampling import Repertoire
+from neurosym.worlds.aims import RelatedFactory
 from neurosym.worlds.toy_relations import WALL, make_world
 
 FACTORY = RelatedFactory(make_world)

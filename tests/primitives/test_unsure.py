@@ -5,8 +5,7 @@ import pytest
 from toy_learning import search
 
 from neurosym.operators import OperatorTable, Primitive
-from neurosym.primitives.rehearsal import rehearse, tabulate
-from neurosym.primitives.unsure import ROUNDS, SHARE, rehearse_unsure
+from neurosym.primitives.rehearsal import ROUNDS, SHARE, rehearse, rehearse_unsure, tabulate
 from neurosym.worlds.toy import WIDEST_GRASP, make_world
 
 OBJECTS = 60

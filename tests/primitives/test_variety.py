@@ -10,15 +10,14 @@ import pytest
 import torch
 from toy_learning import BRIEF, search
 
-from neurosym.data.dimensions import Dimensions
-from neurosym.learning.direct_model import DirectModel
-from neurosym.learning.losses import reproducible
-from neurosym.learning.model_config import DirectConfig
+from neurosym.data.origin import Dimensions
+from neurosym.learning.losses import Samples, reproducible
+from neurosym.learning.network import DirectModel
 from neurosym.learning.recipes import fit_direct
-from neurosym.learning.samples import Samples
+from neurosym.learning.training_config import DirectConfig
 from neurosym.operators import Primitive
 from neurosym.primitives.audition import audition, shortlist
-from neurosym.primitives.variety import (
+from neurosym.primitives.reliability import (
     LITTLE,
     PLENTY,
     CandidateEffects,

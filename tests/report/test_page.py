@@ -12,16 +12,14 @@ from command_line import neurosym, refusal
 from tables import grounding
 
 from neurosym.data.interactions import Interactions
-from neurosym.evaluation.comparison_summary import Comparison, Tally
-from neurosym.files import write_json
+from neurosym.evaluation.summary import Comparison, Tally
+from neurosym.files import read_json, write_json
 from neurosym.grounding import Grounding
 from neurosym.pictures.motions import surest_carriers
-from neurosym.reading import read_json
-from neurosym.report import page
+from neurosym.report import html_page
 from neurosym.report.charts import Axis, dots, round_values
-from neurosym.report.exploration import explored, what_became
-from neurosym.report.films import films_of
-from neurosym.report.page import gather, render
+from neurosym.report.html_page import films_of, gather, render
+from neurosym.report.sections import explored, what_became
 from neurosym.stages.folder import DomainFolder
 from neurosym.stages.plan_records import PlanRecord
 
@@ -68,12 +66,12 @@ def reported(toy_folder, tmp_path_factory):
 
 def test_page_parses_and_loads_nothing(reported):
     text = (reported / "report.html").read_text()
-    page = checked(text)
-    assert page.references
-    assert all(reference.startswith(("data:", "#")) for reference in page.references)
+    html_page = checked(text)
+    assert html_page.references
+    assert all(reference.startswith(("data:", "#")) for reference in html_page.references)
     assert not re.search(r"https?:|url\(|@import|<script", text)
-    assert "script" not in page.tags
-    assert all(image["alt"] and int(image["width"]) > 0 for image in page.images)
+    assert "script" not in html_page.tags
+    assert all(image["alt"] and int(image["width"]) > 0 for image in html_page.images)
 
 
 def test_films_share_a_viewer_that_stands_on_the_page_itself(reported):
@@ -94,7 +92,7 @@ def test_films_share_a_viewer_that_stands_on_the_page_itself(reported):
 
 
 def test_films_need_the_extra(reported, monkeypatch, capsys):
-    monkeypatch.setattr("neurosym.studio.extra.LEAST", (99, 0))
+    monkeypatch.setattr("neurosym.errors.LEAST", (99, 0))
     assert "viser" in refusal(capsys, "report", reported, "--films")
 
 
@@ -165,10 +163,10 @@ def test_hostile_texts_are_shown_and_not_obeyed(reported, tmp_path):
     tally = Tally(7, 6, 5, 4, 1.5, 0.25, 3, 2, {}, {}, {}, {}, 9, 8)
     write_json(place / "comparison.json", Comparison(10, 1, 2, {EVIL: tally}))
     text = render(gather(DomainFolder(folder), lambda *_: None))
-    page = checked(text)
-    assert "script" not in page.tags
-    assert "i" not in page.tags
-    assert all(image["src"].startswith("data:image/webp;base64,") for image in page.images)
+    html_page = checked(text)
+    assert "script" not in html_page.tags
+    assert "i" not in html_page.tags
+    assert all(image["src"].startswith("data:image/webp;base64,") for image in html_page.images)
     assert text.count(escape(EVIL)) >= 5
     figures = (7, 6, 5, 4, "8 of 9", "1.50", "0.250")
     assert "".join(f'<td class="number">{figure}</td>' for figure in figures) in text
@@ -212,8 +210,8 @@ def test_damaged_records_and_scenes_are_named_once_and_left_out(folder, capsys):
     assert len(notes) == 3
     for path in (folder / "plans/task-02.fast-downward.json", run, scene):
         assert sum(f"note: {path} cannot be used" in note for note in notes) == 1
-    page = (folder / "report.html").read_text()
-    assert '<th scope="row">task-01</th>' not in page
+    html_page = (folder / "report.html").read_text()
+    assert '<th scope="row">task-01</th>' not in html_page
 
 
 def test_every_interaction_is_counted_once(toy_folder):
@@ -244,6 +242,6 @@ def test_dots_stand_where_their_points_are():
 
 def test_only_the_primitives_that_the_domain_uses_most_are_pictured_where_there_are_many(monkeypatch):
     learned = grounding()
-    assert page._pictured(learned) == (["000", "001", "010", "111"], [])
-    monkeypatch.setattr(page, "PICTURED", 2)
-    assert page._pictured(learned) == (["000", "010"], ["001", "111"])  # each with two live operators
+    assert html_page._pictured(learned) == (["000", "001", "010", "111"], [])
+    monkeypatch.setattr(html_page, "PICTURED", 2)
+    assert html_page._pictured(learned) == (["000", "010"], ["001", "111"])  # each with two live operators

@@ -1,6 +1,6 @@
 """Plans and runs are counted by planner."""
 
-from neurosym.report.plans import PlannerSummary, PlanRow, summaries
+from neurosym.report.sections import PlannerSummary, PlanRow, summaries
 
 
 def row(planner: str, *, steps: int | None, reached: bool | None, performed: int = 1) -> PlanRow:

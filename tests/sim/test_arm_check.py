@@ -10,12 +10,11 @@ import pytest
 
 from neurosym import check_world
 from neurosym.errors import InvalidArm, InvalidValue
-from neurosym.sim.arm import Arm
 from neurosym.sim.arm_check import check_arm
-from neurosym.sim.config import TabletopConfig
+from neurosym.sim.config import Arm, TabletopConfig
 from neurosym.sim.numeric_inverse import NumericInverse
+from neurosym.sim.robot import UR10
 from neurosym.sim.tabletop import Tabletop
-from neurosym.sim.ur10 import UR10
 
 BASE, HOME = (0.5, 0.0, 0.6), (0.0, 0.0, -0.2, 3.14159)
 JOINTS, FINGERS, TOOL = (0, 1, 2, 3), (5, 6), 7

@@ -6,10 +6,10 @@ import numpy as np
 import pytest
 
 from neurosym.errors import InvalidValue
+from neurosym.operators import DOT_COLOURS
 from neurosym.sim.camera import BLANK, HEIGHT, WIDTH, lens_over
 from neurosym.sim.config import TabletopConfig
 from neurosym.sim.tabletop import Tabletop
-from neurosym.waypoint_dots import DOT_COLOURS
 from neurosym.world import Frame, Outcome, Scene
 
 PUSH = np.array([0, -0.05, 0.02, 0, 0, 0, 0.02, 0, 0, 0.05, 0.02, 0], dtype=float)

@@ -9,7 +9,7 @@ from neurosym.sim.config import TabletopConfig
 from neurosym.sim.interaction import _grasp_opening
 from neurosym.sim.simulation import Simulation
 from neurosym.sim.tabletop import Tabletop
-from neurosym.table import Place
+from neurosym.world import Place
 from neurosym.worlds.workers import Task, perform_all
 
 MISS = np.array([0, 0, 0.025, CLOSED, 0, 0, 0.025, CLOSED, 0, 0, 0, CLOSED])

@@ -15,11 +15,10 @@ from places import DOCS
 
 from neurosym import check_world
 from neurosym.errors import InvalidValue
-from neurosym.sim.arm import TOOL_DOWN
+from neurosym.sim.config import TOOL_DOWN
 from neurosym.sim.numeric_inverse import NumericInverse
-from neurosym.sim.ur10 import UR10, joints_for
-from neurosym.table import Place
-from neurosym.world import Scene
+from neurosym.sim.robot import UR10, joints_for
+from neurosym.world import Place, Scene
 
 DOCUMENT = DOCS / "own-robot.md"
 CODE, LOOK = re.findall(r"```python\n(.*?)```", DOCUMENT.read_text(), flags=re.DOTALL)

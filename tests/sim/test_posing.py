@@ -3,9 +3,9 @@
 import numpy as np
 import pytest
 
-from neurosym.poses import POSE_SECONDS, Pose, Posed
+from neurosym.contract import POSE_SECONDS, Pose, Posed
+from neurosym.sim.robot import UR10
 from neurosym.sim.tabletop import Tabletop
-from neurosym.sim.ur10 import UR10
 from neurosym.world import Outcome
 
 

@@ -6,8 +6,7 @@ from standing import CARRY, FAR, boxes
 
 from neurosym.errors import InvalidValue
 from neurosym.sim.tabletop import Tabletop
-from neurosym.table import OtherObject
-from neurosym.world import Scene
+from neurosym.world import OtherObject, Scene
 from neurosym.worlds.toy import make_world
 from neurosym.worlds.workers import Task, perform_all
 

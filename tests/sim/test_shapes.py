@@ -4,10 +4,9 @@ import numpy as np
 import pytest
 
 from neurosym.errors import InvalidValue, NeurosymError
-from neurosym.sim.config import MOST_OBJECTS, TabletopConfig
+from neurosym.sim.config import MOST_OBJECTS, OPEN_THROUGH, OPEN_TOP, SHAPES, SOLID, TabletopConfig, boxes_of
 from neurosym.sim.interaction import _landing_shift
-from neurosym.sim.scenes import sample_features, sample_scene
-from neurosym.sim.shapes import OPEN_THROUGH, OPEN_TOP, SHAPES, SOLID, boxes_of
+from neurosym.sim.simulation import sample_features, sample_scene
 from neurosym.sim.tabletop import Tabletop
 
 WALL = 0.006

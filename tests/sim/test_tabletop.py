@@ -6,9 +6,8 @@ import numpy as np
 import pytest
 
 from neurosym.errors import InvalidValue
-from neurosym.sim.bullet import pybullet
 from neurosym.sim.camera import HEIGHT, WIDTH
-from neurosym.sim.config import TabletopConfig
+from neurosym.sim.config import TabletopConfig, pybullet
 from neurosym.sim.tabletop import Tabletop
 from neurosym.world import Outcome, Scene
 

@@ -7,8 +7,8 @@ import pybullet
 import pytest
 
 from neurosym.errors import InvalidValue
-from neurosym.sim.arm import TOOL_DOWN
-from neurosym.sim.ur10 import BASE_HEIGHT, joints_for, tool_in_world
+from neurosym.sim.config import TOOL_DOWN
+from neurosym.sim.robot import BASE_HEIGHT, joints_for, tool_in_world
 
 
 def test_inverse_undoes_forward_all_over_the_table():

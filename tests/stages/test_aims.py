@@ -6,25 +6,21 @@ from functools import partial
 import numpy as np
 import pytest
 
-from neurosym.commands.init import init
-from neurosym.data.dimensions import Dimensions
+from neurosym.commands.learn import init
 from neurosym.data.interactions import Interactions
+from neurosym.data.origin import Dimensions
 from neurosym.errors import InvalidValue
-from neurosym.learning.effect_model import EffectModel
 from neurosym.learning.losses import reproducible
-from neurosym.learning.model_config import ModelConfig
+from neurosym.learning.network import EffectModel
+from neurosym.learning.training_config import ModelConfig
 from neurosym.operators import OperatorTable
-from neurosym.primitives.search import Method
-from neurosym.primitives.table import choose_carriers, measured
-from neurosym.stages import outdated
-from neurosym.stages.aims import Aim
-from neurosym.stages.distilling import distill_stage
-from neurosym.stages.exploring import explore_stage
+from neurosym.primitives.operator_search import choose_carriers, measured
+from neurosym.primitives.rehearsal import Method
+from neurosym.stages import folder as domain_folder
 from neurosym.stages.folder import DomainFolder
-from neurosym.stages.training import train_stage
-from neurosym.table import Place
-from neurosym.world import World, WorldFactory
-from neurosym.worlds.aimed import PLACE_AXES, Aimed, AimedScene
+from neurosym.stages.learning import Aim, distill_stage, explore_stage, train_stage
+from neurosym.world import Place, World, WorldFactory
+from neurosym.worlds.aims import PLACE_AXES, Aimed, AimedScene
 from neurosym.worlds.toy import make_world
 
 
@@ -92,7 +88,7 @@ def test_a_fourth_aim_has_data_and_networks_of_its_own(folder: DomainFolder):
 
 
 def test_what_makes_it_anew_is_the_same_command_for_every_aim(folder: DomainFolder):
-    assert outdated._command(folder.path, "train-middle", TO_MIDDLE.file("training.json")) == (
+    assert domain_folder._command(folder.path, "train-middle", TO_MIDDLE.file("training.json")) == (
         f"neurosym train {folder.path}"
     )
 
@@ -105,6 +101,6 @@ def test_something_carries_objects_to_the_middle(folder: DomainFolder):
 
 
 def test_a_world_that_cannot_be_acted_on_so_is_refused(monkeypatch: pytest.MonkeyPatch):
-    monkeypatch.setattr("neurosym.stages.aims.references_of", lambda _: ())
+    monkeypatch.setattr("neurosym.stages.learning.references_of", lambda _: ())
     with pytest.raises(InvalidValue, match=r"takes no place as a reference.*leave out --middle"):
         TO_MIDDLE.check_takes(make_world())

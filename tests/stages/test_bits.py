@@ -3,9 +3,8 @@
 import pytest
 
 from neurosym.errors import InvalidValue
-from neurosym.stages.exploring import explore_stage
 from neurosym.stages.folder import DomainFolder
-from neurosym.stages.training import train_stage
+from neurosym.stages.learning import explore_stage, train_stage
 
 EXPLORING = {"steps": 8, "seed": 0, "regime": "default", "workers": 1}
 

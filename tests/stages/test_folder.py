@@ -3,9 +3,8 @@
 import pytest
 
 from neurosym.errors import FolderNotFound, InvalidFile, InvalidValue, StageMissing, UnknownChoice
-from neurosym.stages.folder import DomainFolder
+from neurosym.stages.folder import DomainFolder, Stage
 from neurosym.stages.layout import MANIFEST
-from neurosym.stages.manifest import Stage
 
 
 @pytest.fixture

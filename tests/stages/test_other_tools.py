@@ -11,9 +11,9 @@ from neurosym.grounding import Grounding
 from neurosym.pddl import problem_text
 from neurosym.pddl.durative import durative_domain_text, durative_problem_text
 from neurosym.planners import PlanStatus
-from neurosym.planners.fast_downward import plan_fast_downward
+from neurosym.planners.external import plan_fast_downward
 from neurosym.problems import Problem
-from neurosym.stages.compiling import compile_stage
+from neurosym.stages.compilation import compile_stage
 from neurosym.stages.folder import DomainFolder
 
 CELL = ("--cell", "0.02")

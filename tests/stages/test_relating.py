@@ -6,21 +6,16 @@ import numpy as np
 import pytest
 import toy_relations
 
-from neurosym.commands.init import init
-from neurosym.commands.run import run
-from neurosym.data.dimensions import Dimensions
+from neurosym.commands.learn import init, run
 from neurosym.data.interactions import Interactions
+from neurosym.data.origin import Dimensions
 from neurosym.errors import InvalidValue, NeurosymError
 from neurosym.files import write_json
-from neurosym.learning.effect_model import EffectModel
 from neurosym.learning.losses import reproducible
-from neurosym.learning.model_config import ModelConfig
+from neurosym.learning.network import EffectModel
+from neurosym.learning.training_config import ModelConfig
 from neurosym.operators import Mode, Operator, Primitive
-from neurosym.place_operators import PlaceOperators
-from neurosym.relation_operators import PairStates, RelationOperators
-from neurosym.stages.aims import TO_OBJECTS
-from neurosym.stages.distilling import distill_stage
-from neurosym.stages.exploring import explore_stage
+from neurosym.pair_operators import PairStates, PlaceOperators, RelationOperators
 from neurosym.stages.folder import DomainFolder, load_scene
 from neurosym.stages.layout import (
     MODEL,
@@ -31,9 +26,8 @@ from neurosym.stages.layout import (
     RELATION_OPERATORS,
     RELATION_STATES,
 )
-from neurosym.stages.problem_making import Asked, problem_stage
-from neurosym.stages.task_drawing import sight_of_pairs
-from neurosym.stages.training import train_stage
+from neurosym.stages.learning import TO_OBJECTS, distill_stage, explore_stage, train_stage
+from neurosym.stages.problem_making import Asked, problem_stage, sight_of_pairs
 from neurosym.world import World
 from neurosym.worlds.toy_relations import make_world
 

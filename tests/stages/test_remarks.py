@@ -13,7 +13,7 @@ from neurosym.execution.executor import execute
 from neurosym.grounding import Grounding
 from neurosym.problems import Problem
 from neurosym.stages.folder import DomainFolder
-from neurosym.stages.remarks import (
+from neurosym.stages.planning import (
     remarks_on_blocked,
     remarks_on_number,
     remarks_on_objects,

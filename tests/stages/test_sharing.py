@@ -8,19 +8,18 @@ from pathlib import Path
 import pytest
 from command_line import refusal
 
-from neurosym import locks
-from neurosym.commands.new_problem import new_problem
+from neurosym import files
+from neurosym.commands.tasks import new_problem
 from neurosym.errors import CannotWrite, FolderTaken, InvalidFile
 from neurosym.files import write_atomically
-from neurosym.stages.compiling import compile_stage
-from neurosym.stages.folder import DomainFolder
-from neurosym.stages.manifest import Claim, Stage
+from neurosym.stages.compilation import compile_stage
+from neurosym.stages.folder import Claim, DomainFolder, Stage
 from neurosym.stages.planning import load_problem
 
 
 @pytest.fixture(autouse=True)
 def ask_once(monkeypatch: pytest.MonkeyPatch):
-    monkeypatch.setattr(locks, "_TRIES", 1)
+    monkeypatch.setattr(files, "_TRIES", 1)
 
 
 def stage(folder: DomainFolder, name: str, *, claim: Claim = Claim.SHARED) -> Stage:

@@ -10,27 +10,25 @@ import pytest
 from command_line import neurosym
 from places import DOCS, ROOT
 
-from neurosym.actions import ActionBox
 from neurosym.data.interactions import Interactions
 from neurosym.data.origin import box_of
+from neurosym.files import read_json
 from neurosym.grounding import Grounding
-from neurosym.learning.model_config import DirectConfig, ModelConfig
-from neurosym.learning.report import TrainingReport
-from neurosym.learning.training import train
+from neurosym.learning.training import TrainingReport, train
 from neurosym.learning.training_config import (
     CodingConfig,
     DecoderConfig,
+    DirectConfig,
+    ModelConfig,
     NamingConfig,
     TeacherConfig,
     TrainingConfig,
 )
 from neurosym.operators import TOLERANCE, OperatorTable
-from neurosym.place_operators import PlaceOperators
-from neurosym.primitives.table import find_operators
-from neurosym.reading import read_json
-from neurosym.relation_operators import RelationOperators
-from neurosym.stages import verdict as rules
-from neurosym.stages.verdict import (
+from neurosym.pair_operators import PlaceOperators, RelationOperators
+from neurosym.primitives.operator_search import average_operators
+from neurosym.stages import verdicts as rules
+from neurosym.stages.verdicts import (
     ENOUGH_TASKS,
     LEVELS,
     WIDEST,
@@ -44,6 +42,7 @@ from neurosym.stages.verdict import (
     wilson,
     worst,
 )
+from neurosym.world import ActionBox
 
 SHORT = TrainingConfig(
     teacher=TeacherConfig(DirectConfig(hidden=64), epochs=40),
@@ -125,8 +124,8 @@ def learned(name: str) -> tuple[TrainingReport, OperatorTable]:
     data, (object_bits, action_bits) = SETS[name]
     trained = train(data, config=SHORT, model_config=ModelConfig(object_bits, action_bits, hidden=64), seed=0)
     box = ActionBox(*box_of(data.actions, data.origin))
-    return trained.report, find_operators(
-        trained.model, trained.direct, data, box, world_factory=None, seed=0
+    return trained.report, average_operators(
+        trained.model, trained.direct.predict_outcomes, data, box, "own", seed=0
     )
 
 

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 from studio_pages import shipped_library
 
-from neurosym.studio.serving import Studio
+from neurosym.studio.server import Studio
 from tools.benchmarks.studio.browser import BROWSERS, FLAGS, SLOW, Window, browser_here
 
 pytestmark = pytest.mark.filterwarnings("ignore::DeprecationWarning")

@@ -14,8 +14,6 @@ import pytest
 from command_line import neurosym, refusal
 from places import ROOT
 
-from neurosym.studio import extra
-
 
 def started(tmp_path: Path, *arguments: str) -> tuple[subprocess.Popen[str], str]:
     """The studio in a process of its own, and its address."""
@@ -59,13 +57,13 @@ def test_missing_extra_is_one_sentence(capsys, monkeypatch):
     def missing(_: str) -> str:
         raise PackageNotFoundError
 
-    monkeypatch.setattr(extra, "version", missing)
+    monkeypatch.setattr("importlib.metadata.version", missing)
     assert "pip install 'neurosym-pddl[studio]'" in refusal(capsys, "studio")
 
 
 @pytest.mark.parametrize("found", ["1.0.30", "0.2.23", "2.0.0"])
 def test_version_that_will_not_do_is_named(capsys, monkeypatch, found):
-    monkeypatch.setattr(extra, "version", lambda _: found)
+    monkeypatch.setattr("importlib.metadata.version", lambda _: found)
     assert f"viser {found}" in refusal(capsys, "studio")
 
 

@@ -5,11 +5,9 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from neurosym.poses import Part
+from neurosym.contract import Part
 from neurosym.problems import SceneObject
-from neurosym.studio.grabbing import Grab
-from neurosym.studio.shapes import circle, mesh_of, rectangle, scalar_first
-from neurosym.studio.view import LABEL, View
+from neurosym.studio.view import LABEL, Grab, View, circle, mesh_of, rectangle, scalar_first
 
 PARTS = [
     (Part("box", (0.1, 0.2, 0.3)), 0.006),

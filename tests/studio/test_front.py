@@ -10,7 +10,7 @@ from http.server import BaseHTTPRequestHandler, HTTPServer
 import pytest
 
 from neurosym.errors import CannotStart, InvalidValue
-from neurosym.studio.front import Front, is_loopback
+from neurosym.studio.server import Front, is_loopback
 
 
 class Inner(BaseHTTPRequestHandler):

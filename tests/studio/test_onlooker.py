@@ -4,11 +4,10 @@ import time
 
 import numpy as np
 
+from neurosym.execution.performance import Moment
 from neurosym.execution.record import StepRecord
-from neurosym.execution.watching import Moment
-from neurosym.studio.messages import Controls
-from neurosym.studio.onlooker import Onlooker
-from neurosym.studio.recording import Reel, step_labels
+from neurosym.studio.messages import Controls, Onlooker
+from neurosym.studio.view import Reel, step_labels
 from neurosym.world import Scene
 
 SCENE = Scene(np.full((1, 4), 0.05), np.array([[0.6, 0.0, 0.025]]), np.array([[0.0, 0.0, 0.0, 1.0]]))

@@ -6,10 +6,9 @@ from toy_domain import grounding, problem
 
 from neurosym.errors import InvalidValue
 from neurosym.problems import Problem
-from neurosym.studio import setting
-from neurosym.studio.placing import REACH_CELL, free_spot, reach_of, why_not_there
-from neurosym.tasks.steps import PlanStep
-from neurosym.tasks.transition import validate
+from neurosym.studio import scene_editor
+from neurosym.studio.scene_editor import REACH_CELL, free_spot, reach_of, why_not_there
+from neurosym.tasks.transition import PlanStep, validate
 
 TABLE = grounding().table
 SCENE = problem({"item-01": (0.6, 0.16, 0.025)})
@@ -17,11 +16,11 @@ OFF = [(0.39, 0.0), (1.01, 0.0), (0.6, 0.31), (0.6, -0.31)]
 
 
 def moved(x: float, y: float) -> Problem:
-    return setting.moved(SCENE, "item-01", x, y)
+    return scene_editor.moved(SCENE, "item-01", x, y)
 
 
 def aimed(x: float, y: float, z: float | None = None) -> Problem:
-    return setting.with_goal(SCENE, "item-01", x, y, z)
+    return scene_editor.with_goal(SCENE, "item-01", x, y, z)
 
 
 @pytest.mark.parametrize(
@@ -34,7 +33,7 @@ def aimed(x: float, y: float, z: float | None = None) -> Problem:
         (moved(0.79, 0.1), "item-01", "object", "item-01 is in item-02"),
         (moved(0.79, 0.1), "item-02", "object", "item-02 is in item-01"),
         (aimed(0.8, 0.1), "item-01", "goal", "the goal of item-01 is in item-02"),
-        (setting.with_goal(aimed(0.8, 0.1), "item-02", 0.5, -0.2), "item-01", "goal", ""),  # it leaves
+        (scene_editor.with_goal(aimed(0.8, 0.1), "item-02", 0.5, -0.2), "item-01", "goal", ""),  # it leaves
         (aimed(0.8, 0.1, 0.225), "item-01", "goal", ""),  # above it
     ],
 )
@@ -45,7 +44,9 @@ def test_what_cannot_be_where_it_is_is_said(scene, name, kind, said):
 def test_room_for_another_object_is_beside_those_that_are_there():
     for middle in ((0.6, 0.0), (0.8, 0.1)):
         x, y = free_spot(SCENE, (0.05, 0.05, 0.05, 0.0), TABLE, middle)
-        there = setting.with_object(SCENE, (0.05, 0.05, 0.05, 0.0), x, y, lambda rows: ("0",) * len(rows))
+        there = scene_editor.with_object(
+            SCENE, (0.05, 0.05, 0.05, 0.0), x, y, lambda rows: ("0",) * len(rows)
+        )
         assert why_not_there(there, there.object_names[-1], "object", TABLE) == ""
         assert np.hypot(x - middle[0], y - middle[1]) < 0.11
     with pytest.raises(InvalidValue, match="no room"):
@@ -54,7 +55,7 @@ def test_room_for_another_object_is_beside_those_that_are_there():
 
 @pytest.mark.parametrize("steps", [1, 2, 3])
 def test_reach_is_all_that_so_many_steps_lead_to(steps):
-    learned, scene = grounding(), setting.without_object(problem({}), "item-02")
+    learned, scene = grounding(), scene_editor.without_object(problem({}), "item-02")
     reach = reach_of(scene.objects[0], learned, steps)
     found = {scene.objects[0].position[:2]}
     names = ("push-left-001-cube", "push-forward-010-cube")

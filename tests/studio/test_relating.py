@@ -6,12 +6,11 @@ import pytest
 import toy_domain
 from toy_relations import LIE, REST, grounding, scene, sorting, tower
 
+from neurosym.pair_operators import PairEnd
 from neurosym.problems import Problem
-from neurosym.related import carried_along
-from neurosym.relation_operators import PairEnd
-from neurosym.studio import setting
-from neurosym.studio.placing import complaints_about
-from neurosym.studio.relating import (
+from neurosym.studio import scene_editor
+from neurosym.studio.scene_editor import (
+    complaints_about,
     ghost_spots,
     goals_for,
     relation_of_drop,
@@ -20,6 +19,7 @@ from neurosym.studio.relating import (
     why_no_goal,
     why_not_related,
 )
+from neurosym.tasks.supports import carried_along
 from neurosym.tasks.task import Task, understand
 
 LEARNED = grounding()
@@ -44,10 +44,10 @@ def test_goals_that_an_object_can_have_are_what_was_learned():
 
 
 def test_goals_that_the_others_forbid_are_left_out():
-    stacked = task(setting.with_relation(PLAIN, "item-01", "item-02", REST))
+    stacked = task(scene_editor.with_relation(PLAIN, "item-01", "item-02", REST))
     assert [goal[1] for goal in goals_for(stacked, "item-02")] == ["item-03"]  # no circle
     four = Problem("four", scene(*[("cube", 0.5 + 0.1 * n, 0.0) for n in range(4)]), {}, 0.02)
-    taken = task(setting.with_relation(four, "item-01", "item-02", REST))
+    taken = task(scene_editor.with_relation(four, "item-01", "item-02", REST))
     assert "item-02" not in [goal[1] for goal in goals_for(taken, "item-03")]  # it bears one only
 
 
@@ -62,7 +62,7 @@ def test_ghosts_stand_on_ghosts_as_operators_promise():
     assert list(spots) == ["item-01", "item-03"]
     assert spots["item-03"] == pytest.approx((0.5, 0.1, 0.075))
     assert spots["item-01"] == pytest.approx((0.5, 0.1, 0.125))
-    placed = setting.with_goal(tower(), "item-02", 0.8, 0.0)
+    placed = scene_editor.with_goal(tower(), "item-02", 0.8, 0.0)
     assert ghost_spots(task(placed))["item-01"] == pytest.approx((0.8, 0.0, 0.125))
     assert ghost_spots(task(sorting()))["item-01"] == pytest.approx((0.8, -0.15, 0.03 + 0.09 * 0.055))
 
@@ -73,12 +73,12 @@ def test_ghosts_of_goals_on_the_table_stand_where_they_are():
 
 
 def test_drop_is_on_the_highest_ghost_that_something_leads_to():
-    dropped = task(setting.with_goal(tower(), "item-04", 0.5, 0.1))
+    dropped = task(scene_editor.with_goal(tower(), "item-04", 0.5, 0.1))
     assert under(dropped, "item-04", ghost_spots(dropped)) == ("item-01", "item-03", "item-02")
     assert relation_of_drop(dropped, "item-04") == ("item-04", "item-01", REST)
-    beside = task(setting.with_goal(tower(), "item-04", 0.6, 0.0))
+    beside = task(scene_editor.with_goal(tower(), "item-04", 0.6, 0.0))
     assert relation_of_drop(beside, "item-04") is None
-    itself = task(setting.with_goal(tower(), "item-02", 0.7, -0.1))  # where its own load is now
+    itself = task(scene_editor.with_goal(tower(), "item-02", 0.7, -0.1))  # where its own load is now
     assert under(itself, "item-02", ghost_spots(itself)) == ()
     assert relation_of_drop(itself, "item-02") is None
 
@@ -91,7 +91,7 @@ def test_drop_takes_the_state_that_the_pair_is_brought_to_most_surely():
     for operators in ((less_sure, *table.operators), (*table.operators, less_sure)):
         relations = msgspec.structs.replace(table, operators=operators)
         learned = msgspec.structs.replace(LEARNED, relations=relations)
-        dropped = task(setting.with_goal(PLAIN, "item-01", 0.82, -0.1), learned)
+        dropped = task(scene_editor.with_goal(PLAIN, "item-01", 0.82, -0.1), learned)
         assert relation_of_drop(dropped, "item-01") == ("item-01", "item-03", LIE)
         assert ("item-01", "item-03", REST) in goals_for(dropped, "item-01")
 
@@ -117,20 +117,20 @@ FULL = scene(("tray", 0.8, 0.0), ("cube", 0.8, 0.0, 0.01), ("block", 0.5, 0.1))
     [
         (tower(), {}),
         (sorting(), {}),
-        (setting.with_goal(tower(), "item-02", 0.8, 0.0), {}),
+        (scene_editor.with_goal(tower(), "item-02", 0.8, 0.0), {}),
         (Problem("full", FULL, {"item-01": (0.82, 0.0, 0.03)}, 0.02), {}),
-        (setting.with_goal(PLAIN, "item-01", 0.6, 0.1), {}),  # something leads there
+        (scene_editor.with_goal(PLAIN, "item-01", 0.6, 0.1), {}),  # something leads there
         (
-            setting.with_goal(PLAIN, "item-03", 0.6, 0.1),
+            scene_editor.with_goal(PLAIN, "item-03", 0.6, 0.1),
             {"goal item-03": "the goal of item-03 is in item-02"},
         ),
         (
-            setting.with_goal(PLAIN, "item-01", 0.655, 0.1),
+            scene_editor.with_goal(PLAIN, "item-01", 0.655, 0.1),
             {"goal item-01": "the goal of item-01 is in item-02"},
         ),
         # overlaps with its edge what stands on the table, and not the ghosts that stand higher
         (
-            setting.with_goal(tower(), "item-04", 0.5, 0.16),
+            scene_editor.with_goal(tower(), "item-04", 0.5, 0.16),
             {"goal item-04": "the goal of item-04 is in item-02"},
         ),
     ],
@@ -140,7 +140,7 @@ def test_what_stands_on_another_is_right_where_something_leads_there_and_wrong_e
 
 
 def test_object_that_was_dragged_into_a_tray_is_not_borne_by_it():
-    inside = setting.moved(PLAIN, "item-01", 0.82, -0.1)
+    inside = scene_editor.moved(PLAIN, "item-01", 0.82, -0.1)
     assert stacks_of(task(inside)) == {}
     assert complaints(inside)["object item-01"] == "item-01 is in item-03"
 
@@ -149,6 +149,6 @@ def test_what_an_object_bears_is_named_to_the_top():
     stacks = stacks_of(task(sorting()))
     assert {name: borne.by for name, borne in stacks.items()} == {"item-01": "item-02", "item-02": "item-03"}
     assert set(carried_along("item-03", stacks)) == {"item-01", "item-02"}
-    moved = setting.moved(sorting(), "item-02", 0.55, 0.2, 0.025, ["item-01"])
+    moved = scene_editor.moved(sorting(), "item-02", 0.55, 0.2, 0.025, ["item-01"])
     assert np.allclose(moved.object_named("item-01").position, (0.55, 0.2, 0.075))
     assert stacks_of(task(moved))["item-01"].by == "item-02"

@@ -10,9 +10,9 @@ from studio_pages import planned, ran, session_on, shipped_library, toy_library,
 
 from neurosym.planners import PlanStatus
 from neurosym.problems import Problem
-from neurosym.studio import setting
+from neurosym.studio import scene_editor
+from neurosym.studio.desk import promises_for
 from neurosym.studio.session import Session
-from neurosym.studio.symbols import promises_for
 
 
 @pytest.fixture(scope="module")
@@ -272,7 +272,7 @@ def test_saved_problem_lies_in_the_domain_folder(toy):
 
 
 def test_file_of_a_scene_is_opened_or_refused(toy):
-    other = setting.with_goal(toy.problem, "item-02", 0.5, -0.2)
+    other = scene_editor.with_goal(toy.problem, "item-02", 0.5, -0.2)
     toy.open_file(msgspec.json.encode(other))
     assert toy.problem == other
     for content in (b"", b"{}", b"\xff" * 50, b"[" * 10_000, b" " * 2_000_000):

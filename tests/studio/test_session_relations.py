@@ -15,10 +15,9 @@ from toy_relations import LIE, PUT_ON, REST, scene, sorting, tower, tower_at_pla
 from neurosym.planners import PlanStatus
 from neurosym.problems import Problem
 from neurosym.studio.page import Page
-from neurosym.studio.panel_plan import PlanPanel
-from neurosym.studio.panel_run import RunPanel
-from neurosym.studio.panel_table import NOTHING, TablePanel
-from neurosym.studio.recording import film_of
+from neurosym.studio.panel import RunPanel
+from neurosym.studio.panels import NOTHING, PlanPanel, TablePanel
+from neurosym.studio.view import film_of
 
 PLAIN = Problem(
     "plain",

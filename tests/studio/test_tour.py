@@ -5,7 +5,7 @@ import viser
 from studio_pages import session_on, shipped_library, wait_for, workers
 
 from neurosym.studio.page import Page
-from neurosym.studio.panel_tour import CARDS, TourPanel
+from neurosym.studio.panel import CARDS, TourPanel
 
 pytestmark = pytest.mark.filterwarnings("ignore::DeprecationWarning")
 

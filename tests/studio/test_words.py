@@ -7,8 +7,8 @@ from toy_relations import LIE, PUT_IN, REST
 
 from neurosym.execution.executor import execute
 from neurosym.execution.record import Replanning, Run
+from neurosym.files import read_json
 from neurosym.planners import PlanStatus, plan
-from neurosym.reading import read_json
 from neurosym.stages.plan_records import PlanRecord
 from neurosym.studio import words
 from neurosym.studio.words import (
@@ -19,8 +19,8 @@ from neurosym.studio.words import (
     run_table,
     safe,
 )
-from neurosym.tasks.puts import put_named
-from neurosym.tasks.steps import named_steps
+from neurosym.tasks.options import put_named
+from neurosym.tasks.transition import named_steps
 
 EVIL = '<img src=x onerror="alert(1)">'
 LIBRARY = shipped_library()

@@ -6,7 +6,7 @@ from studio_pages import shipped_library, toy_library, wait_for
 
 from neurosym.studio.messages import Controls, Failed, Make, RunPlan, Seen
 from neurosym.studio.session import Room
-from neurosym.studio.workers import DIED, STOPPED, Workers
+from neurosym.studio.studio_workers import DIED, STOPPED, Workers
 
 
 @pytest.fixture

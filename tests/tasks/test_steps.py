@@ -6,9 +6,9 @@ import pytest
 from tables import grounding, problem
 
 from neurosym.errors import InvalidValue
-from neurosym.pddl.encodings import ground_plan
+from neurosym.pddl.compiler import ground_plan
 from neurosym.pddl.plan_reading import parse_plan, read_plan
-from neurosym.tasks.steps import PlanStep, print_plan
+from neurosym.tasks.transition import PlanStep, print_plan
 
 PULL, PUSH = PlanStep("pull-010-tray", "item-02"), PlanStep("push-away-001-block", "item-01")
 LIFT, DOWN = PlanStep("lift-010-block", "item-01"), PlanStep("put-down-lift-010-block", "item-01")

@@ -8,20 +8,19 @@ from types import ModuleType
 import pytest
 from places import ROOT
 
-from neurosym import pair_sight, promises, related
 from neurosym.errors import InvalidValue
 from neurosym.grounding import Grounding
 from neurosym.pddl import problem_text
-from neurosym.pddl.chances import expected_success
-from neurosym.pddl.encodings import ground_plan
+from neurosym.pddl.compiler import ground_plan
 from neurosym.planners.registry import plan
 from neurosym.problems import Problem
-from neurosym.tasks import places
+from neurosym.tasks import promises, supports, task
+from neurosym.tasks.chances import expected_success
 from neurosym.tasks.task import understand
 from neurosym.tasks.transition import validate
 
 DOMAINS = ROOT / "domains"
-COUNTED = ((places, "goal_spots"), (related, "describe_pair"), (pair_sight, "nearest_kinds"))
+COUNTED = ((task, "goal_spots"), (supports, "describe_pair"), (supports, "nearest_kinds"))
 
 
 def loaded(domain: str, name: str) -> tuple[Problem, Grounding]:

@@ -4,14 +4,12 @@ import msgspec
 import pytest
 from tables import DOWN, LEFT, LIFT, PULL, PUSH, TRAY_LEFT, crossing, grounding, item, mode, problem
 
-from neurosym.execution.reasons import why_missed
-from neurosym.execution.record import Run
+from neurosym.errors import in_millimetres
+from neurosym.execution.record import Run, why_missed
 from neurosym.planners import plan
 from neurosym.problems import Problem
-from neurosym.table import Table
-from neurosym.tasks.steps import PlanStep
-from neurosym.tasks.transition import validate
-from neurosym.wording import in_millimetres
+from neurosym.tasks.transition import PlanStep, validate
+from neurosym.world import Table
 
 
 def test_right_plan_is_valid_and_its_positions_are_exact():

@@ -6,13 +6,11 @@ import numpy as np
 import pytest
 
 from neurosym.data.interactions import Interactions
-from neurosym.exploration.choice import ExplorationConfig
-from neurosym.exploration.loop import explore
+from neurosym.exploration.loop import ExplorationConfig, explore
 from neurosym.sim.tabletop import Tabletop
-from neurosym.table import Place
-from neurosym.world import Scene
-from neurosym.worlds.aimed import PLACE_AXES, Aimed, AimedFactory, AimedScene
-from neurosym.worlds.custom import make_own_world
+from neurosym.world import Place, Scene
+from neurosym.worlds.aims import PLACE_AXES, Aimed, AimedFactory, AimedScene
+from neurosym.worlds.own_world import make_own_world
 from neurosym.worlds.toy import make_world
 
 GRASP = np.array([0, 0, 0, 1.0, 0, 0, 0, 0.0, 0, 0, 0, 0.0])

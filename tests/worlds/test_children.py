@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from neurosym.errors import CannotStart
-from neurosym.worlds.children import Child
+from neurosym.worlds.processes import Child
 
 
 @pytest.mark.parametrize(

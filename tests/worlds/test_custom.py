@@ -18,9 +18,9 @@ SLIDER = '''
 
 import numpy as np
 
-from neurosym.table import Table
+from neurosym.world import Table
 from neurosym.world import (Outcome, Scene)
-from neurosym.actions import ActionBox
+from neurosym.world import ActionBox
 
 class Slider:
     name = "slider"

@@ -10,8 +10,7 @@ import pytest
 from gymnasium.utils.env_checker import check_env
 
 from neurosym.errors import InvalidValue, InvalidWorld, UnknownChoice
-from neurosym.table import Place
-from neurosym.world import REQUIRED
+from neurosym.world import REQUIRED, Place
 from neurosym.worlds.gymnasium_env import MOST_STEPS, WorldEnv
 from neurosym.worlds.toy import ToyWorld, make_world
 

@@ -3,7 +3,7 @@
 import numpy as np
 import toy_places
 
-from neurosym.worlds.known_motions import JITTER, TO_THE_MIDDLE, KnownMotions
+from neurosym.worlds.aims import JITTER, TO_THE_MIDDLE, KnownMotions
 from neurosym.worlds.toy import make_world
 
 BOX = make_world().action_box

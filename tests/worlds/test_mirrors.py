@@ -7,9 +7,9 @@ import numpy as np
 import pytest
 
 from neurosym import check_world
-from neurosym.actions import Mirror, three_waypoints
 from neurosym.errors import InvalidValue, InvalidWorld
-from neurosym.worlds.check import broken_mirror
+from neurosym.world import Mirror, three_waypoints
+from neurosym.worlds.own_world import broken_mirror
 from neurosym.worlds.toy import ToyConfig, ToyWorld
 from neurosym.worlds.world_file import make_world
 

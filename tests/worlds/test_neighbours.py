@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from neurosym.sim.tabletop import Tabletop
-from neurosym.worlds.neighbours import GAPS, ROOM, CrowdedFactory, CrowdedScene
+from neurosym.worlds.aims import GAPS, ROOM, CrowdedFactory, CrowdedScene
 from neurosym.worlds.toy import make_world
 
 GRASP = np.array([0, 0, 0, 1.0, 0, 0, 0, 0.0, 0, 0, 0, 0.0])

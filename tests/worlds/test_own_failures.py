@@ -16,10 +16,10 @@ from command_line import neurosym, refusal
 
 from neurosym import Grounding, PlanStep, Problem, draw_problem, execute, explore
 from neurosym.errors import InvalidWorld
-from neurosym.exploration.choice import ExplorationConfig
-from neurosym.worlds import host
+from neurosym.exploration.loop import ExplorationConfig
+from neurosym.worlds import own_world
 from neurosym.worlds.gymnasium_env import WorldEnv
-from neurosym.worlds.hosted import OwnFactory
+from neurosym.worlds.own_world import OwnFactory
 from neurosym.worlds.toy import ToyConfig, ToyWorld, make_world
 
 BLOCK, STEPS = 4, 14
@@ -112,7 +112,7 @@ def test_two_workers_tell_the_same(here, deed):
 @pytest.mark.parametrize("place", ["init", "lift_height"])
 @pytest.mark.parametrize("deed", SAID)
 def test_a_world_that_cannot_be_made_is_told(here, deed, place, monkeypatch):
-    monkeypatch.setattr(host, "PATIENCE", 1.0)
+    monkeypatch.setattr(own_world, "PATIENCE", 1.0)
     with pytest.raises(InvalidWorld, match=r"The world 'bad_worlds:make' (cannot be made|raises|ends|has)"):
         factory(here, deed=deed, place=place)()
 
@@ -240,7 +240,7 @@ def test_a_world_ends_with_the_process_that_asks_it(here):
     program = """
 import os, signal
 from pathlib import Path
-from neurosym.worlds.hosted import OwnFactory
+from neurosym.worlds.own_world import OwnFactory
 print(OwnFactory("bad_worlds:make", {}, Path("domain"))().process.child.process.pid, flush=True)
 os.kill(os.getpid(), signal.SIGKILL)
 """

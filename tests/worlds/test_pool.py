@@ -12,9 +12,8 @@ from child_deeds import is_up, refused, unreadable
 from places import ROOT
 
 from neurosym.errors import InvalidFile, NeurosymError
-from neurosym.worlds.pool import worker_pool
 from neurosym.worlds.toy import make_world
-from neurosym.worlds.workers import crew
+from neurosym.worlds.workers import crew, worker_pool
 
 
 def test_what_a_worker_cannot_do_first_is_told_by_its_sentence_alone(capfd: pytest.CaptureFixture[str]):
@@ -61,7 +60,7 @@ def test_an_answer_that_cannot_be_sent_is_an_error_of_its_work():
 
 
 MAIN = """
-from neurosym.worlds.pool import worker_pool
+from neurosym.worlds.workers import worker_pool
 
 def double(number):
     return 2 * number

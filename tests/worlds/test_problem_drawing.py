@@ -6,7 +6,7 @@ from toy_domain import WORLD
 
 from neurosym.errors import InvalidValue
 from neurosym.world import Scene
-from neurosym.worlds.problem_drawing import draw_problem, set_problem
+from neurosym.worlds.task_drawing import draw_problem, set_problem
 from neurosym.worlds.toy import ToyConfig, ToyWorld
 
 

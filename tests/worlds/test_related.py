@@ -3,10 +3,9 @@
 import numpy as np
 import toy_relations
 
-from neurosym.exploration.choice import ExplorationConfig
-from neurosym.exploration.loop import explore
-from neurosym.table import OtherObject
-from neurosym.worlds.related import PAIR_AXES, Related, RelatedFactory, RelatedScene, as_pair, taken
+from neurosym.exploration.loop import ExplorationConfig, explore
+from neurosym.world import OtherObject
+from neurosym.worlds.aims import PAIR_AXES, Related, RelatedFactory, RelatedScene, as_pair, taken
 from neurosym.worlds.toy_relations import make_world
 
 FACTORY = RelatedFactory(make_world)

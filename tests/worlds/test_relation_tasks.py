@@ -9,8 +9,8 @@ from neurosym.errors import InvalidValue, UnknownChoice
 from neurosym.execution.executor import execute
 from neurosym.planners import PlanStatus, plan
 from neurosym.problems import Problem
-from neurosym.related import bearers_of, unmet_relations
-from neurosym.stages.task_drawing import draw_any_task
+from neurosym.stages.problem_making import draw_any_task
+from neurosym.tasks.supports import bearers_of, unmet_relations
 from neurosym.worlds.toy_relations import ToyRelations
 
 FEATURES = [features for _, features in KINDS.values()]

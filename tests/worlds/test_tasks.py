@@ -7,12 +7,12 @@ import pytest
 from places import SHIPPED
 
 from neurosym.errors import InvalidValue
-from neurosym.learning.effect_model import EffectModel
+from neurosym.learning.network import EffectModel
 from neurosym.problems import Problem
 from neurosym.sim.tabletop import Tabletop
-from neurosym.table import Table
-from neurosym.tasks.footprints import footprints_apart, overlapping
-from neurosym.worlds.tasks import AWAY, CROWDED, ROW_GAP, draw_places, draw_task
+from neurosym.tasks.task import footprints_apart, overlapping
+from neurosym.world import Table
+from neurosym.worlds.task_drawing import AWAY, CROWDED, ROW_GAP, draw_places, draw_task
 
 WORLD = Tabletop()
 CATEGORISE = EffectModel.load(SHIPPED / "effect_model.safetensors").object_symbols
@@ -111,6 +111,6 @@ def test_objects_without_room_are_told():
     ],
 )
 def test_tasks_that_cannot_be_are_refused_in_one_sentence(kind, objects, said, monkeypatch):
-    monkeypatch.setattr("neurosym.worlds.tasks._DRAWS", 3)
+    monkeypatch.setattr("neurosym.worlds.task_drawing._DRAWS", 3)
     with pytest.raises(InvalidValue, match=said):
         drawn(kind, objects, 0)

@@ -6,8 +6,7 @@ import numpy as np
 import pytest
 
 from neurosym.errors import InvalidValue
-from neurosym.table import Place, Table
-from neurosym.world import Scene
+from neurosym.world import Place, Scene, Table
 from neurosym.worlds.toy import ToyConfig, ToyWorld, make_world
 
 SMALL = (0.05, 0.05, 0.04, 0.0)

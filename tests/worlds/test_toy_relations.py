@@ -3,9 +3,8 @@
 import numpy as np
 import pytest
 
-from neurosym.table import OtherObject, Place
-from neurosym.world import Scene
-from neurosym.worlds.check import check_world
+from neurosym.world import OtherObject, Place, Scene
+from neurosym.worlds.own_world import check_world
 from neurosym.worlds.toy_relations import WALL, let_down, loads_on, make_world
 
 CARRY = np.array([0, 0, 0, 1.0, 0, 0, 0, 0.0, 0, 0, 0, 0.0])

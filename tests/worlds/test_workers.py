@@ -12,9 +12,8 @@ import pytest
 from worker_tasks import Deadly, some_tasks
 
 from neurosym.errors import InvalidValue
-from neurosym.worlds.pool import WorkerDied
 from neurosym.worlds.toy import make_world
-from neurosym.worlds.workers import Task, crew, perform_all
+from neurosym.worlds.workers import Task, WorkerDied, crew, perform_all
 
 
 def test_two_workers_give_the_outcomes_of_one_in_order():

@@ -25,12 +25,12 @@ from typing import Annotated, Any
 
 import tyro
 
-from neurosym.console import say
+from neurosym.errors import listed_briefly
+from neurosym.evaluation.summary import markdown_table
 from neurosym.files import write_atomically
-from neurosym.markdown import markdown_table
-from neurosym.pddl.excerpt import Action, Tree, tree_of
-from neurosym.planners.plan_validator import validate_pddl
-from neurosym.wording import listed_briefly
+from neurosym.pddl.compiler import Action, Tree, tree_of
+from neurosym.planners.unified_planning import validate_pddl
+from neurosym.stages.console import say
 from tools.benchmarks.foreign_calls.features import FEATURES
 from tools.benchmarks.foreign_calls.planners import (
     COMPLAINED,

@@ -13,10 +13,10 @@ from multiprocessing import get_context
 from pathlib import Path
 from typing import Any
 
-from neurosym.console import progress_bar, say
-from neurosym.distribution import version_of
-from neurosym.execution.machine import this_machine
+from neurosym.errors import version_of
+from neurosym.execution.record import this_machine
 from neurosym.files import write_atomically
+from neurosym.stages.console import progress_bar, say
 
 Job = Callable[[], Any]
 

@@ -20,10 +20,10 @@ from typing import Annotated, Any
 
 import tyro
 
-from neurosym.console import say
+from neurosym.choices import DOMAINS
+from neurosym.evaluation.summary import markdown_table
 from neurosym.files import write_atomically
-from neurosym.markdown import markdown_table
-from neurosym.shipped import DOMAINS
+from neurosym.stages.console import say
 from tools.benchmarks.jobs import as_text, machine
 from tools.benchmarks.places import ROOT
 

@@ -13,9 +13,9 @@ from typing import Annotated, Any
 
 import tyro
 
-from neurosym.commands.signals import raised_signals, say_interrupted
-from neurosym.console import progress_bar, say
+from neurosym.commands.ending import raised_signals, say_interrupted
 from neurosym.files import write_atomically
+from neurosym.stages.console import progress_bar, say
 from tools.benchmarks.jobs import pack, unpack
 from tools.faults.clocks import clocks
 from tools.faults.disks import cannot_mount, disks

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 from places import SHIPPED
 
-from neurosym.evaluation.comparison_tasks import Bench
+from neurosym.evaluation.comparison import Bench
 from neurosym.stages.folder import DomainFolder
 from tools.benchmarks.carrying import baselines, tasks
 from tools.benchmarks.carrying.by_hand import ByHand, carry_by_hand

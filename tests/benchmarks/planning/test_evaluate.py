@@ -7,11 +7,11 @@ import pytest
 from places import ROOT
 
 from neurosym.evaluation.comparison import Attempt, TaskRecord
-from neurosym.execution.summary import Execution
+from neurosym.execution.rerun import Execution
 from neurosym.grounding import Grounding
 from neurosym.planners import PlanStatus
 from neurosym.problems import Problem, SceneObject
-from neurosym.tasks.moves import cost
+from neurosym.tasks.options import cost
 from tools.benchmarks.jobs import Evaluation, pack, unpack
 from tools.benchmarks.planning import evaluate, jobs, measures, tally, tasks
 
@@ -170,7 +170,7 @@ def test_flat_operators_cost_alike_and_move_as_before():
 @pytest.mark.parametrize("objects", [1, 6])
 def test_symbolic_task_can_be_solved_and_none_of_its_objects_is_at_its_goal(objects):
 
-    from neurosym.planners.counting import fewest_steps
+    from neurosym.planners.action_counts import fewest_steps
 
     bench = measures.bench_of(ROOT / "domains/tabletop")
     task = tasks.draw_symbolic(bench, objects, "hard", 3)

@@ -8,7 +8,7 @@ from command_line import neurosym
 from toy_domain import grounding, problem
 
 from neurosym.planners import PLANNERS, pddl_planner
-from neurosym.planners.catalogue import PROGRAMS
+from neurosym.planners.planner_table import PROGRAMS
 from tools.benchmarks.planning import planner_matrix as matrix
 
 TASK = problem({"item-01": (0.68, 0.08, 0.025)})

@@ -10,6 +10,7 @@ from toy_domain import WORLD, grounding, problem
 from neurosym.evaluation.comparison import Setting
 from neurosym.execution.record import Run, StepRecord
 from neurosym.operators import Rehearsal
+from tools.benchmarks.jobs import Evaluation
 from tools.benchmarks.planning import evaluate, figures, jobs, trial_jobs, trials
 from tools.benchmarks.planning.trial_tables import trial_sections
 from tools.benchmarks.planning.trials import Followed, Step, Trial
@@ -178,7 +179,7 @@ def test_figures_come_into_json_and_the_page(tmp_path):
     measured |= {name: [trial(), NO_PLAN] for name in trial_jobs.far_jobs(size)}
     for name, found in measured.items():
         (tmp_path / "jobs" / f"{name}.json").write_text(json.dumps(trials.to_json(found)))
-    evaluate.write_results(tmp_path, tmp_path, size)
+    evaluate.write_results(Evaluation("planning", tmp_path, tmp_path), size)
     summary = json.loads((tmp_path / "planning.json").read_text())
     cell = {"blind": 0.0, "replanned": 1.0, "tasks": 10}
     assert summary["precision"]["50"] == {"single": cell, "double": cell}

@@ -8,7 +8,7 @@ from neurosym.grounding import Grounding
 from neurosym.operators import TOLERANCE
 from neurosym.problems import Problem
 from neurosym.stages.folder import DomainFolder
-from neurosym.stages.task_drawing import sight_of_pairs
+from neurosym.stages.problem_making import sight_of_pairs
 from tools.benchmarks.relations.bench import HEIGHT, SMALL, TOWERS, TWENTY, towers
 
 

@@ -7,7 +7,7 @@ import pytest
 from places import ROOT
 
 from neurosym.world import Outcome, Scene
-from neurosym.worlds.aimed import Adapted
+from neurosym.worlds.aims import Adapted
 from tools.benchmarks.relations import protocols, singly, trying
 from tools.benchmarks.relations.geometry import fits
 from tools.benchmarks.relations.summary import summarise

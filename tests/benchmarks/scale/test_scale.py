@@ -2,8 +2,8 @@
 
 import numpy as np
 
-from neurosym.data.check import training_problems
 from neurosym.data.interactions import examine
+from neurosym.data.origin import training_problems
 from neurosym.planners import plan
 from tools.benchmarks.scale import measures
 from tools.benchmarks.scale.evaluate import page, parts

@@ -3,7 +3,7 @@
 import pytest
 
 from neurosym.commands.cli import main
-from neurosym.reading import read_json
+from neurosym.files import read_json
 from neurosym.sim.tabletop import Tabletop
 from neurosym.stages.plan_records import PlanRecord
 from neurosym.worlds.workers import perform_all

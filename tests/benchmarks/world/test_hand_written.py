@@ -3,10 +3,9 @@
 import numpy as np
 import pytest
 
-from neurosym.actions import three_waypoints
-from neurosym.sim.config import TabletopConfig
-from neurosym.sim.shapes import SHAPES
+from neurosym.sim.config import SHAPES, TabletopConfig
 from neurosym.sim.tabletop import Tabletop
+from neurosym.world import three_waypoints
 from tools.benchmarks.world.hand_written import HAND_WRITTEN
 
 SOLID_TOO_WIDE = np.array([0.17, 0.17, 0.06, 0.0])

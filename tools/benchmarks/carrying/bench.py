@@ -20,7 +20,7 @@ from neurosym.grounding import Grounding
 from neurosym.operators import TOLERANCE
 from neurosym.planners import PlanStatus, plan
 from neurosym.problems import Problem, SceneObject
-from neurosym.table import Table
+from neurosym.world import Table
 from tools.benchmarks.carrying.tasks import far
 from tools.benchmarks.jobs import machine
 from tools.benchmarks.options import Output

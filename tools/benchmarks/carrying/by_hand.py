@@ -9,9 +9,8 @@ import numpy as np
 from jaxtyping import Float
 
 from neurosym.problems import Problem
-from neurosym.table import Table
-from neurosym.tasks.footprints import footprints_apart, overlapping
-from neurosym.world import Scene, World, relative_to
+from neurosym.tasks.task import footprints_apart, overlapping
+from neurosym.world import Scene, Table, World, relative_to
 from tools.benchmarks.world.hand_written import carry_to
 
 MOTIONS = 3

@@ -7,19 +7,16 @@ from typing import Any
 
 import numpy as np
 
-from neurosym.commands.init import init
+from neurosym.commands.learn import init
+from neurosym.data.origin import StrategyName
 from neurosym.grounding import Grounding
 from neurosym.operators import OperatorTable
+from neurosym.pair_operators import PlaceOperators
 from neurosym.pddl.compiler import CELL
-from neurosym.place_operators import PlaceOperators
-from neurosym.stages.aims import TO_PLACES
-from neurosym.stages.compiling import compile_stage
-from neurosym.stages.distilling import distill_stage
-from neurosym.stages.exploring import explore_stage
+from neurosym.stages.compilation import compile_stage
 from neurosym.stages.folder import DomainFolder
 from neurosym.stages.layout import GROUNDING, MODEL, PLACE_OPERATORS, WORLD
-from neurosym.stages.training import train_stage
-from neurosym.strategies import StrategyName
+from neurosym.stages.learning import TO_PLACES, distill_stage, explore_stage, train_stage
 from tools.benchmarks.carrying import tasks
 from tools.benchmarks.planning.measures import REHEARSALS
 

@@ -4,9 +4,9 @@ from collections.abc import Mapping, Sequence
 from statistics import mean, stdev
 from typing import Any
 
-from neurosym.markdown import markdown_table
-from neurosym.stages.verdict import wilson
-from neurosym.wording import counted
+from neurosym.errors import counted
+from neurosym.evaluation.summary import markdown_table
+from neurosym.stages.verdicts import wilson
 
 
 def page(summary: Mapping[str, Any]) -> str:

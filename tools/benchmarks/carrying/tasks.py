@@ -8,7 +8,7 @@ import numpy as np
 from jaxtyping import Float
 
 from neurosym.choices import TaskKind
-from neurosym.evaluation.comparison_tasks import Bench
+from neurosym.evaluation.comparison import Bench
 from neurosym.operators import TOLERANCE
 from neurosym.problems import Problem
 from tools.benchmarks.world.hand_written import carry_to

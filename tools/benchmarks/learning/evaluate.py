@@ -13,20 +13,21 @@ from typing import Annotated, Any
 
 import tyro
 
-from neurosym.commands.init import init
+from neurosym.commands.learn import init
 from neurosym.data.interactions import Interactions
-from neurosym.learning.model_config import DirectConfig, ModelConfig
+from neurosym.data.origin import DEFAULT_STRATEGY
 from neurosym.learning.training_config import (
     REGIMES,
     CodingConfig,
     DecoderConfig,
+    DirectConfig,
+    ModelConfig,
     TeacherConfig,
     TrainingConfig,
 )
-from neurosym.stages.exploring import explore_stage
 from neurosym.stages.folder import DomainFolder
 from neurosym.stages.layout import INTERACTIONS, WORLD
-from neurosym.strategies import DEFAULT_STRATEGY
+from neurosym.stages.learning import explore_stage
 from tools.benchmarks.jobs import Evaluation, Job, machine
 from tools.benchmarks.learning import measures
 from tools.benchmarks.learning.curves import draw

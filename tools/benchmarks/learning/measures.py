@@ -13,20 +13,16 @@ from typing import Any
 import numpy as np
 
 from neurosym.data.interactions import Interactions
-from neurosym.evaluation.primitive_kinds import kind_of, kinds_found
-from neurosym.learning.baselines import TEST_ROWS, trivial_predictions
+from neurosym.data.origin import has_high_effect
+from neurosym.evaluation.paper_tables import kind_of, kinds_found
 from neurosym.learning.coclustering import cocluster
-from neurosym.learning.direct_model import DirectModel
-from neurosym.learning.effect_model import EffectModel
-from neurosym.learning.model_config import ModelConfig
-from neurosym.learning.training import Trained, r_squared, share_of, train
-from neurosym.learning.training_config import TrainingConfig
-from neurosym.naming import CARRIED
+from neurosym.learning.network import DirectModel, EffectModel
+from neurosym.learning.training import TEST_ROWS, Trained, r_squared, share_of, train, trivial_predictions
+from neurosym.learning.training_config import ModelConfig, TrainingConfig
+from neurosym.operators import CARRIED, all_symbols
 from neurosym.primitives.audition import choose
 from neurosym.primitives.distillation import distill
 from neurosym.primitives.rehearsal import Rehearsals, rehearse
-from neurosym.strategies import has_high_effect
-from neurosym.symbols import all_symbols
 from neurosym.worlds.world_file import read_world
 
 REHEARSED = 60

@@ -5,9 +5,8 @@ from typing import Any
 
 import numpy as np
 
-from neurosym.evaluation.paper_tables import kinds_table
-from neurosym.evaluation.primitive_kinds import KINDS
-from neurosym.markdown import markdown_table, mean_and_spread
+from neurosym.evaluation.paper_tables import KINDS, kinds_table
+from neurosym.evaluation.summary import markdown_table, mean_and_spread
 
 BySeed = Mapping[str, Mapping[str, Any]]
 _NOT_YET = "not measured yet"

@@ -16,17 +16,15 @@ from typing import Annotated, Any, NamedTuple
 import numpy as np
 import tyro
 
-from neurosym.commands.init import init
+from neurosym.commands.learn import init
+from neurosym.errors import counted
+from neurosym.evaluation.summary import markdown_table
 from neurosym.grounding import Grounding
-from neurosym.markdown import markdown_table
 from neurosym.pddl.compiler import CELL
-from neurosym.stages.compiling import compile_stage
-from neurosym.stages.distilling import distill_stage
-from neurosym.stages.exploring import explore_stage
+from neurosym.stages.compilation import compile_stage
 from neurosym.stages.folder import DomainFolder
 from neurosym.stages.layout import GROUNDING, MANIFEST, WORLD
-from neurosym.stages.training import train_stage
-from neurosym.wording import counted
+from neurosym.stages.learning import distill_stage, explore_stage, train_stage
 from tools.benchmarks.jobs import Evaluation, machine
 from tools.benchmarks.options import CORES, OnlyReport, Results, Seeds, Steps, Work, Workers, begin
 from tools.benchmarks.planning.measures import REHEARSALS

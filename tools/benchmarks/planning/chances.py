@@ -12,17 +12,16 @@ from typing import Annotated
 import numpy as np
 import tyro
 
-from neurosym.console import progress_bar, say
+from neurosym.evaluation.summary import markdown_table
 from neurosym.grounding import Grounding, is_lift
-from neurosym.learning.effect_model import EffectModel
-from neurosym.markdown import markdown_table
+from neurosym.learning.network import EffectModel
 from neurosym.operators import TOLERANCE, Operator
-from neurosym.primitives.performing import perform
-from neurosym.primitives.sampling import sample_by_category
+from neurosym.primitives.sampling import perform, sample_by_category
 from neurosym.problems import SceneObject
-from neurosym.promises import promised
+from neurosym.stages.console import progress_bar, say
 from neurosym.stages.layout import GROUNDING, MODEL, WORLD
-from neurosym.tasks.moves import chance
+from neurosym.tasks.options import chance
+from neurosym.tasks.promises import promised
 from neurosym.world import Outcome, Scene
 from neurosym.worlds.workers import Task
 from neurosym.worlds.world_file import read_world

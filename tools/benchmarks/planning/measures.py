@@ -19,25 +19,22 @@ from typing import Any
 import msgspec
 import numpy as np
 
-from neurosym.commands.init import init
+from neurosym.commands.learn import init
 from neurosym.errors import NeurosymError
-from neurosym.evaluation.comparison import compare, planner_of
-from neurosym.evaluation.comparison_tasks import Bench
+from neurosym.evaluation.comparison import Bench, compare, planner_of
 from neurosym.execution.executor import execute
-from neurosym.execution.summary import summarise_run
+from neurosym.execution.rerun import summarise_run
 from neurosym.grounding import Grounding
 from neurosym.operators import TOLERANCE
 from neurosym.planners import PlanResult, PlanStatus, plan
+from neurosym.planners.action_counts import fewest_steps
 from neurosym.planners.bfs import branching_of, plan_bfs
-from neurosym.planners.counting import fewest_steps
 from neurosym.problems import Problem
-from neurosym.stages.compiling import compile_stage
-from neurosym.stages.distilling import distill_stage
-from neurosym.stages.exploring import explore_stage
+from neurosym.stages.compilation import compile_stage
 from neurosym.stages.folder import DomainFolder
 from neurosym.stages.layout import MODEL, PRIMITIVES, WORLD
-from neurosym.stages.training import train_stage
-from neurosym.stages.whole_way import CELL
+from neurosym.stages.learning import distill_stage, explore_stage, train_stage
+from neurosym.stages.pipeline import CELL
 from neurosym.tasks.transition import validate
 from tools.benchmarks.planning.tasks import draw_symbolic
 from tools.benchmarks.planning.trials import PLANNER

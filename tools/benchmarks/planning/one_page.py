@@ -21,11 +21,11 @@ from typing import Annotated, Any
 
 import tyro
 
-from neurosym.console import say
+from neurosym.choices import DOMAINS
 from neurosym.files import write_atomically
 from neurosym.grounding import Grounding
 from neurosym.problems import Problem
-from neurosym.shipped import DOMAINS
+from neurosym.stages.console import say
 from neurosym.tasks.task import understand
 from tools.benchmarks.jobs import Job, as_text, load_jobs, perform
 from tools.benchmarks.places import ROOT

@@ -20,24 +20,22 @@ from typing import Annotated, Any
 import msgspec
 import tyro
 
-from neurosym.console import say
 from neurosym.errors import InvalidPlan
 from neurosym.files import write_atomically
 from neurosym.grounding import Grounding
 from neurosym.pddl import domain_text, problem_text
-from neurosym.pddl.encoding_names import SAS, STRIPS, EncodingName
 from neurosym.pddl.plan_reading import parse_plan
 from neurosym.pddl.sas import sas_text
 from neurosym.pddl.strips_problem import printed_cell
+from neurosym.pddl.syntax import SAS, STRIPS, EncodingName
 from neurosym.planners import PLANNERS, PlanStatus, plan
-from neurosym.planners.catalogue import COARSE, PROGRAMS
-from neurosym.planners.external import plan_program
-from neurosym.planners.fast_downward import SAS_SUFFIX
+from neurosym.planners.external import SAS_SUFFIX, plan_program
 from neurosym.planners.planner import PddlProgram
+from neurosym.planners.planner_table import COARSE, FILE, PROGRAMS, TrackRecord
 from neurosym.planners.process import run_limited
-from neurosym.planners.track_record import FILE, TrackRecord
 from neurosym.planners.unified_planning import engine_program
 from neurosym.problems import Problem
+from neurosym.stages.console import say
 from neurosym.stages.folder import DomainFolder
 from neurosym.stages.layout import GROUNDING
 from neurosym.stages.planning import load_problem

@@ -14,13 +14,12 @@ from typing import Annotated, Any
 
 import tyro
 
-from neurosym.markdown import markdown_table
+from neurosym.evaluation.summary import markdown_table
 from neurosym.pddl.compiler import CELL
-from neurosym.stages.compiling import compile_stage
+from neurosym.stages.compilation import compile_stage, practice_of
 from neurosym.stages.folder import DomainFolder
 from neurosym.stages.layout import MANIFEST, TABLE_FILES
-from neurosym.stages.practised import practice_of
-from neurosym.stages.practising import practise_stage
+from neurosym.stages.pipeline import practise_stage
 from tools.benchmarks.jobs import Evaluation, machine
 from tools.benchmarks.options import CORES, Results, Work, Workers, begin
 from tools.benchmarks.planning.jobs import SHIPPED

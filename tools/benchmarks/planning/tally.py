@@ -8,8 +8,8 @@ import msgspec
 import numpy as np
 
 from neurosym.evaluation.comparison import TaskRecord
-from neurosym.evaluation.comparison_summary import summarise
-from neurosym.execution.summary import Execution
+from neurosym.evaluation.summary import summarise
+from neurosym.execution.rerun import Execution
 
 MEASURES = ("found", "valid", "reached", "reached_with_replanning")
 Entries = Sequence[Mapping[str, Any]]

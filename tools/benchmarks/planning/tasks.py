@@ -4,15 +4,14 @@ import msgspec
 import numpy as np
 
 from neurosym.errors import InvalidValue
-from neurosym.evaluation.comparison_tasks import Bench
+from neurosym.evaluation.comparison import Bench
 from neurosym.grounding import Grounding, is_lift
 from neurosym.operators import TOLERANCE, Operator, vector
 from neurosym.planners import PlanStatus
-from neurosym.planners.counting import fewest_steps, plan_counting
+from neurosym.planners.action_counts import fewest_steps, plan_counting
 from neurosym.problems import Problem, SceneObject
-from neurosym.tasks.steps import PlanStep
-from neurosym.tasks.transition import validate
-from neurosym.worlds.problem_drawing import item_names
+from neurosym.tasks.transition import PlanStep, validate
+from neurosym.worlds.task_drawing import item_names
 
 DIFFICULTIES = {"easy": (1, 3), "hard": (5, 8)}
 """Least and greatest number of primitives in the shortest plan for each object alone."""

@@ -5,7 +5,7 @@ from functools import partial
 from pathlib import Path
 from typing import Any
 
-from neurosym.evaluation.primitive_kinds import KINDS, LEAST_OBJECTS, LEAST_SHARE, kind_of
+from neurosym.evaluation.paper_tables import KINDS, LEAST_OBJECTS, LEAST_SHARE, kind_of
 from neurosym.grounding import Grounding
 from neurosym.operators import TOLERANCE
 from tools.benchmarks.jobs import Job

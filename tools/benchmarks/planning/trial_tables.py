@@ -4,7 +4,7 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 from neurosym.stages.plan_records import MORE_MOTIONS
-from neurosym.stages.verdict import wilson
+from neurosym.stages.verdicts import wilson
 from tools.benchmarks.planning.tables import NOT_YET, markdown
 
 

@@ -6,19 +6,18 @@ from typing import Any
 
 import msgspec
 
-from neurosym.cells import at_rest
 from neurosym.evaluation.comparison import Setting, planner_of
 from neurosym.execution.executor import execute
 from neurosym.execution.record import Run, StepRecord
-from neurosym.execution.summary import failure
-from neurosym.grounding import Grounding
+from neurosym.execution.rerun import failure
+from neurosym.grounding import Grounding, at_rest
 from neurosym.operators import Vector
-from neurosym.pddl.chances import expected_success, expected_within
 from neurosym.planners import PlanStatus
 from neurosym.problems import Problem, SceneObject
-from neurosym.promises import promised
 from neurosym.stages.plan_records import MORE_MOTIONS
-from neurosym.tasks.steps import primitives
+from neurosym.tasks.chances import expected_success, expected_within
+from neurosym.tasks.promises import promised
+from neurosym.tasks.transition import primitives
 from tools.benchmarks.spent import cpu_seconds
 
 PLANNER = "fast-downward"

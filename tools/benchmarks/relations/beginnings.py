@@ -12,21 +12,17 @@ from typing import Any
 import numpy as np
 
 from neurosym.data.interactions import Interactions
-from neurosym.learning.model_config import STATE_BITS
-from neurosym.learning.state_chances import ended_in, fit_chances, foreseen_by
-from neurosym.learning.state_codes import carried, ends_in, learn_states
-from neurosym.learning.training_config import regime_named
-from neurosym.pair_sight import ChancesOfStates
-from neurosym.pair_states import describe_pair
+from neurosym.data.origin import StrategyName
+from neurosym.learning.state_codes import carried, ended_in, ends_in, fit_chances, foreseen_by, learn_states
+from neurosym.learning.training_config import STATE_BITS, regime_named
+from neurosym.pair_operators import PairStates, describe_pair
 from neurosym.primitives.sampling import draw_scene
-from neurosym.relation_operators import PairStates
-from neurosym.stages.aims import TO_OBJECTS
-from neurosym.stages.exploring import explore_stage
 from neurosym.stages.folder import DomainFolder
 from neurosym.stages.layout import RELATION_INTERACTIONS, WORLD
-from neurosym.strategies import StrategyName
+from neurosym.stages.learning import TO_OBJECTS, explore_stage
+from neurosym.tasks.supports import ChancesOfStates
 from neurosym.world import Outcome, Scene
-from neurosym.worlds.related import REFERENCE, TARGET, RelatedFactory
+from neurosym.worlds.aims import REFERENCE, TARGET, RelatedFactory
 from neurosym.worlds.workers import Task, perform_all
 from neurosym.worlds.world_file import read_world
 from tools.benchmarks.relations.geometry import relation

@@ -15,12 +15,11 @@ import tyro
 
 from neurosym.grounding import Grounding
 from neurosym.operators import TOLERANCE
-from neurosym.pair_sight import PairSight, with_pairs
-from neurosym.problems import Problem, SceneObject
-from neurosym.relation_goals import RelationGoal
+from neurosym.problems import Problem, RelationGoal, SceneObject
 from neurosym.stages.folder import DomainFolder
-from neurosym.stages.task_drawing import draw_any_task, sight_of_pairs, ways_of
-from neurosym.tasks.puts import puts_of
+from neurosym.stages.problem_making import draw_any_task, sight_of_pairs, ways_of
+from neurosym.tasks.options import puts_of
+from neurosym.tasks.supports import PairSight, with_pairs
 from neurosym.tasks.task import understand
 from tools.benchmarks.carrying.bench import lattice_points, tell, timed
 from tools.benchmarks.options import Output

@@ -11,11 +11,9 @@ from typing import Any
 
 import numpy as np
 
-from neurosym.sim.config import TabletopConfig
-from neurosym.sim.scenes import sample_features, sample_scene
-from neurosym.sim.shapes import SHAPES
-from neurosym.table import OtherObject
-from neurosym.world import Outcome, Scene
+from neurosym.sim.config import SHAPES, TabletopConfig
+from neurosym.sim.simulation import sample_features, sample_scene
+from neurosym.world import OtherObject, Outcome, Scene
 from neurosym.worlds.workers import Perform, Task, crew, perform_all
 from tools.benchmarks.relations.geometry import relation
 from tools.benchmarks.world.hand_written import carry_to

@@ -8,12 +8,10 @@ from typing import Any
 
 import msgspec
 
+from neurosym.data.origin import StrategyName
 from neurosym.files import make_folder, write_json
 from neurosym.grounding import FORMAT_WITH_RELATIONS, Grounding
-from neurosym.relation_operators import RelationOperators
-from neurosym.stages.aims import TO_OBJECTS
-from neurosym.stages.distilling import distill_stage
-from neurosym.stages.exploring import explore_stage
+from neurosym.pair_operators import RelationOperators
 from neurosym.stages.folder import DomainFolder
 from neurosym.stages.layout import (
     GROUNDING,
@@ -26,8 +24,7 @@ from neurosym.stages.layout import (
     RELATION_STATES,
     WORLD,
 )
-from neurosym.stages.training import train_stage
-from neurosym.strategies import StrategyName
+from neurosym.stages.learning import TO_OBJECTS, distill_stage, explore_stage, train_stage
 from tools.benchmarks.jobs import pack
 from tools.benchmarks.planning.measures import REHEARSALS
 from tools.benchmarks.relations import protocols, symbols

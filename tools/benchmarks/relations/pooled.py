@@ -2,7 +2,7 @@
 
 New pairs of which one fits into the other, as a person would say, are put into one another by what is
 foreseen most surely, though it was chosen for pairs of another kind; and by an action that a person wrote.
-This is where the numbers in `neurosym/pooled_puts.py` come from. The tasks of the evaluation are not used.
+This is where the numbers in `neurosym/pair_operators.py` come from. The tasks of the evaluation are not used.
 """
 
 from itertools import pairwise
@@ -12,15 +12,14 @@ from typing import Annotated
 import numpy as np
 import tyro
 
-from neurosym.console import say
-from neurosym.markdown import markdown_table
-from neurosym.pooled_puts import pooled
-from neurosym.primitives.judging import end_state
-from neurosym.relation_operators import PairStates, RelationOperators
+from neurosym.evaluation.summary import markdown_table
+from neurosym.pair_operators import PairStates, RelationOperators, pooled
+from neurosym.primitives.reliability import end_state
+from neurosym.stages.console import say
 from neurosym.stages.folder import DomainFolder
 from neurosym.stages.layout import RELATION_OPERATORS, WORLD
-from neurosym.stages.task_drawing import sight_of_pairs
-from neurosym.worlds.related import REFERENCE, TARGET, RelatedFactory, RelatedScene
+from neurosym.stages.problem_making import sight_of_pairs
+from neurosym.worlds.aims import REFERENCE, TARGET, RelatedFactory, RelatedScene
 from neurosym.worlds.workers import Task, perform_all
 from neurosym.worlds.world_file import read_world
 from tools.benchmarks.carrying.tasks import is_graspable

@@ -12,14 +12,11 @@ from pathlib import Path
 
 import numpy as np
 
-from neurosym.learning.effect_model import EffectModel
-from neurosym.pair_states import extent
-from neurosym.place_operators import PlaceOperators
+from neurosym.learning.network import EffectModel
+from neurosym.pair_operators import PlaceOperators, extent
 from neurosym.stages.layout import MODEL, PLACE_OPERATORS, RELATION_MODEL, WORLD
-from neurosym.table import OtherObject, Place
-from neurosym.world import Outcome, Scene, World, relative_to
-from neurosym.worlds.known_motions import KnownMotions
-from neurosym.worlds.related import REFERENCE, TARGET, Related, as_pair
+from neurosym.world import OtherObject, Outcome, Place, Scene, World, relative_to
+from neurosym.worlds.aims import REFERENCE, TARGET, KnownMotions, Related, as_pair
 from neurosym.worlds.workers import Task, perform_all
 from neurosym.worlds.world_file import read_world
 from tools.benchmarks.relations.geometry import relation

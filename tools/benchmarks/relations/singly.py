@@ -12,9 +12,9 @@ import numpy as np
 
 from neurosym.errors import InvalidValue
 from neurosym.operators import TOLERANCE
-from neurosym.tasks.carriers import carriers_for
+from neurosym.tasks.options import carriers_for
 from neurosym.world import relative_to
-from neurosym.worlds.problem_drawing import items_of
+from neurosym.worlds.task_drawing import items_of
 from tools.benchmarks.relations.tasks import Asked, Draw
 from tools.benchmarks.relations.trying import bench_of
 

@@ -6,7 +6,7 @@ from pathlib import Path
 from statistics import mean
 from typing import Any
 
-from neurosym.strategies import StrategyName
+from neurosym.data.origin import StrategyName
 from tools.benchmarks.relations.tasks import Cell, slug
 
 

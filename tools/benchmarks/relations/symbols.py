@@ -12,19 +12,22 @@ from typing import Any
 
 import numpy as np
 
-from neurosym.learning.effect_model import EffectModel
-from neurosym.pair_sight import PairSight
-from neurosym.pair_states import describe_pair
-from neurosym.place_operators import PlaceOperators
-from neurosym.primitives.judging import end_state
+from neurosym.learning.network import EffectModel
+from neurosym.pair_operators import (
+    PairStates,
+    PlaceOperators,
+    RelationOperator,
+    RelationOperators,
+    describe_pair,
+)
+from neurosym.primitives.reliability import end_state
 from neurosym.primitives.sampling import draw_scene
-from neurosym.relation_operators import PairStates, RelationOperator, RelationOperators
 from neurosym.stages.folder import DomainFolder
 from neurosym.stages.layout import MODEL, PLACE_OPERATORS, RELATION_OPERATORS, WORLD
-from neurosym.stages.task_drawing import sight_of_pairs
+from neurosym.stages.problem_making import sight_of_pairs
+from neurosym.tasks.supports import PairSight
 from neurosym.world import Outcome, Scene
-from neurosym.worlds.known_motions import KnownMotions
-from neurosym.worlds.related import REFERENCE, TARGET, RelatedFactory
+from neurosym.worlds.aims import REFERENCE, TARGET, KnownMotions, RelatedFactory
 from neurosym.worlds.workers import Task, perform_all
 from neurosym.worlds.world_file import read_world
 from tools.benchmarks.carrying.tasks import is_graspable

@@ -4,8 +4,8 @@ from collections.abc import Mapping, Sequence
 from statistics import mean, stdev
 from typing import Any
 
-from neurosym.markdown import markdown_table
-from neurosym.wording import counted
+from neurosym.errors import counted
+from neurosym.evaluation.summary import markdown_table
 
 _CALLED = {"disagreement": "curious", "random": "at random"}
 _PARTS = ("on", "in", "borne")

@@ -14,11 +14,9 @@ from typing import TypeVar
 import numpy as np
 
 from neurosym.operators import TOLERANCE
-from neurosym.sim.config import TabletopConfig
-from neurosym.sim.scenes import sample_scene
-from neurosym.sim.shapes import OPEN_TOP, SOLID
-from neurosym.table import OtherObject, Place
-from neurosym.world import Outcome, Scene, World, relative_to
+from neurosym.sim.config import OPEN_TOP, SOLID, TabletopConfig
+from neurosym.sim.simulation import sample_scene
+from neurosym.world import OtherObject, Outcome, Place, Scene, World, relative_to
 from tools.benchmarks.relations.geometry import Relation, fits, relation
 from tools.benchmarks.world.hand_written import carry_to
 from tools.benchmarks.world.measures import MARGIN, random_place

@@ -9,21 +9,19 @@ import msgspec
 import numpy as np
 from jaxtyping import Float
 
-from neurosym.evaluation.comparison import Setting, planner_of
-from neurosym.evaluation.comparison_tasks import Bench
+from neurosym.evaluation.comparison import Bench, Setting, planner_of
 from neurosym.execution.executor import execute
-from neurosym.execution.summary import failure
+from neurosym.execution.rerun import failure
 from neurosym.operators import TOLERANCE
-from neurosym.pair_sight import PairSight, with_pairs
 from neurosym.planners import PlanStatus
 from neurosym.problems import Problem
-from neurosym.related import with_contacts
 from neurosym.stages.folder import DomainFolder
-from neurosym.stages.task_drawing import sight_of_pairs
-from neurosym.tasks.puts import puts_for
+from neurosym.stages.problem_making import sight_of_pairs
+from neurosym.tasks.options import puts_for
+from neurosym.tasks.supports import PairSight, with_contacts, with_pairs
 from neurosym.world import Outcome, Scene, World
-from neurosym.worlds.aimed import Adapted
-from neurosym.worlds.problem_drawing import items_of
+from neurosym.worlds.aims import Adapted
+from neurosym.worlds.task_drawing import items_of
 from tools.benchmarks.planning.trials import PLANNER
 from tools.benchmarks.relations.tasks import Asked, Draw
 from tools.benchmarks.spent import cpu_seconds

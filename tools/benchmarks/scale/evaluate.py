@@ -10,7 +10,7 @@ from typing import Annotated, Any
 
 import tyro
 
-from neurosym.markdown import markdown_table
+from neurosym.evaluation.summary import markdown_table
 from tools.benchmarks.jobs import Evaluation, machine
 from tools.benchmarks.options import Results, Work
 from tools.benchmarks.scale import measures

@@ -7,11 +7,10 @@ from pathlib import Path
 import numpy as np
 
 from neurosym.grounding import Grounding, is_lift
-from neurosym.operators import Category, Mode, Operator, OperatorTable, Primitive, Vector
+from neurosym.operators import Category, Mode, Operator, OperatorTable, Primitive, Vector, all_symbols
 from neurosym.pddl import compile_domain
 from neurosym.problems import Problem, SceneObject
-from neurosym.symbols import all_symbols
-from neurosym.table import Table
+from neurosym.world import Table
 
 PITCH = 0.12
 """How far from one another the objects of a made problem stand [m]."""

@@ -11,9 +11,9 @@ from typing import Any, TypeVar
 import numpy as np
 
 from neurosym.errors import NeurosymError
-from neurosym.learning.model_config import ModelConfig
+from neurosym.learning.training_config import ModelConfig
 from neurosym.pddl import domain_text, problem_text
-from neurosym.pddl.encoding_names import ENCODINGS
+from neurosym.pddl.syntax import ENCODINGS
 from neurosym.planners import plan
 from neurosym.problems import Problem
 from neurosym.sim.config import TabletopConfig

@@ -9,7 +9,7 @@ import numpy as np
 from scipy.spatial.transform import Rotation
 
 from neurosym.studio.page import Page
-from neurosym.studio.serving import Studio
+from neurosym.studio.server import Studio
 
 BROWSERS = ("chromium-headless-shell", "chromium", "chromium-browser", "google-chrome")
 FLAGS = (

@@ -12,9 +12,9 @@ from typing import Any
 
 import rich
 
-from neurosym.console import say
-from neurosym.execution.machine import this_machine
+from neurosym.execution.record import this_machine
 from neurosym.files import write_atomically
+from neurosym.stages.console import say
 from tools.benchmarks.studio.crowd import measure_crowd
 from tools.benchmarks.studio.measures import measure_drags, measure_recording, measure_run, measure_start
 

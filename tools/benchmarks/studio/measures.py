@@ -13,11 +13,11 @@ from typing import Any
 import numpy as np
 from playwright.sync_api import sync_playwright
 
-from neurosym.shipped import shipped_domain
+from neurosym.choices import shipped_domain
 from neurosym.stages.folder import DomainFolder
-from neurosym.studio.library import Library
-from neurosym.studio.recording import film_of
-from neurosym.studio.serving import Studio
+from neurosym.studio.desk import Library
+from neurosym.studio.server import Studio
+from neurosym.studio.view import film_of
 from tools.benchmarks.studio.browser import FLAGS, SLOW, Window, browser_here, wait_for
 
 STARTS, DRAGS = 3, 12

@@ -10,7 +10,7 @@ import rich
 from PIL import Image
 from playwright.sync_api import sync_playwright
 
-from neurosym.console import say
+from neurosym.stages.console import say
 from tools.benchmarks.studio.browser import FLAGS, Window, browser_here
 from tools.benchmarks.studio.measures import studio
 

@@ -11,10 +11,10 @@ from typing import Annotated
 import numpy as np
 import tyro
 
-from neurosym.console import say
-from neurosym.distribution import BUILDS
+from neurosym.errors import BUILDS
 from neurosym.sim.tabletop import Tabletop
-from neurosym.table import Place
+from neurosym.stages.console import say
+from neurosym.world import Place
 
 
 def main(

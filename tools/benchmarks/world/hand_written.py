@@ -11,7 +11,7 @@ from dataclasses import dataclass
 import numpy as np
 from jaxtyping import Float
 
-from neurosym.sim.shapes import OPEN_TOP, SOLID
+from neurosym.sim.config import OPEN_TOP, SOLID
 from neurosym.world import Outcome
 
 Action = Float[np.ndarray, "12"]

@@ -10,12 +10,10 @@ from typing import Any
 import numpy as np
 
 from neurosym.data.interactions import Interactions
-from neurosym.sim.config import TabletopConfig
-from neurosym.sim.scenes import sample_scene
-from neurosym.sim.shapes import OPEN_THROUGH, OPEN_TOP, SHAPES, SOLID
+from neurosym.sim.config import OPEN_THROUGH, OPEN_TOP, SHAPES, SOLID, TabletopConfig
+from neurosym.sim.simulation import sample_scene
 from neurosym.sim.tabletop import Tabletop
-from neurosym.table import Place, Table
-from neurosym.world import Outcome
+from neurosym.world import Outcome, Place, Table
 from neurosym.worlds.workers import Perform, Task, crew, perform_all
 from tools.benchmarks.world.hand_written import HAND_WRITTEN, HandWritten, carry_to
 

@@ -2,7 +2,7 @@
 
 from typing import Any
 
-from neurosym.markdown import markdown_table
+from neurosym.evaluation.summary import markdown_table
 
 
 def page(results: dict[str, Any]) -> str:

@@ -1,0 +1,458 @@
+"""The command `neurosym new-problem`: a task, drawn or set by hand."""
+
+import os
+import sys
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Literal, Optional
+
+from tyro.conf import Positional, UseAppendAction, arg
+
+from neurosym.commands.arguments import (
+    Folder,
+    Json,
+    ProblemName,
+    Seed,
+    Task,
+    TimeLimit,
+    Tolerance,
+    answer_in,
+    check_file,
+    check_time_limit,
+    opened,
+)
+from neurosym.commands.ending import NO_RESULT
+from neurosym.errors import InvalidFile, InvalidValue, counted, quoted
+from neurosym.files import make_folder, read_text, write_atomically
+from neurosym.stages.console import be_quiet, is_quiet, print_raw, say, say_next, show_table
+from neurosym.stages.folder import DomainFolder
+from neurosym.stages.layout import GROUNDING, PLANS, WORLD, problem_files, scene_file
+
+if TYPE_CHECKING:
+    from neurosym.stages.plan_records import PlanRecord
+    from neurosym.stages.verdicts import PlanVerdict
+
+
+def new_problem(
+    folder: Folder,
+    name: Annotated[
+        Optional[str],
+        arg(help="Its name: a letter, then a-z, digits, hyphens. Else the first free one of task-01, ..."),
+    ] = None,
+    objects: Annotated[int, arg(help="Objects on the table: item-01, item-02, ...")] = 1,
+    actions: Annotated[int, arg(help="Random actions that lead to the goal, one after another.")] = 1,
+    seed: Seed = 0,
+    task: Task = None,
+    goal: Annotated[
+        tuple[str, ...],
+        UseAppendAction,
+        arg(metavar="ITEM=X,Y[,Z]", help="A goal by hand, in the world frame [m], once for each object."),
+    ] = (),
+    relation: Annotated[
+        tuple[str, ...],
+        UseAppendAction,
+        arg(
+            metavar='"ITEM STATE ITEM"',
+            help='A goal by relation, as in "item-01 rests-on item-02": a state of the domain, or the '
+            "beginning of its name; once for each.",
+        ),
+    ] = (),
+    state: Annotated[
+        Optional[str],
+        arg(metavar="STATE", help="The state of pairs that a drawn task of relations asks for; else any."),
+    ] = None,
+    scene: Annotated[
+        Optional[Path],
+        arg(
+            metavar="FILE", help="A whole problem by hand, in a file like those in DIR/problems/*.scene.json."
+        ),
+    ] = None,
+    tolerance: Annotated[
+        Optional[float],
+        arg(metavar="METRES", help="How near objects must come to their goals: 0.05, or as the scene says."),
+    ] = None,
+) -> int:
+    """Make a problem: a random scene, and a goal that actions lead to, or yours.
+
+    With `--task` it is what people ask for: `anywhere` puts each object anywhere on the table, `swap` has
+    each stand where the next one stood, `row` sets them in a row, and `crowded` clears a crowd. With
+    `--relation`, one object shall be put on or into another one; goals and relations go together.
+
+    In a domain with relations, `--task tower` asks for a tower of some of the objects, and `boxes` for things
+    each on or in one of its own. `unstack` asks for a stack to be sorted so, and `exchange` for two borne
+    things to change places. With `--scene` it is all yours: the file is checked, copied and printed as PDDL.
+    """
+    from neurosym.files import digest
+    from neurosym.problems import check_names
+    from neurosym.stages.problem_making import Asked, problem_stage, scene_stage
+
+    domain, by_hand = opened(folder), bool(goal or relation)
+    if scene and (by_hand or task or (objects, actions, seed) != (1, 1, 0)):
+        raise InvalidValue(
+            "Give --scene, or --objects, --actions, --seed, --task, --goal and --relation, not both."
+        )
+    if by_hand + bool(task) + (actions != 1) > 1:
+        raise InvalidValue("Give only one of --actions, --task, and goals by hand (--goal and --relation).")
+    if state is not None and task not in ("tower", "boxes", "unstack", "exchange"):
+        raise InvalidValue("--state is for --task tower, boxes, unstack or exchange.")
+    asked = Asked(
+        objects=objects,
+        actions=actions,
+        seed=seed,
+        goals=_parse_goals(goal) if goal else None,
+        tolerance=tolerance,
+        task=task,
+        relations=tuple(map(_parse_relation, relation)),
+        state=state or "",
+    )
+    if name is not None:
+        check_names((name,))
+    with domain.naming_problems():
+        name = name or (_name_of(scene, domain) if scene else domain.free_problem_name())
+        check_names((name,))
+        made = folder / scene_file(name)
+        before = digest(made) if made.is_file() else None
+        verb = "replaced" if name in domain.problem_names() else "wrote"
+        if scene:
+            stage = scene_stage(domain, scene, name=name, tolerance=tolerance)
+        else:
+            stage = problem_stage(domain, name, asked)
+        domain.perform(stage, again=True)
+    _say_made(domain, folder, name, verb)
+    if before != digest(made) and (stale := domain.made_for(name)):
+        say(f"note: made for the former {name}, and stale now: {', '.join(stale)}")
+    say_next(f"neurosym plan {quoted(folder)} {name}")
+    return 0
+
+
+def _say_made(domain: DomainFolder, folder: Path, name: str, verb: str) -> None:
+    from neurosym.grounding import Grounding
+    from neurosym.problems import Problem
+    from neurosym.tasks.supports import is_reached
+
+    problem = Problem.load(domain / scene_file(name))
+    printed = problem_files(name)[0]
+    say(f"{verb} {folder / printed} and its scene")
+    if is_reached(problem, Grounding.load(domain / GROUNDING)):
+        say(f"note: it is met at the start, within {1000 * problem.tolerance:g} mm")
+    for target, other, state in problem.related:
+        say(f"  goal: {target} {state} {other}")
+    for target, (x, y, *_) in problem.goals.items() if problem.related else ():
+        say(f"  goal: {target} at ({x:.3f}, {y:.3f})")
+
+
+def _name_of(scene: Path, domain: DomainFolder) -> str:
+    """Name the problem of a scene like its file, unless that would replace another problem."""
+    if not scene.is_file():
+        raise InvalidFile(scene, "there is no such file" if not scene.exists() else "it is no file")
+    name = scene.name.removesuffix(".json").removesuffix(".scene")
+    there = domain / scene_file(name)
+    if name in domain.problem_names() and not (there.exists() and there.samefile(scene)):
+        raise InvalidValue(f"{domain.path} has a problem {name} already; give another name with --name.")
+    return name
+
+
+def _parse_goals(texts: tuple[str, ...]) -> dict[str, tuple[float, ...]]:
+    goals = dict(map(_parse_goal, texts))
+    if len(goals) < len(texts):
+        raise InvalidValue(f"An object has two goals in {' '.join(texts)}; give each object one.")
+    return goals
+
+
+def _parse_goal(text: str) -> tuple[str, tuple[float, ...]]:
+    name, _, numbers = text.partition("=")
+    try:
+        return name, tuple(float(number) for number in numbers.split(","))
+    except ValueError as error:
+        raise InvalidValue(f"The goal {text!r} cannot be read; write it as item-01=0.60,0.10.") from error
+
+
+def _parse_relation(text: str) -> tuple[str, str, str]:
+    words = text.lower().split()
+    if len(words) != 3:
+        raise InvalidValue(f'The relation {text!r} cannot be read; write it as "item-01 STATE item-02".')
+    target, state, reference = words
+    return target, reference, state
+
+
+# Plans that come from standard input, and plans that go to standard output or to another file
+
+STANDARD = Path("-")
+"""What names standard input or output in place of a plan file."""
+_INPUT = Path("standard input")
+
+
+def given_plan(
+    folder: DomainFolder, typed: Path, name: str, plan_file: Path, *, must_fit: bool = True
+) -> Path:
+    """Return the file of a plan that was given; what standard input holds is written into the folder first.
+
+    Args:
+        folder: The domain folder.
+        typed: The same as it was typed.
+        name: Name of the problem.
+        plan_file: The plan's file, or `STANDARD`.
+        must_fit: Whether what standard input holds must be a plan for the problem.
+
+    Raises:
+        InvalidFile: If it is no file, or holds no plan for the problem.
+        InvalidValue: If there is nothing.
+    """
+    if plan_file == STANDARD:
+        return _saved_plan(folder, name, must_fit)
+    if plan_file.exists() and not plan_file.is_file():
+        raise InvalidFile(plan_file, "it is no file; name one that holds a plan")
+    if not plan_file.is_file():
+        raise InvalidValue(
+            f"There is no plan file {plan_file}; `neurosym plan {quoted(typed)} {name}` writes one."
+        )
+    return plan_file
+
+
+def _saved_plan(folder: DomainFolder, name: str, must_fit: bool) -> Path:
+    from neurosym.files import MOST_TEXT
+    from neurosym.grounding import Grounding
+    from neurosym.pddl.plan_reading import parse_plan
+    from neurosym.stages.planning import load_problem
+    from neurosym.worlds.world_file import read_world
+
+    data = sys.stdin.buffer.read(MOST_TEXT + 1) if hasattr(sys.stdin, "buffer") else sys.stdin.read().encode()
+    if len(data) > MOST_TEXT:
+        raise InvalidFile(_INPUT, f"it holds more than {MOST_TEXT} bytes")
+    try:
+        text = data.decode()
+    except UnicodeDecodeError as error:
+        raise InvalidFile(_INPUT, "it is no text") from error
+    if must_fit:
+        problem = load_problem(folder, name, read_world(folder.require(WORLD))())
+        parse_plan(text, _INPUT, Grounding.load(folder.require(GROUNDING)), problem)
+    make_folder(folder / PLANS)
+    file = folder / PLANS / f"{name}.stdin.plan"
+    write_atomically(file, text)
+    say(f"wrote {file}")
+    return file
+
+
+def check_output(output: Path | None, json: bool) -> None:
+    """Raise `InvalidValue` unless a plan can go there.
+
+    Args:
+        output: Where to, if anywhere.
+        json: Whether the answer is printed as JSON.
+    """
+    if output == STANDARD and json:
+        raise InvalidValue("Both --output - and --json ask for standard output; leave one of them out.")
+    check_file(None if output == STANDARD else output, "plan")
+
+
+def hand_over(plan_file: Path, output: Path) -> None:
+    """Copy a plan to where it was asked for.
+
+    Args:
+        plan_file: The plan.
+        output: Where to.
+    """
+    text = read_text(plan_file)
+    if output == STANDARD:
+        be_quiet(False)
+        print_raw(text)
+    else:
+        write_atomically(output, text)
+        say(f"wrote {output}")
+
+
+# The command `neurosym plan`: a problem to a plan
+
+UNLIKELY = 0.1
+"""Below this chance it is said that a plan seldom goes through."""
+
+
+def plan(
+    folder: Folder,
+    problem: ProblemName,
+    planner: Annotated[
+        str, arg(help="One that `neurosym planners` lists, or your own as module:factory.")
+    ] = "fast-downward",
+    time_limit: TimeLimit = None,
+    encoding: Annotated[
+        Optional[Literal["strips", "numeric", "sas"]],
+        arg(help="For PDDL planners: strips, numeric or sas, instead of the usual."),
+    ] = None,
+    whole: Annotated[bool, arg(help="For PDDL planners: all objects at once instead of one by one.")] = False,
+    nearest: Annotated[
+        bool,
+        arg(help="If there is no plan, plan as near to the goal as objects come (exit code 3 if it misses)."),
+    ] = False,
+    tolerance: Tolerance = None,
+    output: Annotated[
+        Optional[Path],
+        arg(metavar="FILE", help="Write the plan here, too; - prints it to standard output, and only it."),
+    ] = None,
+    json: Json = False,
+) -> int:
+    """Plan for a problem; exit code 3 if there is no plan, with the reason.
+
+    `bfs` is the paper's breadth-first search over what the network predicts, three deep without relations;
+    `counting` finds the fewest primitives there can be. Any other planner can be given DIR/domain.pddl and
+    DIR/problems/PROBLEM.pddl, and its plan file executed.
+    """
+    from neurosym.files import read_json
+    from neurosym.stages.plan_records import PlanRecord, written_steps
+    from neurosym.stages.planning import plan_stage
+
+    check_time_limit(time_limit)
+    check_output(output, json)
+    be_quiet(is_quiet() or output == STANDARD)
+    answer, domain = answer_in(json), opened(folder)
+    name = domain.problem(problem)
+    stage = plan_stage(
+        domain,
+        name,
+        planner=planner,
+        time_limit=time_limit,
+        encoding=encoding,
+        whole=whole,
+        nearest=nearest,
+        tolerance=tolerance,
+    )
+    plan_file, record_file, _ = stage.outputs
+    had_plan = (domain / plan_file).exists()
+    domain.perform(stage, again=True)
+    record = read_json(domain / record_file, PlanRecord)
+    _say_plan(record)
+    if had_plan and not (domain / plan_file).exists():
+        say(f"removed {folder / plan_file}, the plan of an earlier call")
+    written = written_steps(domain, name, record.planner)
+    if written:
+        why = "" if record.unprinted in ("", record.misses) else f": {record.unprinted}"
+        said = f"; these steps are no plan of the printed problem{why}" if record.unprinted else ""
+        say(f"wrote {folder / written}{said}")
+        within = "" if record.tolerance is None else f" --tolerance {record.tolerance:g}"
+        say_next(f"neurosym execute {quoted(folder)} {name} {quoted(folder / written)}{within}")
+    if output and written:
+        hand_over(domain / written, output)
+    answer(record, file=str(domain / written) if written else None)
+    return 0 if record.solved else NO_RESULT
+
+
+def _say_plan(record: "PlanRecord") -> None:
+    from neurosym.stages.plan_records import MORE_MOTIONS
+
+    if record.solved:
+        remark = f" ({record.reason})" if record.reason else ""
+        chance = 1.0 if record.chance is None else record.chance
+        count = counted(record.primitives, "primitive")
+        say(f"{count} in {_spent():.2f} s of CPU{remark}, {_likely(chance)} to go as promised:")
+    else:
+        say(f"no plan for {record.problem} ({record.status.value}, {_spent():.2f} s of CPU): {record.reason}")
+        if record.steps:
+            say("as near as it comes:")
+    _say_steps(record.steps)
+    if record.solved and record.steps and record.chance_replanned is not None:
+        motions = record.primitives + MORE_MOTIONS
+        likely = _likely(record.chance_replanned)
+        say(f"planned anew on the way, {likely} to reach the goal within {motions} motions")
+    if record.misses:
+        say(
+            f"note: by what was rehearsed, {record.misses}; "
+            "`neurosym execute` plans anew on the way (unless --replans 0)"
+        )
+    elif record.solved and record.chance is not None and record.chance < UNLIKELY:
+        say(
+            f"note: a plan of {counted(record.primitives, 'primitive')} seldom goes through as it stands; "
+            "let `neurosym execute` plan anew on the way (unless --replans 0), or bring the goals nearer"
+        )
+
+
+def _spent() -> float:
+    """Return the CPU of this process and of all it started [s]."""
+    return sum(os.times()[:4])
+
+
+def _likely(chance: float) -> str:
+    if chance < 0.005:
+        return "less than 1% likely"
+    return f"{chance:.0%} likely" if chance < 0.995 else "more than 99% likely"
+
+
+def _say_steps(steps: tuple[tuple[str, ...], ...]) -> None:
+    for words in steps:
+        say(f"  ({' '.join(words)})")
+
+
+# The command that lists the planners
+
+
+def planners(json: Json = False) -> int:
+    """List the planners, the encodings that they take, and whether they are here."""
+    from neurosym.planners.planner_table import PLANNERS, track_record
+
+    record = track_record()
+    answer, rows = answer_in(json), []
+    for planner in PLANNERS.values():
+        encodings = ", ".join(planner.encodings) or "-"
+        cell = planner.program.cell if planner.program else 0.0
+        cells = f", cells from {cell * 1000:g} mm" if cell else ""
+        solved = record.of(planner.name) or "-"
+        rows.append([planner.name, planner.about, encodings + cells, solved, planner.missing() or "yes"])
+    show_table("Planners", ["planner", "what it is", "encodings", "solved", "installed"], rows)
+    problems = " and ".join(record.problems)
+    say(f"solved: of {problems} of tabletop, whole, in {record.time_limit:g} s each; - is one of ours")
+    say("strips is the page, domain.pddl; sas is what Fast Downward makes of objects that are led over cells")
+    say("`pip install 'neurosym-pddl[planners]'` brings those that are not")
+    answer(
+        [
+            {
+                "name": one.name,
+                "about": one.about,
+                "encodings": one.encodings,
+                "solved": record.solved.get(one.name, {}),
+                "missing": one.missing(),
+            }
+            for one in PLANNERS.values()
+        ]
+    )
+    return 0
+
+
+# The command `neurosym validate`: whether a plan is one, without executing it
+
+
+def validate(
+    folder: Folder,
+    problem: ProblemName,
+    plan_file: Annotated[
+        Positional[Path], arg(metavar="PLAN", help="Any planner's plan; - reads it from standard input.")
+    ],
+    tolerance: Tolerance = None,
+    json: Json = False,
+) -> int:
+    """Judge a plan without executing it; exit code 3 if it is none.
+
+    unified-planning's validator says whether it is a plan of the printed domain and problem. A replay says
+    whether it leads to the goal by what was rehearsed, and whether objects end in each other: PDDL does not
+    see that where objects are led over cells.
+    """
+    from neurosym.stages.verdicts import judge_plan
+
+    answer, domain = answer_in(json), opened(folder)
+    name = domain.problem(problem)
+    plan_file = given_plan(domain, folder, name, plan_file, must_fit=False)
+    verdict = judge_plan(domain, name, plan_file, tolerance)
+    _say_verdict(verdict)
+    if verdict.steps:
+        say_next(f"neurosym execute {quoted(folder)} {name} {quoted(plan_file)}")
+    answer(verdict, valid=verdict.valid)
+    return 0 if verdict.valid else NO_RESULT
+
+
+def _say_verdict(verdict: "PlanVerdict") -> None:
+    by = verdict.domain or "PDDL"
+    whole = ", written out with cells and places" if verdict.written_out else ""
+    where = "" if verdict.pddl_failed is None else f"action {verdict.pddl_failed}: "
+    said = "valid" if verdict.valid_by_pddl else f"not valid; {where}{verdict.pddl_reason}"
+    say(f"by {by}{whole}, as unified-planning's validator says: {said}")
+    say(f"by its replay: {'valid' if verdict.valid_by_replay else f'not valid; {verdict.replay_reason}'}")
+    if verdict.chance is not None:
+        say(f"{verdict.chance:.0%} likely to go as promised, followed as it is")
+    steps = counted(len(verdict.steps), "step")
+    say(f"{verdict.plan}: {f'a plan of {steps}' if verdict.valid else 'no plan'} for {verdict.problem}")

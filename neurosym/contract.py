@@ -1,0 +1,536 @@
+"""What every world promises, checked at each of its answers; with its limits, motions and poses."""
+
+import math
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass
+from typing import Any, Literal, Protocol, TypeVar, get_args, runtime_checkable
+
+import numpy as np
+
+from neurosym.checks import Float
+from neurosym.choices import told
+from neurosym.errors import InvalidValue, InvalidWorld, NeurosymError
+from neurosym.problems import LEGAL_NAME
+from neurosym.world import (
+    REQUIRED,
+    ActionBox,
+    Disturbance,
+    Frame,
+    FrameSink,
+    Outcome,
+    Reference,
+    ReferenceKind,
+    Scene,
+    Table,
+    World,
+    WorldFactory,
+    box_problem,
+    is_world,
+    relative_to,
+)
+
+# Worlds of somebody's own, such that whatever they do wrong is told in one sentence.
+#
+# Every call into a world that is not ours passes through `Guarded`: an error, `sys.exit`, or something that
+# is no scene or outcome is an `InvalidWorld`, which names the world and what it did.
+
+Result = TypeVar("Result")
+
+OPTIONAL = ("picture", "open_window")
+"""Methods that a world may have besides."""
+
+
+_ENDINGS: tuple[str, ...] = get_args(Disturbance)
+_KINDS_OF_REFERENCE: tuple[str, ...] = get_args(ReferenceKind)
+_RETURNED = "what it returns"
+
+
+def attempt(
+    name: str, what: str, call: Callable[[], Result], passed: type[NeurosymError] = InvalidWorld
+) -> Result:
+    """Call code of a world, and tell whatever it raises in one sentence.
+
+    Args:
+        name: Name of the world.
+        what: What is called.
+        call: Calls it.
+        passed: Errors that it may raise, which stay as they are.
+
+    Raises:
+        InvalidWorld: If it raises anything else but Ctrl-C.
+    """
+    try:
+        return call()
+    except (passed, KeyboardInterrupt):
+        raise
+    except SystemExit as error:
+        raise InvalidWorld(name, f"ends the program in {what} ({told(error)}); valid: an error") from error
+    except BaseException as error:
+        raise InvalidWorld(name, f"raises an error in {what}: {told(error)}") from error
+
+
+class Guarded:
+    """A world whose every answer is checked.
+
+    What it returns are plain values of ours, with the same numbers, that another process can read.
+
+    Args:
+        world: A world.
+        name: What messages call it, if not by its own name.
+
+    Raises:
+        InvalidWorld: If it is no world; from its methods, if a call fails or gives what cannot be.
+    """
+
+    def __init__(self, world: Any, name: str | None = None):
+        called = name or type(world).__name__
+        _refuse(called, "its attributes", _attribute_problems(world))
+        self._world, self._called = world, name or world.name
+        self.name, self.lift_height = str(world.name), world.lift_height
+        self.feature_names = tuple(map(str, world.feature_names))
+        box = world.action_box
+        self.action_box = ActionBox(np.array(box.low), np.array(box.high), np.array(box.gripper), box.mirrors)
+        self.table = Table(world.table.x, world.table.y)
+        if hasattr(world, "picture"):
+            self.picture = self._picture
+        if hasattr(world, "open_window"):
+            self.open_window = lambda: self._attempt("open_window", world.open_window)
+        if hasattr(world, "wanted_pictures"):
+            self.wanted_pictures = world.wanted_pictures
+
+    def sample_scene(self, rng: np.random.Generator, objects: int) -> Scene:
+        """Draw a scene; see `World.sample_scene`."""
+        scene = self._attempt("sample_scene", lambda: self._world.sample_scene(rng, objects))
+        _refuse(self._called, _RETURNED, _drawn_problems(self, scene, objects))
+        return _plain_scene(scene)
+
+    def interact(
+        self,
+        scene: Scene,
+        action: Float[np.ndarray, "A"],
+        target: int,
+        *,
+        put_down: bool = True,
+        on_frame: FrameSink | None = None,
+        ghosts: Float[np.ndarray, "M 3"] | None = None,
+        reference: Reference | None = None,
+    ) -> Outcome:
+        """Perform an interaction; see `World.interact`."""
+        before = bytes_of(scene)
+
+        def interact() -> Any:
+            aim = relative_to(self._world, reference)
+            return self._world.interact(
+                scene, action, target, put_down=put_down, on_frame=sink, ghosts=ghosts, **aim
+            )
+
+        def look(frame: Frame, phase: str) -> None:
+            self._check_frame(frame, "on_frame")
+            assert on_frame is not None, "else it is not called"
+            on_frame(frame, str(phase))
+
+        sink = None if on_frame is None else look
+        outcome = self._attempt("interact", interact)
+        if bytes_of(scene) != before:
+            problem = "changes the scene that interact is given; it must return new ones"
+            raise InvalidWorld(self._called, problem)
+        problems = _outcome_problems(self, scene, target, outcome, reference)
+        _refuse(self._called, _RETURNED, problems)
+        return _plain_outcome(outcome)
+
+    def __getattr__(self, name: str) -> Any:
+        """Give what else the world has, like its `object_limits`."""
+        if name.startswith("_"):
+            raise AttributeError(name)
+        return getattr(self._world, name)
+
+    def __setattr__(self, name: str, value: Any) -> None:
+        object.__setattr__(self, name, value)
+        if name == "wanted_pictures":
+            self._attempt(name, lambda: setattr(self._world, name, value))
+
+    def _picture(self, scene: Scene, ghosts: Float[np.ndarray, "M 3"] | None = None) -> Frame:
+        frame = self._attempt("picture", lambda: self._world.picture(scene, ghosts))
+        self._check_frame(frame, "picture")
+        return np.array(frame)
+
+    def _check_frame(self, frame: object, where: str) -> None:
+        if not (isinstance(frame, np.ndarray) and frame.dtype == np.uint8 and frame.ndim == 3):
+            shape = f"{frame.dtype} {frame.shape}" if isinstance(frame, np.ndarray) else type(frame).__name__
+            problem = f"gives a picture of {shape} to {where}; valid: uint8 (height, width, 3)"
+            raise InvalidWorld(self._called, problem)
+
+    def _attempt(self, what: str, call: Callable[[], Any]) -> Any:
+        return attempt(self._called, what, call, NeurosymError)
+
+
+def guarded(world: object) -> World:
+    """Return a world such that it tells what it does wrong; one of ours is returned as it is.
+
+    Args:
+        world: The world.
+
+    Raises:
+        InvalidWorld: If it is none.
+    """
+    return world if _is_ours(world) and is_world(world) else Guarded(world)
+
+
+def made(factory: WorldFactory) -> World:
+    """Make a world, such that it tells what it does wrong.
+
+    Args:
+        factory: Builds it.
+
+    Raises:
+        InvalidValue: If the factory is none.
+        InvalidWorld: If it fails, or what it makes is no world.
+    """
+    if not callable(factory):
+        instead = "a world itself" if is_world(factory) else f"a {type(factory).__name__}"
+        raise InvalidValue(
+            f"The factory of worlds is {instead}; valid: a function that makes one, like its class."
+        )
+    name = getattr(factory, "__name__", type(factory).__name__)
+    return guarded(attempt(name, "the factory", factory, NeurosymError))
+
+
+@contextmanager
+def placed(place: str) -> Iterator[None]:
+    """Add to what a world does wrong where that was.
+
+    Args:
+        place: Where, like `interaction 18`.
+    """
+    try:
+        yield
+    except InvalidWorld as error:
+        raise error.at(place) from error
+
+
+def _is_ours(world: object) -> bool:
+    return not isinstance(world, type) and type(world).__module__.split(".")[0] == __name__.split(".")[0]
+
+
+def _plain_scene(scene: Scene) -> Scene:
+    return Scene(np.array(scene.features), np.array(scene.positions), np.array(scene.orientations))
+
+
+def _plain_outcome(outcome: Outcome) -> Outcome:
+    scenes = {id(scene): _plain_scene(scene) for scene in (outcome.start, outcome.lifted, outcome.end)}
+    return Outcome(
+        start=scenes[id(outcome.start)],
+        lifted=scenes[id(outcome.lifted)],
+        end=scenes[id(outcome.end)],
+        target=int(outcome.target),
+        held=bool(outcome.held),
+        toppled=bool(outcome.toppled),
+        lost=bool(outcome.lost),
+        peak_height=float(outcome.peak_height),
+        touched=tuple(int(number) for number in outcome.touched),
+        disturbed=tuple((int(number), str(how)) for number, how in outcome.disturbed),  # type: ignore[misc]
+        reference=outcome.reference,
+        carried=bool(outcome.carried),
+        contacts=tuple((int(one), int(other)) for one, other in outcome.contacts),
+    )
+
+
+def bytes_of(scene: Scene) -> bytes:
+    """Return what a scene holds, to be compared."""
+    return b"".join(np.asarray(a).tobytes() for a in (scene.features, scene.positions, scene.orientations))
+
+
+def is_number(value: Any) -> bool:
+    """Say whether something is a finite number."""
+    return isinstance(value, int | float | np.number) and math.isfinite(value)
+
+
+def _refuse(called: str, what: str, problems: Iterator[str]) -> None:
+    """Raise the first problem of a world: each look at it relies on those before."""
+    if problem := attempt(called, what, lambda: next(problems, None)):
+        raise InvalidWorld(called, problem)
+
+
+def _attribute_problems(world: Any) -> Iterator[str]:
+    if not is_world(world):
+        missing = [attribute for attribute in REQUIRED if not hasattr(world, attribute)]
+        yield f"is no World: {type(world).__name__} lacks {', '.join(missing)}"
+    if isinstance(world, type):
+        yield "is the class of a world; valid: a world, as the class makes one"
+    if not (isinstance(world.name, str) and LEGAL_NAME.fullmatch(world.name)):
+        yield f"has the name {world.name!r}; valid: a lower-case letter, then a-z, 0-9 and hyphens"
+    features = world.feature_names
+    if not (isinstance(features, tuple) and features and all(isinstance(entry, str) for entry in features)):
+        yield f"has feature_names = {features!r}; valid: a tuple of one name or more"
+    if not isinstance(world.action_box, ActionBox):
+        yield f"has an action_box of type {type(world.action_box).__name__}; valid: ActionBox"
+    if problem := box_problem(world.action_box):
+        yield f"has an action_box with {problem}"
+    if not isinstance(world.table, Table):
+        yield f"has a table of type {type(world.table).__name__}; valid: Table"
+    if not (is_number(world.lift_height) and world.lift_height > 0):
+        yield f"has lift_height = {world.lift_height!r}; valid: a length above 0 m"
+    references = getattr(world, "references", ())
+    if not isinstance(references, tuple) or any(kind not in _KINDS_OF_REFERENCE for kind in references):
+        known = ", ".join(map(repr, _KINDS_OF_REFERENCE))
+        yield f"has references = {references!r}; valid: a tuple of {known}, or none"
+    for method in ("sample_scene", "interact"):
+        if not callable(getattr(world, method)):
+            yield f"has {method} = {getattr(world, method)!r}; valid: a method"
+
+
+def _scene_problems(scene: object, where: str, features: int, objects: int) -> Iterator[str]:
+    """Tell why something is no scene of so many objects with so many features."""
+    if not isinstance(scene, Scene):
+        yield f"gives a {type(scene).__name__} as {where}; valid: a Scene"
+    counted = "one object" if objects == 1 else f"{objects} objects"
+    for column, width in {"features": features, "positions": 3, "orientations": 4}.items():
+        array = getattr(scene, column)
+        if not isinstance(array, np.ndarray):
+            yield f"gives {column} of type {type(array).__name__} in {where}; valid: a numpy array"
+        if array.shape != (objects, width):
+            shape = f"gives {column} of shape {array.shape} in {where}"
+            yield f"{shape}; valid for {counted}: ({objects}, {width})"
+        if array.dtype.kind != "f" or not np.all(np.isfinite(array)):
+            yield f"gives {column} in {where} that are not finite floats"
+
+
+def _drawn_problems(world: World, scene: Any, objects: int) -> Iterator[str]:
+    yield from _scene_problems(scene, "sample_scene", len(world.feature_names), objects)
+    for position in scene.positions:
+        if not world.table.contains(position):
+            yield f"samples an object off its table, at {position.tolist()}"
+
+
+def _outcome_problems(
+    world: World, scene: Scene, target: int, outcome: Any, reference: Reference | None
+) -> Iterator[str]:
+    if not isinstance(outcome, Outcome):
+        yield f"gives a {type(outcome).__name__} from interact; valid: an Outcome"
+    for moment in ("start", "lifted", "end"):
+        seen, where = getattr(outcome, moment), f"outcome.{moment}"
+        yield from _scene_problems(seen, where, len(world.feature_names), len(scene.features))
+        if not np.array_equal(seen.features, scene.features):
+            yield f"changes the features of an object in {where}"
+    if not _is_index(outcome.target) or outcome.target != target:
+        yield f"gives the target {outcome.target!r} when asked to act on object {target}"
+    if outcome.reference != reference:
+        yield f"gives the reference {outcome.reference!r} when asked for {reference!r}"
+    for flag in ("held", "toppled", "lost", "carried"):
+        if not isinstance(getattr(outcome, flag), bool | np.bool_):
+            yield f"gives outcome.{flag} = {getattr(outcome, flag)!r}; valid: a bool"
+    if outcome.carried and reference is None:
+        yield "gives outcome.carried = True without a reference"
+    if not is_number(outcome.peak_height):
+        yield f"gives outcome.peak_height = {outcome.peak_height!r}; valid: metres"
+    yield from _bystander_problems(outcome, len(scene.features))
+
+
+def _bystander_problems(outcome: Outcome, count: int) -> Iterator[str]:
+    def is_object(number: Any) -> bool:
+        return _is_index(number) and 0 <= number < count
+
+    def is_bystander(number: Any) -> bool:
+        return is_object(number) and number != outcome.target
+
+    def is_tuple(values: Any, fits: Callable[[Any], bool]) -> bool:
+        return isinstance(values, tuple) and all(map(fits, values))
+
+    def is_pair(pair: Any) -> bool:
+        return isinstance(pair, tuple) and len(pair) == 2
+
+    numbers = f"numbers from 0 to {count - 1}"
+    if not is_tuple(outcome.touched, is_bystander):
+        yield f"gives outcome.touched = {outcome.touched!r}; valid: a tuple of {numbers}, without the target"
+    if not is_tuple(
+        outcome.disturbed, lambda pair: is_pair(pair) and is_bystander(pair[0]) and pair[1] in _ENDINGS
+    ):
+        valid = f"pairs of a bystander and one of {', '.join(_ENDINGS)}"
+        yield f"gives outcome.disturbed = {outcome.disturbed!r}; valid: {valid}"
+    if not is_tuple(
+        outcome.contacts, lambda pair: is_tuple(pair, is_object) and is_pair(pair) and pair[0] < pair[1]
+    ):
+        valid = f"a tuple of pairs of {numbers}, the smaller one first"
+        yield f"gives outcome.contacts = {outcome.contacts!r}; valid: {valid}"
+
+
+def _is_index(value: Any) -> bool:
+    return isinstance(value, int | np.integer) and not isinstance(value, bool)
+
+
+# Which objects a world makes, where it says so
+
+_SLACK = 1e-9
+"""Numbers that were written by hand may be off by so much."""
+
+Range = tuple[float, float]
+
+
+@dataclass(frozen=True, slots=True)
+class ObjectLimits:
+    """Which objects a world makes; all rest on a table whose top is at height 0.
+
+    Attributes:
+        feature_names: What the features are called: sizes along x, y and z, and type.
+        sizes: Least and greatest size along each axis [m].
+        types: The types there are.
+        most: How many one scene can be simulated with; None if there is no limit.
+    """
+
+    feature_names: tuple[str, ...]
+    sizes: tuple[Range, Range, Range]
+    types: tuple[float, ...]
+    most: int | None = None
+
+    def too_many(self, objects: int) -> str:
+        """Say if there are more objects than can be simulated, or nothing.
+
+        Args:
+            objects: How many there are.
+        """
+        if self.most is None or objects <= self.most:
+            return ""
+        return f"there are {objects} objects; the simulator takes at most {self.most}"
+
+    def check(self, item: str, features: tuple[float, ...]) -> None:
+        """Raise `InvalidValue` unless the world makes such objects.
+
+        Args:
+            item: What the object is called.
+            features: What it is.
+        """
+        if len(features) != len(self.feature_names):
+            named = ", ".join(self.feature_names)
+            raise InvalidValue(f"{item} has {len(features)} features; valid: {named}.")
+        *sizes, kind = zip(self.feature_names, features, strict=True)
+        for (name, size), (least, greatest) in zip(sizes, self.sizes, strict=True):
+            if not least - _SLACK <= size <= greatest + _SLACK:
+                raise InvalidValue(f"{item} has {name} = {size:g} m; valid: {least:g} to {greatest:g} m.")
+        name, number = kind
+        if number not in self.types:
+            valid = ", ".join(f"{known:g}" for known in self.types)
+            raise InvalidValue(f"{item} has {name} = {number:g}; valid: {valid}.")
+
+
+def limits_of(world: World) -> ObjectLimits | None:
+    """Return which objects a world makes (its `object_limits`), or None if it does not say.
+
+    Args:
+        world: The world.
+    """
+    limits = getattr(world, "object_limits", None)
+    return limits if isinstance(limits, ObjectLimits) else None
+
+
+# How the hand moves in the simulator: how fast, and how high it carries things.
+#
+# A straight way begins and ends at rest, by a quintic profile whose peak speed is 1.875 times its mean
+# speed.
+
+PEAK_SPEED = 0.45
+"""Greatest speed of the hand [m/s]; faster pushes make objects coast on."""
+LOWERING_SPEED = 0.25
+"""Greatest speed of a held object on its way down [m/s]."""
+FINGER_SPEED = 0.25
+"""Greatest speed of a finger [m/s]."""
+CLEARANCE = 0.005
+"""The hand starts at least this far above whatever it would otherwise touch [m]."""
+GRASP_TEST = 0.03
+"""How far the hand rises to find whether the target hangs from it, before it carries it away [m]."""
+TRANSIT_CLEARANCE = 0.02
+"""What is carried passes at least this far above everything else [m]."""
+_PEAK_OVER_MEAN = 1.875
+
+
+def way_seconds(metres: float, peak_speed: float = PEAK_SPEED) -> float:
+    """Return how long a straight way takes from rest to rest [s].
+
+    Args:
+        metres: Its length [m].
+        peak_speed: Greatest speed on the way [m/s].
+    """
+    return metres * _PEAK_OVER_MEAN / peak_speed
+
+
+# Poses: where every part of the robot and every object is while a motion happens.
+#
+# Pictures show a motion from one side. A page in a browser draws it from any side, and asks a world for
+# poses instead. A world need not know them; one that does is `Posed`.
+
+PartKind = Literal["box", "cylinder", "sphere"]
+PARTS: tuple[PartKind, ...] = ("box", "cylinder", "sphere")
+"""The kinds of a part: its size is its edges [m], its radius and length [m], or its radius [m]."""
+POSE_SECONDS = 1 / 30
+"""Time of the simulation between two poses [s]."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Pose:
+    """Where everything is at one moment of an interaction, in the world frame.
+
+    Attributes:
+        seconds: Time of the simulation since the interaction began [s].
+        phase: Name of the phase of the motion, as `FrameSink` is given it.
+        links: Of each link of the robot, its base first: position [m], and orientation as (x, y, z, w).
+        positions: Centre of each object [m].
+        orientations: Orientation of each object, as a quaternion (x, y, z, w).
+    """
+
+    seconds: float
+    phase: str
+    links: Float[np.ndarray, "L 7"]
+    positions: Float[np.ndarray, "M 3"]
+    orientations: Float[np.ndarray, "M 4"]
+
+
+PoseSink = Callable[[Pose], None]
+"""Takes a pose as soon as it is there; the motion goes on when it returns."""
+
+
+@dataclass(frozen=True, slots=True)
+class Part:
+    """One simple body that a link of the robot, or an object, is drawn with.
+
+    Attributes:
+        kind: One of `PARTS`.
+        size: Its size, as its kind says [m].
+        position: Its centre in the frame of the link or the object [m].
+        orientation: Its orientation there, as a quaternion (x, y, z, w); a cylinder lies along its z axis.
+        link: Number of the link, the base being 0; 0 for an object.
+        colour: Red, green and blue from 0 to 1; None where nothing is said.
+    """
+
+    kind: PartKind
+    size: tuple[float, ...]
+    position: tuple[float, float, float] = (0.0, 0.0, 0.0)
+    orientation: tuple[float, float, float, float] = (0.0, 0.0, 0.0, 1.0)
+    link: int = 0
+    colour: tuple[float, float, float] | None = None
+
+
+@runtime_checkable
+class Posed(Protocol):
+    """A world that says where everything is while it moves, and what it looks like.
+
+    Attributes:
+        on_pose: Called with a pose each `POSE_SECONDS` of an interaction, if set; it changes nothing.
+    """
+
+    on_pose: PoseSink | None
+
+    def robot_parts(self) -> tuple[Part, ...]:
+        """Return what the robot is drawn with."""
+        ...
+
+    def robot_at_rest(self) -> Float[np.ndarray, "L 7"]:
+        """Return the poses of the robot's links while it waits; see `Pose.links`."""
+        ...
+
+    def object_parts(self, features: Float[np.ndarray, "F"]) -> tuple[Part, ...]:
+        """Return what an object is drawn with.
+
+        Args:
+            features: What it is.
+        """
+        ...

@@ -1,0 +1,186 @@
+"""What a comparison of planners comes to: shares of tasks, and why planners disagree."""
+
+from collections import Counter
+from collections.abc import Iterable, Sequence
+
+import msgspec
+import numpy as np
+
+from neurosym.errors import counted
+from neurosym.evaluation.comparison import Attempt, TaskRecord
+from neurosym.planners.planner import PlanStatus
+from neurosym.planners.registry import planner_named
+
+
+class Tally(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
+    """How one planner did.
+
+    Attributes:
+        found: In how many tasks it found a plan.
+        valid: In how many one that the operators promise to reach the goal.
+        reached: In how many the plan reached the goal, followed blindly.
+        reached_with_replanning: In how many the goal was reached with replanning.
+        steps: Mean number of primitives of its plans; None without any.
+        seconds: Median time of planning [s]; None without any.
+        predicted: In how many the network, too, predicts the plan to reach the goal.
+        replans: How often it was planned again, in all.
+        performed: How many primitives were performed with replanning, in all; 0 in earlier versions.
+        own: How many of them were those of its plans, and of no new one.
+        unfound: Why there was no plan where another planner found one, with counts.
+        invalid: Why plans were not valid, with counts.
+        missed: Why plans followed blindly missed the goal, with counts.
+        missed_with_replanning: Why the goal was missed in spite of replanning, with counts.
+    """
+
+    found: int
+    valid: int
+    reached: int
+    reached_with_replanning: int
+    steps: float | None
+    seconds: float | None
+    predicted: int
+    replans: int
+    unfound: dict[str, int]
+    invalid: dict[str, int]
+    missed: dict[str, int]
+    missed_with_replanning: dict[str, int]
+    performed: int = 0
+    own: int = 0
+
+
+class Comparison(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
+    """What planners made of the same tasks.
+
+    Attributes:
+        tasks: How many tasks were drawn.
+        met_at_start: How many of them need no step; they are left out of everything else.
+        solved_by_none: How many no planner has a plan for.
+        planners: How each planner did.
+    """
+
+    tasks: int
+    met_at_start: int
+    solved_by_none: int
+    planners: dict[str, Tally]
+
+    @property
+    def counted(self) -> int:
+        """How many tasks need a plan."""
+        return self.tasks - self.met_at_start
+
+
+def summarise(records: Sequence[TaskRecord], planners: Sequence[str]) -> Comparison:
+    """Count what became of the tasks.
+
+    Args:
+        records: A record for each task.
+        planners: Whom to count.
+    """
+    asked = [record for record in records if not record.met_at_start]
+    return Comparison(
+        tasks=len(records),
+        met_at_start=len(records) - len(asked),
+        solved_by_none=sum(not any(record.attempts[name].found for name in planners) for record in asked),
+        planners={name: _tally(asked, name, planners) for name in planners},
+    )
+
+
+def _tally(records: Sequence[TaskRecord], name: str, planners: Sequence[str]) -> Tally:
+    attempts = [record.attempts[name] for record in records]
+    found = [attempt for attempt in attempts if attempt.found]
+    blind = [attempt.open_loop for attempt in attempts if attempt.open_loop]
+    replanned = [attempt.replanned for attempt in attempts if attempt.replanned]
+    whys = [why_not_found(record, name, planners) for record in records]
+    return Tally(
+        found=len(found),
+        valid=sum(attempt.valid for attempt in found),
+        reached=sum(run.reached for run in blind),
+        reached_with_replanning=sum(run.reached for run in replanned),
+        steps=round(float(np.mean([attempt.primitives for attempt in found])), 3) if found else None,
+        seconds=round(float(np.median([attempt.seconds for attempt in attempts])), 4) if attempts else None,
+        predicted=sum(_predicts_goal(attempt, record) for record, attempt in _pairs(records, name)),
+        replans=sum(run.replans for run in replanned),
+        unfound=_counts(whys),
+        invalid=_counts(_why_invalid(attempt) for attempt in found),
+        missed=_counts(run.kind for run in blind),
+        missed_with_replanning=_counts(run.kind for run in replanned),
+        performed=sum(run.interactions for run in replanned if run.own is not None),
+        own=sum(run.own or 0 for run in replanned),
+    )
+
+
+def _pairs(records: Sequence[TaskRecord], name: str) -> list[tuple[TaskRecord, Attempt]]:
+    return [(record, record.attempts[name]) for record in records if record.attempts[name].found]
+
+
+def _counts(reasons: Iterable[str]) -> dict[str, int]:
+    counted = Counter(filter(None, reasons))
+    return dict(sorted(counted.items(), key=lambda item: (-item[1], item[0])))
+
+
+def _predicts_goal(attempt: Attempt, record: TaskRecord) -> bool:
+    """Say whether the network predicts that a plan ends at the goal."""
+    miss = attempt.predicted_miss
+    return miss is not None and miss <= record.problem.tolerance
+
+
+def _why_invalid(attempt: Attempt) -> str:
+    """Say in a few words why a plan is not valid; empty if it is, or if there is none."""
+    if not attempt.found or attempt.valid:
+        return ""
+    if attempt.invalid == "impossible":
+        return "by the operators, an object leaves the table or ends in another"
+    return "by the operators, it ends elsewhere"
+
+
+def why_not_found(record: TaskRecord, name: str, planners: Sequence[str]) -> str:
+    """Say in a few words why a planner has no plan where another has; empty if it has, or none has.
+
+    Args:
+        record: What became of the task.
+        name: The planner.
+        planners: The planners to compare it with.
+    """
+    attempt = record.attempts[name]
+    others = [record.attempts[other] for other in planners if record.attempts[other].found]
+    if attempt.found or not others:
+        return ""
+    if attempt.status is PlanStatus.TIMEOUT:
+        return "its time was up"
+    other = min(others, key=lambda found: (not found.valid, found.primitives))
+    planner = planner_named(name)
+    depth = planner.depth if attempt.depth is None else attempt.depth
+    if depth is not None and other.primitives > depth:
+        return f"it takes more than {counted(depth, 'primitive')}"
+    if planner.reads == "network":
+        if not _predicts_goal(other, record):
+            return "the network predicts the other plan to end elsewhere"
+        return "the network predicts that an object leaves the table or ends in another"
+    if other.left_out:
+        return "the other plan uses an operator that the domain leaves out"
+    return _why_invalid(other).replace("it ends", "the other plan ends") or "though the other plan is valid"
+
+
+# Tables as Markdown, and figures over several repetitions
+
+
+def markdown_table(columns: Sequence[str], rows: Sequence[Sequence[str]]) -> str:
+    """Return a table as Markdown.
+
+    Args:
+        columns: Headings.
+        rows: One text for each heading.
+    """
+    lines = [columns, ["---"] * len(columns), *rows]
+    escaped = [[cell.replace("|", "\\|") for cell in line] for line in lines]
+    return "\n".join(f"| {' | '.join(line)} |" for line in escaped)
+
+
+def mean_and_spread(values: Sequence[float | int], digits: int = 3) -> str:
+    """Write mean and standard deviation over repetitions.
+
+    Args:
+        values: One for each repetition, at least one.
+        digits: How many stand after the point.
+    """
+    return f"{np.mean(values):.{digits}f} ± {np.std(values):.{digits}f}"

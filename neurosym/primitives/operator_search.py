@@ -1,0 +1,285 @@
+"""From networks and data to operators: distil, choose, and rehearse, whatever actions are aimed at.
+
+* **Objects** alone: each category gets the actions that displace its objects most exactly (`audition.py`).
+* **Places**: every category gets of each symbol the action that carries its objects most surely and exactly
+  to the place. Auditions are among neighbours, lest an action be chosen that drags the object through them.
+  Rehearsals among others say how surely they are left alone, and whether a place must be free.
+* **Pairs**: every kind of pair gets the actions that most surely bring it into some state (`pair_choice.py`),
+  auditioned and rehearsed among bystanders. More rehearsals begin as others ended. They show whether it
+  matters that the target rests on something, that something rests on it, or on the reference.
+"""
+
+from collections.abc import Callable, Sequence
+from functools import partial
+from typing import Any
+
+import numpy as np
+
+from neurosym.checks import Float
+from neurosym.contract import made
+from neurosym.data.interactions import Interactions
+from neurosym.errors import InvalidValue, OpenBar, silent
+from neurosym.learning.network import EffectModel
+from neurosym.operators import (
+    TABLE_FORMAT,
+    Categorise,
+    Operator,
+    OperatorTable,
+    Primitive,
+    Symbol,
+    name_operator,
+    names_of_features,
+)
+from neurosym.pair_operators import PairStates, PlaceOperators, RelationOperators
+from neurosym.primitives.audition import CARRYING_ROUNDS, OBJECTS_TO_PREDICT, choose, choose_among, choose_own
+from neurosym.primitives.distillation import distill
+from neurosym.primitives.pair_audition import choose_for_pairs, rehearse_among, tabulate_pairs
+from neurosym.primitives.rehearsal import (
+    MARGIN,
+    Method,
+    Rehearsals,
+    Search,
+    describe_categories,
+    rehearse,
+    rehearse_among_others,
+    rehearse_unsure,
+    sort_into_modes,
+    tabulate,
+)
+from neurosym.primitives.reliability import PredictOutcomes, foresee_carrying
+from neurosym.primitives.sampling import Repertoire
+from neurosym.world import ActionBox, OutcomeKind, WorldFactory
+from neurosym.worlds.aims import AimedFactory, CrowdedFactory, RelatedFactory
+
+ToSymbols = Callable[[np.ndarray], Sequence[Symbol]]
+"""Gives the symbols of object features (N, F), or of actions (N, A)."""
+
+
+class NothingDistilled(InvalidValue):
+    """A model whose symbols no action encodes to."""
+
+    def __init__(self) -> None:
+        super().__init__("No action encodes to its symbol; train again.")
+
+
+def find_operators(
+    model: EffectModel,
+    predict: PredictOutcomes,
+    interactions: Interactions,
+    box: ActionBox,
+    method: Method,
+    *,
+    categorise: Categorise | None = None,
+    world_factory: WorldFactory,
+    objects: int = 100,
+    seed: int,
+    workers: int = 1,
+    open_bar: OpenBar = silent,
+) -> Any:
+    """Distil each action symbol, choose among the candidates, and measure what each operator does.
+
+    Args:
+        model: Whose action symbols are distilled.
+        predict: A network without a bottleneck on the same data, which shortlists.
+        interactions: The data.
+        box: What parameters must stay inside.
+        method: How it is done for what the actions are aimed at.
+        categorise: Gives the object symbols of features; the model's, if not given.
+        world_factory: Builds the world to audition and rehearse in.
+        objects: How many objects each symbol is rehearsed on, not counting those added for rare categories.
+        seed: Where all draws start.
+        workers: How many processes; their number does not change the result.
+        open_bar: Shows how far each part has come.
+
+    Raises:
+        NothingDistilled: If no action encodes to its symbol.
+        UnknownChoice: If the method has a choice that there is not.
+    """
+    search = Search(
+        _candidates(model, interactions, box, seed, open_bar),
+        predict,
+        interactions.features,
+        categorise or model.object_symbols,
+        world_factory,
+        method.adapt(world_factory),
+        seed,
+        objects,
+        workers,
+        open_bar,
+    )
+    chosen = method.choose(search)
+    with open_bar("rehearsing") as advance:
+        found = rehearse(
+            search.shown,
+            chosen,
+            search.categorise,
+            objects=objects,
+            seed=seed,
+            workers=workers,
+            progress=advance,
+        )
+    return method.measure(search, found)
+
+
+def average_operators(
+    model: EffectModel,
+    predict: PredictOutcomes,
+    interactions: Interactions,
+    box: ActionBox,
+    choice: str,
+    *,
+    seed: int,
+    open_bar: OpenBar = silent,
+) -> OperatorTable:
+    """Distil and choose where there is no world, and average the data; see `find_operators` and `choose`."""
+    chosen = choose(
+        _candidates(model, interactions, box, seed, open_bar),
+        choice,
+        predict=predict,
+        features=interactions.features,
+        categorise=model.object_symbols,
+        world_factory=None,
+        seed=seed,
+    )
+    return average(interactions, chosen.primitives, model.object_symbols, model.action_symbols)
+
+
+def _candidates(
+    model: EffectModel, interactions: Interactions, box: ActionBox, seed: int, open_bar: OpenBar
+) -> tuple[Primitive, ...]:
+    with open_bar("distilling") as advance:
+        candidates = distill(model, interactions, box, seed=seed, progress=advance)
+    if not candidates:
+        raise NothingDistilled
+    return candidates
+
+
+def displacing(choice: str = "own") -> Method:
+    """Return how operators are found that displace objects, aimed at nothing else.
+
+    Args:
+        choice: Which candidate stands for a symbol; one of `CHOICES`.
+    """
+    return Method(lambda factory: factory, partial(choose_among, choice=choice), measured)
+
+
+def measured(search: Search, found: Rehearsals) -> OperatorTable:
+    """Tell what each primitive does to each category, and rehearse where that is unsure.
+
+    Args:
+        search: What the primitives were found with.
+        found: What they did.
+    """
+    with search.open_bar("telling the outcomes apart") as advance:
+        table = tabulate(found, made(search.shown).feature_names, progress=advance)
+    return rehearse_unsure(search, table)
+
+
+def choose_carriers(
+    search: Search,
+    crowd: Callable[[WorldFactory], WorldFactory] = lambda factory: CrowdedFactory(factory, MARGIN),
+) -> Repertoire:
+    """Choose for each category and symbol the action that carries its objects most surely.
+
+    Args:
+        search: What there is to choose from.
+        crowd: Builds the world of the auditions.
+    """
+    shared = _likeliest(search.candidates, search.predict, search.features[:OBJECTS_TO_PREDICT])
+    return choose_own(
+        search, shared, crowd(search.world_factory), foresee=foresee_carrying, rounds=CARRYING_ROUNDS
+    )
+
+
+def _likeliest(
+    candidates: Sequence[Primitive], predict: PredictOutcomes, features: Float[np.ndarray, "M F"]
+) -> tuple[Primitive, ...]:
+    """Return of each symbol the candidate that is predicted to carry objects of all kinds most surely."""
+    best: dict[str, tuple[float, Primitive]] = {}
+    for one in candidates:
+        predicted = predict(features, np.tile(np.array(one.action), (len(features), 1)))
+        sureness = foresee_carrying(predicted).sureness
+        if one.symbol not in best or sureness > best[one.symbol][0]:
+            best[one.symbol] = sureness, one
+    return tuple(best[symbol][1] for symbol in sorted(best))
+
+
+def _among_others(search: Search, found: Rehearsals) -> PlaceOperators:
+    return rehearse_among_others(search, measured(search, found))
+
+
+CARRYING = Method(lambda factory: AimedFactory(factory, MARGIN), choose_carriers, _among_others)
+"""How operators are found that carry objects to places. What predicts says where objects end relative to the
+place [m], the chance that they are carried, and greatest heights [m]."""
+
+
+def relating(states: PairStates) -> Method:
+    """Return how operators are found that bring pairs into states.
+
+    What predicts foresees the chances of the states that bear, in their order, give or take.
+
+    Args:
+        states: The states of pairs.
+    """
+
+    def measure(search: Search, found: Rehearsals) -> RelationOperators:
+        names = made(search.world_factory).feature_names
+        return rehearse_among(search, tabulate_pairs(found, names, states), found)
+
+    return Method(RelatedFactory, partial(choose_for_pairs, states=states), measure)
+
+
+def average(
+    interactions: Interactions,
+    primitives: Sequence[Primitive],
+    object_symbols: ToSymbols,
+    action_symbols: ToSymbols,
+) -> OperatorTable:
+    """Average effects over the rows of the data, where there is no world to rehearse in.
+
+    The rows whose action and object have the symbols of a primitive and a category stand in for rehearsals.
+    They were made with other parameters than the distilled ones, so that such a table says what a symbol
+    means and not what its distilled action does.
+
+    Args:
+        interactions: The data; feature names are read from their origin, where they stand there.
+        primitives: The primitives.
+        object_symbols: Gives the symbols of features.
+        action_symbols: Gives the symbols of actions.
+
+    Raises:
+        InvalidValue: If there is no primitive.
+    """
+    if not primitives:
+        raise InvalidValue("Nothing can be averaged without primitives: no action symbol was distilled.")
+    objects = np.array(object_symbols(interactions.features))
+    actions = np.array(action_symbols(interactions.actions))
+    names = names_of_features(interactions.features.shape[1], interactions.origin.get("feature_names", ()))
+    categories = describe_categories(interactions.features.astype(np.float64), objects, names)
+    ordered = sorted(primitives, key=lambda primitive: primitive.symbol)
+    operators = []
+    for primitive in ordered:
+        for category in categories:
+            rows = interactions[(actions == primitive.symbol) & (objects == category.symbol)]
+            if len(rows):
+                operators.append(_operator(primitive.symbol, category.symbol, category.name, rows))
+    return OperatorTable(categories, tuple(ordered), tuple(operators), measured="data", format=TABLE_FORMAT)
+
+
+def kinds_of(interactions: Interactions) -> list[OutcomeKind]:
+    """Tell for each row how the target ended, as `Outcome.kind` does."""
+    flags = (interactions.lost, interactions.held, interactions.toppled)
+    kinds: list[OutcomeKind] = ["lost", "held", "toppled", "resting"]
+    return [kinds[number] for number in np.argmax([*flags, np.ones(len(interactions))], axis=0)]
+
+
+def _operator(primitive: Symbol, category: Symbol, category_name: str, rows: Interactions) -> Operator:
+    columns = (rows.effects, rows.resting_effects, rows.peak_heights)
+    modes = sort_into_modes(kinds_of(rows), *(column.astype(np.float64) for column in columns))
+    return Operator(
+        name=name_operator(primitive, category_name, modes),
+        category=category,
+        primitive=primitive,
+        trials=len(rows),
+        modes=modes,
+    )

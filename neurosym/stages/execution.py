@@ -1,0 +1,252 @@
+"""The stages that run plans in the world, and that run their records again."""
+
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any, Protocol
+
+import msgspec
+
+from neurosym.errors import InvalidFile, InvalidPlanner, InvalidValue, UnknownChoice
+from neurosym.execution.executor import execute
+from neurosym.execution.performance import Watcher
+from neurosym.execution.record import Run, StepRecord, this_machine
+from neurosym.execution.replanning import WORK_A_PLAN
+from neurosym.execution.rerun import Agreement, compare_runs, rerun
+from neurosym.files import digest, make_folder, read_json, write_json
+from neurosym.grounding import Grounding
+from neurosym.pddl.plan_reading import read_plan
+from neurosym.planners.planner import Planner, PlanResult, PlanStatus, Tell
+from neurosym.planners.registry import Replanner, plan, planner_named
+from neurosym.problems import Problem
+from neurosym.stages.console import say, shown_doing
+from neurosym.stages.folder import DomainFolder, Stage
+from neurosym.stages.layout import GROUNDING, RUNS, WORLD, run_file, run_name, scene_file
+from neurosym.stages.plan_records import planned_tolerance, record_beside
+from neurosym.stages.planning import load_problem, remarks_on_objects
+from neurosym.tasks.supports import relating
+from neurosym.tasks.transition import hand_problem
+from neurosym.world import FrameSink, World
+from neurosym.worlds.world_file import read_world
+
+REPLANNER = "fast-downward"
+
+
+class Audience(Watcher, Protocol):
+    """Watches a run from the making of its world to its record; who only watches changes no byte of it."""
+
+    def begin(self, world: World, problem: Problem) -> None:
+        """See the world and the problem before anything moves; a `Posed` world can be asked for its poses."""
+        ...
+
+    def end_step(self, record: StepRecord) -> None:
+        """See what a step did."""
+        ...
+
+
+@dataclass(frozen=True, slots=True)
+class Showing:
+    """How a run is shown while it happens, or afterwards.
+
+    Attributes:
+        gif: Where an animated picture of it is written, if anywhere.
+        strip: Where a picture of each step is written, if anywhere.
+        gui: Whether it is shown live in a window.
+        audience: Watches it, if anybody does.
+    """
+
+    gif: Path | None = None
+    strip: Path | None = None
+    gui: bool = False
+    audience: Audience | None = None
+
+
+def execute_stage(
+    folder: DomainFolder,
+    name: str,
+    plan_file: Path,
+    *,
+    replanner: str = REPLANNER,
+    replans: int | None = None,
+    time_limit: float | None = None,
+    nudge_seed: int | None = None,
+    tolerance: float | None = None,
+    showing: Showing = Showing(),
+) -> Stage:
+    """Execute a plan: problem, grounding, world and a plan -> `runs/PROBLEM.PLAN.run.json`, and pictures.
+
+    Args:
+        folder: The domain folder.
+        name: Name of the problem.
+        plan_file: The plan.
+        replanner: Whom to ask for new plans.
+        replans: How many new plans may be asked for. If not given, none for a plan that neurosym did not
+            write, which is followed as it is; else the more, the longer the plan is.
+        time_limit: The user's ceiling for each new plan [s]; the planner's own if not given.
+        nudge_seed: Nudge an object once during the run, drawn from this seed, if given.
+        tolerance: How near objects must come to their goals [m], if not as the problem says.
+        showing: How the run is shown.
+
+    Raises:
+        UnknownChoice: If there is no such planner to replan with.
+        InvalidValue: If a number is impossible.
+    """
+    asked_again = planner_named(replanner, folder.path)
+    for option, value in (("replans", replans or 0), ("disturb", nudge_seed or 0)):
+        if value < 0:
+            raise InvalidValue(f"{option} = {value} must be at least 0.")
+    record_file = run_file(name, plan_file)
+    if replans is None and not record_beside(plan_file):
+        replans = 0
+
+    def work() -> None:
+        grounding = Grounding.load(folder.require(GROUNDING))
+        world = read_world(folder.require(WORLD))()
+        own = load_problem(folder, name, world)
+        problem = own.within(tolerance)
+        if not folder.is_as_made(scene_file(name)):
+            for remark in remarks_on_objects(folder, own, grounding):
+                folder.notify(remark)
+        steps = read_plan(plan_file, grounding, own.within(planned_tolerance(plan_file)))
+        if impossible := hand_problem(steps, grounding):
+            raise InvalidFile(plan_file, impossible)
+        shown = _Shown(showing, world, problem)
+        with shown_doing() as tell:
+            run = execute(
+                world,
+                problem,
+                grounding,
+                steps,
+                replanner=None if replans == 0 else replanning(asked_again, time_limit, tell),
+                replans=replans,
+                nudge_seed=nudge_seed,
+                on_frame=shown.on_frame,
+                on_step=shown.on_step,
+                watcher=showing.audience,
+                tell=tell,
+            )
+        other = None if problem.tolerance == own.tolerance else problem.tolerance
+        by = asked_again.name if run.own_steps < len(run.steps) else msgspec.UNSET
+        run = msgspec.structs.replace(run, tolerance=other, machine=this_machine(), replanner=by)
+        make_folder(folder / RUNS)
+        write_json(folder / record_file, run)
+        shown.end(run)
+
+    inputs = (scene_file(name), GROUNDING, WORLD)
+    options: dict[str, Any] = {"plan": digest(plan_file), "replans": replans}
+    if replans != 0:
+        options |= {"replanner": replanner, "time_limit": time_limit}
+    if nudge_seed is not None:
+        options["disturb"] = nudge_seed
+    if tolerance is not None:
+        options["tolerance"] = tolerance
+    return Stage(f"execute {run_name(name, plan_file)}", inputs, (record_file,), work, options)
+
+
+def replanning(planner: Planner, time_limit: float | None = None, tell: Tell | None = None) -> Replanner:
+    """Return a planner such that a run can ask it for a new plan.
+
+    Args:
+        planner: The planner; what it reads is what the operators promise, by what was seen.
+        time_limit: The user's ceiling for each new plan [s]; the planner's own if not given.
+        tell: Told what the planner tries, if given.
+    """
+
+    def told(text: str) -> None:
+        if tell:
+            tell(f"planning anew: {text}")
+
+    def replan(problem: Problem, grounding: Grounding) -> PlanResult:
+        try:
+            return plan(problem, grounding, planner, time_limit=time_limit, work=WORK_A_PLAN, tell=told)
+        except InvalidPlanner:
+            raise
+        except InvalidValue as error:  # things ended where no problem can begin, like off the table
+            return PlanResult(PlanStatus.FAILED, (), 0.0, str(error))
+
+    return replan
+
+
+def replay_run(folder: DomainFolder, record: Path, showing: Showing = Showing()) -> tuple[Run, Agreement]:
+    """Run the steps of a record again, and compare what happens with it.
+
+    Args:
+        folder: The domain folder.
+        record: A file that `execute_stage` wrote.
+        showing: How the run is shown.
+
+    Returns:
+        What the record says, and how well it agrees with what happened now.
+
+    Raises:
+        InvalidFile: If the file is no record of a run, or names what the domain does not have.
+    """
+    run = read_json(record, Run)
+    grounding = Grounding.load(folder.require(GROUNDING))
+    world = read_world(folder.require(WORLD))()
+    problem = load_problem(folder, run.problem, world)
+    try:
+        problem = problem.within(run.tolerance)
+        for step in run.steps:
+            if not relating(step.operator, grounding):
+                grounding.operator_named(step.operator)
+            _check_object(step.object, problem)
+        for nudge in run.nudges:
+            _check_object(nudge.object, problem)
+    except (InvalidValue, UnknownChoice) as error:
+        raise InvalidFile(record, str(error).rstrip(".")) from error
+    shown = _Shown(showing, world, problem)
+    again = rerun(
+        world,
+        problem,
+        grounding,
+        run,
+        on_frame=shown.on_frame,
+        on_step=shown.on_step,
+        watcher=showing.audience,
+    )
+    shown.end(again)
+    return run, compare_runs(run, again)
+
+
+def load_run(folder: DomainFolder, name: str, plan_file: Path) -> Run:
+    """Read what became of a plan."""
+    return read_json(folder / run_file(name, plan_file), Run)
+
+
+class _Shown:
+    """What is seen of a run: pictures are taken if files are asked for, or a window is opened."""
+
+    def __init__(self, showing: Showing, world: World, problem: Problem):
+        from neurosym.pictures.film import Film, ignore, open_window
+
+        self._showing = showing
+        self._film = Film(world, problem) if showing.gif or showing.strip else None
+        if showing.gui:
+            open_window(world)
+        self.on_frame: FrameSink | None = (
+            self._film.add_frame if self._film else ignore if showing.gui else None
+        )
+        self._audience = showing.audience
+        if self._audience:
+            self._audience.begin(world, problem)
+
+    def on_step(self, record: StepRecord) -> None:
+        """Show what a step did."""
+        if self._film:
+            self._film.end_step(record)
+        if self._audience:
+            self._audience.end_step(record)
+
+    def end(self, run: Run) -> None:
+        """Write the pictures, or hold the window for a while."""
+        from neurosym.pictures.film import hold_window
+
+        if self._film and not self._film.save(run, self._showing.gif, self._showing.strip):
+            say("no pictures: the plan has no step")
+        if self._showing.gui:
+            hold_window()
+
+
+def _check_object(name: str, problem: Problem) -> None:
+    if name not in problem.object_names:
+        raise UnknownChoice("object", name, problem.object_names)

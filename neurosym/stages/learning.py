@@ -1,0 +1,441 @@
+"""What actions are aimed at, as values: nothing but their object, a place, or another object.
+
+Exploring, training and distilling go the same way for each (`exploring.py`, `training.py`, `distilling.py`),
+in the world as an aim has it shown, with data and networks of its own.
+"""
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from neurosym.checks import check_count
+from neurosym.data.interactions import Interactions
+from neurosym.data.origin import (
+    StrategyName,
+    box_of,
+    is_explored,
+    model_misfit,
+    own_name,
+    strategy_named,
+    training_problems,
+    world_misfit,
+)
+from neurosym.errors import InvalidFile, InvalidValue, UnknownChoice, quoted
+from neurosym.files import make_folder, write_json
+from neurosym.learning.training_config import PAIR_BITS, PLACE_BITS, STATE_BITS, Regime, regime_named
+from neurosym.operators import counted_axes
+from neurosym.primitives.audition import CHOICES
+from neurosym.stages.console import progress_bar, say
+from neurosym.stages.folder import Claim, DomainFolder, Stage
+from neurosym.stages.layout import (
+    CHANCES,
+    DIRECT_MODEL,
+    INTERACTIONS,
+    MODEL,
+    PLACE_OPERATORS,
+    PLACES,
+    PRIMITIVES,
+    RELATION_INTERACTIONS,
+    RELATION_MODEL,
+    RELATION_OPERATORS,
+    RELATION_STATES,
+    RELATIONS,
+    STATES,
+    TRAINING,
+    WORLD,
+)
+from neurosym.world import EFFECT_AXES, ActionBox, World, WorldFactory, references_of
+from neurosym.worlds.aims import PAIR_AXES, PLACE_AXES, REFERENCE, TARGET, AimedFactory, RelatedFactory
+from neurosym.worlds.workers import check_workers
+from neurosym.worlds.world_file import origin_of, read_world
+
+if TYPE_CHECKING:
+    from neurosym.primitives.rehearsal import Method
+
+
+FRESH = 600
+"""Pairs that nobody touched, to learn states from."""
+_STREAM = 0x6672  # keeps their draws apart from others
+
+
+def _nothing_besides(folder: DomainFolder, interactions: Interactions, regime: Regime, seed: int) -> dict:  # type: ignore[type-arg]
+    del folder, interactions, regime, seed
+    return {}
+
+
+@dataclass(frozen=True)
+class Aim:
+    """What actions are aimed at.
+
+    Attributes:
+        method: How operators are found, with the choice that the user made.
+        table: File of the operators.
+        folder: Where the other files are in the domain folder, which is also what users call it.
+        reference: What a world must take as a reference; empty for none.
+        axes: How many axes effects have; None for as many as there are.
+        bits: Of the symbols of objects, or pairs, and of actions; None for those of the regime.
+        builds_on: Files that exploring reads besides the world's.
+        network: Which of its files has the network that shortlists.
+        besides: Which other files of its own training writes and distilling reads.
+        categories: The network that gives objects, or pairs, their symbols: a file of any aim.
+        adapt: Has a world explored with such actions.
+        origin: What the data say of it.
+        learn: Learns what else there is to learn of the data; gives what goes into which file.
+    """
+
+    method: Callable[[DomainFolder, str], "Method"]
+    table: str
+    folder: str = ""
+    reference: str = ""
+    axes: int | None = None
+    bits: tuple[int, int] | None = None
+    builds_on: tuple[str, ...] = ()
+    network: str = DIRECT_MODEL
+    besides: tuple[str, ...] = ()
+    categories: str = MODEL
+    adapt: Callable[[DomainFolder, WorldFactory], WorldFactory] = lambda _, factory: factory
+    origin: Mapping[str, Any] = field(default_factory=dict)
+    learn: Callable[[DomainFolder, Interactions, Regime, int], dict[str, Any]] = _nothing_besides
+
+    def file(self, name: str) -> str:
+        """Return where one of its files is in the domain folder."""
+        return f"{self.folder}/{name}" if self.folder else name
+
+    def stage(self, verb: str) -> str:
+        """Return the name of one of its stages."""
+        return f"{verb}-{self.folder}" if self.folder else verb
+
+    def check_takes(self, world: World) -> None:
+        """Raise `InvalidValue` unless actions in a world can be aimed so."""
+        if self.reference and self.reference not in references_of(world):
+            raise InvalidValue(
+                f"The world {world.name} takes no {self.reference} as a reference, so nothing can be learned "
+                f"of {self.folder}; leave out --{self.folder}."
+            )
+
+
+def _displacing(_: DomainFolder, choice: str) -> "Method":
+    from neurosym.primitives.operator_search import displacing
+
+    return displacing(choice)
+
+
+def _carrying(_: DomainFolder, __: str) -> "Method":
+    from neurosym.primitives.operator_search import CARRYING
+
+    return CARRYING
+
+
+def _relating(folder: DomainFolder, _: str) -> "Method":
+    from neurosym.pair_operators import PairStates
+    from neurosym.primitives.operator_search import relating
+
+    return relating(PairStates.load(folder.require(RELATION_STATES)))
+
+
+def _with_known_motions(folder: DomainFolder, factory: WorldFactory) -> WorldFactory:
+    """Have pairs explored from what carries objects to places."""
+    from neurosym.learning.network import EffectModel
+    from neurosym.pair_operators import PlaceOperators
+    from neurosym.worlds.aims import KnownMotions
+
+    categorise = EffectModel.load(folder.require(MODEL)).object_symbols
+    places = PlaceOperators.load(folder.require(PLACE_OPERATORS))
+    return RelatedFactory(factory, KnownMotions(places, categorise, factory().action_box))
+
+
+def _learn_states(
+    folder: DomainFolder, interactions: Interactions, regime: Regime, seed: int
+) -> dict[str, Any]:
+    """Find the states of pairs, and learn to foresee them."""
+    from neurosym.learning.state_codes import ends_in, fit_chances, learn_states
+    from neurosym.pair_operators import describe_pair
+
+    path = folder / RELATION_INTERACTIONS
+    if not np.any(interactions.effects[:, -1]):
+        raise InvalidFile(path, "nothing was carried to another object; explore more")
+    rng = np.random.default_rng([seed, _STREAM])
+    world = RelatedFactory(read_world(folder.require(WORLD)))()
+    scenes = (world.sample_scene(rng, 1).whole for _ in range(FRESH))  # type: ignore[attr-defined]
+    fresh = np.array([describe_pair(scene, TARGET, REFERENCE, ()) for scene in scenes])
+    states = learn_states(fresh, *ends_in(interactions), STATE_BITS, rng)
+    if not states.bearing:
+        raise InvalidFile(path, "no object came to bear another one; explore more")
+    with progress_bar("learning what is foreseen of pairs") as advance:
+        chances = fit_chances(
+            interactions,
+            states,
+            regime.training,
+            seed=seed,
+            progress=lambda stage, share: advance(round(100 * share), 100, stage),
+        )
+    return {STATES: states, CHANCES: chances}
+
+
+OBJECTS = Aim(_displacing, PRIMITIVES)
+TO_PLACES = Aim(
+    _carrying,
+    PLACE_OPERATORS,
+    PLACES,
+    reference="place",
+    axes=PLACE_AXES,
+    bits=PLACE_BITS,
+    adapt=lambda _, factory: AimedFactory(factory),
+    origin={"reference": "place"},
+)
+TO_OBJECTS = Aim(
+    _relating,
+    RELATION_OPERATORS,
+    RELATIONS,
+    reference="object",
+    axes=PAIR_AXES,
+    bits=PAIR_BITS,
+    builds_on=(MODEL, PLACE_OPERATORS),
+    network=CHANCES,
+    besides=(STATES,),
+    categories=RELATION_MODEL,
+    adapt=_with_known_motions,
+    origin={"reference": "object", "proposed": True},
+    learn=_learn_states,
+)
+
+
+# The stage that explores: `world.toml` -> `interactions.npz`
+
+
+def explore_stage(
+    folder: DomainFolder,
+    aim: Aim = OBJECTS,
+    *,
+    strategy: StrategyName,
+    steps: int,
+    seed: int,
+    regime: str,
+    workers: int,
+    min_predicted_effect: float = 0.0,
+    object_bits: int | None = None,
+    action_bits: int | None = None,
+) -> Stage:
+    """Explore the world: `world.toml` -> `interactions.npz`, with a checkpoint after every block.
+
+    Bits matter where a network with symbols is explored by: for the strategy `entropy`.
+    """
+    chosen = check_choices(strategy, regime, min_predicted_effect)
+    name, network, path = own_name(strategy), chosen.exploration, folder / aim.file(INTERACTIONS)
+    if strategy_named(strategy).curious_about == "entropy":
+        network = network.with_bits(object_bits, action_bits)
+
+    def work() -> None:
+        from neurosym.exploration.curiosity import LearningConfig
+        from neurosym.exploration.loop import ExplorationConfig, explore
+
+        check_count(aim.folder or "steps", steps)
+        check_steps(folder, steps, aim)
+        factory = read_world(folder.require(WORLD))
+        if aim.reference:
+            aim.check_takes(factory())
+        _check_begun(folder, aim, name, seed)
+        make_folder(path.parent)
+        config = ExplorationConfig(
+            min_predicted_effect=min_predicted_effect,
+            learning=LearningConfig(
+                learning_rate=chosen.exploration_rate, loss_coefficient=chosen.training.loss_coefficient
+            ),
+        )
+        shown = aim.adapt(folder, factory)
+        with progress_bar(f"exploring {aim.folder} ({name})".replace("  ", " ")) as advance:
+            interactions = explore(
+                shown,
+                steps=steps,
+                strategy=strategy,
+                seed=seed,
+                workers=workers,
+                checkpoint=path.parent,
+                config=config,
+                model_config=network,
+                origin={**origin_of(factory), **aim.origin},
+                progress=advance,
+            )
+        interactions.save(path)
+
+    options: dict[str, Any] = {"strategy": name, "steps": steps, "seed": seed, "regime": regime}
+    if min_predicted_effect:
+        options["min_predicted_effect"] = min_predicted_effect
+    options |= network.unusual_bits()
+    inputs, outputs = (WORLD, *aim.builds_on), (aim.file(INTERACTIONS),)
+    return Stage(aim.stage("explore"), inputs, outputs, work, options, Claim.ALONE)
+
+
+def _check_begun(folder: DomainFolder, aim: Aim, strategy: str, seed: int) -> None:
+    """Refuse to replace finished interactions by others; the checkpoint that says so too may be gone."""
+    from neurosym.exploration.loop import STATE_FILE
+
+    path = folder / aim.file(INTERACTIONS)
+    if not path.exists():
+        return
+    origin = Interactions.load(path).origin
+    for name, wanted in (("strategy", strategy), ("seed", seed)):
+        if (found := origin.get(name)) != wanted:
+            raise InvalidValue(
+                f"{path} was explored with {name} = {found!r}, not {wanted!r}; use that again, or remove it "
+                "to begin anew."
+            )
+    if not path.with_name(STATE_FILE).exists():
+        say(f"note: {STATE_FILE} is missing, so that exploration begins anew, and comes to the same again")
+
+
+def check_choices(strategy: StrategyName, regime: str, min_predicted_effect: float = 0.0) -> Regime:
+    """Return a regime, or raise unless there are such a strategy and regime, and they can be combined."""
+    strategy_named(strategy, min_predicted_effect)
+    return regime_named(regime)
+
+
+def check_steps(folder: DomainFolder, steps: int, aim: Aim = OBJECTS) -> None:
+    """Refuse to replace interactions by fewer, or a user's own by any."""
+    path = folder / aim.file(INTERACTIONS)
+    if not path.exists():
+        return
+    found = Interactions.load(path)
+    if not is_explored(found.origin):
+        raise InvalidValue(
+            f"{path} holds data which `neurosym explore` did not make; move it away first, or learn from it: "
+            f"`neurosym train {quoted(folder.path)}`."
+        )
+    if len(found) > steps:
+        said = f"{path} holds {len(found)} interactions already, more than {steps}"
+        raise InvalidValue(f"{said}; remove it, or ask for more.")
+
+
+# The stage that distils: networks, data and world -> the table of operators
+
+
+def distill_stage(
+    folder: DomainFolder,
+    aim: Aim = OBJECTS,
+    *,
+    objects: int,
+    seed: int,
+    workers: int,
+    choice: str = "own",
+) -> Stage:
+    """Distil primitives and rehearse them: model, data and world -> `primitives.json`.
+
+    Without a `world.toml`, nothing is rehearsed: effects are averaged from the data, whose origin, or else
+    least and greatest values, are the action box.
+    """
+    check_count("objects", objects)
+    check_workers(workers)
+    if choice not in CHOICES:
+        raise UnknownChoice("choice", choice, CHOICES)
+    of_model, of_network, data, *besides = map(aim.file, (MODEL, aim.network, INTERACTIONS, *aim.besides))
+
+    def work() -> None:
+        from neurosym.learning.network import DirectModel, EffectModel
+        from neurosym.primitives.operator_search import NothingDistilled, average_operators, find_operators
+
+        model = EffectModel.load(folder.require(of_model))
+        network = DirectModel.load(folder.require(of_network))
+        interactions = Interactions.load(folder.require(data))
+        for name, one in ((of_model, model), (of_network, network)):
+            problem = model_misfit(one.dimensions, interactions.columns, interactions.origin)
+            if problem and name.endswith((MODEL, DIRECT_MODEL)):
+                raise InvalidFile(folder / name, problem)
+        known = model, network.predict_outcomes, interactions
+        try:
+            if aim is OBJECTS and not (folder / WORLD).exists():
+                box = ActionBox(*box_of(interactions.actions, interactions.origin))
+                found = average_operators(*known, box, choice, seed=seed, open_bar=progress_bar)
+            else:
+                method, factory = aim.method(folder, choice), read_world(folder.require(WORLD))
+                world = method.adapt(factory)()
+                widths = len(world.feature_names), len(world.action_box.low)
+                axes = getattr(world, "effect_axes", EFFECT_AXES)
+                if problem := world_misfit(world.name, (*widths, axes), interactions.columns):
+                    raise InvalidFile(folder / data, problem)
+                found = find_operators(
+                    *known,
+                    world.action_box,
+                    method,
+                    categorise=EffectModel.load(folder.require(aim.categories)).object_symbols,
+                    world_factory=factory,
+                    objects=objects,
+                    seed=seed,
+                    workers=workers,
+                    open_bar=progress_bar,
+                )
+        except NothingDistilled as error:
+            raise InvalidFile(folder / of_model, "no action encodes to its symbol; train again") from error
+        write_json(folder / aim.table, found)
+
+    options = {"objects": objects, "seed": seed, **({} if aim.folder else {"choice": choice})}
+    inputs = tuple(dict.fromkeys((WORLD, aim.categories, of_model, of_network, data, *besides)))
+    return Stage(aim.stage("distill"), inputs, (aim.table,), work, options, Claim.ALONE)
+
+
+# The stage that trains: `interactions.npz` -> the networks and how well they fit
+
+
+def train_stage(
+    folder: DomainFolder,
+    aim: Aim = OBJECTS,
+    *,
+    seed: int,
+    regime: str,
+    object_bits: int | None = None,
+    action_bits: int | None = None,
+) -> Stage:
+    """Make the final fit: `interactions.npz` -> `effect_model.safetensors` and `training.json`.
+
+    Args:
+        folder: The domain folder.
+        aim: What the actions are aimed at.
+        seed: Where all random draws start.
+        regime: Network and training.
+        object_bits: Bits of an object symbol; the regime's or the aim's if not given.
+        action_bits: Bits of an action symbol; likewise.
+
+    Raises:
+        UnknownChoice: If there is no such regime.
+        InvalidValue: If there can be no such symbols.
+    """
+    chosen, data = regime_named(regime), aim.file(INTERACTIONS)
+    network = chosen.model.with_bits(*(aim.bits or ())).with_bits(object_bits, action_bits)
+    learned = (*aim.besides, MODEL, aim.network, TRAINING)
+
+    def work() -> None:
+        from neurosym.learning.training import train
+
+        interactions = _trainable(folder, aim)
+        files: dict[str, Any] = aim.learn(folder, interactions, chosen, seed)
+        with progress_bar(f"training {aim.folder}".rstrip()) as advance:
+            trained = train(
+                interactions,
+                config=chosen.training,
+                model_config=network,
+                seed=seed,
+                progress=lambda stage, share: advance(round(100 * share), 100, stage),
+            )
+        files |= {TRAINING: trained.report, DIRECT_MODEL: trained.direct, MODEL: trained.model}
+        for name in learned:
+            path = folder / aim.file(name)
+            if path.suffix == ".json":
+                write_json(path, files[name])
+            else:
+                files[name].save(path)
+
+    options = {"seed": seed, "regime": regime, **({} if aim.bits else network.unusual_bits())}
+    inputs = (*((WORLD,) if aim.besides else ()), data)
+    return Stage(aim.stage("train"), inputs, tuple(map(aim.file, learned)), work, options, Claim.ALONE)
+
+
+def _trainable(folder: DomainFolder, aim: Aim) -> Interactions:
+    """Load a data set, and refuse one that cannot be learned from."""
+    path = folder.require(aim.file(INTERACTIONS))
+    interactions = Interactions.load(path)
+    if problems := training_problems(interactions.columns, interactions.origin):
+        raise InvalidFile(path, problems[0])
+    if aim.axes not in (None, found := interactions.effects.shape[1]):
+        raise InvalidFile(path, f"its effects have {counted_axes(found)}; valid: {aim.axes}")
+    return interactions

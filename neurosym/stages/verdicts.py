@@ -1,0 +1,498 @@
+"""Verdicts: whether what a stage made is good, weak or useless, the likeliest reason, and what may help.
+
+Each rule sets a stage's figures beside what is had for nothing: errors beside those of predictors that look
+at nothing, operators beside leaving everything where it is, tasks reached beside what chance allows. The
+constants are the thresholds; docs/learning.md has the rules as a table.
+"""
+
+import math
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Literal
+
+import msgspec
+import numpy as np
+
+from neurosym.data.interactions import Interactions
+from neurosym.data.origin import is_explored
+from neurosym.errors import InvalidPlan, InvalidValue, counted, listed_briefly
+from neurosym.files import read_text
+from neurosym.grounding import MIN_TRIALS, Grounding
+from neurosym.learning.training import TrainingReport
+from neurosym.operators import TOLERANCE, Mode, Operator, OperatorTable
+from neurosym.pair_operators import RelationOperators
+from neurosym.pddl.compiler import Action, ground_plan, parameters_of, problem_text
+from neurosym.pddl.plan_reading import read_actions, read_plan
+from neurosym.pddl.syntax import ENCODINGS, NUMERIC, EncodingName
+from neurosym.planners.unified_planning import PddlVerdict, validate_pddl
+from neurosym.problems import Problem
+from neurosym.stages.folder import DomainFolder
+from neurosym.stages.layout import DOMAIN_FILES, GROUNDING, printed_file
+from neurosym.stages.plan_records import planned_tolerance
+from neurosym.stages.planning import load_problem
+from neurosym.tasks.chances import expected_success
+from neurosym.tasks.task import understand
+from neurosym.tasks.transition import PlanStep, Steps, named_steps, validate
+
+Level = Literal["useless", "weak", "good", "unproven"]
+LEVELS: tuple[Level, ...] = ("useless", "weak", "good", "unproven")
+"""The worst first; what proves nothing counts only where there is nothing else."""
+
+USELESS_R2 = 0.1
+"""Bits that explain less of how effects vary than this are useless."""
+GOOD_R2 = 0.3
+"""Bits that explain less than this are weak."""
+LEAST_GAIN = 0.05
+"""Errors less than this share below those of the best trivial predictor are weak."""
+MOST = 0.5
+"""*Most* is this share or more: of trials, of operators, of objects, and of what a network without a
+bottleneck explains."""
+FEW = 0.2
+"""Fewer than this share of the operators keep their promise, or of the tasks are reached: useless."""
+FEW_ROWS = 500
+"""Where fewer interactions than this did not do, more of them are the likeliest remedy."""
+LEAST_TOLD = 0.1
+"""If operators explain less than this of the mean square of effects, they tell no more than always zero."""
+FAR = 10
+"""Effects of more tolerances than this are in too small a unit, if they are not met within one."""
+WIDEST = 0.4
+"""A Wilson interval that is wider than this proves nothing."""
+ENOUGH_TASKS = 21
+"""From so many tasks on, no Wilson interval is wider than that."""
+_Z = 1.959964  # of 95 % of a normal distribution
+_MODEL = "model"  # what the errors of the trained model are called among those of trivial predictors
+
+
+class Verdict(msgspec.Struct, frozen=True):
+    """A judgement.
+
+    Attributes:
+        level: Good, weak or useless; or unproven, if the figures are too few to tell.
+        sentence: What it is judged by.
+        remedy: The likeliest reason, and what may help; empty if it is good.
+    """
+
+    level: Level
+    sentence: str
+    remedy: str = ""
+
+    @property
+    def lines(self) -> tuple[str, ...]:
+        """The judgement as a command prints it."""
+        remedy = (f"likeliest reason: {self.remedy}",) if self.remedy else ()
+        return (f"verdict: {self.level}: {self.sentence}", *remedy)
+
+
+def worst(verdicts: Iterable[Verdict]) -> Verdict:
+    """Return the worst of several verdicts, of equals the first.
+
+    Args:
+        verdicts: One or more, in the order in which one thing follows from the other.
+    """
+    return min(verdicts, key=lambda verdict: LEVELS.index(verdict.level))
+
+
+def judge_training(report: TrainingReport, data: Interactions) -> Verdict:
+    """Judge how well effects are predicted through the bits, beside predictors that look at nothing.
+
+    Args:
+        report: What was measured after training.
+        data: What was learned from. If actions are aimed at something, effects are no displacements, and are
+            held to no tolerance.
+    """
+    r2, errors = report.r2_through_codes, report.mae.get(_MODEL, [])
+    trivial = {name: sum(values) for name, values in report.mae.items() if name != _MODEL}
+    best = min(trivial, key=lambda name: trivial[name], default="")
+    gain = 1 - sum(errors) / trivial[best] if trivial.get(best) else 0.0
+    miss = 0.0 if _is_aimed(data) else max(errors, default=0.0)
+    sentence = f"R2 {r2:.2f} through the bits, errors {abs(gain):.0%} {'below' if gain >= 0 else 'above'} "
+    sentence += f"those of {best or 'nothing'}"
+    if miss > TOLERANCE:
+        sentence += f"; they are {miss:.2g} on an axis, and {TOLERANCE:g} counts as promised"
+    if r2 >= GOOD_R2 and gain >= LEAST_GAIN and miss <= TOLERANCE:
+        return Verdict("good", sentence)
+    return Verdict("useless" if r2 < USELESS_R2 else "weak", sentence, _why_untold(report, data, miss))
+
+
+def _why_untold(report: TrainingReport, data: Interactions, miss: float) -> str:
+    """Say why effects are not predicted through the bits: the first reason that applies."""
+    if len(data) < FEW_ROWS:
+        return f"there are only {counted(len(data), 'interaction')}; bring more{_or_mirrors(data)}"
+    if report.r2_direct < GOOD_R2:
+        return (
+            f"a network without bits does hardly better (R2 {report.r2_direct:.2f}); bring features and "
+            f"action parameters that decide what happens, or more interactions{_or_mirrors(data)}"
+        )
+    if report.r2_through_codes < MOST * report.r2_direct:
+        lost = f"the bits lose most of what a network without them tells (R2 {report.r2_direct:.2f})"
+        return f"{lost}; {_better_bits(report, data)}"
+    if miss > TOLERANCE:
+        remedy = (
+            "have goals met within a larger --tolerance"
+            if is_explored(data.origin)
+            else "give them in a larger unit"
+        )
+        return f"{TOLERANCE:g} is too strict for effects so large; {remedy}"
+    return f"little happens, or it scatters; bring more interactions{_or_mirrors(data)}"
+
+
+def _better_bits(report: TrainingReport, data: Interactions) -> str:
+    if _is_aimed(data):  # their bits are not the user's to choose
+        return "bring more interactions"
+    if report.empty_action_codes:
+        codes = counted(len(report.empty_action_codes), "code")
+        return f"{codes} for actions stay empty, so train again with another --seed"
+    return "train with more bits: --action-bits, --object-bits"
+
+
+def _is_aimed(data: Interactions) -> bool:
+    return "reference" in data.origin
+
+
+def _or_mirrors(data: Interactions) -> str:
+    return "" if data.origin.get("mirrors") else ", or name mirrors, if all looks the same in some"
+
+
+def judge_operators(table: OperatorTable, usable: Collection[str] | None = None) -> Verdict:
+    """Judge how surely operators keep their promise, beside leaving everything where it is.
+
+    Args:
+        table: The operators.
+        usable: Names of those that can be planned with; all, if not given.
+    """
+    judged = [one for one in table.operators if one.promised is None]  # the others are the same, less likely
+    sure = [one for one in judged if _is_sure(one)]
+    acting = {one.category for one in sure if _acts(one) and (usable is None or one.name in usable)}
+    idle = {one.name: one.share for one in table.categories if one.share and one.symbol not in acting}
+    sentence = f"{len(sure)} of {counted(len(judged), 'operator')} keep their promise in most {table.trials}"
+    if sure and idle:
+        sentence += (
+            f"; none of these moves {listed_briefly(list(idle))} ({sum(idle.values()):.0%} of objects)"
+        )
+    if not acting or len(sure) < FEW * len(judged):
+        level: Level = "useless"
+    elif len(sure) < MOST * len(judged) or sum(idle.values()) > 1 - MOST:
+        level = "weak"
+    else:
+        return Verdict("good", sentence)
+    return Verdict(level, sentence, _why_unkept(table, judged, len(sure)))
+
+
+def judge_domain(grounding: Grounding) -> Verdict:
+    """Judge what a compiled domain can be planned with: as `judge_operators`, by the operators it has.
+
+    Args:
+        grounding: The domain.
+    """
+    live = {operator.name for operator in grounding.live}
+    found = judge_operators(grounding.operators, live)
+    sentence = f"{found.sentence}; the domain has {counted(len(live), 'operator')}"
+    return msgspec.structs.replace(found, sentence=sentence)
+
+
+def judge_relations(table: RelationOperators) -> Verdict:
+    """Judge how many pairs of objects can surely be brought into a state in which one bears the other.
+
+    Operators that seldom do so are no flaw: each problem says with which pairs they are foreseen to.
+
+    Args:
+        table: What was learned of pairs.
+    """
+    bearing = {state.symbol for state in table.states if state.bears}
+    served = {
+        one.pair
+        for one in table.operators
+        if (end := one.promise) and end.state in bearing and _is_mostly(end.count, one.trials)
+    }
+    share = sum(one.share for one in table.pairs if one.symbol in served)
+    sentence = f"{share:.0%} of pairs are of a kind that an operator mostly puts on or into one another"
+    if share >= MOST:
+        return Verdict("good", sentence)
+    remedy = "pairs of one kind end differently; bring more interactions (explore --relations)"
+    return Verdict("useless" if share < FEW else "weak", sentence, remedy)
+
+
+def _is_sure(operator: Operator) -> bool:
+    return _is_mostly(operator.successes, operator.trials)
+
+
+def _is_mostly(kept: int, trials: int) -> bool:
+    """Say whether trials are enough to be believed, and most of them went well."""
+    return trials >= MIN_TRIALS and kept >= MOST * trials
+
+
+def _acts(operator: Operator) -> bool:
+    """Say whether an operator promises what always zero would not have foretold within the tolerance."""
+    promise = operator.promise
+    return promise is not None and (
+        promise.kind in ("held", "carried") or math.hypot(*promise.outcome) > TOLERANCE
+    )
+
+
+def _why_unkept(table: OperatorTable, judged: Collection[Operator], sure: int) -> str:
+    """Say why promises are not kept, or are not worth much: the first reason that applies."""
+    promises = [operator.promise for operator in judged if operator.promise]
+    # what an operator does in the root mean square, whether or not that is always alike
+    largest = max((math.hypot(*one.outcome, *one.scatter) for one in promises), default=0.0)
+    more = "bring more interactions" if table.measured == "data" else "distil with more --objects"
+    if sum(operator.trials < MIN_TRIALS for operator in judged) > (1 - MOST) * len(judged):
+        return f"most operators have fewer than {MIN_TRIALS} {table.trials}; {more}, or take fewer bits"
+    if not promises or _told(promises) < LEAST_TOLD:
+        return (
+            "what is done scatters as if nothing were known of object and action; bring features that tell "
+            "objects apart, or more interactions"
+        )
+    if sure < MOST * len(judged):
+        if table.measured == "data" and largest > FAR * TOLERANCE:  # a world is in metres
+            return (
+                f"effects of about {largest:.2g} occur, and an outcome counts as promised within "
+                f"{TOLERANCE:g} of its mean; give them in a larger unit"
+            )
+        return (
+            "objects or actions of one symbol end differently; train with more bits (--action-bits, "
+            "--object-bits), or bring more interactions"
+        )
+    if largest <= TOLERANCE:
+        return (
+            f"no effect exceeds {TOLERANCE:g}, within which every outcome counts as promised; give them in a "
+            "smaller unit"
+        )
+    return "what moves these objects was not found; explore more, or train with more --action-bits"
+
+
+def _told(promises: Collection[Mode]) -> float:
+    """Return the share of the mean square of effects that the means of operators explain.
+
+    It is the R2 beside always zero. What is carried to a place ends near zero on purpose and does not count.
+    """
+    rows = [promise for promise in promises if promise.kind != "carried"]
+    counts = np.array([promise.count for promise in rows], dtype=float)
+    moved = counts @ [np.square(promise.outcome).sum() for promise in rows] if rows else 0.0
+    scattered = counts @ [np.square(promise.scatter).sum() for promise in rows] if rows else 0.0
+    return float(moved / (moved + scattered)) if moved else float(not rows)
+
+
+@dataclass(frozen=True, slots=True)
+class Tries:
+    """What became of tasks.
+
+    Attributes:
+        reached: In how many the goal was reached.
+        found: How many had a plan.
+        of: How many there were.
+    """
+
+    reached: int
+    found: int
+    of: int
+
+
+def judge_tries(tries: Mapping[str, Tries], *, how: str = "", tolerance: float = TOLERANCE) -> Verdict:
+    """Judge how many tasks are reached, by the best planner, with what chance alone would allow.
+
+    Doing nothing reaches none, as tasks that are met from the start do not count.
+
+    Args:
+        tries: How planners did on the same tasks.
+        how: How their plans were followed, if that is worth saying.
+        tolerance: How near each object had to come to its goal [m].
+    """
+    best = max(tries, key=lambda name: tries[name].reached)
+    one = tries[best]
+    if not one.of:
+        return Verdict(
+            "unproven", "no task needed a plan", "all goals were met at the start; draw more tasks"
+        )
+    low, high = wilson(one.reached, one.of)
+    told = f"{best} reached {one.reached} of {counted(one.of, 'task')}{how and ' ' + how}"
+    between = f"{low:.0%} to {high:.0%} with 95% confidence"
+    if high - low > WIDEST:
+        return Verdict(
+            "unproven",
+            f"nothing is proved by {counted(one.of, 'task')}: {told}, which may be {between}",
+            f"chance decides so few; draw {ENOUGH_TASKS} tasks or more",
+        )
+    sentence = f"{told}, {between}{_beside(tries, best, low)}"
+    if low >= MOST:
+        return Verdict("good", sentence)
+    return Verdict("useless" if high < FEW else "weak", sentence, _why_missed(one, tolerance))
+
+
+def _beside(tries: Mapping[str, Tries], best: str, low: float) -> str:
+    """Say of which other planners it is proved that they reach less: their intervals end below."""
+    others = [name for name in tries if name != best]
+    behind = [name for name in others if wilson(tries[name].reached, tries[name].of)[1] < low]
+    even = [name for name in others if name not in behind]
+    more = f"; more than {listed_briefly(behind)}" if behind else ""
+    return more + (f"; not proved to be more than {listed_briefly(even)}" if even else "")
+
+
+def _why_missed(tries: Tries, tolerance: float) -> str:
+    """Say why tasks were not reached: the first reason that applies."""
+    if tries.found < MOST * tries.of:
+        return "most tasks have no plan, as too little can be done; explore more, or take more --action-bits"
+    if tolerance < TOLERANCE:
+        return f"goals within {tolerance:g} ask for more than operators promise; allow a larger --tolerance"
+    return "plans are found and miss; distil with more --objects, or explore more"
+
+
+def wilson(reached: int, of: int) -> tuple[float, float]:
+    """Return the Wilson interval of a share, at 95 % (Wilson, 1927).
+
+    Args:
+        reached: How many.
+        of: Out of how many, 1 or more.
+    """
+    share, squared = reached / of, _Z**2
+    middle = (share + squared / (2 * of)) / (1 + squared / of)
+    half = _Z / (1 + squared / of) * math.sqrt(share * (1 - share) / of + squared / (4 * of**2))
+    return max(0.0, middle - half), min(1.0, middle + half)
+
+
+# Whether a plan is one: by the printed PDDL, as a validator says that is not ours, and by its replay
+
+
+class PlanVerdict(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
+    """What is to be said of a plan without executing it.
+
+    Attributes:
+        problem: Name of the problem.
+        plan: The plan's file.
+        valid_by_pddl: Whether it is a plan of the printed domain and problem.
+        valid_by_replay: Whether it leads to the goal when it is replayed with what was rehearsed.
+        domain: The printed domain that it is judged by; empty if none has its actions.
+        written_out: Whether it names steps alone, and was judged with the cells and places that these imply.
+        pddl_reason: Why it is no plan by PDDL, or empty.
+        pddl_failed: Number of the ground action that cannot be performed, counted from 1, if one cannot.
+        replay_reason: Why it does not lead to the goal when replayed, or empty.
+        replay_failed: Number of the step that is impossible, counted from 1, if one is.
+        steps: Its steps; empty if it cannot be read as steps of this domain.
+        chance: The chance that all steps go as promised; None if it cannot be read.
+    """
+
+    problem: str
+    plan: str
+    valid_by_pddl: bool
+    valid_by_replay: bool
+    domain: str
+    written_out: bool
+    pddl_reason: str
+    pddl_failed: int | None
+    replay_reason: str
+    replay_failed: int | None
+    steps: Steps
+    chance: float | None
+
+    @property
+    def valid(self) -> bool:
+        """Whether it is a plan by both."""
+        return self.valid_by_pddl and self.valid_by_replay
+
+
+def judge_plan(
+    folder: DomainFolder, name: str, plan_file: Path, tolerance: float | None = None
+) -> PlanVerdict:
+    """Say whether a plan is valid, without executing it.
+
+    Args:
+        folder: The domain folder.
+        name: Name of the problem.
+        plan_file: The plan, in any form that is read.
+        tolerance: How near objects must come by the replay [m]; as the problem says if not given.
+
+    Raises:
+        InvalidPlan: If the file cannot be read as a plan of this domain, nor of any printed one.
+        UnknownChoice: If there is no such problem.
+        StageMissing: If domain or scene is missing.
+    """
+    grounding = Grounding.load(folder.require(GROUNDING))
+    own = load_problem(folder, name)
+    actions = read_actions(plan_file, grounding, own)
+    try:
+        steps, unread = read_plan(plan_file, grounding, own.within(planned_tolerance(plan_file))), ""
+    except InvalidPlan as error:
+        if not any(_has(domain, actions) for _, domain in _domains(folder)):
+            raise
+        steps, unread = (), str(error)
+    replay = None if unread else validate(steps, own.within(tolerance), grounding)
+    judged = _by_pddl(folder, own, grounding, actions, steps)
+    return PlanVerdict(
+        problem=name,
+        plan=str(plan_file),
+        valid_by_pddl=judged.verdict.valid,
+        valid_by_replay=replay is not None and replay.valid,
+        domain=judged.domain,
+        written_out=judged.written_out,
+        pddl_reason=judged.verdict.reason,
+        pddl_failed=judged.verdict.failed,
+        replay_reason=replay.reason if replay else unread,
+        replay_failed=replay.number if replay else None,
+        steps=named_steps(steps),
+        chance=round(expected_success(steps, own.within(tolerance), grounding), 4) if replay else None,
+    )
+
+
+class _Judged(msgspec.Struct, frozen=True):
+    """What was said of a plan by one of the printed domains."""
+
+    domain: str
+    verdict: PddlVerdict
+    written_out: bool = False
+
+
+_NONE = _Judged("", PddlVerdict(False, "no printed domain has all of its actions"))
+
+
+def _by_pddl(
+    folder: DomainFolder,
+    problem: Problem,
+    grounding: Grounding,
+    actions: Sequence[Action],
+    steps: Sequence[PlanStep],
+) -> _Judged:
+    """Judge a plan by each printed domain that has its actions, until one takes it; or else written out."""
+    judged = list[_Judged]()
+    relates = understand(problem, grounding).relates
+    for encoding, domain in _domains(folder):
+        if _has(domain, actions) and not (relates and encoding == NUMERIC):
+            verdict = _judged(domain, folder, problem, grounding, encoding, actions)
+            judged.append(_Judged(DOMAIN_FILES[encoding], verdict))
+            if verdict.valid:
+                return judged[-1]
+    if judged or not steps:
+        return judged[0] if judged else _NONE
+    try:
+        plan = ground_plan(steps, problem, grounding)
+    except InvalidValue as error:
+        return _Judged("", PddlVerdict(False, str(error).rstrip(".")), written_out=True)
+    domain = read_text(folder.require(DOMAIN_FILES[plan.encoding]))
+    verdict = _judged(domain, folder, problem, grounding, plan.encoding, plan.actions)
+    return _Judged(DOMAIN_FILES[plan.encoding], verdict, written_out=True)
+
+
+def _domains(folder: DomainFolder) -> Iterator[tuple[EncodingName, str]]:
+    """Yield the printed domains that are there, with their encodings."""
+    for encoding in ENCODINGS:
+        file = folder / DOMAIN_FILES[encoding]
+        if file.is_file():
+            yield encoding, read_text(file)
+
+
+def _has(domain: str, actions: Sequence[Action]) -> bool:
+    known = parameters_of(domain)
+    return all(known.get(name) == len(arguments) for name, *arguments in actions)
+
+
+def _judged(
+    domain: str,
+    folder: DomainFolder,
+    problem: Problem,
+    grounding: Grounding,
+    encoding: EncodingName,
+    actions: Sequence[Action],
+) -> PddlVerdict:
+    """Judge ground actions by a domain and the problem that is printed for it, or would be."""
+    file = folder / printed_file(problem.name, encoding)
+    text = read_text(file) if file.is_file() else problem_text(problem, grounding, encoding)
+    return validate_pddl(domain, text, actions)

@@ -1,0 +1,256 @@
+"""Promises: what operators do to the object at hand, by what their rehearsals say about objects like it.
+
+Within a category the effect of a primitive still depends on the size of the object. A Gaussian process over
+the rehearsals of an operator, from features to displacement, refines the category's mean (Rasmussen and
+Williams, 2006, algorithm 2.1). How far it misses rehearsals that are left out, near objects of these
+features, says how sure the promise is (section 5.4.2). Where rehearsals are not kept, or are few, operators
+promise what they promise to the category.
+"""
+
+import math
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from functools import lru_cache
+from types import MappingProxyType
+
+import msgspec
+import numpy as np
+
+from neurosym.checks import Float
+from neurosym.grounding import Grounding
+from neurosym.operators import TOLERANCE, Category, Mode, Operator
+from neurosym.problems import SceneObject
+from neurosym.regression import Choice, Regression, fit, found_for
+
+LEAST_CHANCE = 0.25
+"""Operators that keep their promise more rarely with such an object are not planned with.
+
+Whether it is kept is mostly the object's doing, so that trying again does not help. Such low chances are said
+too high, too: of promises said to be kept in 10 to 25 %, 9 % were (`docs/planning.md`, "The chance").
+"""
+LEAST_REHEARSALS = 8
+"""With fewer rehearsals that ended as promised, nothing is refined."""
+_BEYOND = 0.5  # how far outside of what was rehearsed an object may be, in spreads of the features
+_LEAST_SPREAD = 1e-3
+
+
+def promised(grounding: Grounding, item: SceneObject, tolerance: float = TOLERANCE) -> Mapping[str, Operator]:
+    """Return the operators of an object's category as they promise for this object, by name.
+
+    Each has the name, the category and the primitive of the operator that was learned, and no rehearsals.
+    Objects that are unlike all that were rehearsed are promised what their category is.
+
+    Args:
+        grounding: The learned domain.
+        item: The object.
+        tolerance: How near an outcome must come to the promise to have kept it [m].
+    """
+    return _promised(grounding, item.category, item.features, tolerance)
+
+
+def usable(grounding: Grounding, item: SceneObject, tolerance: float = TOLERANCE) -> tuple[Operator, ...]:
+    """Return the operators of the PDDL domain that do something to this object, as they promise for it.
+
+    Args:
+        grounding: The learned domain.
+        item: The object.
+        tolerance: How near an outcome must come to the promise to have kept it [m].
+    """
+    return _usable(grounding, item.category, item.features, tolerance)
+
+
+def why_unfit(operator: Operator, grounding: Grounding) -> str | None:
+    """Say why an operator is not planned with for an object, or return None if it is.
+
+    Args:
+        operator: An operator as it promises for the object.
+        grounding: The learned domain.
+    """
+    if reason := grounding.why_left_out(operator):
+        return reason
+    if grounding.is_refined and operator.successes < LEAST_CHANCE * operator.trials:
+        return f"keeps its promise with such objects in about {operator.successes} of {operator.trials} only"
+    return None
+
+
+def rehearsed_objects(operator: Operator, category: Category) -> tuple[tuple[float, ...], ...]:
+    """Return the features of the objects that an operator was rehearsed on, in the order of its rehearsals.
+
+    Args:
+        operator: The operator.
+        category: Its category.
+    """
+    return operator.objects or category.objects
+
+
+def keeps_promises(operator: Operator, category: Category, tolerance: float) -> tuple[bool, ...]:
+    """Say of each rehearsal whether it ended as the others promise for its object.
+
+    Args:
+        operator: An operator whose rehearsals are kept.
+        category: Its category.
+        tolerance: How near it must have come [m].
+    """
+    regression, promise = _regression(operator, category), operator.promise
+    kinds = [promise is not None and one.kind == promise.kind for one in operator.rehearsals]
+    if promise is None or not any(kinds):
+        return (False,) * len(kinds)
+    if regression is None:
+        return tuple(
+            is_kind and math.dist(one.outcome, promise.outcome) <= tolerance
+            for is_kind, one in zip(kinds, operator.rehearsals, strict=True)
+        )
+    kept = iter(regression.keeps(tolerance).tolist())
+    return tuple(is_kind and next(kept) for is_kind in kinds)
+
+
+def fits_of(grounding: Grounding) -> dict[str, Choice]:
+    """Fit the rehearsals of all operators of a domain, and return what that came to, by name.
+
+    Args:
+        grounding: The learned domain.
+    """
+    pairs = ((one, grounding.category(one.category)) for one in grounding.every_operator)
+    fitted = {operator.name: _regression(operator, category) for operator, category in pairs}
+    return {name: regression.choice for name, regression in fitted.items() if regression}
+
+
+def chances_of(
+    operator: Operator, category: Category, features: Float[np.ndarray, "N F"], tolerance: float = TOLERANCE
+) -> Float[np.ndarray, "N"] | None:
+    """Estimate how often an operator keeps its promise with objects of some features.
+
+    Args:
+        operator: An operator whose rehearsals are kept.
+        category: Its category.
+        features: Features of the objects.
+        tolerance: How near an outcome must come to the promise to have kept it [m].
+
+    Returns:
+        The chances; None where the rehearsals are too few to tell.
+    """
+    regression = _regression(operator, category)
+    if regression is None:
+        return None
+    scaled = (features - regression.centre) / regression.scale
+    return np.array([regression.chance(at, tolerance) for at in scaled])
+
+
+def is_rehearsed(category: Category, features: Sequence[float]) -> bool:
+    """Say whether objects like this one were rehearsed, as far as that is known.
+
+    Args:
+        category: The object's category.
+        features: Its features.
+    """
+    if not category.objects:
+        return True
+    objects, scale = np.array(category.objects), _scale(category)
+    low, high = objects.min(0) - _BEYOND * scale, objects.max(0) + _BEYOND * scale
+    return bool(np.all((low <= features) & (features <= high)))
+
+
+@lru_cache(maxsize=256)
+def _promised(
+    grounding: Grounding, category: str, features: tuple[float, ...], tolerance: float
+) -> Mapping[str, Operator]:
+    learned = grounding.category(category)
+    operators = {one.name: one for one in grounding.every_operator if one.category == category}
+    if not is_rehearsed(learned, features):
+        return MappingProxyType({name: _plain(operator) for name, operator in operators.items()})
+    return _Promises(operators, lambda operator: _refined(operator, learned, features, tolerance))
+
+
+class _Promises(Mapping[str, Operator]):
+    """What operators promise, which is worked out for each of them when it is asked for."""
+
+    def __init__(self, operators: Mapping[str, Operator], refine: Callable[[Operator], Operator]):
+        self._operators, self._refine = operators, refine
+        self._found: dict[str, Operator] = {}
+
+    def __getitem__(self, name: str) -> Operator:
+        if name not in self._found:
+            self._found[name] = self._refine(self._operators[name])
+        return self._found[name]
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._operators)
+
+    def __len__(self) -> int:
+        return len(self._operators)
+
+
+@lru_cache(maxsize=256)
+def _usable(
+    grounding: Grounding, category: str, features: tuple[float, ...], tolerance: float
+) -> tuple[Operator, ...]:
+    live = {operator.name for operator in grounding.live}
+    usual = _promised(grounding, category, features, TOLERANCE)
+    names = [name for name in usual if name in live and why_unfit(usual[name], grounding) is None]
+    found = _promised(grounding, category, features, tolerance)
+    return tuple(found[name] for name in names)
+
+
+def _plain(operator: Operator) -> Operator:
+    return msgspec.structs.replace(operator, rehearsals=(), objects=()) if operator.rehearsals else operator
+
+
+@lru_cache(maxsize=16384)
+def _refined(
+    operator: Operator, category: Category, features: tuple[float, ...], tolerance: float
+) -> Operator:
+    """Return an operator as it promises for an object of some features."""
+    regression = _regression(operator, category)
+    promise = operator.promise
+    if regression is None or promise is None:
+        return _plain(operator)
+    at = (np.array(features) - regression.centre) / regression.scale
+    values, spreads = regression.predict(at), regression.spreads(at)
+    so, kept = (round(regression.chance(at, within) * operator.trials) for within in (np.inf, tolerance))
+    counted = msgspec.structs.replace(promise, count=so, share=so / operator.trials, near_mean=kept)
+    mode = _refined_mode(counted, values, spreads)
+    modes = tuple(mode if other is promise else other for other in operator.modes)
+    return msgspec.structs.replace(operator, modes=modes, rehearsals=(), objects=())
+
+
+def _refined_mode(mode: Mode, values: Float[np.ndarray, "D"], spreads: Float[np.ndarray, "D"]) -> Mode:
+    """Put what was predicted in the place of the means; see `_outcomes` for what the columns are."""
+    x, y, *more = values.tolist()
+    spread_x, spread_y, *spread_more = spreads.tolist()
+    resting = (x, y, mode.resting_effect[2])
+    resting_spread = (spread_x, spread_y, mode.resting_spread[2])
+    effect, spread = (x, y, mode.effect[2]), (spread_x, spread_y, mode.spread[2])
+    if more:
+        effect, spread = (more[0], more[1], more[2]), (spread_more[0], spread_more[1], spread_more[2])
+    return msgspec.structs.replace(
+        mode,
+        effect=effect,
+        spread=spread,
+        resting_effect=resting,
+        resting_spread=resting_spread,
+    )
+
+
+@lru_cache(maxsize=2048)
+def _regression(operator: Operator, category: Category) -> Regression | None:
+    """Fit an operator's rehearsals; None if there are too few to learn from."""
+    promise = operator.promise
+    rows = rehearsed_objects(operator, category)
+    if promise is None or not category.objects or len(operator.rehearsals) != len(rows):
+        return None
+    is_kind = np.array([one.kind == promise.kind for one in operator.rehearsals], dtype=bool)
+    if is_kind.sum() < LEAST_REHEARSALS:
+        return None
+    outcomes = _outcomes(operator, promise.kind == "held")
+    known = found_for(operator, category)
+    return fit(np.array(rows), is_kind, outcomes[is_kind], scale=_scale(category), known=known)
+
+
+def _outcomes(operator: Operator, is_held: bool) -> Float[np.ndarray, "N D"]:
+    """List what is predicted [m]: where the object rests, x and y, and if held, where it is in the air."""
+    rows = operator.rehearsals
+    resting = np.array([row.resting_effect[:2] for row in rows])
+    return np.column_stack([resting, [row.effect for row in rows]]) if is_held else resting
+
+
+def _scale(category: Category) -> Float[np.ndarray, "F"]:
+    return np.asarray(np.maximum(np.array(category.objects).std(0), _LEAST_SPREAD))

@@ -1,0 +1,437 @@
+"""How the objects of a problem stand to one another: states of pairs, what bears what, and goals by relation.
+
+A state of a pair is what the learned encoder says of its description. Which object bears another one is what
+plans are made with: of several that seem to, it is the one whose pair is most typical of its state.
+"""
+
+import math
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from itertools import combinations, permutations
+
+import msgspec
+import numpy as np
+
+from neurosym.checks import Float
+from neurosym.errors import InvalidValue
+from neurosym.grounding import Grounding
+from neurosym.operators import Category, Symbol
+from neurosym.pair_operators import (
+    FAINT,
+    FAINTEST,
+    LEAST,
+    PairState,
+    PairStates,
+    RelationOperator,
+    RelationOperators,
+    describe_pair,
+    extent,
+    pooled,
+    share_with_any,
+)
+from neurosym.problems import FORMER_SUFFIX, Problem, RelationGoal, pair_key
+from neurosym.world import Scene
+
+# What is said of pairs before anything is done: their kinds, and how surely operators will keep promises.
+#
+# Networks say it where there are some. Without one, a pair is of the kind whose mean features are nearest.
+
+KindsOfPairs = Callable[[Float[np.ndarray, "N F"]], tuple[Symbol, ...]]
+"""Gives the kinds of pairs, from the features of the target and then those of the reference."""
+ChancesOfStates = Callable[[Float[np.ndarray, "N F"], Float[np.ndarray, "N A"]], Float[np.ndarray, "N S"]]
+"""Foresees the chances of the states that bear, in the order of their codes, from features of pairs and
+actions."""
+_LEAST_SPREAD = 1e-3
+_DIGITS = 3
+
+
+@dataclass(frozen=True, slots=True)
+class PairSight:
+    """What learned networks say of pairs of objects.
+
+    Attributes:
+        kinds: Gives their kinds.
+        chances: Foresees the states that actions bring them to; None where that was not learned.
+        order: Codes of the states, in the order in which they are foreseen.
+    """
+
+    kinds: KindsOfPairs
+    chances: ChancesOfStates | None = None
+    order: tuple[Symbol, ...] = ()
+
+
+def with_pairs(
+    problem: Problem, relations: RelationOperators | None, sight: PairSight | None = None
+) -> Problem:
+    """Return a problem that knows the kinds of all pairs of its objects, and what is foreseen of each.
+
+    Args:
+        problem: The problem; if it knows them already, it stays as it is.
+        relations: What was learned of pairs; if nothing, the problem stays as it is.
+        sight: What networks say of pairs. By default a pair is of the kind whose mean features are nearest,
+            and nothing is foreseen that does not hold for the whole kind.
+
+    Raises:
+        InvalidValue: If the networks foresee other states than the domain has.
+    """
+    if relations is None or problem.pairs or not relations.pairs or len(problem.objects) < 2:
+        return problem
+    if sight is None:
+        return msgspec.structs.replace(problem, pairs=kinds_of(problem, relations), foreseen={})
+    rows = _features(problem)
+    kinds = sight.kinds(rows)
+    found, foreseen = dict(zip(_keys(problem), kinds, strict=True)), dict[str, dict[str, float]]()
+    if sight.chances:
+        chances = _foreseen(rows, kinds, relations, sight, sight.chances)
+        foreseen = {pair: row for pair, row in zip(found, chances, strict=True) if row}
+    return msgspec.structs.replace(problem, pairs=found, foreseen=foreseen)
+
+
+def kinds_of(problem: Problem, relations: RelationOperators | None) -> Mapping[str, Symbol]:
+    """Return the kinds of all pairs of a problem's objects, as it says itself, or else those nearest.
+
+    Args:
+        problem: The problem.
+        relations: What was learned of pairs.
+    """
+    if relations is None or problem.pairs or not relations.pairs or len(problem.objects) < 2:
+        return problem.pairs
+    return dict(zip(_keys(problem), nearest_kinds(_features(problem), relations.pairs), strict=True))
+
+
+def _keys(problem: Problem) -> list[str]:
+    return [pair_key(*pair) for pair in permutations(problem.object_names, 2)]
+
+
+def _features(problem: Problem) -> Float[np.ndarray, "N F"]:
+    """Return the features of the target and then those of the reference, for each pair."""
+    pairs = permutations(problem.objects, 2)
+    return np.array([(*one.features, *other.features) for one, other in pairs])
+
+
+def nearest_kinds(features: Float[np.ndarray, "N F"], kinds: Sequence[Category]) -> tuple[Symbol, ...]:
+    """Return of which kind each pair is by its features alone: that whose mean is nearest.
+
+    Args:
+        features: Features of the targets, and then of the references.
+        kinds: The kinds; those of which nothing was seen are left out.
+    """
+    known = [kind for kind in kinds if kind.feature_means]
+    means = np.array([kind.feature_means for kind in known])  # (K, F)
+    spread = np.maximum(means.std(0), _LEAST_SPREAD)
+    away = np.linalg.norm((features[:, None] - means) / spread, axis=-1)  # (N, K)
+    return tuple(known[int(nearest)].symbol for nearest in away.argmin(1))
+
+
+def _foreseen(
+    features: Float[np.ndarray, "N F"],
+    kinds: Sequence[Symbol],
+    relations: RelationOperators,
+    sight: PairSight,
+    chances: ChancesOfStates,
+) -> list[dict[str, float]]:
+    """Foresee for each pair how surely the operators for its kind keep their promises, by their names."""
+    order = PairStates(relations.states, relations.scales).bearing_order
+    if sight.order != order:
+        raise InvalidValue(
+            "The network that foresees states of pairs was trained on others than the domain has; valid: "
+            "one of the same training: `neurosym distill` and `neurosym compile-domain`."
+        )
+    cases = [
+        (row, operator, order.index(operator.promise.state))
+        for row, kind in enumerate(kinds)
+        for operator in (*relations.operators, *pooled(relations))
+        if operator.is_for(kind) and operator.promise and operator.promise.state in order
+    ]
+    found: list[dict[str, float]] = [{} for _ in kinds]
+    if not cases:
+        return found
+    actions = np.array([relations.primitive_of(operator).action for _, operator, _ in cases])
+    predicted = chances(features[[row for row, *_ in cases]], actions)
+    known = {(row, column): 0.0 for row, _, column in cases}
+    faint: dict[tuple[int, int], list[tuple[float, str]]] = {case: [] for case in known}
+    for (row, operator, column), of_states in zip(cases, predicted, strict=True):
+        chance = float(of_states[column])
+        share = chance if operator.pair else share_with_any(chance)
+        if share is None:
+            faint[row, column].append((chance, operator.name))
+            continue
+        found[row][operator.name] = round(share, _DIGITS)
+        known[row, column] = max(known[row, column], share)
+    for (row, column), left in faint.items():
+        if known[row, column] < LEAST:
+            surest = sorted(left, key=lambda one: (-one[0], one[1]))[:FAINTEST]
+            found[row] |= {name: round(chance, _DIGITS) for chance, name in surest if chance >= FAINT}
+    return found
+
+
+Contacts = tuple[tuple[int, int], ...]
+TOUCHING = 0.002
+"""Objects whose boxes are no farther apart than this are taken to touch, where nobody saw it [m]."""
+
+
+@dataclass(frozen=True, slots=True)
+class Borne:
+    """What bears an object.
+
+    Attributes:
+        by: Name of the object that bears it.
+        state: The state of the two.
+    """
+
+    by: str
+    state: PairState
+
+
+def contacts_of(scene: Scene) -> Contacts:
+    """Tell from geometry which objects touch: those whose boxes along the axes meet or overlap.
+
+    Args:
+        scene: The objects, at rest.
+    """
+    halves = [extent(scene, index) / 2 for index in range(len(scene))]
+    found = []
+    for one, other in combinations(range(len(scene)), 2):
+        away = np.abs(scene.positions[one] - scene.positions[other])
+        if np.all(away <= halves[one] + halves[other] + TOUCHING):
+            found.append((one, other))
+    return tuple(found)
+
+
+def touching(problem: Problem) -> Contacts:
+    """Return which objects of a problem touch, as somebody saw it or else by geometry.
+
+    Args:
+        problem: The problem.
+    """
+    if problem.touching is None:
+        return contacts_of(problem.scene())
+    index = {name: number for number, name in enumerate(problem.object_names)}
+    pairs = [sorted((index[one], index[other])) for one, other in problem.touching]
+    return tuple((one, other) for one, other in pairs)
+
+
+def with_contacts(problem: Problem, contacts: Contacts) -> Problem:
+    """Return a problem that says which of its objects touch.
+
+    Args:
+        problem: The problem.
+        contacts: Pairs of indices.
+    """
+    names = problem.object_names
+    return msgspec.structs.replace(
+        problem, touching=tuple((names[one], names[other]) for one, other in contacts)
+    )
+
+
+def misfit(description: Sequence[float], state: PairState, relations: RelationOperators) -> float:
+    """Return how far a description is from what is typical of a state, in its scales.
+
+    Args:
+        description: How a target stands to a reference.
+        state: The state.
+        relations: What was learned of pairs.
+    """
+    rows = zip(description, state.centre, relations.scales, strict=True)
+    return math.hypot(*((one - centre) / scale for one, centre, scale in rows))
+
+
+def states_of(problem: Problem, relations: RelationOperators) -> dict[tuple[str, str], PairState]:
+    """Return the state of each pair of objects, by the names of target and reference.
+
+    Args:
+        problem: The problem, with the objects as they stand now.
+        relations: What was learned of pairs.
+    """
+    return {names: state for names, (state, _) in _seen(problem, relations).items()}
+
+
+def bearers_of(
+    problem: Problem, relations: RelationOperators, kinds: Mapping[str, Symbol] | None = None
+) -> dict[str, Borne]:
+    """Return what bears each object that another one bears.
+
+    Of two objects that look as if each bore the other, as a box and the ring around it do, the one bears that
+    the goals say bears. What lies on the table beside another object is not borne by it, however alike that
+    looks to the encoder.
+
+    Args:
+        problem: The problem, with the objects as they stand now.
+        relations: What was learned of pairs.
+        kinds: Kinds of the pairs, if they were worked out.
+    """
+    known = _known_ends(relations)
+    kinds = kinds_of(problem, relations) if kinds is None else kinds
+    asked = {(target, reference) for target, reference, _ in problem.related}
+    seen = _seen(problem, relations).items()
+    beside = _beside(problem)
+    bears = {names: (state, off) for names, (state, off) in seen if state.bears and names not in beside}
+    bearing = [
+        ((kinds.get(pair_key(*names), ""), state.symbol) not in known, off, names, state)
+        for names, (state, off) in bears.items()
+        if names in asked or not (names[::-1] in asked and names[::-1] in bears)
+    ]
+    found = dict[str, Borne]()
+    for *_, (target, reference), state in sorted(bearing, key=lambda row: row[:3]):
+        if target not in found and target not in chain_below(reference, found):
+            found[target] = Borne(reference, state)
+    return {name: found[name] for name in problem.object_names if name in found}
+
+
+def _beside(problem: Problem) -> set[tuple[str, str]]:
+    """List targets that lie on the table, each with the references that it does not overlap from above."""
+    scene, names = problem.scene(), problem.object_names
+    halves = np.array([extent(scene, index) / 2 for index in range(len(scene))])
+    lies = scene.positions[:, 2] - halves[:, 2] < TOUCHING
+    gaps = np.abs(scene.positions[:, None] - scene.positions) - (halves[:, None] + halves)
+    apart = (gaps[..., :2] > 0).any(-1)
+    return {(names[one], names[other]) for one, other in np.argwhere(lies[:, None] & apart)}
+
+
+def known_bearers(problem: Problem, relations: RelationOperators) -> dict[str, Borne]:
+    """Return what bears each object as far as some operator leads to that.
+
+    Args:
+        problem: The problem, with the objects as they stand now.
+        relations: What was learned of pairs.
+    """
+    kinds, known = kinds_of(problem, relations), _known_ends(relations)
+    return {
+        name: borne
+        for name, borne in bearers_of(problem, relations, kinds).items()
+        if (kinds.get(pair_key(name, borne.by), ""), borne.state.symbol) in known
+    }
+
+
+def _known_ends(relations: RelationOperators) -> set[tuple[Symbol, Symbol]]:
+    """List the kinds of pairs and the states that some operator was seen to bring them to."""
+    return {(one.pair, end.state) for one in relations.operators for end in one.ends}
+
+
+def chain_below(name: str, bearers: Mapping[str, Borne]) -> tuple[str, ...]:
+    """Name an object and what bears it, down to what stands on the table.
+
+    Args:
+        name: The object.
+        bearers: What bears each object that another one bears; in no circle.
+    """
+    chain = [name]
+    while chain[-1] in bearers:
+        chain.append(bearers[chain[-1]].by)
+    return tuple(chain)
+
+
+def loads_of(name: str, bearers: Mapping[str, Borne]) -> tuple[str, ...]:
+    """Name what stands on or in an object itself.
+
+    Args:
+        name: The object.
+        bearers: What bears each object that another one bears.
+    """
+    return tuple(target for target, borne in bearers.items() if borne.by == name)
+
+
+def carried_along(name: str, bearers: Mapping[str, Borne]) -> tuple[str, ...]:
+    """Name all that an object takes along where it is carried.
+
+    Args:
+        name: The object.
+        bearers: What bears each object that another one bears.
+    """
+    return tuple(one for one in bearers if one != name and name in chain_below(one, bearers))
+
+
+def unmet_relations(problem: Problem, grounding: Grounding) -> tuple[RelationGoal, ...]:
+    """List the goals by relation that do not hold as the objects stand now.
+
+    Where a goal is that an object bears another one, it must be that one itself that bears it.
+
+    Args:
+        problem: The problem.
+        grounding: The learned domain.
+    """
+    if not problem.related:
+        return ()
+    relations = relations_of(grounding, problem)
+    states, bearers = states_of(problem, relations), bearers_of(problem, relations)
+
+    def holds(target: str, reference: str, state: str) -> bool:
+        asked = relations.state_named(state)
+        if asked.bears:
+            return bearers.get(target) == Borne(reference, asked)
+        return states[target, reference] == asked
+
+    return tuple(goal for goal in problem.related if not holds(*goal))
+
+
+def is_reached(problem: Problem, grounding: Grounding) -> bool:
+    """Say whether all goals are met as the objects stand now.
+
+    Args:
+        problem: The problem.
+        grounding: The learned domain.
+    """
+    return problem.is_met(problem.scene().positions) and not unmet_relations(problem, grounding)
+
+
+def relations_of(grounding: Grounding, problem: Problem) -> RelationOperators:
+    """Return what a domain knows of relations.
+
+    Args:
+        grounding: The learned domain.
+        problem: The problem that needs it.
+
+    Raises:
+        InvalidValue: If it knows nothing of them.
+    """
+    if grounding.relations is None:
+        raise InvalidValue(
+            f"The problem {problem.name} is one of relations, and the domain {grounding.name} has learned "
+            "none; valid: a problem with goals on the table, or a domain with relations."
+        )
+    return grounding.relations
+
+
+def is_relational(problem: Problem, grounding: Grounding) -> bool:
+    """Say whether a problem is one of relations: it asks for some, or begins with some.
+
+    Args:
+        problem: The problem.
+        grounding: The learned domain.
+    """
+    return bool(problem.related) or bool(grounding.relations and bearers_of(problem, grounding.relations))
+
+
+def relating(name: str, grounding: Grounding) -> RelationOperator | None:
+    """Return what puts objects in relations to one another by that name, or None if there is none.
+
+    Args:
+        name: Name of an operator.
+        grounding: The learned domain.
+    """
+    relations = grounding.relations
+    if relations is None:
+        return None
+    bare = name.removesuffix(FORMER_SUFFIX)
+    return next((one for one in (*relations.operators, *pooled(relations)) if one.name == bare), None)
+
+
+_Seen = dict[tuple[str, str], tuple[PairState, float]]
+_REMEMBERED = 4
+_latest: list[tuple[Problem, RelationOperators, _Seen]] = []
+
+
+def _seen(problem: Problem, relations: RelationOperators) -> _Seen:
+    """Return the state of each pair, and how far it is from what is typical of that; kept for a while."""
+    for known, learned, seen in _latest:
+        if known is problem and learned is relations:
+            return seen
+    scene, contacts, names = problem.scene(), touching(problem), problem.object_names
+    found = {}
+    for target, reference in permutations(range(len(scene)), 2):
+        described = tuple(describe_pair(scene, target, reference, contacts).tolist())
+        state = relations.state_of(described)
+        found[names[target], names[reference]] = state, misfit(described, state, relations)
+    _latest.insert(0, (problem, relations, found))
+    del _latest[_REMEMBERED:]
+    return found

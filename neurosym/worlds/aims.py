@@ -1,0 +1,474 @@
+"""Worlds in which every action is aimed at a place: scenes are drawn with one, actions are relative to it.
+
+What explores, auditions and rehearses without knowing of references does so here with one.
+"""
+
+from abc import ABC, abstractmethod
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+
+from neurosym.checks import Float
+from neurosym.contract import made
+from neurosym.operators import Categorise, Symbol, symbols_of
+from neurosym.pair_operators import PlaceOperators, tilt
+from neurosym.world import (
+    ActionBox,
+    OtherObject,
+    Outcome,
+    Place,
+    Scene,
+    Table,
+    World,
+    WorldFactory,
+    relative_to,
+)
+
+PLACE_AXES = 4
+"""Axes of the effect of an action that is aimed at a place: where the target ends relative to the place, and
+1, if it is carried there; else zeros."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class AimedScene(Scene):
+    """A scene, and what actions in it are aimed at.
+
+    Attributes:
+        reference: What they are aimed at.
+    """
+
+    reference: Place
+
+
+class Adapted:
+    """A world made of another: what it does not do in its own way, that one does.
+
+    Args:
+        world: That world.
+    """
+
+    def __init__(self, world: World):
+        self._world = world
+
+    def __getattr__(self, name: str) -> Any:
+        """Give what else the world has, like its limits of objects."""
+        if name.startswith("_"):
+            raise AttributeError(name)
+        return getattr(self._world, name)
+
+    @property
+    def name(self) -> str:
+        """Name of the world that it is made of."""
+        return self._world.name
+
+    @property
+    def feature_names(self) -> tuple[str, ...]:
+        """Names of the object features."""
+        return self._world.feature_names
+
+    @property
+    def action_box(self) -> ActionBox:
+        """The box of the action parameters."""
+        return self._world.action_box
+
+    @property
+    def table(self) -> Table:
+        """Where objects may stand."""
+        return self._world.table
+
+    @property
+    def lift_height(self) -> float:
+        """How far the hand rises after the last waypoint [m]."""
+        return self._world.lift_height
+
+
+class Aimed(Adapted):
+    """A world in which every action is aimed at a place; else it is the world that it is made of.
+
+    Args:
+        world: That world, which takes places.
+        margin: How far inside the edge of the table places lie [m].
+    """
+
+    effect_axes = PLACE_AXES
+
+    def __init__(self, world: World, margin: float = 0.0):
+        super().__init__(world)
+        self._margin = margin
+
+    def sample_scene(self, rng: np.random.Generator, objects: int) -> AimedScene:
+        """Draw a scene, and then a place anywhere on the table, where an object may stand.
+
+        Args:
+            rng: Source of randomness, owned by the caller.
+            objects: How many objects.
+
+        Raises:
+            InvalidValue: If so many objects do not fit on the table.
+        """
+        scene, table, margin = self._world.sample_scene(rng, objects), self._world.table, self._margin
+        x, y = (float(rng.uniform(low + margin, high - margin)) for low, high in (table.x, table.y))
+        return AimedScene(scene.features, scene.positions, scene.orientations, Place(x, y))
+
+    def interact(self, scene: Scene, action: Float[np.ndarray, "A"], target: int, **options: Any) -> Outcome:
+        """Perform an action that is aimed at what the scene says; see `World.interact`."""
+        aim = relative_to(self._world, scene.reference) if isinstance(scene, AimedScene) else {}
+        return self._world.interact(scene, action, target, **options, **aim)
+
+
+@dataclass(frozen=True, slots=True)
+class AdaptedFactory(ABC):
+    """Makes worlds that are made of others.
+
+    Attributes:
+        plain: Makes the world that they are made of.
+    """
+
+    plain: WorldFactory
+
+    def world(self) -> World:
+        """Make the world that they are made of."""
+        return made(self.plain)
+
+    @abstractmethod
+    def __call__(self) -> World:
+        """Make a world."""
+
+
+@dataclass(frozen=True, slots=True)
+class AimedFactory(AdaptedFactory):
+    """Makes worlds in which every action is aimed at a place, so far inside the edge of the table [m]."""
+
+    margin: float = 0.0
+
+    def __call__(self) -> World:
+        """Make a world."""
+        return Aimed(made(self.plain), self.margin)
+
+
+# Worlds in which every action is aimed at another object: what is acted upon is a pair of objects.
+#
+# What explores, auditions and rehearses one object at a time does so here with pairs: a scene shows it one
+# thing, which has the features of the target and then those of the reference. Some scenes are fresh, others
+# begin as earlier interactions ended, so that towers grow by play.
+
+TARGET, REFERENCE = 0, 1
+"""Which objects of a scene the pair is made of; the others are bystanders."""
+PAIR_AXES = 6
+"""Axes of the effect of an action that is aimed at another object: where the target ends relative to it along
+x, y and z [touching units], whether they touch, how far it is tilted, and 1, if it was carried there; else
+zeros."""
+OBJECTS = (2, 4)
+"""How many objects a scene has, at least and at most."""
+WIDEST_BELOW = 0.5
+"""Share of the fresh scenes in which the smallest object is the target and the largest the reference, seen
+from above: by chance few things fit on or into others."""
+FROM_ARCHIVE = 1 / 3
+"""Share of the scenes that begin as an earlier interaction ended, once there is one."""
+ARCHIVED = 500
+"""How many of these ends are kept, the last ones."""
+STEADY = 0.02
+"""An object that is tilted further leans, and may fall when its scene is built anew [rad]."""
+
+Propose = Callable[[np.random.Generator, Float[np.ndarray, "F"], int], Float[np.ndarray, "_ A"]]
+"""Draws actions that do something to a target of these features, at most so many."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class RelatedScene(Scene):
+    """A pair of objects, shown as one thing.
+
+    Attributes:
+        whole: All objects: the target, the reference, and bystanders.
+    """
+
+    whole: Scene
+
+
+class Related(Adapted):
+    """A world in which every action is aimed at another object.
+
+    Args:
+        world: The world that it is made of, which takes objects as references.
+        propose: Draws actions that do something to the target alone, to try them with a reference.
+    """
+
+    effect_axes = PAIR_AXES
+    scenes_to_choose_from = 4
+
+    def __init__(self, world: World, propose: Propose | None = None):
+        super().__init__(world)
+        self._propose = propose
+        self.archive: list[Scene] = []
+
+    @property
+    def feature_names(self) -> tuple[str, ...]:
+        """Names of the features of the target, and then of the reference."""
+        names = self._world.feature_names
+        return (*(f"target {name}" for name in names), *(f"reference {name}" for name in names))
+
+    def sample_scene(self, rng: np.random.Generator, objects: int) -> RelatedScene:
+        """Draw a scene with a pair of objects, and none to two bystanders.
+
+        Args:
+            rng: Source of randomness, owned by the caller.
+            objects: How many pairs: one.
+        """
+        del objects
+        if self.archive and rng.random() < FROM_ARCHIVE:
+            scene = self.archive[rng.integers(len(self.archive))]
+            order = rng.permutation(len(scene))
+        else:
+            scene = self._world.sample_scene(rng, int(rng.integers(OBJECTS[0], OBJECTS[1] + 1)))
+            order = np.arange(len(scene))
+            if rng.random() < WIDEST_BELOW:
+                smallest, *between, largest = np.argsort(scene.features[:, :2].prod(1))
+                order = np.array([smallest, largest, *between])
+        return as_pair(taken(scene, order))
+
+    def draw_actions(self, rng: np.random.Generator, scene: Scene, count: int) -> Float[np.ndarray, "_ A"]:
+        """Draw actions to choose from: half of them from what is known to do something to the target.
+
+        Args:
+            rng: Source of randomness, owned by the caller.
+            scene: The pair.
+            count: How many.
+        """
+        drawn = self.action_box.sample(rng, count)
+        if self._propose is not None:
+            features = scene.features[0, : len(self._world.feature_names)]
+            known = self._propose(rng, features, count // 2)
+            drawn[: len(known)] = known
+        return drawn[rng.permutation(count)]
+
+    def interact(self, scene: Scene, action: Float[np.ndarray, "A"], target: int, **options: Any) -> Outcome:
+        """Perform an action that is aimed at the reference of a pair; see `World.interact`."""
+        if not isinstance(scene, RelatedScene):
+            return self._world.interact(scene, action, target, **options)
+        aim = relative_to(self._world, OtherObject(REFERENCE))
+        return self._world.interact(scene.whole, action, TARGET, **options, **aim)
+
+    def remember(self, outcomes: Sequence[Outcome]) -> None:
+        """Archive ends of interactions in which objects touch, to begin others from.
+
+        Scenes in which an object was lost, or leans, are left out.
+
+        Args:
+            outcomes: What happened, in order.
+        """
+        table = self._world.table
+        for outcome in outcomes:
+            end = outcome.end
+            steady = all(table.contains(end.positions[n]) and tilt(end, n) <= STEADY for n in range(len(end)))
+            if outcome.contacts and steady:
+                self.archive.append(end)
+        del self.archive[:-ARCHIVED]
+
+    def memory(self) -> dict[str, np.ndarray]:
+        """Return the archive as arrays, one scene after the other."""
+        if not self.archive:
+            return {}
+        parts = ("features", "positions", "orientations")
+        rows = {name: np.concatenate([getattr(scene, name) for scene in self.archive]) for name in parts}
+        return {**rows, "objects": np.array([len(scene) for scene in self.archive])}
+
+    def recall(self, memory: Mapping[str, np.ndarray]) -> None:
+        """Take back an archive.
+
+        Args:
+            memory: What `memory` returned.
+
+        Raises:
+            ValueError: If it is damaged.
+        """
+        if not memory:
+            return
+        ends = np.cumsum(memory["objects"])[:-1]
+        columns = [np.split(memory[name], ends) for name in ("features", "positions", "orientations")]
+        self.archive = [Scene(*rows) for rows in zip(*columns, strict=True)]
+
+
+@dataclass(frozen=True, slots=True)
+class RelatedFactory(AdaptedFactory):
+    """Makes worlds in which every action is aimed at another object.
+
+    Attributes:
+        propose: Draws actions that do something to the target alone.
+    """
+
+    propose: Propose | None = None
+
+    def __call__(self) -> World:
+        """Make a world."""
+        return Related(made(self.plain), self.propose)
+
+
+def as_pair(whole: Scene) -> RelatedScene:
+    """Show the first two objects of a scene as one thing.
+
+    Args:
+        whole: The target, the reference, and bystanders.
+    """
+    features = np.concatenate([whole.features[TARGET], whole.features[REFERENCE]])[None]
+    return RelatedScene(features, whole.positions[:1], whole.orientations[:1], whole)
+
+
+def taken(scene: Scene, order: Sequence[int] | np.ndarray) -> Scene:
+    """Return the objects of a scene in another order.
+
+    Args:
+        scene: The objects.
+        order: Which come first.
+    """
+    rows = np.asarray(order)
+    return Scene(scene.features[rows], scene.positions[rows], scene.orientations[rows])
+
+
+# Worlds in which other objects stand close around each that an action is tried on.
+#
+# What drags an object along, or comes down with the hand wide open, does well alone and not among others.
+
+GAPS = (0.015, 0.05)
+"""How far from an object its neighbours stand at least and at most [m]."""
+ROOM = 0.06
+"""How far from an object at the place its neighbours stand at least [m]."""
+_APART = 0.01  # how far neighbours stand from each other at least [m]
+_SIDES = ((0, -1), (0, 1), (1, -1), (1, 1))
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class CrowdedScene(AimedScene):
+    """A scene of one object, and what stands around it.
+
+    Attributes:
+        neighbours: They come after the object itself in the scenes of outcomes.
+    """
+
+    neighbours: Scene
+
+
+class Crowded(Aimed):
+    """A world in which every action is aimed at a place, and every target has neighbours."""
+
+    def sample_scene(self, rng: np.random.Generator, objects: int) -> AimedScene:
+        """Draw a scene of one object, and then what stands around it; see `Aimed.sample_scene`."""
+        scene = super().sample_scene(rng, objects)
+        drawn = (super(Crowded, self).sample_scene(rng, 1) for _ in _SIDES)
+        around = _around(scene, [*drawn], self._world.table, rng)
+        return CrowdedScene(scene.features, scene.positions, scene.orientations, scene.reference, around)
+
+    def interact(self, scene: Scene, action: Float[np.ndarray, "A"], target: int, **options: Any) -> Outcome:
+        """Perform an action among neighbours; see `Aimed.interact`."""
+        if isinstance(scene, CrowdedScene):
+            every = joined([scene, scene.neighbours])
+            scene = AimedScene(every.features, every.positions, every.orientations, scene.reference)
+        return super().interact(scene, action, target, **options)
+
+
+@dataclass(frozen=True, slots=True)
+class CrowdedFactory(AimedFactory):
+    """Makes worlds in which every action is aimed at a place, and every target has neighbours."""
+
+    def __call__(self) -> World:
+        """Make a world."""
+        return Crowded(made(self.plain), self.margin)
+
+
+def _around(scene: AimedScene, others: list[AimedScene], table: Table, rng: np.random.Generator) -> Scene:
+    """Put objects on the sides of another: those that fit, none where it is to be carried.
+
+    Args:
+        scene: The object, and where it is to be carried.
+        others: One object each, one for each side.
+        table: Where they may stand.
+        rng: Source of randomness.
+    """
+    half, centre = scene.features[0, :2] / 2, scene.positions[0, :2]
+    boxes = [(scene.reference.centre[:2], half, ROOM)]
+    kept = list[Scene]()
+    for (axis, sign), other in zip(_SIDES, others, strict=True):
+        reach = half + other.features[0, :2] / 2
+        away = rng.uniform(-reach / 2, reach / 2)
+        away[axis] = sign * (reach[axis] + rng.uniform(*GAPS))
+        position = np.array([[*(centre + away), other.positions[0, 2]]])
+        is_free = all(
+            np.any(np.abs(position[0, :2] - at) > other.features[0, :2] / 2 + size + gap)
+            for at, size, gap in boxes
+        )
+        if table.contains(position[0]) and is_free:
+            boxes.append((position[0, :2], other.features[0, :2] / 2, _APART))
+            kept.append(Scene(other.features, position, other.orientations))
+    return joined([Scene(scene.features[:0], scene.positions[:0], scene.orientations[:0]), *kept])
+
+
+def joined(scenes: Sequence[Scene]) -> Scene:
+    """Return the objects of several scenes in one.
+
+    Args:
+        scenes: The scenes, at least one.
+    """
+    parts = ("features", "positions", "orientations")
+    return Scene(*(np.concatenate([getattr(scene, part) for scene in scenes]) for part in parts))
+
+
+# Motions that are known to carry an object to a place, to be tried with other objects as references.
+#
+# They are a start for exploring what can be done with pairs: how to grasp need not be found out once more.
+# A place is a reference without size, so that what ends there ends on or in an object instead.
+
+JITTER = 0.003
+"""Standard deviation by which their lengths are changed [m]."""
+TO_THE_MIDDLE = 0.5
+"""Share of the motions that end where the reference is; the others end at random."""
+_LAST = 4  # parameters of the last waypoint, which is relative to the reference
+
+
+@dataclass(frozen=True)
+class KnownMotions:
+    """Draws motions that carry objects of a target's category, to the reference or with a random end.
+
+    Attributes:
+        places: What carries objects to places.
+        categorise: Gives the object symbols of features.
+        box: What actions must stay inside.
+    """
+
+    places: PlaceOperators
+    categorise: Categorise
+    box: ActionBox
+
+    @cached_property
+    def _of_category(self) -> dict[Symbol, Float[np.ndarray, "P A"]]:
+        table, found = self.places.operators, dict[Symbol, list[Float[np.ndarray, "A"]]]()
+        actions = {one.label: one.action for one in table.primitives}
+        for one in table.operators:
+            if one.promise and one.promise.kind == "carried" and 2 * one.successes > one.trials:
+                to_the_middle = np.array(actions[one.label])
+                to_the_middle[-_LAST:][:2] -= one.promise.resting_effect[:2]
+                found.setdefault(one.category, []).append(to_the_middle)
+        return {category: np.array(rows) for category, rows in found.items()}
+
+    def __call__(
+        self, rng: np.random.Generator, features: Float[np.ndarray, "F"], count: int
+    ) -> Float[np.ndarray, "_ A"]:
+        """Draw motions; none if nothing is known to carry such an object.
+
+        Args:
+            rng: Source of randomness, owned by the caller.
+            features: Features of the target.
+            count: How many.
+        """
+        (category,) = symbols_of(self.categorise, features[None])
+        known = self._of_category.get(category)
+        drawn = self.box.sample(rng, count)
+        if known is None:
+            return drawn[:0]
+        motions = known[rng.integers(len(known), size=count)]
+        motions += rng.normal(0.0, JITTER, motions.shape) * ~self.box.gripper
+        elsewhere = rng.random(count) >= TO_THE_MIDDLE
+        motions[elsewhere, -_LAST:] = drawn[elsewhere, -_LAST:]
+        inside: np.ndarray = np.clip(motions, self.box.low, self.box.high)
+        return inside
