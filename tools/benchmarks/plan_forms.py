@@ -1,7 +1,7 @@
 """The forms that plans are written in: a table of what planners and services print, one form a row.
 
-Each form is a few templates: tests and `tools.benchmarks.strangers` write plans in every form and read them
-back. Reading itself goes by what lines are made of (`written_plans`), not by these examples.
+Each form is a few templates: tests write plans in every form and read them back. Reading itself goes by what
+lines are made of (`plan_reading`), not by these examples.
 """
 
 from collections.abc import Sequence
