@@ -137,9 +137,17 @@ def check_fields(document: msgspec.Struct) -> None:
             raise InvalidValue(f"{kind.__name__}.{name} = {reprlib.repr(value)} must be finite.")
 
 
+class Document(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
+    """What is stored as JSON: its fields are checked as it is made, see `check_fields`."""
+
+    def __post_init__(self) -> None:
+        check_fields(self)
+
+
 @cache
-def _hints(kind: type) -> dict[str, Any]:
-    return get_type_hints(kind)
+def _hints(kind: type[msgspec.Struct]) -> dict[str, Any]:
+    hints = get_type_hints(kind)
+    return {name: hints[name] for name in kind.__struct_fields__}
 
 
 def _plain(value: Any) -> Any:

@@ -2,18 +2,19 @@
 
 import math
 from collections import defaultdict
-from collections.abc import Callable, Collection, Iterable, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from functools import lru_cache
 from pathlib import Path
-from typing import Annotated
+from typing import Annotated, TypeVar
 
 import msgspec
 
-from neurosym.checks import as_path, check_fields, check_length
-from neurosym.errors import InvalidFile, InvalidValue, UnknownChoice, quoted
-from neurosym.files import MOST_JSON, decode_json, read_bytes, write_json
+from neurosym.checks import as_path, check_length
+from neurosym.errors import InvalidValue, UnknownChoice, quoted
+from neurosym.files import MOST_JSON, read_bytes, write_json
 from neurosym.operators import (
     MIN_CHANCE,
+    MIN_TRIALS,
     Category,
     Effect,
     LegalName,
@@ -23,10 +24,19 @@ from neurosym.operators import (
     Primitive,
     Symbol,
     Vector,
+    Versioned,
     counted_axes,
-    unknown_format,
 )
-from neurosym.pair_operators import NEVER_CARRIES, PlaceOperators, RelationOperators
+from neurosym.pair_operators import (
+    NEVER_CARRIES,
+    Company,
+    Kept,
+    PairState,
+    PlaceOperators,
+    RelationOperator,
+    RelationOperators,
+)
+from neurosym.problems import FORMER_SUFFIX
 from neurosym.regression import remember_fits
 from neurosym.world import Table
 
@@ -36,8 +46,7 @@ Cells = tuple[int, int, int]
 """A displacement along x, y and z in whole cells."""
 
 
-def in_space(effect: Effect) -> Vector:
-    """Return an effect along x, y and z as a vector [m]."""
+def _in_space(effect: Effect) -> Vector:
     x, y, z = effect
     return (x, y, z)
 
@@ -59,66 +68,11 @@ def in_cells(displacement: Vector, cell: float) -> Cells:
     return (x, y, z)
 
 
-def remainder(displacement: Vector, cells: Cells, cell: float) -> Vector:
-    """Return by how much a displacement in whole cells is off, on each axis [m].
-
-    Args:
-        displacement: The displacement [m].
-        cells: The same in cells.
-        cell: Edge of a cell [m].
-    """
-    x, y, z = (abs(part - cell * whole) for part, whole in zip(displacement, cells, strict=True))
+def _remainder(displacement: Vector, cell: float) -> Vector:
+    """Return by how much a displacement is off in whole cells, on each axis [m]."""
+    rows = zip(displacement, in_cells(displacement, cell), strict=True)
+    x, y, z = (abs(part - cell * whole) for part, whole in rows)
     return (x, y, z)
-
-
-# Operators that do the same as another: a planner needs one of them, and a reader, too.
-#
-# Many action symbols share what can be done among them, so some do the same to a category.
-
-
-def find_duplicates(
-    operators: Iterable[Operator], moves: Callable[[Operator], Sequence[Vector]], apart: float
-) -> dict[str, str]:
-    """Say of each operator that does the same as a more reliable one, which one that is and how they compare.
-
-    The same means: to the same category, with the same kind of promise, and with displacements that differ
-    by less than `apart` on every axis. Of equally reliable operators the first by name is kept.
-
-    Args:
-        operators: Operators with a promise.
-        moves: Returns the displacements that an operator promises [m].
-        apart: From which difference on displacements are not the same [m].
-
-    Returns:
-        Reasons to leave operators out, by their names.
-    """
-    kept = defaultdict[tuple[str, str], list[tuple[Operator, Sequence[Vector]]]](list)
-    reasons = {}
-    for operator in sorted(operators, key=lambda one: (-_reliability(one), one.name)):
-        promise, own = operator.promise, moves(operator)
-        assert promise is not None, f"{operator.name} promises nothing"
-        others = kept[operator.category, promise.kind]
-        other = next((other for other, its in others if _alike(own, its, apart)), None)
-        if other is None:
-            others.append((operator, own))
-        else:
-            how = "less" if _reliability(operator) < _reliability(other) else "as"
-            reasons[operator.name] = f"does the same as {other.name}, {how} reliably"
-    return reasons
-
-
-def _reliability(operator: Operator) -> float:
-    return (operator.successes + 1) / (
-        operator.trials + 2
-    )  # the mean chance of success, after so many trials
-
-
-def _alike(one: Sequence[Vector], other: Sequence[Vector], apart: float) -> bool:
-    return all(
-        abs(a - b) < apart
-        for mine, its in zip(one, other, strict=True)
-        for a, b in zip(mine, its, strict=True)
-    )
 
 
 # Grounding: what is needed to plan with a learned domain and to turn plans back into motions.
@@ -132,13 +86,11 @@ what carries objects to places, the fourth what puts them in relations to one an
 FORMAT, FORMAT_WITH_PLACES, FORMAT_WITH_RELATIONS = FORMATS[1:]
 KEEP_DUPLICATES = FORMATS[:1]
 """Formats whose domains have every operator, also where another does the same more reliably."""
-MIN_TRIALS = 5
-"""An operator with fewer rehearsals, or rows of the data, than this is not believed."""
 _Size = Annotated[float, msgspec.Meta(ge=1e-6, le=1e3)]  # [m]
 _REMEMBERED = 8  # groundings of which what follows from them is kept: each object of a problem asks for it
 
 
-class Grounding(msgspec.Struct, frozen=True, forbid_unknown_fields=True, omit_defaults=True, cache_hash=True):
+class Grounding(Versioned, frozen=True, omit_defaults=True, cache_hash=True):
     """Everything that planning, replay and execution know of a learned domain.
 
     Attributes:
@@ -162,9 +114,10 @@ class Grounding(msgspec.Struct, frozen=True, forbid_unknown_fields=True, omit_de
     unit_costs: bool = False
     places: PlaceOperators | None = None
     relations: RelationOperators | None = None
+    readable = FORMATS
 
     def __post_init__(self) -> None:
-        check_fields(self)
+        super().__post_init__()
         for name in ("cell", "lift_height"):
             check_length(name, getattr(self, name))
         if self.operators.axes != 3:
@@ -187,37 +140,38 @@ class Grounding(msgspec.Struct, frozen=True, forbid_unknown_fields=True, omit_de
 
     @property
     def every_operator(self) -> tuple[Operator, ...]:
-        """All operators, those that carry objects to places last."""
+        """All operators on single objects, those that carry them to places last."""
         return self.operators.operators + (self.places.operators.operators if self.places else ())
+
+    @property
+    def carriers(self) -> tuple[Operator, ...]:
+        """The operators of the domain that carry objects to places, by name."""
+        found = self.places.operators.operators if self.places else ()
+        return tuple(sorted((one for one in found if one.successes), key=lambda one: one.name))
 
     def carries(self, operator: Operator) -> bool:
         """Say whether an operator is one of those that carry objects to places."""
-        return self.places is not None and operator.name in {
-            one.name for one in self.places.operators.operators
-        }
+        found = self.places.operators.operators if self.places else ()
+        return any(one.name == operator.name for one in found)
 
     def operator_named(self, name: str) -> Operator:
-        """Return the operator of that name.
+        """Return the operator on single objects of that name.
 
         Raises:
             UnknownChoice: If there is none.
         """
-        for operator in self.every_operator:
-            if operator.name == name:
-                return operator
-        known = [operator.name for operator in self.every_operator]
-        known += [operator.name for operator in self.relations.operators] if self.relations else []
-        raise UnknownChoice("operator", name, known, "`neurosym explain`")
+        known = [one.name for one in self.relations.operators] if self.relations else []
+        return _chosen("operator", name, "name", self.every_operator, known)
 
     def operator_for(self, category: Symbol, primitive: Symbol) -> Operator | None:
-        """Return what a primitive mostly does to a category, or None if that was never rehearsed.
+        """Return what a primitive mostly does to a category, with its surest action; None if never tried."""
+        asked = (category, primitive)
+        return next((op for op in self.operators.operators if (op.category, op.primitive) == asked), None)
 
-        If it has several actions for that category, it is done with the surest.
-        """
-        for operator in self.operators.operators:
-            if (operator.category, operator.primitive) == (category, primitive):
-                return operator
-        return None
+    def relation_named(self, name: str) -> RelationOperator | None:
+        """Return what puts objects in relations to one another by that name, or None if there is none."""
+        found = self.relations.every_operator if self.relations else ()
+        return next((one for one in found if one.name == name.removesuffix(FORMER_SUFFIX)), None)
 
     def primitive(self, label: str) -> Primitive:
         """Return the primitive of that label: an action symbol, and a letter if the symbol has several.
@@ -225,16 +179,33 @@ class Grounding(msgspec.Struct, frozen=True, forbid_unknown_fields=True, omit_de
         Raises:
             UnknownChoice: If there is none.
         """
-        for primitive in self.operators.primitives:
-            if primitive.label == label:
-                return primitive
-        raise UnknownChoice("primitive", label, (p.label for p in self.operators.primitives))
+        return _chosen("primitive", label, "label", self.operators.primitives)
 
-    def primitive_of(self, operator: Operator) -> Primitive:
+    def primitive_of(self, operator: Operator | RelationOperator) -> Primitive:
         """Return the primitive that an operator is performed with."""
+        if isinstance(operator, RelationOperator):
+            assert self.relations is not None, "the operator is one of its own"
+            return self.relations.primitive_of(operator)
         if self.places is None or not self.carries(operator):
             return self.primitive(operator.label)
         return next(one for one in self.places.operators.primitives if one.label == operator.label)
+
+    @property
+    def bearing_states(self) -> tuple[PairState, ...]:
+        """The states in which a reference bears its target, in the order of their symbols."""
+        return tuple(state for state in self.relations.states if state.bears) if self.relations else ()
+
+    def company(self, operator: Operator | RelationOperator) -> Mapping[Company, Kept]:
+        """Return how an operator turned out among others, as far as that was rehearsed."""
+        if isinstance(operator, RelationOperator):
+            return operator.company
+        return self.places.company(operator.name) if self.places else {}
+
+    def takes(self, operator: Operator | RelationOperator, how: Company) -> bool:
+        """Say whether an operator is planned with in company, by what rehearsals showed."""
+        if isinstance(operator, RelationOperator):
+            return operator.takes(how)
+        return self.places is not None and self.places.takes(operator.name, how)
 
     def category(self, symbol: Symbol) -> Category:
         """Return the category with that object symbol.
@@ -242,17 +213,7 @@ class Grounding(msgspec.Struct, frozen=True, forbid_unknown_fields=True, omit_de
         Raises:
             UnknownChoice: If there is none.
         """
-        for category in self.operators.categories:
-            if category.symbol == symbol:
-                return category
-        raise UnknownChoice("category", symbol, (c.symbol for c in self.operators.categories))
-
-    def narrowed(self, categories: Collection[Symbol]) -> "Grounding":
-        """Keep only what is done to objects of some categories, so that planners have less to read."""
-        kept = tuple(op for op in self.operators.operators if op.category in categories)
-        return msgspec.structs.replace(
-            self, operators=msgspec.structs.replace(self.operators, operators=kept)
-        )
+        return _chosen("category", symbol, "symbol", self.operators.categories)
 
     @property
     def live(self) -> tuple[Operator, ...]:
@@ -306,7 +267,7 @@ class Grounding(msgspec.Struct, frozen=True, forbid_unknown_fields=True, omit_de
             operator: An operator with a promise.
         """
         promise = _promise(operator)
-        return in_space(promise.effect) if promise.kind == "held" else at_rest(promise)
+        return _in_space(promise.effect) if promise.kind == "held" else at_rest(promise)
 
     def put_down_displacement(self, operator: Operator) -> Vector:
         """Return how putting the object down again moves it [m], back to its height above the table.
@@ -325,7 +286,7 @@ class Grounding(msgspec.Struct, frozen=True, forbid_unknown_fields=True, omit_de
     def put_down_cells(self, operator: Operator) -> Cells:
         """Return how putting down moves the object, in whole cells, such that no rounding adds up."""
         x, y, z = self.cells(operator)
-        resting = in_cells(in_space(_promise(operator).resting_effect), self.cell)
+        resting = in_cells(_in_space(_promise(operator).resting_effect), self.cell)
         return (resting[0] - x, resting[1] - y, -z)
 
     def rounding(self, operator: Operator) -> Vector:
@@ -334,10 +295,8 @@ class Grounding(msgspec.Struct, frozen=True, forbid_unknown_fields=True, omit_de
         Args:
             operator: An operator with a promise.
         """
-        step = remainder(self.displacement(operator), self.cells(operator), self.cell)
-        resting = at_rest(_promise(operator))
-        put_down = remainder(resting, in_cells(resting, self.cell), self.cell)
-        x, y, z = map(max, step, put_down)
+        led = (self.displacement(operator), at_rest(_promise(operator)))
+        x, y, z = map(max, *(_remainder(by, self.cell) for by in led))
         return (x, y, z)
 
     def highest(self, operator: Operator) -> int:
@@ -357,19 +316,23 @@ class Grounding(msgspec.Struct, frozen=True, forbid_unknown_fields=True, omit_de
 def _decoded(path: Path, content: bytes) -> Grounding:
     """Return the grounding that a file holds; the same one while it holds the same."""
     remedy = f"; `neurosym compile-domain {quoted(path.parent)}` writes it anew"
-    try:
-        grounding = decode_json(path, content, Grounding, remedy)
-    except InvalidFile:
-        _check_format(path, decode_json(path, content, _Versioned, remedy).format, remedy)
-        raise
-    _check_format(path, grounding.format, remedy)
+    grounding = Grounding.decoded(path, content, remedy)
     remember_fits(path, content, grounding.every_operator, grounding.operators.categories)
     return grounding
 
 
-def _check_format(path: Path, found: str, remedy: str) -> None:
-    if found not in FORMATS:
-        raise InvalidFile(path, unknown_format(found, FORMATS) + remedy)
+_Named = TypeVar("_Named")
+
+
+def _chosen(
+    kind: str, name: str, called: str, known: Sequence[_Named], others: Collection[str] = ()
+) -> _Named:
+    """Return the first whose attribute says that name; an error names the others, too."""
+    for one in known:
+        if getattr(one, called) == name:
+            return one
+    choices = (*(getattr(one, called) for one in known), *others)
+    raise UnknownChoice(kind, name, choices, "`neurosym explain`" if kind == "operator" else "")
 
 
 @lru_cache(maxsize=_REMEMBERED)
@@ -380,20 +343,32 @@ def _live(grounding: Grounding) -> tuple[Operator, ...]:
 
 @lru_cache(maxsize=_REMEMBERED)
 def _duplicates(grounding: Grounding) -> dict[str, str]:
-    """Say why operators are left out that do the same as another, by name."""
+    """Say of each operator that does the same as a more reliable one, which one that is and how they compare.
+
+    A planner needs one of them, and a reader, too. The same means: to the same category, with the same kind
+    of promise, and with displacements that differ by less than half a cell on every axis. Of equally reliable
+    operators the first by name is kept.
+    """
     if grounding.format in KEEP_DUPLICATES:
         return {}
-
-    def moves(operator: Operator) -> tuple[Vector, ...]:
-        down = (at_rest(_promise(operator)),) if is_lift(operator) else ()
-        return (grounding.displacement(operator), *down)
-
+    kept = defaultdict[tuple[str, str], list[tuple[Operator, tuple[float, ...]]]](list)
+    reasons = {}
     worthy = (op for op in grounding.operators.operators if grounding._why_worthless(op) is None)
-    return find_duplicates(worthy, moves, grounding.cell / 2)
+    for operator in sorted(worthy, key=lambda one: (-one.chance, one.name)):
+        promise = _promise(operator)
+        own = (*grounding.displacement(operator), *(at_rest(promise) if is_lift(operator) else ()))
+        others = kept[operator.category, promise.kind]
+        other = next((other for other, its in others if _alike(own, its, grounding.cell / 2)), None)
+        if other is None:
+            others.append((operator, own))
+        else:
+            how = "less" if operator.chance < other.chance else "as"
+            reasons[operator.name] = f"does the same as {other.name}, {how} reliably"
+    return reasons
 
 
-class _Versioned(msgspec.Struct, frozen=True):
-    format: str
+def _alike(one: Sequence[float], other: Sequence[float], apart: float) -> bool:
+    return all(abs(a - b) < apart for a, b in zip(one, other, strict=True))
 
 
 def is_lift(operator: Operator) -> bool:

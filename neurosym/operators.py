@@ -5,15 +5,15 @@ import re
 from collections.abc import Callable, Sequence
 from itertools import product
 from pathlib import Path
-from typing import Annotated, Literal
+from typing import Annotated, ClassVar, Literal, Self
 
 import msgspec
 import numpy as np
 
-from neurosym.checks import Float, UInt8, check_all, check_callable, check_fields
+from neurosym.checks import Document, Float, UInt8, check_all, check_callable
 from neurosym.choices import TOLERANCE as TOLERANCE
 from neurosym.errors import InvalidFile, InvalidValue, shortened
-from neurosym.files import read_json
+from neurosym.files import MOST_JSON, decode_json, read_bytes
 from neurosym.world import Frame, OutcomeKind
 
 # Symbols: codes of bits, written as strings like "101"
@@ -93,9 +93,16 @@ PROMISING: tuple[OutcomeKind, ...] = ("resting", "held", "carried")
 """How targets end that operators promise something of."""
 MIN_CHANCE = 0.1
 """An outcome that is seen more rarely than this is not worth planning with."""
+MIN_TRIALS = 5
+"""An operator with fewer rehearsals, or rows of the data, than this is not believed."""
 
 
-class Mode(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
+def smoothed(kept: int, trials: int) -> float:
+    """Return a chance from what was seen: (k + 1) / (n + 2), the rule of succession."""
+    return (kept + 1) / (trials + 2)
+
+
+class Mode(Document, frozen=True):
     """One way that a primitive turns out on a category.
 
     Attributes:
@@ -121,7 +128,7 @@ class Mode(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     near_mean: Count
 
     def __post_init__(self) -> None:
-        check_fields(self)
+        super().__post_init__()
         if len({len(self.effect), len(self.spread), len(self.resting_effect), len(self.resting_spread)}) > 1:
             raise InvalidValue("The effects and spreads of a mode must have the same number of axes.")
 
@@ -140,7 +147,7 @@ CONVERGED = 0.05
 """Greatest mean squared error to the code of an action that counts as found."""
 
 
-class Primitive(msgspec.Struct, frozen=True, forbid_unknown_fields=True, omit_defaults=True):
+class Primitive(Document, frozen=True, omit_defaults=True):
     """An action symbol with distilled parameters; a symbol may have several, each with a letter of its own.
 
     Attributes:
@@ -155,9 +162,6 @@ class Primitive(msgspec.Struct, frozen=True, forbid_unknown_fields=True, omit_de
     code_error: float
     variant: Variant = ""
 
-    def __post_init__(self) -> None:
-        check_fields(self)
-
     @property
     def label(self) -> str:
         """The symbol and the variant, like "101" or "101b"."""
@@ -169,7 +173,7 @@ class Primitive(msgspec.Struct, frozen=True, forbid_unknown_fields=True, omit_de
         return self.code_error < CONVERGED
 
 
-class Rehearsal(msgspec.Struct, frozen=True, array_like=True):
+class Rehearsal(Document, frozen=True, array_like=True):
     """How a primitive turned out on one object.
 
     Attributes:
@@ -186,16 +190,13 @@ class Rehearsal(msgspec.Struct, frozen=True, array_like=True):
     peak_height: Length
     turn: Length
 
-    def __post_init__(self) -> None:
-        check_fields(self)
-
     @property
     def outcome(self) -> Effect:
         """Displacement of the object as it ended: held in the air, or else at rest [m]."""
         return self.effect if self.kind == "held" else self.resting_effect
 
 
-class Category(msgspec.Struct, frozen=True, forbid_unknown_fields=True, omit_defaults=True, cache_hash=True):
+class Category(Document, frozen=True, omit_defaults=True, cache_hash=True):
     """The objects that share one object symbol.
 
     Attributes:
@@ -214,11 +215,8 @@ class Category(msgspec.Struct, frozen=True, forbid_unknown_fields=True, omit_def
     feature_spreads: tuple[Length, ...]
     objects: tuple[tuple[Length, ...], ...] = ()
 
-    def __post_init__(self) -> None:
-        check_fields(self)
 
-
-class Operator(msgspec.Struct, frozen=True, forbid_unknown_fields=True, omit_defaults=True, cache_hash=True):
+class Operator(Document, frozen=True, omit_defaults=True, cache_hash=True):
     """What one primitive does to one category.
 
     Attributes:
@@ -244,9 +242,6 @@ class Operator(msgspec.Struct, frozen=True, forbid_unknown_fields=True, omit_def
     rehearsals: tuple[Rehearsal, ...] = ()
     objects: tuple[tuple[Length, ...], ...] = ()
 
-    def __post_init__(self) -> None:
-        check_fields(self)
-
     @property
     def label(self) -> str:
         """The action symbol and the variant, like "101" or "101b"."""
@@ -263,17 +258,55 @@ class Operator(msgspec.Struct, frozen=True, forbid_unknown_fields=True, omit_def
         """Trials that ended in the promised mode, within the planning tolerance of its mean."""
         return self.promise.near_mean if self.promise else 0
 
+    @property
+    def chance(self) -> float:
+        """The chance that a step goes as promised, from its rehearsals."""
+        return smoothed(self.successes, self.trials)
 
-def unknown_format(found: str, known: Sequence[str]) -> str:
-    """Say that a file is of a version that cannot be read."""
+
+class Versioned(Document, frozen=True):
+    """A document whose field `format` says of which version it is, if it has one."""
+
+    readable: ClassVar[tuple[str, ...]] = ()
+    """The versions that can be read."""
+
+    def __post_init__(self) -> None:
+        super().__post_init__()
+        if said := _unreadable(type(self), self):
+            raise InvalidValue(said)
+
+    @classmethod
+    def load(cls, path: Path) -> Self:
+        """Read a document.
+
+        Raises:
+            InvalidFile: If the file is none, or of another version.
+        """
+        return cls.decoded(path, read_bytes(path, MOST_JSON))
+
+    @classmethod
+    def decoded(cls, path: Path, content: bytes, remedy: str = "") -> Self:
+        """Read the document that a file holds; what `InvalidFile` says ends with the remedy."""
+        try:
+            return decode_json(path, content, cls, remedy)
+        except InvalidFile:
+            if said := _unreadable(cls, decode_json(path, content, _Format, remedy)):
+                raise InvalidFile(path, said + remedy) from None
+            raise
+
+
+class _Format(msgspec.Struct, frozen=True):
+    format: str | None = None
+
+
+def _unreadable(kind: type[Versioned], document: msgspec.Struct) -> str:
+    found, known = getattr(document, "format", None), kind.readable
+    if found is None or not known or found in known:
+        return ""
     return f"it is of the format {found!r}, and this version reads {' and '.join(map(repr, known))}"
 
 
-class _Versioned(msgspec.Struct, frozen=True):
-    format: str = TABLE_FORMATS[0]
-
-
-class OperatorTable(msgspec.Struct, frozen=True, forbid_unknown_fields=True, omit_defaults=True):
+class OperatorTable(Versioned, frozen=True, omit_defaults=True):
     """Categories, primitives, and one operator or two for each pair of them.
 
     Attributes:
@@ -292,25 +325,12 @@ class OperatorTable(msgspec.Struct, frozen=True, forbid_unknown_fields=True, omi
     operators: tuple[Operator, ...]
     measured: Literal["rehearsal", "data"] = "rehearsal"
     format: str = TABLE_FORMATS[0]
+    readable = TABLE_FORMATS
 
     def __post_init__(self) -> None:
-        check_fields(self)
-        if self.format not in TABLE_FORMATS:
-            raise InvalidValue(unknown_format(self.format, TABLE_FORMATS))
+        super().__post_init__()
         if len(self._widths) > 1:
             raise InvalidValue("All effects must have the same number of axes.")
-
-    @classmethod
-    def load(cls, path: Path) -> "OperatorTable":
-        """Read a table.
-
-        Raises:
-            InvalidFile: If the file is none, or of another version.
-        """
-        found = read_json(path, _Versioned).format
-        if found not in TABLE_FORMATS:
-            raise InvalidFile(path, unknown_format(found, TABLE_FORMATS))
-        return read_json(path, cls)
 
     @property
     def symbols(self) -> tuple[Symbol, ...]:
@@ -384,21 +404,12 @@ def name_categories(
 
 
 def names_of_features(count: int, given: Sequence[str] = ()) -> tuple[str, ...]:
-    """Return the names of object features: those given, or `f1`, `f2`, ...
-
-    Args:
-        count: How many features there are.
-        given: Their names, if they have any.
-    """
+    """Return the names of so many object features: those given, or `f1`, `f2`, ..."""
     return tuple(given) or tuple(f"f{number}" for number in range(1, count + 1))
 
 
 def name_axes(count: int) -> tuple[str, ...]:
-    """Name the axes of an effect: x, y and z if there are three, else `e1`, `e2`, ...
-
-    Args:
-        count: How many axes there are.
-    """
+    """Name so many axes of an effect: x, y and z if there are three, else `e1`, `e2`, ..."""
     return ("x", "y", "z") if count == 3 else tuple(f"e{number}" for number in range(1, count + 1))
 
 

@@ -1,18 +1,18 @@
 """Operators on pairs of objects and on places: states and kinds of pairs, and what was seen of each."""
 
 import math
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from functools import lru_cache
-from pathlib import Path
-from typing import Annotated
+from itertools import compress
+from typing import Annotated, Literal, get_args
 
 import msgspec
 import numpy as np
 
-from neurosym.checks import Float, check_fields
-from neurosym.errors import InvalidFile, InvalidValue, UnknownChoice
-from neurosym.files import read_json
+from neurosym.checks import Document, Float
+from neurosym.errors import InvalidValue, UnknownChoice
 from neurosym.operators import (
+    MIN_TRIALS,
     Category,
     Count,
     LegalName,
@@ -22,7 +22,8 @@ from neurosym.operators import (
     Share,
     Symbol,
     Variant,
-    unknown_format,
+    Versioned,
+    smoothed,
 )
 from neurosym.world import Scene
 
@@ -35,7 +36,7 @@ NEVER_CARRIES = "never carries"
 """Why an operator is not in the domain."""
 
 
-class Kept(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
+class Kept(Document, frozen=True):
     """How an operator turned out where there were other objects.
 
     Attributes:
@@ -48,16 +49,28 @@ class Kept(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     trials: Count
     kept: Count
 
-    def __post_init__(self) -> None:
-        check_fields(self)
-
     @property
     def share(self) -> float:
         """The share that ended so; 1 if there were no rehearsals."""
         return self.kept / self.trials if self.trials else 1.0
 
 
-class PlaceOperators(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
+Company = Literal["occupied", "beside", "borne", "laden"]
+"""What others there are where an operator is performed: one on the place or the reference, some close around
+the object, one that bears the object, or one that rests on it."""
+Case = frozenset[Company]
+"""The company that there is, if any."""
+LEAST_SHARE = 0.5
+"""Where a third object leaves less than this of what is usual, it is forbidden."""
+
+
+def case_of(borne: bool, occupied: bool, laden: bool) -> Case:
+    """Return the case of a pair: a third object bears the target, is on the reference, or on the target."""
+    ways: tuple[Company, ...] = ("borne", "occupied", "laden")
+    return frozenset(compress(ways, (borne, occupied, laden)))
+
+
+class PlaceOperators(Versioned, frozen=True):
     """Operators that carry objects to places.
 
     The last two tables are there where objects bear one another.
@@ -77,27 +90,18 @@ class PlaceOperators(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     format: str = PLACES_FORMAT
     borne: tuple[Kept, ...] | msgspec.UnsetType = msgspec.UNSET
     laden: tuple[Kept, ...] | msgspec.UnsetType = msgspec.UNSET
+    readable = (PLACES_FORMAT,)
 
-    def __post_init__(self) -> None:
-        check_fields(self)
-        if self.format != PLACES_FORMAT:
-            raise InvalidValue(unknown_format(self.format, (PLACES_FORMAT,)))
+    def company(self, name: str) -> dict[Company, Kept]:
+        """Return how an operator turned out among others, where that was rehearsed."""
+        tables = (self.occupied, self.beside, self.borne, self.laden)
+        rows = zip(get_args(Company), tables, strict=True)
+        return {how: one for how, table in rows for one in table or () if one.name == name}
 
-    @classmethod
-    def load(cls, path: Path) -> "PlaceOperators":
-        """Read a table.
-
-        Raises:
-            InvalidFile: If the file is none, or of another version.
-        """
-        found = read_json(path, _Versioned).format
-        if found != PLACES_FORMAT:
-            raise InvalidFile(path, unknown_format(found, (PLACES_FORMAT,)))
-        return read_json(path, cls)
-
-
-class _Versioned(msgspec.Struct, frozen=True):
-    format: str
+    def takes(self, name: str, how: Company) -> bool:
+        """Say whether an operator is planned with in company; untried, it takes what another object bears."""
+        kept = self.company(name).get(how)
+        return kept.share >= LEAST_SHARE if kept and kept.trials else how == "borne"
 
 
 # How one object stands to another, in numbers that do not depend on how large the two are.
@@ -138,46 +142,26 @@ def describe_pair(
 
 
 def touching_units(scene: Scene, target: int, reference: int) -> Float[np.ndarray, "3"]:
-    """Return where a target is relative to a reference, in sums of their half sizes along each axis.
-
-    Args:
-        scene: The objects.
-        target: Index of the one.
-        reference: Index of the other.
-    """
+    """Return where a target is relative to a reference, in sums of their half sizes along each axis."""
     reach = (extent(scene, target) + extent(scene, reference)) / 2
     away: np.ndarray = (scene.positions[target] - scene.positions[reference]) / reach
     return away
 
 
 def extent(scene: Scene, index: int) -> Float[np.ndarray, "3"]:
-    """Return the sizes of an object along the axes of the world as it lies [m].
-
-    Args:
-        scene: The objects.
-        index: Which one.
-    """
+    """Return the sizes of an object along the axes of the world as it lies [m]."""
     sizes: np.ndarray = np.abs(rotation(scene.orientations[index])) @ scene.features[index][:3]
     return sizes
 
 
 def tilt(scene: Scene, index: int) -> float:
-    """Return how far an object is tilted from lying on a face, at most `STEEPEST` [rad].
-
-    Args:
-        scene: The objects.
-        index: Which one.
-    """
+    """Return how far an object is tilted from lying on a face, at most `STEEPEST` [rad]."""
     steepest = float(np.abs(rotation(scene.orientations[index])[2]).max())
     return min(float(np.arccos(min(1.0, steepest))), STEEPEST)
 
 
 def rotation(quaternion: Float[np.ndarray, "4"]) -> Float[np.ndarray, "3 3"]:
-    """Return the matrix of a rotation, whose columns are the axes of the object.
-
-    Args:
-        quaternion: The rotation, as (x, y, z, w), of any length but 0.
-    """
+    """Return the matrix of a quaternion (x, y, z, w), of any length but 0: its columns are the axes."""
     x, y, z, w = quaternion / np.linalg.norm(quaternion)
     return np.array(
         [
@@ -196,16 +180,18 @@ def rotation(quaternion: Float[np.ndarray, "4"]) -> Float[np.ndarray, "3 3"]:
 RELATIONS_FORMAT = "neurosym-relations-2"
 _TOUCHING, _TILTED = DESCRIPTION.index("touching"), DESCRIPTION.index("tilted")
 _CERTAIN = 0.9
+ALIKE = 4
+"""So many operators for the same are in the domain at most: which does it most surely depends on the pair."""
 SELDOM = 0.03
 """An operator promises a state if this share of its kind's pairs or more ends so, besides the most frequent
 state. With some of them it may be foreseen to do so surely."""
 ANY_KIND = ""
 """What stands for the kind of pairs where an operator is for pairs of any kind."""
-Description = tuple[Length, ...]
+Description = Annotated[tuple[Length, ...], msgspec.Meta(min_length=5, max_length=5)]
 """How a target stands to a reference, as numbers; see `neurosym.pair_operators.describe_pair`."""
 
 
-class PairState(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
+class PairState(Document, frozen=True):
     """One way in which a target stands to a reference.
 
     Attributes:
@@ -222,16 +208,13 @@ class PairState(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     share: Share
     bears: bool
 
-    def __post_init__(self) -> None:
-        check_fields(self)
-
     @property
     def leans(self) -> bool:
         """Whether the target leans in this state."""
         return self.centre[_TILTED] > LEANING
 
 
-class PairStates(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
+class PairStates(Versioned, frozen=True):
     """The states that pairs of objects can be in.
 
     Attributes:
@@ -239,67 +222,39 @@ class PairStates(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
         scales: What each number of a description is divided by before distances to centres are taken.
     """
 
-    states: tuple[PairState, ...]
+    states: Annotated[tuple[PairState, ...], msgspec.Meta(min_length=1)]
     scales: Description
 
-    def __post_init__(self) -> None:
-        check_fields(self)
-        if not self.states:
-            raise InvalidValue("Pairs need one state or more.")
-        if len(self.scales) != len(DESCRIPTION):
-            raise InvalidValue(
-                f"States have {len(self.scales)} scales; valid: {len(DESCRIPTION)}: {', '.join(DESCRIPTION)}."
-            )
-        for state in self.states:
-            if len(state.centre) != len(self.scales):
-                raise InvalidValue(
-                    f"The state {state.symbol} has {len(state.centre)} numbers; valid: "
-                    f"{len(self.scales)}, one for each scale."
-                )
-
-    @classmethod
-    def load(cls, path: Path) -> "PairStates":
-        """Read the states.
-
-        Raises:
-            InvalidFile: If the file is none.
-        """
-        return read_json(path, cls)
+    @property
+    def bearing(self) -> tuple[Symbol, ...]:
+        """Codes of the states in which the reference bears its target, in order, as networks foresee them."""
+        return tuple(sorted(state.symbol for state in self.states if state.bears))
 
     @property
-    def bearing(self) -> frozenset[Symbol]:
-        """Codes of the states in which the reference bears its target."""
-        return frozenset(state.symbol for state in self.states if state.bears)
-
-    @property
-    def straight(self) -> frozenset[Symbol]:
+    def straight(self) -> tuple[Symbol, ...]:
         """Those of these codes in which the target does not lean."""
-        return frozenset(state.symbol for state in self.states if state.bears and not state.leans)
-
-    @property
-    def bearing_order(self) -> tuple[Symbol, ...]:
-        """The same codes in order, as networks foresee these states."""
-        return tuple(sorted(self.bearing))
+        return tuple(sorted(state.symbol for state in self.states if state.bears and not state.leans))
 
     def of(self, description: Sequence[float]) -> PairState:
-        """Return the state of a pair: the one whose centre is nearest.
+        """Return the state of a pair that stands so: the one whose centre is nearest.
 
         A pair that touches is in no state in which pairs never do, and the other way round: what stands on a
         third object may be just above the reference.
-
-        Args:
-            description: How the target stands to the reference.
         """
 
         def away(state: PairState) -> tuple[bool, float]:
             differs = abs(description[_TOUCHING] - state.centre[_TOUCHING]) > _CERTAIN
-            rows = zip(description, state.centre, self.scales, strict=True)
-            return differs, math.hypot(*((one - centre) / scale for one, centre, scale in rows))
+            return differs, self.misfit(description, state)
 
         return min(self.states, key=away)
 
+    def misfit(self, description: Sequence[float], state: PairState) -> float:
+        """Return how far a description is from what is typical of a state, in the scales."""
+        rows = zip(description, state.centre, self.scales, strict=True)
+        return math.hypot(*((one - centre) / scale for one, centre, scale in rows))
 
-class PairEnd(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
+
+class PairEnd(Document, frozen=True):
     """One way in which an operator turns out on pairs of a kind.
 
     Attributes:
@@ -316,11 +271,8 @@ class PairEnd(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     offset: tuple[Length, Length, Length]
     spread: tuple[Length, Length, Length]
 
-    def __post_init__(self) -> None:
-        check_fields(self)
 
-
-class RelationOperator(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
+class RelationOperator(Document, frozen=True):
     """What one primitive does to pairs of one kind.
 
     Attributes:
@@ -347,17 +299,34 @@ class RelationOperator(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     variant: Variant = ""
     promised: str = ""
 
-    def __post_init__(self) -> None:
-        check_fields(self)
-
     @property
     def label(self) -> str:
         """The action symbol and the variant, like "101" or "101b"."""
         return self.primitive + self.variant
 
+    @property
+    def company(self) -> dict[Company, Kept]:
+        """How it turned out among others."""
+        return {"borne": self.borne, "occupied": self.occupied, "laden": self.laden}
+
+    @property
+    def case(self) -> tuple[str, ...]:
+        """What it does to its kind of pairs, and what company it takes."""
+        return (self.promise.state if self.promise else "", *filter(self.takes, self.company))
+
+    @property
+    def chance(self) -> float:
+        """The chance that it keeps its promise, by what was seen with its kind of pairs."""
+        return smoothed(self.promise.count if self.promise else 0, self.trials)
+
     def is_for(self, kind: Symbol | None) -> bool:
         """Say whether it is for pairs of a kind."""
         return self.pair in (ANY_KIND, kind)
+
+    def takes(self, how: Company) -> bool:
+        """Say whether it is planned with in company: not where that was never tried."""
+        kept, promise = self.company[how], self.promise
+        return bool(promise and kept.trials and kept.share >= LEAST_SHARE * promise.share)
 
     @property
     def promise(self) -> PairEnd | None:
@@ -369,50 +338,35 @@ class RelationOperator(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
         return next((end for end in carried if self.promised in ("", end.state)), None)
 
 
-class RelationOperators(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
+class RelationOperators(PairStates, frozen=True, cache_hash=True):
     """States and kinds of pairs, and operators on them.
 
     Attributes:
-        states: In the order of their symbols; those that were seen.
-        scales: What each number of a description is divided by before distances to centres are taken.
         pairs: Kinds of pairs, in the order of their symbols; features of the target come first.
         primitives: In the order of their symbols.
         operators: By primitive, then kind of pair.
         format: Version of this table.
     """
 
-    states: tuple[PairState, ...]
-    scales: Description
     pairs: tuple[Category, ...]
     primitives: tuple[Primitive, ...]
     operators: tuple[RelationOperator, ...]
     format: str = RELATIONS_FORMAT
+    readable = (RELATIONS_FORMAT,)
 
-    def __post_init__(self) -> None:
-        check_fields(self)
-        if self.format != RELATIONS_FORMAT:
-            raise InvalidValue(unknown_format(self.format, (RELATIONS_FORMAT,)))
-        PairStates(self.states, self.scales)  # checks them
+    @property
+    def every_operator(self) -> tuple[RelationOperator, ...]:
+        """All operators, those for pairs of any kind last; see `pooled`."""
+        return self.operators + pooled(self)
 
-    @classmethod
-    def load(cls, path: Path) -> "RelationOperators":
-        """Read a table.
+    @property
+    def left_out(self) -> Mapping[str, str]:
+        """Why operators are not in the domain, by name."""
+        return _left_out(self)
 
-        Raises:
-            InvalidFile: If the file is none, or of another version.
-        """
-        found = read_json(path, _Versioned).format
-        if found != RELATIONS_FORMAT:
-            raise InvalidFile(path, unknown_format(found, (RELATIONS_FORMAT,)))
-        return read_json(path, cls)
-
-    def state_of(self, description: Sequence[float]) -> PairState:
-        """Return the state of a pair: the one whose centre is nearest.
-
-        Args:
-            description: How the target stands to the reference.
-        """
-        return PairStates(self.states, self.scales).of(description)
+    def primitive_of(self, operator: RelationOperator) -> Primitive:
+        """Return the primitive that an operator is performed with."""
+        return next(one for one in self.primitives if one.label == operator.label)
 
     def state_named(self, name: str) -> PairState:
         """Return the state of that name or symbol.
@@ -432,15 +386,39 @@ class RelationOperators(msgspec.Struct, frozen=True, forbid_unknown_fields=True)
             InvalidValue: If several names begin so.
             UnknownChoice: If none does.
         """
-        meant = [state for state in self.states if word and state.name.startswith(word)]
-        if len(meant) > 1 and word not in (state.name for state in meant):
-            names = ", ".join(state.name for state in meant)
-            raise InvalidValue(f"{word!r} may be any of several states; valid: {names}.")
-        return meant[0] if len(meant) == 1 else self.state_named(word)
+        names = [state.name for state in self.states if word and state.name.startswith(word)]
+        if len(names) > 1 and word not in names:
+            raise InvalidValue(f"{word!r} may be any of several states; valid: {', '.join(names)}.")
+        return self.state_named(names[0] if len(names) == 1 else word)
 
-    def primitive_of(self, operator: RelationOperator) -> Primitive:
-        """Return the primitive that an operator is performed with."""
-        return next(one for one in self.primitives if one.label == operator.label)
+
+@lru_cache(maxsize=8)
+def _left_out(table: RelationOperators) -> Mapping[str, str]:
+    found, alike = dict[str, str](), dict[tuple[str, ...], list[RelationOperator]]()
+    for one in table.operators:
+        if reason := _why_worthless(one, table):
+            found[one.name] = reason
+        else:
+            alike.setdefault((one.pair, *one.case), []).append(one)
+    for others in alike.values():
+        surest, *rest = sorted(others, key=lambda one: (one.chance, one.name), reverse=True)
+        found |= {one.name: f"does less surely what {surest.name} does" for one in rest[ALIKE - 1 :]}
+    return found
+
+
+def _why_worthless(operator: RelationOperator, table: RelationOperators) -> str | None:
+    if operator.trials < MIN_TRIALS:
+        return f"fewer than {MIN_TRIALS} rehearsals"
+    if operator.promise is None:
+        return "never carries its target to the reference"
+    state = table.state_named(operator.promise.state)
+    if not state.bears:
+        return "ends in a state in which the reference bears nothing"
+    if state.leans:
+        return "makes its target lean"
+    if operator.promise.share < SELDOM:
+        return f"keeps its promise in {operator.promise.count} of {operator.trials} rehearsals only"
+    return None
 
 
 # Operators for pairs of any kind: what a primitive does, over all kinds of pairs that it was rehearsed
@@ -475,17 +453,14 @@ that it can be done."""
 
 @lru_cache(maxsize=8)
 def pooled(table: RelationOperators) -> tuple[RelationOperator, ...]:
-    """Make of each primitive's operators for the same state one for pairs of any kind.
-
-    Args:
-        table: What was learned of pairs.
-    """
-    straight = {state.symbol: state.name for state in table.states if state.bears and not state.leans}
-    found = dict[tuple[str, str], list[tuple[RelationOperator, PairEnd]]]()
+    """Make of each primitive's operators for the same state one for pairs of any kind."""
+    found, straight = dict[tuple[str, str], list[tuple[RelationOperator, PairEnd]]](), table.straight
     for one in table.operators:
         if one.promise is not None and one.promise.state in straight:
             found.setdefault((one.label, one.promise.state), []).append((one, one.promise))
-    return tuple(_pooled(f"{straight[state]}-by-{label}", rows) for (label, state), rows in found.items())
+    return tuple(
+        _pooled(f"{table.state_named(state).name}-by-{label}", rows) for (label, state), rows in found.items()
+    )
 
 
 def _pooled(name: str, rows: list[tuple[RelationOperator, PairEnd]]) -> RelationOperator:
@@ -518,9 +493,5 @@ def _three(values: np.ndarray) -> tuple[float, float, float]:
 
 
 def share_with_any(foreseen: float) -> float | None:
-    """Say how surely an operator for any pair does what is foreseen; None if that is not worth a try.
-
-    Args:
-        foreseen: The chance that a network foresees.
-    """
+    """Say how surely an operator for any pair does what is foreseen with a chance; None if hardly."""
     return max(HOPED, COMES_TRUE * foreseen) if foreseen >= LEAST else None

@@ -9,7 +9,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from neurosym.world import Outcome, Scene
+from neurosym.world import Outcome
 from neurosym.worlds.toy import ToyConfig, ToyWorld
 
 MENDED = "BAD_WORLDS_MENDED"
@@ -53,18 +53,6 @@ def hanging(_):
     time.sleep(60)
 
 
-def scene(**changes):
-    return lambda made: replace(made, **{name: change(made) for name, change in changes.items()})
-
-
-def outcome(**changes):
-    return lambda made: replace(made, **changes)
-
-
-def moved(made, change):
-    return replace(made, lifted=change(made.lifted), end=change(made.end))
-
-
 DEEDS = {
     "raising": raising,
     "surprising": surprising,
@@ -74,25 +62,9 @@ DEEDS = {
     "crashed": crashed,
     "hanging": hanging,
     "nothing": lambda _: None,
-    "a tuple": lambda made: (made,),
-    "nan": scene(positions=lambda made: made.positions * np.nan),
-    "integers": scene(features=lambda made: made.features.astype(int)),
-    "lists": scene(positions=lambda made: made.positions.tolist()),
-    "narrow": scene(features=lambda made: made.features[:, :2]),
-    "flat": scene(orientations=lambda made: made.orientations[:, :3]),
-    "two objects": lambda made: Scene(
-        *(np.repeat(a, 2, 0) for a in (made.features, made.positions, made.orientations))
-    ),
-    "off the table": scene(positions=lambda made: made.positions + 9),
-    "nan after": lambda made: moved(made, DEEDS["nan"]),
-    "two objects after": lambda made: moved(made, DEEDS["two objects"]),
-    "no scenes": outcome(end=None),
-    "other target": outcome(target=3),
-    "no bool": outcome(held="held"),
-    "no height": outcome(peak_height=np.nan),
-    "odd kind": outcome(disturbed=((0, "vanished"),)),
-    "odd touch": outcome(touched=(5,)),
-    "a list of touches": outcome(touched=[1]),
+    "nan": lambda made: replace(made, positions=made.positions * np.nan),
+    "other target": lambda made: replace(made, target=3),
+    "odd kind": lambda made: replace(made, disturbed=((0, "vanished"),)),
 }
 
 

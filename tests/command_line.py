@@ -1,5 +1,7 @@
 """Calling the command line from tests."""
 
+from pathlib import Path
+
 import pytest
 
 from neurosym.commands.cli import main
@@ -19,3 +21,8 @@ def refusal(capsys, *arguments: object) -> str:
     assert "Traceback" not in captured.err
     assert len(captured.err.strip().splitlines()) == 1
     return str(captured.err)
+
+
+def contents(folder: Path) -> dict[str, bytes]:
+    """What each file below a folder holds."""
+    return {str(path.relative_to(folder)): path.read_bytes() for path in folder.rglob("*") if path.is_file()}

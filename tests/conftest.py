@@ -3,9 +3,11 @@
 import os
 import shutil
 import signal
+from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
+from command_line import contents
 from filelock import FileLock
 
 from neurosym.commands.cli import main
@@ -46,6 +48,15 @@ def toy_folder(tmp_path_factory) -> Path:
             assert ended.value.code == 0
             (shared / "toy-unfinished").rename(folder)
     return folder
+
+
+@pytest.fixture(scope="module")
+def kept(toy_folder, tmp_path_factory) -> Iterator[Path]:
+    """A copy of it for commands that are refused or only look: at the end it must be as it was."""
+    copy = Path(shutil.copytree(toy_folder, tmp_path_factory.mktemp("kept") / "toy"))
+    before = contents(copy)
+    yield copy
+    assert contents(copy) == before
 
 
 @pytest.fixture

@@ -27,13 +27,10 @@ def test_the_whole_way_runs_in_twenty_lines_without_a_file(tmp_path, monkeypatch
     assert capsys.readouterr().out.startswith("PlanStatus.SOLVED [")
 
 
-@pytest.mark.parametrize("name", [*NOUNS, *neurosym.__all__])
-def test_name_can_be_imported_from_the_root(name: str):
-    assert getattr(neurosym, name).__class__ is not None
-    assert name in dir(neurosym)
-
-
-def test_unknown_name_is_refused():
+def test_names_can_be_imported_from_the_root_and_no_others():
+    for name in (*NOUNS, *neurosym.__all__):
+        assert getattr(neurosym, name).__class__ is not None
+        assert name in dir(neurosym)
     with pytest.raises(AttributeError, match="'neurosym' has no attribute 'divine'"):
         neurosym.divine  # noqa: B018 (it is looked up)
 
@@ -46,68 +43,20 @@ def test_type_checkers_are_told_of_each_name_from_where_it_comes():
     assert told == neurosym._HOMES
 
 
-USER = """
-from pathlib import Path
-
-import numpy as np
-
-import neurosym
-from neurosym import Grounding, Interactions, NeurosymError, OperatorTable, Planner, PlannerAnswer, PlanResult
-from neurosym import PlanStatus, Problem, Query, Run, World, check_world, choose, compile_domain, distill
-from neurosym import draw_problem, execute, explore, pddl_planner, plan, register_planner, rehearse, tabulate
-from neurosym import train
-from neurosym.worlds.toy import make_world
-
-
-def call(domain: Path, problem: Path, *, time_limit: float) -> PlannerAnswer:
-    return PlannerAnswer(PlanStatus.FAILED, reason=f"no plan for {problem} in {time_limit} s")
-
-
-def whole_way(seed: int) -> Run:
-    world: World = make_world()
-    check_world(world)
-    data: Interactions = explore(make_world, steps=100, strategy="random", seed=seed)
-    trained = train(data, seed=seed)
-    candidates = distill(trained.model, data, world.action_box, seed=seed)
-    primitives = choose(
-        candidates,
-        "lowest-error",
-        predict=trained.direct.predict_outcomes,
-        features=data.features,
-        categorise=trained.model.object_symbols,
-        world_factory=make_world,
-        seed=seed,
-    )
-    rehearsals = rehearse(make_world, primitives, trained.model.object_symbols, seed=seed)
-    table: OperatorTable = tabulate(rehearsals, world.feature_names)
-    grounding: Grounding = compile_domain(
-        table, name=world.name, table_bounds=world.table, lift_height=world.lift_height
-    )
-    problem: Problem = draw_problem(world, trained.model.object_symbols, name="p", objects=1, seed=seed)
-    mine: Planner = pddl_planner("mine", "mine", call)
-    register_planner(mine)
-    result: PlanResult = mine.solve(Query(problem, grounding))
-    try:
-        result = plan(problem, grounding, "mine", time_limit=1.0)
-    except NeurosymError as error:
-        print(error)
-    print(neurosym.__version__, np.asarray(data.effects).shape)
-    return execute(world, problem, grounding, result.steps)
-"""
 WRONG = {
-    "return execute(world, problem, grounding, result.steps)": "return execute(world, problem, grounding, 3)",
-    'plan(problem, grounding, "mine", time_limit=1.0)': 'plan(problem, grounding, "mine", time_limit="1")',
-    "check_world(world)": "neurosym.divine(world)",
-    "train(data, seed=seed)": "train(data, sead=seed)",
+    "import choose,": "import divine, choose,",
+    "seed=0)\nmodel": "sead=0)\nmodel",
+    '"fast-downward")': '"fast-downward", time_limit="1")',
+    "grounding, result.steps)": "grounding, 3)",
 }
 
 
-def test_a_users_script_that_calls_every_verb_passes_a_strict_type_check_and_wrong_calls_do_not(tmp_path):
-    wrong = USER
+def test_the_whole_way_passes_a_strict_type_check_and_wrong_calls_do_not(tmp_path):
+    wrong = THE_WHOLE_WAY
     for right, replaced in WRONG.items():
         assert right in wrong
         wrong = wrong.replace(right, replaced)
-    (tmp_path / "right.py").write_text(USER)
+    (tmp_path / "right.py").write_text(THE_WHOLE_WAY)
     (tmp_path / "wrong.py").write_text(wrong)
     command = [sys.executable, "-m", "mypy", "--strict", "--cache-dir", str(ROOT / ".mypy_cache"), "."]
     ran = subprocess.run(command, capture_output=True, text=True, cwd=tmp_path)

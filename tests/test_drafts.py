@@ -14,7 +14,6 @@ import pytest
 
 from neurosym import files
 from neurosym import files as drafts
-from neurosym.errors import CannotWrite
 from neurosym.files import (
     Drafts,
     at_once,
@@ -32,16 +31,25 @@ def names(folder: Path) -> list[str]:
 
 
 def test_drafts_change_nothing_until_they_are_put_in_place(tmp_path: Path):
-    old, new, gone = (tmp_path / name for name in ("old", "new", "gone"))
+    old, new, gone = places = [tmp_path / name for name in ("old", "new", "gone")]
     old.write_text("1")
     gone.write_text("2")
     with Drafts() as drafts:
+        write_atomically(old, "of no more use")
         write_atomically(old, "3")
+        remove(new)
         write_atomically(new, "4")
         remove(gone)
         assert (old.read_text(), new.exists(), gone.exists()) == ("1", False, True)
+        promised = digests({path.name: path for path in places})
+        with at_once():  # as a checkpoint is
+            write_atomically(tmp_path / "checkpoint", "5")
+        assert (tmp_path / "checkpoint").read_text() == "5"
         drafts.put_in_place()
-    assert {path.name: path.read_text() for path in tmp_path.iterdir()} == {"old": "3", "new": "4"}
+    written = {path.name: path.read_text() for path in tmp_path.iterdir()}
+    assert written == {"old": "3", "new": "4", "checkpoint": "5"}
+    assert promised == digests({path.name: path for path in places})
+    assert promised.keys() == {"old", "new"}
 
 
 def test_drafts_that_are_not_put_in_place_are_dropped(tmp_path: Path):
@@ -118,38 +126,6 @@ def was_interrupted(work: Callable[[], object], steps: int) -> bool:
     return False
 
 
-def test_last_draft_for_a_place_counts(tmp_path: Path):
-    with Drafts() as drafts:
-        for text in ("1", "2"):
-            write_atomically(tmp_path / "a", text)
-        remove(tmp_path / "b")
-        write_atomically(tmp_path / "b", "3")
-        drafts.put_in_place()
-    assert {path.name: path.read_text() for path in tmp_path.iterdir()} == {"a": "2", "b": "3"}
-
-
-def test_digests_are_those_of_drafts(tmp_path: Path):
-    places = {name: tmp_path / name for name in ("a", "b", "c")}
-    write_atomically(places["a"], "1")
-    write_atomically(places["b"], "2")
-    with Drafts() as drafts:
-        write_atomically(places["a"], "3")
-        remove(places["b"])
-        write_atomically(places["c"], "4")
-        promised = digests(places)
-        drafts.put_in_place()
-    assert promised == digests(places)
-    assert promised.keys() == {"a", "c"}
-
-
-def test_checkpoint_is_written_at_once_among_drafts(tmp_path: Path):
-    with Drafts():
-        with at_once():
-            write_atomically(tmp_path / "checkpoint", "1")
-        assert names(tmp_path) == ["checkpoint"]
-    assert names(tmp_path) == ["checkpoint"]
-
-
 def test_more_drafts_can_be_made_than_files_may_be_open(tmp_path: Path):
     resource = pytest.importorskip("resource")
     soft, hard = resource.getrlimit(resource.RLIMIT_NOFILE)
@@ -190,12 +166,3 @@ def test_leftovers_of_a_killed_process_are_removed_and_those_of_a_live_one_kept(
     assert len(names(tmp_path)) == 3
     remove_leftovers(tmp_path)
     assert names(tmp_path) == [".neurosym-pipe", ".neurosymmetry"]
-
-
-def test_place_that_became_a_folder_is_named(tmp_path: Path):
-    with Drafts() as drafts:
-        write_atomically(tmp_path / "a", "1")
-        (tmp_path / "a").mkdir()
-        with pytest.raises(CannotWrite, match=r"/a cannot be written: Is a directory"):
-            drafts.put_in_place()
-    assert names(tmp_path) == ["a"]

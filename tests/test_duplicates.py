@@ -31,6 +31,7 @@ def push(name: str, effect=LEFT, *, near: int = 18, category: str = "00") -> Ope
         (push("push-x", (0.0, 0.0810, 0.0), near=17), "does the same as push-left-000-block, less reliably"),
         (push("push-x", (0.0021, 0.0858, 0.0), near=17), None),  # half a cell and more
         (push("push-x", near=17, category="11"), None),
+        (msgspec.structs.replace(push("push-x", near=3), trials=3), "fewer than 5 rehearsals"),
         (Operator("lift-x", "00", "001", 20, (mode(LEFT, kind="held"),)), None),
     ],
 )
@@ -42,25 +43,11 @@ def test_operator_that_does_the_same_less_reliably_is_left_out(other: Operator, 
     assert learned.operator_named("push-left-000-block") in learned.live
 
 
-def test_more_reliable_one_takes_the_place_of_the_one_there_was():
-    learned = with_another(push("push-x", near=20))
-    left = learned.operator_named("push-left-000-block")
-    assert learned.why_left_out(left) == "does the same as push-x, less reliably"
-    assert "push-x" in {operator.name for operator in learned.live}
-
-
 def test_lifts_are_the_same_only_if_they_are_put_down_alike():
     for resting, same in (((0.0141, -0.0228, 0.0), True), ((0.0241, -0.0228, 0.0), False)):
         lifted = mode((0.012, -0.021, 0.203), kind="held", count=16, near=14, resting=resting)
         learned = with_another(Operator("lift-x", "00", "001", 20, (lifted,)))
         assert ("lift-x" in learned.left_out) == same
-
-
-def test_operator_that_is_worthless_takes_nobodys_place():
-    scarce = msgspec.structs.replace(push("push-x", near=3), trials=3)
-    learned = with_another(scarce)
-    assert learned.why_left_out(scarce) == "fewer than 5 rehearsals"
-    assert learned.operator_named("push-left-000-block") in learned.live
 
 
 def test_groundings_of_the_first_format_keep_every_operator():

@@ -54,40 +54,21 @@ def full_disk(monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 @pytest.mark.usefixtures("full_disk")
-def test_write_that_fails_names_the_file_and_leaves_nothing(tmp_path: Path):
-    with pytest.raises(CannotWrite, match=r"/a\.json cannot be written: No space left on device\.$"):
-        write_atomically(tmp_path / "a.json", "text")
-    assert list(tmp_path.iterdir()) == []
+def test_full_disk_is_noticed_before_the_work_and_leaves_nothing(tmp_path: Path):
+    for act in (check_writable, lambda path: write_atomically(path, "text")):
+        with pytest.raises(CannotWrite, match=r"/a\.json cannot be written: No space left on device\.$"):
+            act(tmp_path / "a.json")
+        assert list(tmp_path.iterdir()) == []
 
 
-@pytest.mark.usefixtures("full_disk")
-def test_full_disk_is_noticed_before_the_work(tmp_path: Path):
-    with pytest.raises(CannotWrite, match=r"/a\.json cannot be written: No space left"):
-        check_writable(tmp_path / "a.json")
-    assert list(tmp_path.iterdir()) == []
-
-
-def test_folder_that_takes_no_file_is_noticed_before_the_work(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-):
-    def refuse(*_: object) -> None:
-        raise OSError(errno.EROFS, "Read-only file system")
-
-    check_writable(tmp_path / "a.json")
-    monkeypatch.setattr(Path, "open", refuse)
-    with pytest.raises(CannotWrite, match=r"/a\.json cannot be written: Read-only file system"):
-        check_writable(tmp_path / "a.json")
-
-
-@pytest.mark.parametrize("name", ["deep/below/a", "a" * 255])
+@pytest.mark.parametrize("name", ["deep/below/a", "a" * 255, "a" * 256])
 def test_file_that_can_be_written_is_found_so_and_nothing_is_made(tmp_path: Path, name: str):
-    check_writable(tmp_path / name)
+    if len(name) < 256:
+        check_writable(tmp_path / name)
+    else:
+        with pytest.raises(CannotWrite, match="File name too long"):
+            check_writable(tmp_path / name)
     assert list(tmp_path.iterdir()) == []
-
-
-def test_name_that_is_too_long_is_noticed_before_the_work(tmp_path: Path):
-    with pytest.raises(CannotWrite, match="File name too long"):
-        check_writable(tmp_path / ("a" * 256))
 
 
 def test_file_in_the_way_of_a_folder_is_noticed(tmp_path: Path):
@@ -99,26 +80,17 @@ def test_file_in_the_way_of_a_folder_is_noticed(tmp_path: Path):
         check_writable(tmp_path)
 
 
-def test_new_file_is_written_once(tmp_path: Path):
-    assert write_new(tmp_path / "a", "1")
-    assert not write_new(tmp_path / "a", "2")
-    assert [(path.name, path.read_text()) for path in tmp_path.iterdir()] == [("a", "1")]
-
-
-@pytest.mark.parametrize("error", [FileExistsError, OSError])
-def test_new_file_that_another_writes_meanwhile_is_kept(tmp_path: Path, monkeypatch, error):
+@pytest.mark.parametrize(("error", "kept"), [(FileExistsError, "2"), (OSError, "1")])
+def test_new_file_is_written_once_and_kept_if_another_writes_it_meanwhile(
+    tmp_path: Path, monkeypatch, error, kept
+):
     def meanwhile(*_: object) -> None:
         if error is FileExistsError:
             (tmp_path / "a").write_text("2")
         raise error
 
-    monkeypatch.setattr(os, "link", meanwhile)
-    assert write_new(tmp_path / "a", "1") is (error is OSError)
-    assert [(path.name, path.read_text()) for path in tmp_path.iterdir()] == [
-        ("a", "1" if error is OSError else "2")
-    ]
-
-
-def test_text_with_a_name_that_is_not_utf8_is_written_with_escapes(tmp_path: Path):
-    write_atomically(tmp_path / "a", os.fsdecode(b"\xff.plan"))
-    assert (tmp_path / "a").read_text() == r"\udcff.plan"
+    with monkeypatch.context() as patched:
+        patched.setattr(os, "link", meanwhile)
+        assert write_new(tmp_path / "a", "1") is (kept == "1")
+    assert not write_new(tmp_path / "a", "3")
+    assert [(path.name, path.read_text()) for path in tmp_path.iterdir()] == [("a", kept)]

@@ -49,15 +49,6 @@ def test_folder_that_another_process_holds_is_not_had(tmp_path: Path, held: str,
     assert files.holders(tmp_path) == ()
 
 
-def test_folder_is_shared_by_those_who_share(tmp_path: Path):
-    with holder(tmp_path, "shared") as process:
-        given = files.take(tmp_path, alone=False)
-        assert given is not None
-        assert set(files.holders(tmp_path)) == {process.pid, os.getpid()}
-        os.close(given)
-        process.kill()
-
-
 def test_folder_is_had_when_its_holder_is_soon_done(tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
     first = files.take(tmp_path, alone=True)
     assert first is not None

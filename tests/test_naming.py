@@ -11,7 +11,6 @@ from neurosym.operators import (
     name_axes,
     name_categories,
     name_operator,
-    names_of_features,
     verb,
 )
 
@@ -42,26 +41,18 @@ def test_pushes_are_named_by_direction(effect, expected):
     assert verb(a_mode(effect)) == expected
 
 
+def test_what_hangs_from_the_hand_is_lifted_and_what_is_set_down_is_placed():
+    assert verb(a_mode((0.0, 0.1, 0.2), kind="held", peak=0.2)) == "lift"
+    assert verb(a_mode((0.0, 0.1, 0.0), peak=0.05)) == "place-left"
+    assert verb(a_mode((-0.1, 0.0, 0.0), peak=0.05)) == "place-back"
+
+
 def test_effects_without_x_y_and_z_are_acts():
     two = Mode("resting", 1, 1.0, (0.1, 0.2), (0.0, 0.0), (0.1, 0.2), (0.0, 0.0), 0.0, 1)
     assert name_operator("101", "kind-10", [two]) == "act-101-kind-10"
     assert name_axes(3) == ("x", "y", "z")
     assert name_axes(2) == ("e1", "e2")
     assert [counted_axes(count) for count in (1, 2)] == ["1 axis", "2 axes"]
-
-
-def test_features_without_names_are_numbered():
-    assert names_of_features(3) == ("f1", "f2", "f3")
-    assert names_of_features(2, ["mass", "hue"]) == ("mass", "hue")
-
-
-def test_what_is_carried_and_set_down_is_placed():
-    assert verb(a_mode((0.0, 0.1, 0.0), peak=0.05)) == "place-left"
-    assert verb(a_mode((-0.1, 0.0, 0.0), peak=0.05)) == "place-back"
-
-
-def test_what_hangs_from_the_hand_is_lifted():
-    assert verb(a_mode((0.0, 0.1, 0.2), kind="held", peak=0.2)) == "lift"
 
 
 def test_an_operator_is_named_by_its_promise_not_its_accidents():
@@ -78,13 +69,7 @@ def test_categories_are_named_by_what_sets_them_apart():
         "solid-tall-wide-01",
         "any-narrow-11",
     )
-
-
-def test_the_only_category_is_compared_with_nothing():
-    assert name_categories(["0"], np.array([[0.1, 0.1, 0.05, 0.0]]), NAMES) == ("solid-0",)
-
-
-def test_other_features_still_give_names():
+    assert name_categories(["0"], means[:1], NAMES) == ("hollow-0",)
     assert name_categories(["0", "1"], np.array([[1.0], [2.0]]), ["mass"]) == ("kind-0", "kind-1")
 
 

@@ -21,9 +21,6 @@ STACK = scene((CUBE, (0.5, 0.0, 0.04), UPRIGHT), (PLATE, (0.5, 0.0, 0.01), UPRIG
 def test_what_stands_on_another_is_one_touching_unit_above_it():
     np.testing.assert_allclose(touching_units(STACK, 0, 1), (0, 0, 1), atol=1e-9)
     np.testing.assert_allclose(describe_pair(STACK, 0, 1, ((0, 1),)), (0, 1, 1, 0, 0), atol=1e-6)
-
-
-def test_order_of_a_pair_tells_which_is_above():
     np.testing.assert_allclose(describe_pair(STACK, 1, 0, ((0, 1),)), (0, -1, 1, 0, 0), atol=1e-6)
 
 

@@ -31,24 +31,17 @@ def shipped(domain: str, ending: str = ".plan") -> list[Path]:
 
 
 @pytest.mark.parametrize("domain", DOMAINS)
-def test_every_shipped_plan_is_one_of_the_printed_files_beside_it(domain: str):
+def test_shipped_plans_are_plans_of_the_printed_files_beside_them_and_steps_are_none(domain: str):
     folder, plans = DomainFolder(ROOT / "domains" / domain), shipped(domain)
     assert len(plans) > 15
-    for file in plans:
+    for file in plans[::3]:  # `make evaluate` judges all of them
         verdict = judge_plan(folder, file.name.split(".")[0], file)
         assert verdict.valid, (file.name, verdict.pddl_reason, verdict.replay_reason)
         assert not verdict.written_out
-
-
-@pytest.mark.parametrize("domain", DOMAINS)
-def test_shipped_steps_that_are_called_no_plan_are_none(domain: str):
-    folder = DomainFolder(ROOT / "domains" / domain)
-    for file in shipped(domain, ".steps"):
+    steps = shipped(domain, ".steps")
+    assert steps or domain != "tabletop"
+    for file in steps:
         assert not judge_plan(folder, file.name.split(".")[0], file).valid
-
-
-def test_steps_are_told_from_plans_somewhere():
-    assert shipped("tabletop", ".steps")
 
 
 @pytest.mark.evaluation

@@ -14,7 +14,7 @@ from neurosym.pddl.compiler import problem_text
 from neurosym.planners import PlanStatus, plan
 from neurosym.problems import Problem, SceneObject
 from neurosym.regression import fit
-from neurosym.tasks.promises import LEAST_REHEARSALS, chances_of, is_rehearsed, promised, usable, why_unfit
+from neurosym.tasks.promises import chances_of, is_rehearsed, promised, usable, why_unfit
 from neurosym.tasks.transition import PlanStep, validate
 
 AWAY = "push-away-001-block"
@@ -60,15 +60,6 @@ def test_what_an_operator_does_is_read_from_objects_of_that_size(width: float):
     assert promised(learned, block(width))[AWAY].rehearsals == ()
 
 
-def test_operators_without_rehearsals_promise_what_they_did():
-    learned = tables.grounding()
-    assert dict(promised(learned, block(0.07))) == {
-        one.name: one for one in learned.operators.operators if one.category == "00"
-    }
-    few = rehearsed(LEAST_REHEARSALS - 1)
-    assert promised(few, block(0.07))[AWAY].promise == few.operator_named(AWAY).promise
-
-
 def test_objects_unlike_all_that_were_rehearsed_are_promised_the_mean():
     learned = rehearsed()
     huge = block(0.2)
@@ -77,24 +68,12 @@ def test_objects_unlike_all_that_were_rehearsed_are_promised_the_mean():
     assert promised(learned, huge)[AWAY].promise == learned.operator_named(AWAY).promise
 
 
-def test_promise_is_never_beyond_what_was_seen():
-    for width in np.linspace(0.03, 0.11, 30).tolist():
-        promise = promised(rehearsed(), block(width))[AWAY].promise
-        assert promise is not None
-        assert 0.04 <= promise.resting_effect[0] <= 0.1
-
-
-def test_objects_that_it_fails_with_are_left_alone():
-    learned = rehearsed(80, cliff=0.07)
-    good, bad = promised(learned, block(0.05))[AWAY], promised(learned, block(0.095))[AWAY]
-    assert good.successes > 0.75 * good.trials
-    assert bad.successes < 0.2 * bad.trials
-    assert AWAY in {one.name for one in usable(learned, block(0.05))}
-
-
 def test_what_mostly_fails_with_an_object_is_not_planned_with_and_the_problem_leaves_it_out():
     learned = rehearsed(80, cliff=0.07)
     blocks = [block(width) for width in np.linspace(0.07, 0.075, 50).tolist()]
+    good, worse = (promised(learned, block(width))[AWAY] for width in (0.05, 0.095))
+    assert good.successes > 0.75 * good.trials
+    assert worse.successes < 0.2 * worse.trials
     bad = next(one for one in blocks if 8 <= promised(learned, one)[AWAY].successes < 20)
     assert AWAY not in {one.name for one in usable(learned, bad)}
     reason = why_unfit(promised(learned, bad)[AWAY], learned)
@@ -121,13 +100,7 @@ def test_chances_are_told_for_many_objects_at_once():
     assert chances_of(tables.grounding().operator_named(AWAY), category, features) is None
 
 
-def test_nearer_tolerances_are_kept_more_rarely():
-    learned = rehearsed(60, slips=0.02)
-    wide, narrow = (promised(learned, block(0.07), tolerance)[AWAY] for tolerance in (0.05, 0.01))
-    assert narrow.successes < wide.successes
-
-
-@pytest.mark.parametrize("planner", ["counting", "bfs-operators", "fast-downward"])
+@pytest.mark.parametrize("planner", ["counting", "fast-downward"])
 def test_plans_are_made_and_checked_with_what_is_promised_to_the_object(planner: str):
     """Two pushes of a small block lead as far as one of a large one: 90 mm."""
     learned = rehearsed()
@@ -151,10 +124,3 @@ def test_one_feature_that_decides_is_found_among_four(column: int):
     chances = np.array([found.chance(row, TOLERANCE) for row in at])
     assert chances[objects[:, column] > 0.14].max() < 0.3
     assert chances[objects[:, column] < 0.1].min() > 0.7
-
-
-def test_no_feature_counts_where_none_decides():
-    objects = np.random.default_rng(0).uniform(size=(32, 4))
-    is_kind = np.arange(32) % 3 > 0
-    found = fit(objects, is_kind, np.zeros((int(is_kind.sum()), 2)), scale=objects.std(0))
-    assert not any(found.choice.deciding)

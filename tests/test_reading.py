@@ -12,9 +12,8 @@ import zipfile
 from collections.abc import Callable
 from pathlib import Path
 
-import numpy as np
 import pytest
-from command_line import neurosym
+from command_line import neurosym, refusal
 
 from neurosym.errors import InvalidFile
 from neurosym.files import DEEPEST, MOST_SETTINGS, digest, read_bytes, read_json, read_text, read_toml
@@ -61,14 +60,11 @@ DAMAGES: dict[str, Callable[[Path], object]] = {
     "a named pipe": pipe,
     "a socket": socket_at,
     "an endless device": lambda path: path.symlink_to("/dev/zero"),
-    "a device": lambda path: path.symlink_to("/dev/tty"),
     "a folder": Path.mkdir,
-    "a link to itself": lambda path: path.symlink_to(path),
     "a link to nowhere": lambda path: path.symlink_to("nowhere"),
     "a file of the system": lambda path: path.symlink_to("/proc/self/mem"),
     "a terabyte": huge,
     "nothing": text(""),
-    "zeros": text(bytes(1000)),
     "no text": text(b"\xff\xfe\x00\xd8"),
     "brackets": text("[" * 20_000),
     "braces": text('{"a":' * 20_000),
@@ -84,30 +80,34 @@ DAMAGES: dict[str, Callable[[Path], object]] = {
 }
 
 
-@pytest.mark.parametrize("damage", DAMAGES)
+def put(path: Path, damage: str) -> None:
+    """Put something in the place of a file."""
+    if path.is_dir() and not path.is_symlink():
+        path.rmdir()
+    path.unlink(missing_ok=True)
+    DAMAGES[damage](path)
+
+
 @pytest.mark.parametrize("name", READERS)
-def test_whatever_stands_in_the_place_of_a_file_is_refused_in_a_sentence(
-    folder: Path, name: str, damage: str, capsys
-):
+def test_whatever_stands_in_the_place_of_a_file_is_refused_in_a_sentence(folder: Path, name: str, capsys):
     if name == "training.json":
         (folder / "primitives.json").unlink()  # so that nothing is rehearsed
-    path = folder / name
-    path.unlink()
-    DAMAGES[damage](path)
-    code = neurosym(*(word.format(folder) for word in READERS[name]))
-    captured = capsys.readouterr()
-    assert "\x1b" not in captured.err + captured.out
-    if code == 2:
-        assert path.name in captured.err or "There is no record of a run" in captured.err
-        assert len(captured.err) < 1500
-    else:
-        assert code in (0, 3)
-        assert READ_AS_NOTHING.get((name, damage), name in OPTIONAL), captured
+    for damage in DAMAGES:
+        put(folder / name, damage)
+        code = neurosym(*(word.format(folder) for word in READERS[name]))
+        captured = capsys.readouterr()
+        assert "\x1b" not in captured.err + captured.out, damage
+        if code == 2:
+            assert Path(name).name in captured.err or "There is no record of a run" in captured.err, damage
+            assert len(captured.err) < 1500, damage
+        else:
+            assert code in (0, 3)
+            assert name in OPTIONAL or (name, damage) == EMPTY_PLAN, (damage, captured)
 
 
 OPTIONAL = {"training.json", "manifest.json", "grounding.json", "world.toml"}
 """What the command of `READERS` does without, if there is no such file."""
-READ_AS_NOTHING = {("plans/task-01.fast-downward.plan", "nothing"): True}
+EMPTY_PLAN = ("plans/task-01.fast-downward.plan", "nothing")
 
 
 def array_file(header: bytes, body: bytes = b"") -> bytes:
@@ -126,11 +126,9 @@ def header(shape: str, kind: str = "'<f4'") -> bytes:
         array_file(b"(" * 9000),
         array_file(header("(1000000000000, 4)")),
         array_file(header("(-1, -4)")),
-        array_file(header("(99999999999999999999,)")),
         array_file(header("(1000000000000,)", "'<U0'")),
         array_file(header("(4,)", "'|O'"), b"cos\nsystem\n(S'echo'\ntR."),
         array_file(header("(4, 4)", "'<f4'"), bytes(63)),
-        array_file(header("()", "'<f4', 'x'"), bytes(64)),
         b"\x93NUMPY\x02\x00" + struct.pack("<I", 2**31) + header("(1,)"),
         b"\x93NUMPY\x09\x00",
         b"",
@@ -143,50 +141,47 @@ def test_array_that_is_not_what_it_says_is_refused(tmp_path: Path, content: byte
     assert "'features' is damaged, or holds Python objects" in capsys.readouterr().err
 
 
-def test_archive_that_unpacks_to_more_than_can_be_is_refused_unread(tmp_path: Path, capsys):
-    with zipfile.ZipFile(tmp_path / "interactions.npz", "w", zipfile.ZIP_DEFLATED) as archive:
-        archive.writestr("features.npy", array_file(header("(10, 4)"), bytes(160)))
-    raw = (tmp_path / "interactions.npz").read_bytes()
+@pytest.mark.filterwarnings("ignore:Duplicate name")
+def test_archives_of_strange_lists_or_of_more_than_can_be_are_refused_unread(tmp_path: Path, capsys):
+    file = tmp_path / "interactions.npz"
+    for names in (
+        ["features.npy"] * 2,
+        [f"{n}.npy" for n in range(1500)],
+        ["/etc/passwd", "../x"],
+        ["features.npy"],
+    ):
+        with zipfile.ZipFile(file, "w", zipfile.ZIP_DEFLATED) as archive:
+            for name in names:
+                archive.writestr(name, array_file(header("(10, 4)"), bytes(160)))
+        if len(names) > 1:
+            assert neurosym("check", tmp_path) == 2
+            assert "interactions.npz cannot be used: it h" in capsys.readouterr().err
+    raw = file.read_bytes()
     size = struct.pack("<I", zipfile.ZipFile(io.BytesIO(raw)).infolist()[0].file_size)
-    (tmp_path / "interactions.npz").write_bytes(raw.replace(size, struct.pack("<I", 2**32 - 2)))
+    file.write_bytes(raw.replace(size, struct.pack("<I", 2**32 - 2)))
     assert neurosym("check", tmp_path) == 2
     assert "unpacked, it takes 4095 MB; valid: at most 1024 MB" in capsys.readouterr().err
 
 
-@pytest.mark.parametrize(
-    "names", [["features.npy"] * 2, [f"{n}.npy" for n in range(1500)], ["/etc/passwd", "../x"]]
-)
-@pytest.mark.filterwarnings("ignore:Duplicate name")
-def test_strange_lists_of_arrays_are_refused(tmp_path: Path, names: list[str], capsys):
-    with zipfile.ZipFile(tmp_path / "interactions.npz", "w") as archive:
-        for name in names:
-            archive.writestr(name, array_file(header("(10, 4)"), bytes(160)))
-    assert neurosym("check", tmp_path) == 2
-    assert "interactions.npz cannot be used: it h" in capsys.readouterr().err
-
-
-@pytest.mark.parametrize(
-    "change",
-    [
-        {"dimensions": {"features": 10**9, "actions": 12, "effects": 3, "gripper_columns": []}},
-        {"dimensions": {"features": 10**30, "actions": 12, "effects": 3, "gripper_columns": []}},
-        {"config": {"hidden": 4096}},
-        {"config": []},
-        {"format": "another"},
-    ],
-)
-def test_network_of_any_size_takes_no_memory_before_it_is_refused(folder: Path, change: dict, capsys):
+def test_network_of_any_size_takes_no_memory_before_it_is_refused(folder: Path, capsys):
     path = folder / "effect_model.safetensors"
     raw = path.read_bytes()
     length = int.from_bytes(raw[:8], "little")
     document = json.loads(raw[8 : 8 + length])
-    document["__metadata__"]["neurosym"] = json.dumps(
-        json.loads(document["__metadata__"]["neurosym"]) | change
-    )
-    changed = json.dumps(document).encode()
-    path.write_bytes(struct.pack("<Q", len(changed)) + changed + raw[8 + length :])
-    assert neurosym("new-problem", folder, "--name", "another") == 2
-    assert "effect_model.safetensors cannot be used" in capsys.readouterr().err
+    given = json.loads(document["__metadata__"]["neurosym"])
+    size = {"actions": 12, "effects": 3, "gripper_columns": []}
+    for change in (
+        {"dimensions": {"features": 10**9, **size}},
+        {"dimensions": {"features": 10**30, **size}},
+        {"config": {"hidden": 4096}},
+        {"config": []},
+        {"format": "another"},
+    ):
+        document["__metadata__"]["neurosym"] = json.dumps(given | change)
+        changed = json.dumps(document).encode()
+        path.write_bytes(struct.pack("<Q", len(changed)) + changed + raw[8 + length :])
+        said = refusal(capsys, "new-problem", folder, "--name", "another")
+        assert "effect_model.safetensors cannot be used" in said
 
 
 def test_byte_order_mark_is_read_over(folder: Path, capsys):
@@ -233,25 +228,12 @@ def test_bounds_lie_where_they_are_said_to(tmp_path: Path):
     assert digest(path).startswith("5994471abb01112a")
 
 
-def test_dots_that_are_no_keys_are_read(tmp_path: Path):
-    (tmp_path / "world.toml").write_text(f"# {'.' * 500}\nnumbers = [{', '.join(['0.1'] * 500)}]\n")
-    assert len(read_toml(tmp_path / "world.toml")["numbers"]) == 500
-
-
 def test_files_with_names_of_terminal_escapes_are_named_without_them(folder: Path, capsys):
     shutil.copy(folder / "world.toml", folder / "\x1b[31m.plan")
     assert neurosym("execute", folder, "task-01", folder / "\x1b[31m.plan") == 2
     said = capsys.readouterr().err
     assert "\x1b" not in said
     assert "\\x1b[31m.plan" in said
-
-
-def test_a_million_rows_are_read(tmp_path: Path):
-    from neurosym.data.archives import read_arrays
-
-    np.savez(tmp_path / "a.npz", features=np.zeros((1_000_000, 4), dtype=np.float32))
-    arrays, given, problems = read_arrays(tmp_path / "a.npz", ["features"])
-    assert (arrays["features"].shape, given, problems) == ((1_000_000, 4), ("features",), [])
 
 
 def test_numbers_that_are_none_are_named(tmp_path: Path):

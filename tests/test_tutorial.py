@@ -15,38 +15,35 @@ NOTEBOOK = nbformat.read(DOCS / "tutorial.ipynb", as_version=4)
 CELLS = [cell for cell in NOTEBOOK.cells if cell.cell_type == "code"]
 
 
-def imported() -> list[tuple[str, str]]:
-    """List what the code imports from neurosym, as module and name."""
-    found = []
-    for node in ast.walk(ast.parse("\n".join(cell.source for cell in CELLS))):
-        if isinstance(node, ast.ImportFrom) and (node.module or "").split(".")[0] == "neurosym":
-            found += [(node.module, alias.name) for alias in node.names]
-    return found
-
-
-def test_notebook_is_valid_and_small():
+def test_notebook_is_valid_small_and_ran_in_order_without_errors():
     nbformat.validate(NOTEBOOK)
     assert (DOCS / "tutorial.ipynb").stat().st_size < 1_500_000
-
-
-def test_everything_that_is_imported_exists():
-    assert len(imported()) > 10
-    for module, name in imported():
-        assert hasattr(import_module(module), name), f"{module} has no {name}"
-
-
-def test_cells_ran_in_order_and_without_errors_when_it_was_stored():
-    assert [cell.execution_count for cell in CELLS] == list(range(1, len(CELLS) + 1))
-    assert not [output for cell in CELLS for output in cell.outputs if output.output_type == "error"]
-
-
-def test_no_path_of_a_machine_is_stored():
+    check_ran(CELLS)
     said = "\n".join(
         "".join(output.get("text", "")) + str(output.get("data", {}).get("text/plain", ""))
         for cell in CELLS
         for output in cell.outputs
     )
-    assert not re.search(r"(^|\s)/(tmp|home|root|opt|work|usr)/", said)
+    assert not re.search(r"(^|\s)/(tmp|home|root|opt|work|usr)/", said), "paths of a machine"
+
+
+def check_ran(cells) -> None:
+    """Check that cells were run one after the other, without errors."""
+    assert [cell.execution_count for cell in cells] == list(range(1, len(cells) + 1))
+    assert not [output for cell in cells for output in cell.outputs if output.output_type == "error"]
+
+
+def test_everything_that_is_imported_exists():
+    code = ast.parse("\n".join(cell.source for cell in CELLS))
+    ours = [
+        (node.module, alias.name)
+        for node in ast.walk(code)
+        if isinstance(node, ast.ImportFrom) and (node.module or "").split(".")[0] == "neurosym"
+        for alias in node.names
+    ]
+    assert len(ours) > 10
+    for module, name in ours:
+        assert hasattr(import_module(module), name), f"{module} has no {name}"
 
 
 def test_documents_that_it_points_to_exist():
@@ -61,6 +58,4 @@ def test_every_cell_runs_and_what_it_asserts_holds(monkeypatch):
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")  # those of the kernel and its messages
         ran = run_tutorial.run(nbformat.read(run_tutorial.TUTORIAL, as_version=4))
-    cells = [cell for cell in ran.cells if cell.cell_type == "code"]
-    assert [cell.execution_count for cell in cells] == list(range(1, len(cells) + 1))
-    assert not [out for cell in cells for out in cell.outputs if out.output_type == "error"]
+    check_ran([cell for cell in ran.cells if cell.cell_type == "code"])

@@ -18,7 +18,7 @@ from neurosym.learning.training_config import (
 )
 from neurosym.primitives.rehearsal import Search
 from neurosym.world import Scene
-from neurosym.worlds.toy import make_world
+from neurosym.worlds.toy import LONGEST_PUSH, WIDEST_GRASP, make_world
 
 SMALL = ModelConfig(hidden=16)
 BRIEF = TrainingConfig(
@@ -69,3 +69,22 @@ def some_features(count=40):
     """Features of objects of the toy world."""
     scenes = [make_world().sample_scene(np.random.default_rng([5, n]), 1) for n in range(count)]
     return np.concatenate([scene.features for scene in scenes])
+
+
+# Actions of the toy world, and categories of its objects
+
+SHORT = (0.0, -0.005, 0.0, 0.1, 0.0, 0.0, 0.0, 0.1, 0.0, 0.005, 0.0, 0.1)  # too short to push anything
+LEFT = (0.0, -0.04, 0.0, 0.1, 0.0, 0.0, 0.0, 0.1, 0.0, 0.04, 0.0, 0.1)
+FORWARD = (-0.04, 0.0, 0.0, 0.1, 0.0, 0.0, 0.0, 0.1, 0.04, 0.0, 0.0, 0.1)
+LIFT = (0.0, 0.0, 0.0, 0.9, 0.0, 0.0, 0.0, 0.9, 0.0, 0.0, 0.0, 0.1)
+
+
+def by_affordance(features):
+    """Say of objects whether they can be grasped, and whether they can be pushed."""
+    graspable = (features[:, 3] >= 0.5) | (features[:, 1] <= WIDEST_GRASP)
+    return tuple(f"{int(g)}{int(p)}" for g, p in zip(graspable, features[:, 0] <= LONGEST_PUSH, strict=True))
+
+
+def alike(features):
+    """Say that all objects are of one category."""
+    return ("0",) * len(features)

@@ -18,7 +18,6 @@ from neurosym.stages.console import say
 from neurosym.stages.folder import DomainFolder, Manifest
 from neurosym.stages.layout import GROUNDING, MANIFEST
 from neurosym.stages.problem_making import Asked, problem_stage
-from neurosym.tasks.options import left_out
 from tools.relearn_places import FOLDER as LEARNED
 from tools.relearn_places import PLACES, PLANNER, SEED, STEPS
 from tools.relearn_tabletop import STAGES, give_name, problems_table, stages_table, try_problem
@@ -135,7 +134,7 @@ def _states(relations: RelationOperators) -> str:
 
 
 def _operators(relations: RelationOperators) -> str:
-    out = left_out(relations)
+    out = relations.left_out
     kept = [one for one in relations.operators if one.name not in out and one.promise]
     kept.sort(key=lambda one: -one.promise.share if one.promise else 0.0)
     columns = ["operator", "as promised", "borne", "occupied", "laden"]

@@ -1,1 +1,1 @@
-"""The command line: one file a command, which reads options, performs a stage, and says what came of it."""
+"""The command line: a command reads options, performs a stage, and says what came of it."""

@@ -1,4 +1,4 @@
-"""Options that several commands of the command line share."""
+"""Options that several commands share, and how what was typed is read."""
 
 import inspect
 import math
@@ -9,28 +9,23 @@ from difflib import get_close_matches
 from functools import partial, wraps
 from itertools import pairwise
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any, Literal, Optional
+from typing import TYPE_CHECKING, Annotated, Any, Optional
 
 import msgspec
 from tyro.conf import Positional, arg
 
-from neurosym.choices import DOMAINS, DrawnTask, StrategyName, copy_shipped
+from neurosym.choices import DOMAINS, DrawnTask, copy_shipped
 from neurosym.commands.catalogue import ABOUT, SUMMARIES, Command, command_named, nearest
 from neurosym.errors import InvalidValue, UnknownChoice, quoted, shortened
 from neurosym.files import LARGEST_WHOLE, check_writable
-from neurosym.learning.training_config import DEFAULT_BITS, PAPER_BITS
 from neurosym.stages.console import be_quiet, is_quiet, print_raw, say
 from neurosym.stages.folder import DomainFolder
 
 if TYPE_CHECKING:
-    from neurosym.stages.execution import Showing
+    pass
 
 
 Folder = Annotated[Positional[Path], arg(metavar="DIR", help="The domain folder.")]
-DataPath = Annotated[
-    Positional[Path],
-    arg(metavar="DATA", help="A data set: an .npz file, or a folder that holds interactions.npz."),
-]
 ProblemName = Annotated[
     Positional[str], arg(metavar="PROBLEM", help="A problem in DIR/problems: its name or its file.")
 ]
@@ -43,13 +38,6 @@ Tolerance = Annotated[
 ]
 Seed = Annotated[int, arg(help="Where all random draws start: same seed, same bytes.")]
 Workers = Annotated[int, arg(help="Processes that simulate; their number does not change the result.")]
-StrategyOption = Annotated[
-    StrategyName,
-    arg(
-        help="How actions are chosen: disagreement (of several networks), entropy (the paper's, also called "
-        "curiosity), random or active."
-    ),
-]
 TimeLimit = Annotated[
     Optional[float],
     arg(
@@ -58,48 +46,11 @@ TimeLimit = Annotated[
         "budgets count work, so that plans are the same on a busy machine. Others give up after 60 s.",
     ),
 ]
-Places = Annotated[
-    int, arg(help="Interactions besides that are aimed at a place, to learn what carries objects there.")
-]
-Relations = Annotated[
-    int,
-    arg(
-        help="Interactions that are aimed at another object, to learn what can be done with pairs, once it "
-        "is known what carries objects to places."
-    ),
-]
 Task = Annotated[
     Optional[DrawnTask],
     arg(
         help="What tasks ask for: goals anywhere, a swap, a row, or to clear a crowd; in a domain with "
         "relations also a tower, boxes, unstack or exchange; else as in the paper."
-    ),
-]
-Choice = Annotated[
-    Literal["own", "predictable", "lowest-error"],
-    arg(
-        help="Which candidate stands for a symbol: own (categories of objects have their own), "
-        "predictable (the same for all), or lowest-error (the paper)."
-    ),
-]
-RegimeName = Annotated[
-    Literal["default", "quick", "paper"],
-    arg(help="Network and training: default, quick (a first look), paper (as printed)."),
-]
-
-
-ObjectBits = Annotated[
-    Optional[int],
-    arg(
-        help="Bits of an object symbol, 1 to 6: up to 2^bits categories of objects. By default "
-        f"{DEFAULT_BITS[0]}."
-    ),
-]
-ActionBits = Annotated[
-    Optional[int],
-    arg(
-        help="Bits of an action symbol, 1 to 8: up to 2^bits primitives. By default "
-        f"{DEFAULT_BITS[1]}, and {PAPER_BITS[1]} with quick and paper."
     ),
 ]
 
@@ -163,7 +114,7 @@ def opened(folder: Path) -> DomainFolder:
 # tyro tells what it is about to refuse as an event. Events are no stable part of it, so the version is
 # pinned.
 
-LONGEST = 4096
+_LONGEST = 4096
 """Characters of one argument, as of a path."""
 MOST = {
     "steps": 10_000_000,  # more rows than this are not read again either
@@ -186,9 +137,6 @@ _IN_WORDS = (
 
 def read_arguments(arguments: Sequence[str]) -> Callable[[], int]:
     """Return the command that was typed, ready to be called.
-
-    Args:
-        arguments: What was typed after `neurosym`.
 
     Raises:
         UnknownChoice: If there is no such command, or an option has no such choice.
@@ -227,8 +175,8 @@ def _check_words(arguments: Sequence[str]) -> None:
         if not word.strip():
             place = f"{before} is given nothing" if before.startswith("--") else "An argument is empty"
             raise InvalidValue(f"{place}; leave it out, or say what is meant.")
-        if len(word) > LONGEST:
-            raise InvalidValue(f"{shortened(word)} has {len(word)} characters; valid: at most {LONGEST}.")
+        if len(word) > _LONGEST:
+            raise InvalidValue(f"{shortened(word)} has {len(word)} characters; valid: at most {_LONGEST}.")
         if "\0" in word:
             raise InvalidValue(f"{shortened(word)} holds a zero byte, which no argument can.")
 
@@ -315,20 +263,14 @@ def _problems_of(typed: str) -> str:
     return f"; problems of {typed}: {', '.join(names)}" if names else ""
 
 
-# How commands answer programs: one JSON value on standard output, and nothing else there
-
 Json = Annotated[bool, arg(help="Print the answer as JSON and nothing else, for programs.")]
 
-Answer = Callable[..., None]
+_Answer = Callable[..., None]
 """Prints a struct or dictionary as JSON, if that was asked for; more fields, given by name, come first."""
 
 
-def answer_in(json: bool) -> Answer:
-    """Return how a command gives its answer; from now on nothing else is printed if that is JSON.
-
-    Args:
-        json: Whether a program asked.
-    """
+def answer_in(json: bool) -> _Answer:
+    """Return how a command gives its answer; from now on nothing else is printed if that is JSON."""
     was_quiet = is_quiet()
     be_quiet(was_quiet or json)
 
@@ -340,34 +282,3 @@ def answer_in(json: bool) -> Answer:
             print_raw(msgspec.json.format(text, indent=2).decode())
 
     return answer
-
-
-# Options of the commands that run something in the world, on how it is shown
-
-Gif = Annotated[Optional[Path], arg(help="Write an animated GIF of the run here.")]
-
-
-Strip = Annotated[Optional[Path], arg(help="Write a PNG with a picture for each step here.")]
-
-
-Gui = Annotated[bool, arg(help="Show the run live in a window instead.")]
-
-
-def showing_of(gif: Path | None, strip: Path | None, gui: bool) -> "Showing":
-    """Check what was asked for of pictures: files with the right endings, or a window."""
-    from neurosym.pictures.film import check_picture_path
-    from neurosym.stages.execution import Showing
-
-    if gui and (gif or strip):
-        raise InvalidValue("Give --gui or files for pictures, not both.")
-    for picture, ending in ((gif, ".gif"), (strip, ".png")):
-        if picture:
-            check_picture_path(picture, [ending])
-    return Showing(gif, strip, gui)
-
-
-def say_written(*paths: Path | None) -> None:
-    """Print which of some files were written."""
-    for path in paths:
-        if path and path.exists():
-            say(f"wrote {path}")

@@ -85,11 +85,7 @@ def command_named(name: str) -> Command:
 
 
 def overview(columns: int) -> str:
-    """Return what `--help` says: what neurosym is, and its commands.
-
-    Args:
-        columns: How wide it may be.
-    """
+    """Return what `--help` says: what neurosym is, and its commands."""
     about = (" ".join(part.split()) for part in ABOUT.split("\n\n"))
     parts = ["usage: neurosym COMMAND ...", *("\n".join(wrap(part, columns)) for part in about)]
     for title, group in GROUPS.items():

@@ -15,18 +15,8 @@ from neurosym.commands.catalogue import overview
 from neurosym.errors import NAME, InvalidValue, NeurosymError, refuse_other_library, version_of
 from neurosym.stages.console import OutputClosed, be_quiet, complain, naming_output, say, width
 
-# How a command ends: its exit codes
-
-DONE = 0
-"""The work was done."""
-BAD_INPUT = 2
-"""Something cannot be done as it was asked for; one sentence says what would be valid."""
-NO_RESULT = 3
-"""The work was done and the answer is no: no plan, or the goal was not reached."""
-INTERRUPTED = 130
-"""Interrupted; the same command goes on from what is written. Other signals: 128 + their number."""
-NOBODY_READS = 141
-"""Whoever read the output has closed it, as `head` does: 128 + SIGPIPE."""
+_DONE, _BAD_INPUT, NO_RESULT, _INTERRUPTED, _NOBODY_READS = 0, 2, 3, 130, 141
+"""Exit codes; `cli` says what each means."""
 
 
 # What ends a command from outside: Ctrl-C, a closed terminal, `timeout`, a batch system.
@@ -36,7 +26,7 @@ NOBODY_READS = 141
 # and batch systems send several, but for a second Ctrl-C, which ends at once; the keeper of `planners/`
 # clears away then.
 
-SIGNALS = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)
+_SIGNALS = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)
 """What a command is ended with in order."""
 _PATIENCE = 10.0  # until a command that does not end in order is ended at once [s]
 _IMPATIENT = 0.5  # Ctrl-C within this time after the first signal is the same one [s]
@@ -52,26 +42,18 @@ class Ended(KeyboardInterrupt):
 
     def __init__(self, number: signal.Signals):
         super().__init__(number)
-        self.code = _exit_code(number)
+        self.code = 128 + number
         self.name = number.name
 
 
 def say_interrupted(error: KeyboardInterrupt) -> int:
-    """Say that the command was interrupted, if there is still somebody to say it to; return its exit code.
-
-    Args:
-        error: What was raised.
-    """
+    """Say that the command was interrupted, if there is still somebody to say it to; return its exit code."""
     how = (
-        f"ended by {error.name}" if isinstance(error, Ended) and error.code != INTERRUPTED else "interrupted"
+        f"ended by {error.name}" if isinstance(error, Ended) and error.code != _INTERRUPTED else "interrupted"
     )
     with suppress(OSError):
         complain(f"{how}; the same command goes on from what is written, or begins again")
-    return error.code if isinstance(error, Ended) else INTERRUPTED
-
-
-def _exit_code(number: int) -> int:
-    return 128 + number
+    return error.code if isinstance(error, Ended) else _INTERRUPTED
 
 
 @contextmanager
@@ -92,9 +74,9 @@ def raised_signals() -> Iterator[None]:
             raise Ended(signal.Signals(number))
         is_same = signal.getitimer(signal.ITIMER_REAL)[0] > _PATIENCE - _IMPATIENT
         if number == signal.SIGALRM or (number == signal.SIGINT and not is_same):
-            os._exit(_exit_code(heard[0]))
+            os._exit(128 + heard[0])
 
-    before = {number: signal.getsignal(number) for number in SIGNALS}
+    before = {number: signal.getsignal(number) for number in _SIGNALS}
     ours = [number for number, handler in before.items() if handler is not signal.SIG_IGN]
     alarm = signal.signal(signal.SIGALRM, hear)
     for number in ours:
@@ -106,9 +88,6 @@ def raised_signals() -> Iterator[None]:
             signal.signal(signal.SIGALRM, alarm)
             for number in ours:
                 signal.signal(number, before[number])
-
-
-# Making do with the surroundings that a command is started in: closed streams, narrow encodings
 
 
 def make_usable() -> None:
@@ -130,7 +109,7 @@ def make_usable() -> None:
             stream.reconfigure(errors="backslashreplace")  # names that the encoding does not have
 
 
-def leave_no_folders() -> None:
+def _leave_no_folders() -> None:
     """Let nothing be left in temporary folders: torch would make one there as soon as it is imported."""
     import tempfile
 
@@ -138,7 +117,7 @@ def leave_no_folders() -> None:
         os.environ.setdefault("TORCHINDUCTOR_CACHE_DIR", tempfile.gettempdir())
 
 
-QUIET = "--quiet"
+_QUIET = "--quiet"
 """What any command may be given to print nothing but what goes wrong."""
 _HELP = {"-h", "--help"}
 _NO_MEMORY = "There is not enough memory; ask for less (workers, objects, rows), or end other programs."
@@ -167,7 +146,7 @@ def perform(typed: Sequence[str]) -> int:
                 with naming_output():
                     sys.stdout.flush()
     except (OutputClosed, BrokenPipeError):
-        code = NOBODY_READS
+        code = _NOBODY_READS
     except NeurosymError as error:
         code = _refuse(str(error))
     except OSError as error:
@@ -188,13 +167,13 @@ def _perform(typed: Sequence[str]) -> int:
     be_quiet(False)
     if [*typed] == ["--version"]:
         say(f"{NAME} {version_of('neurosym')} (Python {sys.version.split()[0]})")
-        return DONE
-    words = [word for word in typed if word != QUIET]
+        return _DONE
+    words = [word for word in typed if word != _QUIET]
     if words and words[0].startswith("-") and not _HELP.isdisjoint(words):
         say(overview(width()))
-        return DONE
-    be_quiet(QUIET in typed)
-    leave_no_folders()
+        return _DONE
+    be_quiet(_QUIET in typed)
+    _leave_no_folders()
     compute_in_one_thread()
     from neurosym.commands.arguments import read_arguments
 
@@ -203,7 +182,7 @@ def _perform(typed: Sequence[str]) -> int:
 
 def _refuse(sentence: str) -> int:
     complain(sentence, style="red")
-    return BAD_INPUT
+    return _BAD_INPUT
 
 
 def _refuse_bytes(typed: Sequence[str]) -> None:

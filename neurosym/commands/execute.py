@@ -1,4 +1,4 @@
-"""The command `neurosym execute`: a plan, run in the world."""
+"""Commands that run plans in the world: `execute`, `replay`, and `demo`, which compiles and plans before."""
 
 import math
 from dataclasses import replace
@@ -10,19 +10,14 @@ from tyro.conf import Positional, arg
 from neurosym.choices import copy_shipped
 from neurosym.commands.arguments import (
     Folder,
-    Gif,
-    Gui,
     Json,
     ProblemName,
-    Strip,
     TimeLimit,
     Tolerance,
     answer_in,
     check_file,
     check_time_limit,
     opened,
-    say_written,
-    showing_of,
 )
 from neurosym.commands.ending import NO_RESULT
 from neurosym.commands.tasks import given_plan
@@ -33,8 +28,14 @@ from neurosym.stages.folder import DomainFolder
 from neurosym.stages.layout import RUNS
 
 if TYPE_CHECKING:
-    from neurosym.commands.tables import Filmed
     from neurosym.execution.record import Run
+    from neurosym.execution.rerun import Agreement
+    from neurosym.stages.execution import Showing
+
+
+_Gif = Annotated[Optional[Path], arg(help="Write an animated GIF of the run here.")]
+_Strip = Annotated[Optional[Path], arg(help="Write a PNG with a picture for each step here.")]
+_Gui = Annotated[bool, arg(help="Show the run live in a window instead.")]
 
 
 def execute(
@@ -61,9 +62,9 @@ def execute(
         arg(metavar="SEED", help="Nudge an object by 3 to 8 cm once during the run, drawn from this seed."),
     ] = None,
     tolerance: Tolerance = None,
-    gif: Gif = None,
-    strip: Strip = None,
-    gui: Gui = False,
+    gif: _Gif = None,
+    strip: _Strip = None,
+    gui: _Gui = False,
     json: Json = False,
 ) -> int:
     """Run a plan in the simulator, each step beside its promise; exit code 3 if it misses.
@@ -97,7 +98,7 @@ def execute(
         time_limit=time_limit,
         nudge_seed=disturb,
         tolerance=tolerance,
-        showing=showing_of(gif, strip, gui),
+        showing=_showing_of(gif, strip, gui),
     )
     _say_how(plan_file, replanner, stage.options["replans"])
     domain.perform(stage, again=True)
@@ -106,7 +107,7 @@ def execute(
         say(f"note: {plan_file} holds no step")
     show_run(run)
     record = folder / run_file(name, plan_file)
-    say_written(record, gif, strip)
+    _say_written(record, gif, strip)
     say_next(f"neurosym replay {quoted(folder)} {quoted(record)}")
     answer(run, file=str(record), outcome=run.outcome, credit=run.credit)
     return 0 if run.reached else NO_RESULT
@@ -124,18 +125,15 @@ def _say_how(plan_file: Path, replanner: str, replans: int | None) -> None:
         say(f"follows {plan_file}, and asks {replanner} for a new plan where it would miss the goal")
 
 
-# The command `neurosym replay`: a record of a run, run again
-
-
 def replay(
     folder: Folder,
     record: Annotated[
         Positional[Path],
         arg(metavar="RUN", help="A record that `neurosym execute` wrote: its file, or its name in DIR/runs."),
     ],
-    gif: Gif = None,
-    strip: Strip = None,
-    gui: Gui = False,
+    gif: _Gif = None,
+    strip: _Strip = None,
+    gui: _Gui = False,
     page: Annotated[
         Optional[Path], arg(help="Write the run here as one HTML page whose view can be turned.")
     ] = None,
@@ -157,15 +155,12 @@ def replay(
     if inside.is_relative_to(domain.path.resolve()):
         for remark in domain.outdated((inside.relative_to(domain.path.resolve()).as_posix(),)):
             say(f"note: {remark}")
-    film = _film(domain) if page else None
-    showing = showing_of(gif, strip, gui)
-    run, agreement = replay_run(domain, record, replace(showing, audience=film.onlooker if film else None))
-    if film and page:
-        if text := film.page(run):
-            write_atomically(page, text)
-        else:
-            say("no page: nothing moves in this run")
-    say_written(gif, strip, page)
+    showing = _showing_of(gif, strip, gui)
+    if page:
+        run, agreement = _replayed_on_page(domain, record, showing, page)
+    else:
+        run, agreement = replay_run(domain, record, showing)
+    _say_written(gif, strip, page)
     if agreement.course == "another":
         by = f", by {1000 * agreement.apart:.2g} mm" if math.isfinite(agreement.apart) else ""
         say(f"something else happened than {record} says, first in {agreement.where}{by}")
@@ -183,10 +178,28 @@ def replay(
     return 0
 
 
-def _film(domain: DomainFolder) -> "Filmed":
-    from neurosym.commands.tables import Filmed
+def _replayed_on_page(
+    domain: DomainFolder, record: Path, showing: "Showing", page: Path
+) -> "tuple[Run, Agreement]":
+    """Run a record again, and write what is seen as a page whose view can be turned."""
+    import rich
 
-    return Filmed(domain)
+    from neurosym.stages.execution import replay_run
+    from neurosym.stages.planning import load_problem
+    from neurosym.studio.desk import Library
+    from neurosym.studio.messages import Controls, Onlooker
+    from neurosym.studio.view import Reel, film_of
+
+    library, reel = Library(domain, domain.path.name), Reel()
+    looking_on = replace(showing, audience=Onlooker(reel, Controls(speed=0.0), pace=0.0))
+    run, agreement = replay_run(domain, record, looking_on)
+    if reel.seen:
+        rich.get_console().quiet = True  # on which the server of pages announces itself
+        problem = load_problem(domain, run.problem).within(run.tolerance)
+        write_atomically(page, film_of(library, problem, reel.seen, run.steps))
+    else:
+        say("no page: nothing moves in this run")
+    return run, agreement
 
 
 def _machines(run: "Run") -> str:
@@ -214,8 +227,6 @@ def _record(domain: DomainFolder, typed: Path) -> Path:
         raise InvalidFile(typed, "there is no such file; `neurosym execute` writes one")
     raise UnknownChoice("record of a run", str(typed), known)
 
-
-# The command `neurosym demo`: a shipped domain compiled, planned with and executed, with pictures
 
 DOMAIN, PROBLEM = "places", "swap-2-07"
 """Two objects stand where the other is to stand: one steps aside, so the plan has three steps."""
@@ -261,3 +272,21 @@ def _copied(output: Path) -> Path:
 
 def _say_command(*words: str | Path) -> None:
     say(f"\n$ neurosym {' '.join(quoted(word) for word in words)}")
+
+
+def _showing_of(gif: Path | None, strip: Path | None, gui: bool) -> "Showing":
+    """Check what was asked for of pictures: files with the right endings, or a window."""
+    from neurosym.stages.execution import Showing
+
+    if gui and (gif or strip):
+        raise InvalidValue("Give --gui or files for pictures, not both.")
+    check_file(gif, "picture", ".gif")
+    check_file(strip, "picture", ".png")
+    return Showing(gif, strip, gui)
+
+
+def _say_written(*paths: Path | None) -> None:
+    """Print which of some files were written."""
+    for path in paths:
+        if path and path.exists():
+            say(f"wrote {path}")

@@ -1,35 +1,29 @@
-"""The command `neurosym init`: a new domain folder."""
+"""Commands that learn, from `init`, which makes a domain folder, to `run`, which goes the whole way."""
 
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any, Optional
+from typing import TYPE_CHECKING, Annotated, Any, Literal, Optional
 
-from tyro.conf import arg
+from tyro.conf import Positional, arg
 
-from neurosym.choices import CELL, DEFAULT_STRATEGY
+from neurosym.choices import CELL, DEFAULT_STRATEGY, StrategyName
 from neurosym.commands.arguments import (
     CPUS,
-    ActionBits,
-    Choice,
-    DataPath,
     Folder,
     Json,
-    ObjectBits,
-    Places,
-    RegimeName,
-    Relations,
     Seed,
-    StrategyOption,
     Workers,
     answer_in,
     check_least,
     opened,
 )
 from neurosym.errors import InvalidData, InvalidFile, InvalidValue, counted, listed_briefly, quoted
+from neurosym.learning.training_config import DEFAULT_BITS, PAPER_BITS
 from neurosym.stages.console import say, say_next, show_table
 from neurosym.stages.folder import DomainFolder
 from neurosym.stages.layout import (
     DIRECT_MODEL,
     DOMAIN,
+    DURATIVE,
     DURATIVE_DOMAIN,
     GROUNDING,
     INTERACTIONS,
@@ -40,24 +34,69 @@ from neurosym.stages.layout import (
     PRIMITIVES,
     RELATION_MODEL,
     RELATION_OPERATORS,
+    TRAINING,
     WORLD,
-    durative_file,
+    problem_file,
 )
 
 if TYPE_CHECKING:
     from neurosym.operators import OperatorTable
 
 
-WorldName = Annotated[
+_DataPath = Annotated[
+    Positional[Path],
+    arg(metavar="DATA", help="A data set: an .npz file, or a folder that holds interactions.npz."),
+]
+_StrategyOption = Annotated[
+    StrategyName,
+    arg(
+        help="How actions are chosen: disagreement (of several networks), entropy (the paper's, also called "
+        "curiosity), random or active."
+    ),
+]
+_Places = Annotated[
+    int, arg(help="Interactions besides that are aimed at a place, to learn what carries objects there.")
+]
+_Relations = Annotated[
+    int,
+    arg(
+        help="Interactions that are aimed at another object, to learn what can be done with pairs, once it "
+        "is known what carries objects to places."
+    ),
+]
+_Choice = Annotated[
+    Literal["own", "predictable", "lowest-error"],
+    arg(
+        help="Which candidate stands for a symbol: own (categories of objects have their own), "
+        "predictable (the same for all), or lowest-error (the paper)."
+    ),
+]
+_RegimeName = Annotated[
+    Literal["default", "quick", "paper"],
+    arg(help="Network and training: default, quick (a first look), paper (as printed)."),
+]
+_ObjectBits = Annotated[
+    Optional[int],
+    arg(
+        help="Bits of an object symbol, 1 to 6: up to 2^bits categories of objects. By default "
+        f"{DEFAULT_BITS[0]}."
+    ),
+]
+_ActionBits = Annotated[
+    Optional[int],
+    arg(
+        help="Bits of an action symbol, 1 to 8: up to 2^bits primitives. By default "
+        f"{DEFAULT_BITS[1]}, and {PAPER_BITS[1]} with quick and paper."
+    ),
+]
+_WorldName = Annotated[
     str, arg(help="Which world, for a new folder: tabletop, toy, or your own as module:factory.")
 ]
 
 
-def init(folder: Folder, world: WorldName = "tabletop") -> int:
+def init(folder: Folder, world: _WorldName = "tabletop") -> int:
     """Make a new domain folder with a `world.toml` that holds every option of its world."""
-    if (folder / WORLD).exists():
-        raise _exists(folder)
-    make_folder(folder, world)
+    _make_folder(folder, world)
     say_next(f"neurosym {_next_step(opened(folder))} {quoted(folder)}")
     return 0
 
@@ -79,71 +118,52 @@ def _next_step(folder: DomainFolder) -> str:
     return "new-problem" if (folder / GROUNDING).is_file() else "compile-domain"
 
 
-def make_folder(folder: Path, world: str) -> None:
+def _make_folder(folder: Path, world: str) -> None:
     """Make a domain folder with every option of its world."""
-    from neurosym.files import make_folder as make
-    from neurosym.files import write_new
+    from neurosym.files import make_folder, write_new
     from neurosym.worlds.world_file import default_text
 
     if folder.exists() and not folder.is_dir():
         raise InvalidValue(f"{folder} is not a folder; name another.")
     text = default_text(world, folder)
-    make(folder)
+    make_folder(folder)
     if not write_new(folder / WORLD, text):
-        raise _exists(folder)
+        said = f"{folder / WORLD} exists already; change it by hand, or name another folder."
+        raise InvalidValue(said)
     say(f"wrote {folder / 'world.toml'}")
-
-
-def _exists(folder: Path) -> InvalidValue:
-    said = f"{folder / WORLD} exists already; change it by hand, or name another folder."
-    return InvalidValue(said)
-
-
-# The command `neurosym explore`: the robot plays
 
 
 def explore(
     folder: Folder,
-    strategy: StrategyOption = DEFAULT_STRATEGY,
+    strategy: _StrategyOption = DEFAULT_STRATEGY,
     steps: Annotated[int, arg(help="Interactions to make; more can be made later.")] = 10_000,
     seed: Seed = 0,
-    regime: RegimeName = "default",
+    regime: _RegimeName = "default",
     workers: Workers = CPUS,
-    places: Places = 0,
-    relations: Relations = 0,
+    places: _Places = 0,
+    relations: _Relations = 0,
 ) -> int:
     """Let the robot explore, curious or at random: `world.toml` -> `interactions.npz`.
 
     Interrupt it when you like: the same command goes on from the last block of 512 interactions.
     """
-    from neurosym.stages.layout import PLACE_INTERACTIONS, RELATION_INTERACTIONS
-    from neurosym.stages.learning import TO_OBJECTS, TO_PLACES, explore_stage
+    from neurosym.stages.learning import OBJECTS, TO_OBJECTS, TO_PLACES, explore_stage
 
     domain = opened(folder)
-    options: dict[str, Any] = {
-        "strategy": strategy,
-        "seed": seed,
-        "regime": regime,
-        "workers": workers,
-    }
-    if not relations:  # which are explored once all else is learned
-        stage = explore_stage(domain, steps=steps, **options)
-        domain.perform(stage, again=True)
-        say(f"{steps} interactions in {folder / 'interactions.npz'}")
-    if places:
-        domain.perform(explore_stage(domain, TO_PLACES, steps=places, **options), again=True)
-        say(f"{places} interactions aimed at places in {folder / PLACE_INTERACTIONS}")
-    if relations:
-        domain.perform(explore_stage(domain, TO_OBJECTS, steps=relations, **options), again=True)
-        say(f"{relations} interactions aimed at other objects in {folder / RELATION_INTERACTIONS}")
+    options: dict[str, Any] = {"strategy": strategy, "seed": seed, "regime": regime, "workers": workers}
+    for aim, count, aimed in (
+        (OBJECTS, 0 if relations else steps, ""),  # relations are explored once all else is learned
+        (TO_PLACES, places, " aimed at places"),
+        (TO_OBJECTS, relations, " aimed at other objects"),
+    ):
+        if count or (aim is OBJECTS and not relations):
+            domain.perform(explore_stage(domain, aim, steps=count, **options), again=True)
+            say(f"{count} interactions{aimed} in {folder / aim.file(INTERACTIONS)}")
     say_next(f"neurosym train {quoted(folder)}")
     return 0
 
 
-# The command `neurosym check`: what a data set holds, or all that is wrong with it
-
-
-def check(data: DataPath, json: Json = False) -> int:
+def check(data: _DataPath, json: Json = False) -> int:
     """Check a data set, of your own or explored, before it is trained on.
 
     docs/data.md says what it must hold; every problem is told in a line of its own, with exit code 2.
@@ -174,44 +194,32 @@ def check(data: DataPath, json: Json = False) -> int:
     return 0
 
 
-# The command `neurosym train`: the final fit
-
-
 def train(
     folder: Folder,
     seed: Seed = 0,
-    regime: RegimeName = "default",
-    object_bits: ObjectBits = None,
-    action_bits: ActionBits = None,
+    regime: _RegimeName = "default",
+    object_bits: _ObjectBits = None,
+    action_bits: _ActionBits = None,
 ) -> int:
     """Fit the model whose bits are symbols: `interactions.npz` -> `effect_model.safetensors`."""
     from neurosym.commands.tables import show_training
-    from neurosym.stages.layout import (
-        INTERACTIONS,
-        PLACE_INTERACTIONS,
-        PLACE_TRAINING,
-        RELATION_INTERACTIONS,
-        RELATION_TRAINING,
-        TRAINING,
-    )
-    from neurosym.stages.learning import TO_OBJECTS, TO_PLACES, train_stage
+    from neurosym.stages.learning import OBJECTS, TO_OBJECTS, TO_PLACES, train_stage
 
     domain = opened(folder)
-    stage = train_stage(domain, seed=seed, regime=regime, object_bits=object_bits, action_bits=action_bits)
-    domain.perform(stage, again=True)
-    show_training(domain / TRAINING, domain / INTERACTIONS)
-    places = PLACE_INTERACTIONS, PLACE_TRAINING, TO_PLACES, "what carries objects to places:"
-    pairs = RELATION_INTERACTIONS, RELATION_TRAINING, TO_OBJECTS, "what can be done with pairs:"
-    for data, report, aim, about in (places, pairs):
-        if (domain / data).exists():
-            domain.perform(train_stage(domain, aim, seed=seed, regime=regime), again=True)
-            say(about)
-            show_training(domain / report, domain / data)
+    bits: dict[str, Any] = {"object_bits": object_bits, "action_bits": action_bits}
+    for aim, about, own in (
+        (OBJECTS, "", bits),
+        (TO_PLACES, "what carries objects to places:", {}),
+        (TO_OBJECTS, "what can be done with pairs:", {}),
+    ):
+        data = domain / aim.file(INTERACTIONS)
+        if aim is OBJECTS or data.exists():
+            domain.perform(train_stage(domain, aim, seed=seed, regime=regime, **own), again=True)
+            if about:
+                say(about)
+            show_training(domain / aim.file(TRAINING), data)
     say_next(f"neurosym distill {quoted(folder)}")
     return 0
-
-
-# The command `neurosym distill`: symbols to parameters, and what these do
 
 
 def distill(
@@ -219,7 +227,7 @@ def distill(
     objects: Annotated[int, arg(help="Objects that each primitive is rehearsed on.")] = 100,
     seed: Seed = 0,
     workers: Workers = CPUS,
-    choice: Choice = "own",
+    choice: _Choice = "own",
 ) -> int:
     """Turn action symbols into parameters and rehearse each: -> `primitives.json`."""
     from neurosym.commands.tables import show_operators, show_relations, show_verdict
@@ -229,23 +237,20 @@ def distill(
     from neurosym.stages.verdicts import judge_operators, judge_relations
 
     domain = opened(folder)
-    domain.perform(
-        distill_stage(domain, objects=objects, seed=seed, workers=workers, choice=choice), again=True
-    )
+    options: dict[str, Any] = {"objects": objects, "seed": seed, "workers": workers}
+    domain.perform(distill_stage(domain, choice=choice, **options), again=True)
     table = OperatorTable.load(domain / PRIMITIVES)
     show_operators(table)
     is_rehearsed = table.measured == "rehearsal"
     after = f"neurosym compile-domain {quoted(folder)}" if is_rehearsed else _told_of_data(folder, table)
     show_verdict(judge_operators(table))
     if (domain / PLACE_MODEL).exists() and is_rehearsed:
-        stage = distill_stage(domain, TO_PLACES, objects=objects, seed=seed, workers=workers)
-        domain.perform(stage, again=True)
+        domain.perform(distill_stage(domain, TO_PLACES, **options), again=True)
         places = PlaceOperators.load(domain / PLACE_OPERATORS).operators
         show_operators(places)
         show_verdict(judge_operators(places))
     if (domain / RELATION_MODEL).exists() and is_rehearsed:
-        stage = distill_stage(domain, TO_OBJECTS, objects=objects, seed=seed, workers=workers)
-        domain.perform(stage, again=True)
+        domain.perform(distill_stage(domain, TO_OBJECTS, **options), again=True)
         relations = RelationOperators.load(domain / RELATION_OPERATORS)
         show_relations(relations)
         show_verdict(judge_relations(relations))
@@ -263,9 +268,6 @@ def _told_of_data(folder: Path, table: "OperatorTable") -> str:
         return f"neurosym init {quoted(folder)} --world module:factory"
     say(f"no PDDL domain can be made of {counted_axes(table.axes)}: it moves objects along x, y and z")
     return f"neurosym explain {quoted(folder)}"
-
-
-# The command `neurosym compile-domain`: what was learned, as PDDL
 
 
 def compile_domain(
@@ -300,7 +302,7 @@ def compile_domain(
         say(f"  {name}: {reason}")
     if durative:
         names = domain.problem_names()
-        left = [name for name in names if not (domain / durative_file(name)).exists()]
+        left = [name for name in names if not (domain / problem_file(name, DURATIVE)).exists()]
         say(f"{folder / DURATIVE_DOMAIN} takes {len(names) - len(left)} of {counted(len(names), 'problem')}")
         if left:
             say("  left out, since not all can be carried to its goal, or something is to bear something, or")
@@ -308,9 +310,6 @@ def compile_domain(
     show_verdict(judge_domain(grounding))
     say_next(f"neurosym new-problem {quoted(folder)}")
     return 0
-
-
-# The command `neurosym practise`: more is learned of the operators that break plans
 
 
 def practise(
@@ -328,7 +327,7 @@ def practise(
     """
     from neurosym.pddl.compiler import CELL
     from neurosym.stages.compilation import compile_stage, practice_of
-    from neurosym.stages.pipeline import practise_stage
+    from neurosym.stages.practice import practise_stage
 
     domain = opened(folder)
     stage = practise_stage(domain, interactions=interactions, seed=seed, workers=workers)
@@ -361,27 +360,24 @@ def practise(
     return 0
 
 
-# The command `neurosym run`: the whole way
-
-
 def run(
     folder: Folder,
     world: Annotated[
         Optional[str],
         arg(help="Which world, for a new folder: tabletop (default), toy, or your own as module:factory."),
     ] = None,
-    strategy: StrategyOption = DEFAULT_STRATEGY,
+    strategy: _StrategyOption = DEFAULT_STRATEGY,
     steps: Annotated[int, arg(help="Interactions to explore for.")] = 10_000,
     seed: Seed = 0,
-    regime: RegimeName = "default",
+    regime: _RegimeName = "default",
     workers: Workers = CPUS,
     rehearsals: Annotated[int, arg(help="Objects that each primitive is rehearsed on.")] = 100,
-    choice: Choice = "own",
+    choice: _Choice = "own",
     problems: Annotated[
         int, arg(help="Problems to draw, every second one with two objects; up to 30 if none has a plan.")
     ] = 6,
-    object_bits: ObjectBits = None,
-    action_bits: ActionBits = None,
+    object_bits: _ObjectBits = None,
+    action_bits: _ActionBits = None,
     places: Annotated[
         Optional[int],
         arg(
@@ -389,26 +385,29 @@ def run(
             "quarter of --steps from 1024 on, if not given."
         ),
     ] = None,
-    relations: Relations = 0,
+    relations: _Relations = 0,
 ) -> int:
     """Go the whole way: explore, train, distil, compile, draw problems, plan and execute.
 
     Interrupt it when you like: the same command goes on. Stages that were finished are not done again, and of
     exploring it loses at most a block of 512 interactions.
     """
-    from neurosym.stages.learning import check_choices, check_steps
+    from neurosym.data.origin import strategy_named
+    from neurosym.learning.training_config import regime_named
+    from neurosym.stages.learning import check_steps
     from neurosym.stages.pipeline import go_the_whole_way
     from neurosym.worlds.workers import check_workers
     from neurosym.worlds.world_file import read_world
 
-    check_choices(strategy, regime).model.with_bits(object_bits, action_bits)
+    strategy_named(strategy)
+    regime_named(regime).model.with_bits(object_bits, action_bits)
     check_workers(workers)
     check_least(1, steps=steps, rehearsals=rehearsals)
     check_least(0, seed=seed, problems=problems, places=places or 0, relations=relations)
     if folder.is_dir():
         check_steps(opened(folder), steps)
     if not (folder / WORLD).exists():
-        make_folder(folder, world or "tabletop")
+        _make_folder(folder, world or "tabletop")
     elif world and (found := read_world(folder / WORLD).args[0]) != world:
         raise InvalidValue(f"{folder} is of the world {found!r}, not {world!r}; name another folder.")
     go_the_whole_way(

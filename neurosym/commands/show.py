@@ -1,8 +1,7 @@
-"""The command `neurosym show`: what was explored, learned or asked for, in pictures or live."""
+"""Commands that show what is there (`show`, `report`, `explain`) and measure it (`compare`, `evaluate`)."""
 
 import math
 from collections.abc import Sequence
-from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any, Optional
 
@@ -23,7 +22,7 @@ from neurosym.commands.arguments import (
     check_time_limit,
     opened,
 )
-from neurosym.errors import InvalidValue, check_extra, counted, quoted
+from neurosym.errors import InvalidValue, counted, quoted
 from neurosym.files import check_writable, make_folder, write_atomically, write_json
 from neurosym.stages.console import progress_bar, say, say_next, show_table
 from neurosym.stages.folder import Claim, DomainFolder
@@ -33,7 +32,6 @@ if TYPE_CHECKING:
     from neurosym.evaluation.paper_tables import Table
     from neurosym.evaluation.summary import Comparison
     from neurosym.pictures.motions import Motion
-    from neurosym.report.sections import Example
     from neurosym.stages.verdicts import Verdict
     from neurosym.world import Outcome, World
 
@@ -67,7 +65,6 @@ def show(
 
     The dots mark the action's waypoints, as in the paper: blue the first, green the second, red the third.
     """
-    from neurosym.pictures.film import check_picture_path
     from neurosym.worlds.world_file import read_world
 
     domain = opened(folder)
@@ -77,8 +74,7 @@ def show(
         )
     if gui and (output or problem is not None):
         raise InvalidValue("--gui shows a motion live and writes no file; leave out --output and --problem.")
-    if output:
-        check_picture_path(output)
+    check_file(output, "picture", ".png", ".gif")
     world = read_world(domain.require(WORLD))()
     if problem is not None:
         _show_problem(domain, world, domain.problem(problem), output)
@@ -123,10 +119,9 @@ def _learned(
     from neurosym.pictures.motions import operator_motions, operators_of, pair_motion
     from neurosym.stages.folder import rehearsal_options
     from neurosym.stages.problem_making import sight_of_pairs
-    from neurosym.tasks.supports import relating
 
     grounding = Grounding.load(domain.require(GROUNDING))
-    if operator is not None and (on_pair := relating(operator, grounding)):
+    if operator is not None and (on_pair := grounding.relation_named(operator)):
         return [pair_motion(world, grounding, on_pair, sight=sight_of_pairs(domain))]
     by_name = (grounding.operator_named(operator),) if operator is not None else ()
     asked = by_name if primitive is None else operators_of(grounding, primitive)
@@ -166,8 +161,6 @@ def _picture_path(domain: DomainFolder, name: str, output: Path | None) -> Path:
     return path
 
 
-# The command `neurosym report`: one page about a domain folder
-
 _MEGABYTE = 1e6
 
 
@@ -176,14 +169,11 @@ def report(
     output: Annotated[
         Optional[Path], arg(metavar="FILE.html", help="Write the page here and not to DIR/report.html.")
     ] = None,
-    films: Annotated[
-        bool, arg(help="Also let the runs that are pictured be turned and watched; needs the extra `studio`.")
-    ] = False,
     workers: Workers = CPUS,
 ) -> int:
     """Write one HTML page about a domain: symbols, exploration, operators, plans.
 
-    It needs no network, and without films no scripts. What is missing is said with the command that makes it.
+    It needs no network, and has no scripts. What is missing is said with the command that makes it.
     Pictures are made once, by performing primitives and runs again.
     """
     from neurosym.report.html_page import gather, render
@@ -193,28 +183,13 @@ def report(
     domain = opened(folder)
     path = output or domain / PAGE
     check_file(path, "page", ".html")
-    if films:
-        check_extra()
     with progress_bar("pictures") as advance:
-        page = gather(domain, advance, workers=workers, film=partial(_film, domain) if films else None)
+        page = gather(domain, advance, workers=workers)
     text = render(page)
     write_atomically(path, text)
     say(f"wrote {path} ({len(text) / _MEGABYTE:.1f} MB)")
     say(f"next: open {path} in a browser")
     return 0
-
-
-def _film(domain: DomainFolder, example: "Example") -> bytes:
-    """Perform a run again, and make a page of what is seen."""
-    from neurosym.commands.tables import Filmed
-    from neurosym.stages.execution import Showing, replay_run
-
-    filmed = Filmed(domain)
-    run, _ = replay_run(domain, example.path, Showing(audience=filmed.onlooker))
-    return filmed.page(run)
-
-
-# The command `neurosym explain`: what the symbols mean, in words
 
 
 def explain(
@@ -251,9 +226,6 @@ def explain(
         say_next(f"neurosym compile-domain {quoted(folder)}")
     answer(explanation)
     return 0
-
-
-# The command `neurosym compare`: the same drawn tasks to several planners
 
 
 def compare(
@@ -361,9 +333,6 @@ def _show(comparison: "Comparison", title: str) -> None:
         ):
             for reason, count in reasons.items():
                 say(f"  {name}: {words}: {reason} ({count})")
-
-
-# The command `neurosym evaluate`: the paper's tables from domain folders
 
 
 def evaluate(

@@ -17,7 +17,7 @@ from neurosym.stages.folder import DomainFolder
 if TYPE_CHECKING:
     from neurosym.studio.desk import Library
 
-LARGEST_PORT = 65535
+_LARGEST_PORT = 65535
 _LOOK_UP = 1.0  # how long the main thread waits at a time [s]
 
 
@@ -41,8 +41,8 @@ def studio(
     """
     from neurosym.errors import check_extra
 
-    if not 0 <= port <= LARGEST_PORT:
-        raise InvalidValue(f"port = {port} must be 0 to {LARGEST_PORT}.")
+    if not 0 <= port <= _LARGEST_PORT:
+        raise InvalidValue(f"port = {port} must be 0 to {_LARGEST_PORT}.")
     check_extra()
     import rich
 

@@ -6,7 +6,6 @@ from collections.abc import Iterator, Sequence
 from pathlib import Path
 
 import numpy as np
-import rich
 
 from neurosym.data.interactions import Interactions
 from neurosym.data.origin import FLAGS
@@ -24,10 +23,8 @@ from neurosym.operators import (
     names_of_features,
 )
 from neurosym.pair_operators import RelationOperators
-from neurosym.report.symbol_words import EffectRow, Explanation, SymbolExplanation
+from neurosym.report.symbol_words import EffectRow, Explanation
 from neurosym.stages.console import say, show_table, width
-from neurosym.stages.folder import DomainFolder
-from neurosym.stages.planning import load_problem
 from neurosym.stages.verdicts import Verdict, judge_training
 from neurosym.tasks.transition import PlanStep, primitives
 
@@ -35,18 +32,16 @@ from neurosym.tasks.transition import PlanStep, primitives
 def show_training(path: Path, data: Path) -> None:
     """Print how well a model fits interactions it was not trained on, beside trivial predictors.
 
-    Args:
-        path: The training report.
-        data: The interactions that were trained on.
-
     Raises:
         InvalidFile: If one of them cannot be read.
     """
     report = read_json(path, TrainingReport)
     show_table(f"mean absolute error, {report.held_out} held-out interactions", *error_table(report))
+    is_none = report.share is None or report.r2_through_codes <= 0
+    said = "no better than the mean effect, so there is nothing to share"
     say(
         f"R2 through the bits {report.r2_through_codes:.2f}, of a network without a bottleneck "
-        f"{report.r2_direct:.2f}: {_share(report)}"
+        f"{report.r2_direct:.2f}: {said if is_none else f'a share of {report.share:.2f}'}"
     )
     used = f"{len(report.action_symbols)} for actions, {len(report.object_symbols)} for objects"
     say(f"symbols used in the held-out interactions: {used}")
@@ -59,12 +54,6 @@ def show_verdict(verdict: Verdict) -> None:
     """Print whether something is good, weak or useless, and if it is not good, what may help."""
     for line in verdict.lines:
         say(line)
-
-
-def _share(report: TrainingReport) -> str:
-    if report.share is None or report.r2_through_codes <= 0:
-        return "no better than the mean effect, so there is nothing to share"
-    return f"a share of {report.share:.2f}"
 
 
 def show_operators(table: OperatorTable) -> None:
@@ -101,12 +90,7 @@ def show_relations(table: RelationOperators) -> None:
 
 
 def show_data(interactions: Interactions, path: Path) -> None:
-    """Print what a data set holds: its size, the range of each column, and how much happens in it.
-
-    Args:
-        interactions: The data set.
-        path: Where it stands.
-    """
+    """Print what a data set holds: its size, the range of each column, and how much happens in it."""
     given, axes = interactions.origin.get("feature_names", ()), name_axes(interactions.effects.shape[1])
     grippers = interactions.origin.get("gripper_columns", ())
     actions = [
@@ -195,8 +179,6 @@ def _millimetres(vector: Effect) -> str:
     return "(" + ", ".join(f"{1000 * value:.0f}" for value in vector) + ")"
 
 
-# An explanation of symbols, as Markdown or for a terminal
-
 _WIDEST = 110  # columns of running text
 _MANY = 60
 _KINDS = {
@@ -225,19 +207,14 @@ def show_explanation(explanation: Explanation) -> None:
                 continue
             say("")
             _say_wrapped(f"{_KINDS[name]} symbol {symbol.symbol}: {symbol.title}")
-            for line in _told(symbol):
+            for line in filter(None, (symbol.about, *_effects(symbol.effects))):
                 _say_wrapped(f"  {line}")
     if is_long(explanation):
         _say_wrapped("With --symbol all that is known of one is said, and --output FILE.md writes all of it.")
 
 
 def explanation_page(explanation: Explanation, title: str) -> str:
-    """Return an explanation as a page of Markdown.
-
-    Args:
-        explanation: The explanation.
-        title: Name of the domain.
-    """
+    """Return an explanation as a page of Markdown."""
     blocks = [f"# What the symbols of {title} mean", *explanation.summary]
     for name, symbols in explanation.parts.items():
         blocks.append(f"## {_KINDS[name]} symbols")
@@ -246,10 +223,6 @@ def explanation_page(explanation: Explanation, title: str) -> str:
             blocks += [f"### {symbol.symbol}: {symbol.title}", symbol.about, effects]
     text = "\n\n".join(filter(None, blocks)) + "\n"
     return harmless(text).replace("<", "&lt;")  # names in data of a user's own may hold anything
-
-
-def _told(symbol: SymbolExplanation) -> list[str]:
-    return [line for line in (symbol.about, *_effects(symbol.effects)) if line]
 
 
 def _effects(effects: Sequence[EffectRow]) -> Iterator[str]:
@@ -276,35 +249,3 @@ def _say_wrapped(text: str) -> None:
         text, min(width(), _WIDEST), subsequent_indent=indent, break_long_words=False, break_on_hyphens=False
     ):
         say(line)
-
-
-# A run that a command shows, written as a page whose view can be turned
-
-
-class Filmed:
-    """Looks on at a run, and makes a page of what was seen.
-
-    Args:
-        domain: The domain folder.
-
-    Attributes:
-        onlooker: Who looks on.
-    """
-
-    def __init__(self, domain: DomainFolder):
-        from neurosym.studio.desk import Library
-        from neurosym.studio.messages import Controls, Onlooker
-        from neurosym.studio.view import Reel
-
-        self._library, self._reel = Library(domain, domain.path.name), Reel()
-        self.onlooker = Onlooker(self._reel, Controls(speed=0.0), pace=0.0)
-
-    def page(self, run: Run) -> bytes:
-        """Return the page as HTML; a run without a step has none."""
-        from neurosym.studio.view import film_of
-
-        if not self._reel.seen:
-            return b""
-        rich.get_console().quiet = True  # on which the server of pages announces itself
-        problem = load_problem(self._library.folder, run.problem).within(run.tolerance)
-        return film_of(self._library, problem, self._reel.seen, run.steps)

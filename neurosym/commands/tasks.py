@@ -1,4 +1,4 @@
-"""The command `neurosym new-problem`: a task, drawn or set by hand."""
+"""Commands for tasks and plans: `new-problem`, `plan`, `planners` and `validate`."""
 
 import os
 import sys
@@ -174,9 +174,7 @@ def _parse_relation(text: str) -> tuple[str, str, str]:
     return target, reference, state
 
 
-# Plans that come from standard input, and plans that go to standard output or to another file
-
-STANDARD = Path("-")
+_STANDARD = Path("-")
 """What names standard input or output in place of a plan file."""
 _INPUT = Path("standard input")
 
@@ -190,14 +188,14 @@ def given_plan(
         folder: The domain folder.
         typed: The same as it was typed.
         name: Name of the problem.
-        plan_file: The plan's file, or `STANDARD`.
+        plan_file: The plan's file, or `_STANDARD`.
         must_fit: Whether what standard input holds must be a plan for the problem.
 
     Raises:
         InvalidFile: If it is no file, or holds no plan for the problem.
         InvalidValue: If there is nothing.
     """
-    if plan_file == STANDARD:
+    if plan_file == _STANDARD:
         return _saved_plan(folder, name, must_fit)
     if plan_file.exists() and not plan_file.is_file():
         raise InvalidFile(plan_file, "it is no file; name one that holds a plan")
@@ -232,27 +230,17 @@ def _saved_plan(folder: DomainFolder, name: str, must_fit: bool) -> Path:
     return file
 
 
-def check_output(output: Path | None, json: bool) -> None:
-    """Raise `InvalidValue` unless a plan can go there.
-
-    Args:
-        output: Where to, if anywhere.
-        json: Whether the answer is printed as JSON.
-    """
-    if output == STANDARD and json:
+def _check_output(output: Path | None, json: bool) -> None:
+    """Raise `InvalidValue` unless a plan can go there."""
+    if output == _STANDARD and json:
         raise InvalidValue("Both --output - and --json ask for standard output; leave one of them out.")
-    check_file(None if output == STANDARD else output, "plan")
+    check_file(None if output == _STANDARD else output, "plan")
 
 
-def hand_over(plan_file: Path, output: Path) -> None:
-    """Copy a plan to where it was asked for.
-
-    Args:
-        plan_file: The plan.
-        output: Where to.
-    """
+def _hand_over(plan_file: Path, output: Path) -> None:
+    """Copy a plan to where it was asked for."""
     text = read_text(plan_file)
-    if output == STANDARD:
+    if output == _STANDARD:
         be_quiet(False)
         print_raw(text)
     else:
@@ -260,9 +248,7 @@ def hand_over(plan_file: Path, output: Path) -> None:
         say(f"wrote {output}")
 
 
-# The command `neurosym plan`: a problem to a plan
-
-UNLIKELY = 0.1
+_UNLIKELY = 0.1
 """Below this chance it is said that a plan seldom goes through."""
 
 
@@ -300,8 +286,8 @@ def plan(
     from neurosym.stages.planning import plan_stage
 
     check_time_limit(time_limit)
-    check_output(output, json)
-    be_quiet(is_quiet() or output == STANDARD)
+    _check_output(output, json)
+    be_quiet(is_quiet() or output == _STANDARD)
     answer, domain = answer_in(json), opened(folder)
     name = domain.problem(problem)
     stage = plan_stage(
@@ -329,7 +315,7 @@ def plan(
         within = "" if record.tolerance is None else f" --tolerance {record.tolerance:g}"
         say_next(f"neurosym execute {quoted(folder)} {name} {quoted(folder / written)}{within}")
     if output and written:
-        hand_over(domain / written, output)
+        _hand_over(domain / written, output)
     answer(record, file=str(domain / written) if written else None)
     return 0 if record.solved else NO_RESULT
 
@@ -346,7 +332,8 @@ def _say_plan(record: "PlanRecord") -> None:
         say(f"no plan for {record.problem} ({record.status.value}, {_spent():.2f} s of CPU): {record.reason}")
         if record.steps:
             say("as near as it comes:")
-    _say_steps(record.steps)
+    for words in record.steps:
+        say(f"  ({' '.join(words)})")
     if record.solved and record.steps and record.chance_replanned is not None:
         motions = record.primitives + MORE_MOTIONS
         likely = _likely(record.chance_replanned)
@@ -356,7 +343,7 @@ def _say_plan(record: "PlanRecord") -> None:
             f"note: by what was rehearsed, {record.misses}; "
             "`neurosym execute` plans anew on the way (unless --replans 0)"
         )
-    elif record.solved and record.chance is not None and record.chance < UNLIKELY:
+    elif record.solved and record.chance is not None and record.chance < _UNLIKELY:
         say(
             f"note: a plan of {counted(record.primitives, 'primitive')} seldom goes through as it stands; "
             "let `neurosym execute` plan anew on the way (unless --replans 0), or bring the goals nearer"
@@ -372,14 +359,6 @@ def _likely(chance: float) -> str:
     if chance < 0.005:
         return "less than 1% likely"
     return f"{chance:.0%} likely" if chance < 0.995 else "more than 99% likely"
-
-
-def _say_steps(steps: tuple[tuple[str, ...], ...]) -> None:
-    for words in steps:
-        say(f"  ({' '.join(words)})")
-
-
-# The command that lists the planners
 
 
 def planners(json: Json = False) -> int:
@@ -412,9 +391,6 @@ def planners(json: Json = False) -> int:
         ]
     )
     return 0
-
-
-# The command `neurosym validate`: whether a plan is one, without executing it
 
 
 def validate(

@@ -32,13 +32,11 @@ from neurosym.stages.layout import COMPARISONS, GROUNDING, MODEL, WORLD
 from neurosym.stages.problem_making import draw_any_task, sight_of_pairs
 from neurosym.tasks.supports import is_reached, is_relational
 from neurosym.tasks.task import with_places
-from neurosym.tasks.transition import PlanStep, Replay, Steps, named_steps, primitives, validate
+from neurosym.tasks.transition import PlanStep, Steps, named_steps, primitives, validate
 from neurosym.world import World
 from neurosym.worlds.task_drawing import Fits, draw_problem
 from neurosym.worlds.workers import in_order, worker_pool
 from neurosym.worlds.world_file import read_world
-
-NOT_VALID = Literal["", "impossible", "elsewhere"]
 
 
 @dataclass(frozen=True, slots=True)
@@ -81,7 +79,7 @@ class Attempt(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     steps: Steps = ()
     seconds: float = 0.0
     primitives: int = 0
-    invalid: NOT_VALID = ""
+    invalid: Literal["", "impossible", "elsewhere"] = ""
     replayed: str = ""
     promised_miss: float | None = None
     predicted_miss: float | None = None
@@ -116,12 +114,7 @@ class TaskRecord(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
 
 
 def check_planners(planners: Sequence[str], domain_folder: Path) -> None:
-    """Raise `UnknownChoice` unless all planners exist, and `InvalidValue` if there are none.
-
-    Args:
-        planners: Their names.
-        domain_folder: Where the domain lies, which must not bring code of its own.
-    """
+    """Raise `UnknownChoice` unless all planners exist, and `InvalidValue` if there are none."""
     if not planners:
         raise InvalidValue(f"Name at least one planner; valid: {', '.join(sorted(PLANNERS))}.")
     for name in planners:
@@ -154,13 +147,7 @@ def compare(
 
 
 def planner_of(setting: Setting, name: str, *, time_limit: float | None) -> Replanner:
-    """Return a planner as a function from a problem to its result; it may read the network's predictions.
-
-    Args:
-        setting: What to plan in.
-        name: Name of the planner.
-        time_limit: The user's ceiling [s]; its own if not given.
-    """
+    """Return a planner as a function from a problem to its result; it may read the network's predictions."""
     planner = planner_named(name)
 
     def solve(problem: Problem, grounding: Grounding) -> PlanResult:
@@ -190,29 +177,21 @@ def _attempt(
         steps=named_steps(steps),
         seconds=round(result.seconds, 4),
         primitives=primitives(steps),
-        invalid=_invalid(replayed),
+        invalid="" if replayed.valid else "elsewhere" if replayed.possible else "impossible",
         replayed=replayed.reason,
         promised_miss=_worst(problem, replayed.positions[-1]) if replayed.possible else None,
-        predicted_miss=_worst(problem, predicted_end(setting, problem, steps)),
+        predicted_miss=_worst(problem, _predicted_end(setting, problem, steps)),
         left_out=any(step.base in setting.grounding.left_out for step in steps),
         open_loop=blind,
         replanned=replanned,
     )
 
 
-def predicted_end(setting: Setting, problem: Problem, steps: Sequence[PlanStep]) -> Float[np.ndarray, "M 3"]:
+def _predicted_end(setting: Setting, problem: Problem, steps: Sequence[PlanStep]) -> Float[np.ndarray, "M 3"]:
     """Follow a plan by the network's predictions; where a put-down lands is what the rehearsals saw.
 
     What is carried to a place is taken to stand there: the network of displacements knows nothing of places,
-    and nothing of relations, of which the promises are taken.
-
-    Args:
-        setting: Where the network is.
-        problem: What the plan is for.
-        steps: The plan.
-
-    Returns:
-        Centres of the objects at its end [m].
+    and nothing of relations, of which the promises are taken. Returned are the centres at its end [m].
     """
     grounding, positions = setting.grounding, problem.scene().positions
     if is_relational(problem, grounding):
@@ -235,12 +214,6 @@ def predicted_end(setting: Setting, problem: Problem, steps: Sequence[PlanStep])
 
 def _worst(problem: Problem, positions: Float[np.ndarray, "M 3"]) -> float:
     return round(max(problem.distances(positions).values(), default=0.0), 6)
-
-
-def _invalid(replayed: Replay) -> NOT_VALID:
-    if replayed.valid:
-        return ""
-    return "elsewhere" if replayed.possible else "impossible"
 
 
 def _follow(
@@ -394,12 +367,12 @@ def _planners_left(order: Order, record: TaskRecord | None) -> tuple[str, ...]:
     return tuple(name for name in order.planners if name not in done)
 
 
-Unfinished = tuple[int, TaskRecord | None]
+_Unfinished = tuple[int, TaskRecord | None]
 """A seed, and what is known of its task."""
 
 
 def _measure_all(
-    order: Order, made_from: dict[str, str], tasks: Sequence[Unfinished], workers: int
+    order: Order, made_from: dict[str, str], tasks: Sequence[_Unfinished], workers: int
 ) -> Iterator[TaskRecord]:
     if workers == 1 or not tasks:
         yield from (_measure(order, made_from, task) for task in tasks)
@@ -418,7 +391,7 @@ def _bench(folder: Path, *_made_from: str) -> Bench:
     return Bench(DomainFolder(folder))
 
 
-def _measure(order: Order, made_from: dict[str, str], task: Unfinished) -> TaskRecord:
+def _measure(order: Order, made_from: dict[str, str], task: _Unfinished) -> TaskRecord:
     """Do what is missing of a task, and write its record."""
     bench, (seed, known) = _bench(order.folder, *made_from.values()), task
     problem = known.problem if known else bench.draw(order.objects, seed, order.tolerance, order.task)

@@ -29,23 +29,18 @@ from neurosym.stages.layout import (
 )
 from neurosym.world import Outcome
 
-# The six kinds of primitive of Table II, and when a kind counts as found.
-#
-# The rule was fixed before any result was looked at:
-#
-# * A push (right, left, forward, or pull) ends at rest upright, `LEAST_MOVE` or more along its direction,
-# at most `MOST_OFF_AXIS` of that along the other horizontal axis, never higher than `CARRIED` on the way. *
-# A grasp ends held, half the lift or more above the start. * A pick and place ends at rest upright,
-# `LEAST_MOVE` or more away horizontally, after more than `CARRIED` in the air.
-#
-# An object symbol says what its objects afford. So a primitive is of a kind if there is an object symbol
-# with `LEAST_OBJECTS` or more of the objects on which at least `LEAST_SHARE` of its rehearsals were of that
-# kind.
+# The six kinds of primitive of Table II. The rule was fixed before any result was looked at:
+# - A push (right, left, forward, or pull) ends at rest upright, `_LEAST_MOVE` or more along its direction, at
+#   most `_MOST_OFF_AXIS` of that along the other horizontal axis, and never higher than `CARRIED` on the way.
+# - A grasp ends held, half the lift or more above the start.
+# - A pick and place ends at rest upright, `_LEAST_MOVE` or more away, after more than `CARRIED` in the air.
+# An object symbol says what its objects afford. So a primitive is of a kind if there is an object symbol with
+# `LEAST_OBJECTS` or more of the objects on which at least `LEAST_SHARE` of its rehearsals were of that kind.
 
 KINDS = ("right push", "left push", "forward push", "pull", "grasp", "pick and place")
-LEAST_MOVE = 0.03
+_LEAST_MOVE = 0.03
 """Least displacement of a push or a placement [m]."""
-MOST_OFF_AXIS = 0.5
+_MOST_OFF_AXIS = 0.5
 """Greatest displacement across the direction of a push, as a share of that along it."""
 LEAST_SHARE = 0.6
 """Least share of the rehearsals."""
@@ -56,9 +51,7 @@ LEAST_OBJECTS = 0.1
 def kind_of(outcome: Outcome | Rehearsal, lift_height: float) -> str | None:
     """Say which of the six kinds an outcome is, if any.
 
-    Args:
-        outcome: What happened to the target.
-        lift_height: How high a grasped object is lifted [m].
+    `lift_height` is how high a grasped object is lifted [m].
     """
     if outcome.kind == "held":
         return "grasp" if outcome.effect[2] >= lift_height / 2 else None
@@ -66,9 +59,9 @@ def kind_of(outcome: Outcome | Rehearsal, lift_height: float) -> str | None:
         return None
     x, y, _ = outcome.resting_effect
     if outcome.peak_height > CARRIED:
-        return "pick and place" if np.hypot(x, y) >= LEAST_MOVE else None
+        return "pick and place" if np.hypot(x, y) >= _LEAST_MOVE else None
     along, across = max(abs(x), abs(y)), min(abs(x), abs(y))
-    if along < LEAST_MOVE or across > MOST_OFF_AXIS * along:
+    if along < _LEAST_MOVE or across > _MOST_OFF_AXIS * along:
         return None
     if abs(x) > abs(y):
         return "forward push" if x > 0 else "pull"
@@ -97,10 +90,10 @@ def kinds_found(
     return {kind: tuple(pairs) for kind, pairs in found.items()}
 
 
-OWN_DATA = "own data"
-Errors = dict[str, list[float]]
+_OWN_DATA = "own data"
+_Errors = dict[str, list[float]]
 """Mean absolute error of each predictor on each axis [m]."""
-Explained = dict[str, float]
+_Explained = dict[str, float]
 """R2 of each predictor, mean over the axes that vary."""
 
 
@@ -131,11 +124,11 @@ class Measured(msgspec.Struct, frozen=True):
 
     folder: str
     strategy: str
-    errors: Errors | None
+    errors: _Errors | None
     rows: int
     kinds: KindsFound | None
     comparisons: dict[str, Comparison]
-    r2: Explained | None = None
+    r2: _Explained | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -148,7 +141,7 @@ class Table:
     rows: list[list[str]]
 
 
-def kinds_stage(folder: DomainFolder, *, workers: int, progress: Progress | None = None) -> Stage:
+def _kinds_stage(folder: DomainFolder, *, workers: int, progress: Progress | None = None) -> Stage:
     """Rehearse primitives and judge their kinds: primitives, model and world -> `kinds.json`."""
     objects, seed = rehearsal_options(folder.manifest())
 
@@ -197,22 +190,17 @@ def measure(
         errors, r2, rows = errors_on(folder, test)
     kinds = None
     if all((folder / name).is_file() for name in (WORLD, PRIMITIVES, MODEL)):
-        folder.perform(kinds_stage(folder, workers=workers, progress=progress), again=False)
+        folder.perform(_kinds_stage(folder, workers=workers, progress=progress), again=False)
         kinds = read_json(folder / KINDS_FOUND, KindsFound)
     origin = Interactions.load(folder.require(INTERACTIONS)).origin
-    strategy = str(origin.get("strategy", OWN_DATA))
+    strategy = str(origin.get("strategy", _OWN_DATA))
     return Measured(str(folder.path), strategy, errors, rows, kinds, comparisons_of(folder.path), r2)
 
 
-def errors_on(folder: DomainFolder, test: Interactions) -> tuple[Errors, Explained, int]:
+def errors_on(folder: DomainFolder, test: Interactions) -> tuple[_Errors, _Explained, int]:
     """Measure a folder's model and the trivial predictors on the test interactions with a high effect.
 
-    Args:
-        folder: The domain folder, whose interactions the trivial predictors are of.
-        test: The test set.
-
-    Returns:
-        Mean absolute error and R2 of each predictor, and on how many interactions they were measured.
+    Returned are mean absolute error and R2 of each predictor, and the number of these interactions.
 
     Raises:
         InvalidValue: If none has a high effect, or they are not what the model predicts.
@@ -245,9 +233,6 @@ def errors_on(folder: DomainFolder, test: Interactions) -> tuple[Errors, Explain
 def comparisons_of(folder: Path) -> dict[str, Comparison]:
     """Read what `neurosym compare` measured in a folder, by the kind of task.
 
-    Args:
-        folder: The domain folder.
-
     Raises:
         InvalidFile: If a file is damaged.
     """
@@ -271,7 +256,8 @@ def _table1(measured: Sequence[Measured], test: Path | None) -> Table:
     for strategy, group in _by_strategy(known).items():
         for name in group[0].errors or ():
             values = np.array([m.errors[name] for m in group if m.errors and name in m.errors])
-            cells = [mean_and_spread((_scale(values) * column).tolist(), 1) for column in values.T]
+            scale = 1000 if values.shape[1] == 3 else 1
+            cells = [mean_and_spread((scale * column).tolist(), 1) for column in values.T]
             r2 = [m.r2[name] for m in group if m.r2 and name in m.r2]
             rows.append([strategy, str(len(values)), name, *cells, mean_and_spread(r2, 2) if r2 else "-"])
     axes = name_axes(max((len(errors["model"]) for m in known if (errors := m.errors)), default=3))
@@ -286,10 +272,6 @@ def _table1(measured: Sequence[Measured], test: Path | None) -> Table:
     columns = ["strategy", "folders", "predictor", *(f"{axis}{unit}" for axis in axes), "R2"]
     said = f"Mean absolute error on each axis, and R2 (mean over the axes that vary), {where}."
     return Table("Table I: errors of prediction", said, columns, rows)
-
-
-def _scale(values: np.ndarray) -> float:
-    return 1000.0 if values.shape[1] == 3 else 1.0
 
 
 def _table2(measured: Sequence[Measured]) -> Table:
@@ -307,12 +289,7 @@ def _table2(measured: Sequence[Measured]) -> Table:
 def kinds_table(
     found: Mapping[str, Mapping[str, Collection[str]]], repetition: str
 ) -> tuple[list[str], list[list[str]]]:
-    """Return headings and rows of Table II: in how many repetitions each kind was found.
-
-    Args:
-        found: The kinds that were found, by strategy and repetition.
-        repetition: What a repetition is called.
-    """
+    """Return headings and rows of Table II: in how many repetitions each kind was found."""
     rows = [
         [
             kind,

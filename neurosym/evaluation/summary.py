@@ -70,12 +70,7 @@ class Comparison(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
 
 
 def summarise(records: Sequence[TaskRecord], planners: Sequence[str]) -> Comparison:
-    """Count what became of the tasks.
-
-    Args:
-        records: A record for each task.
-        planners: Whom to count.
-    """
+    """Count what became of the tasks."""
     asked = [record for record in records if not record.met_at_start]
     return Comparison(
         tasks=len(records),
@@ -98,7 +93,7 @@ def _tally(records: Sequence[TaskRecord], name: str, planners: Sequence[str]) ->
         reached_with_replanning=sum(run.reached for run in replanned),
         steps=round(float(np.mean([attempt.primitives for attempt in found])), 3) if found else None,
         seconds=round(float(np.median([attempt.seconds for attempt in attempts])), 4) if attempts else None,
-        predicted=sum(_predicts_goal(attempt, record) for record, attempt in _pairs(records, name)),
+        predicted=sum(_predicts_goal(record.attempts[name], record) for record in records),
         replans=sum(run.replans for run in replanned),
         unfound=_counts(whys),
         invalid=_counts(_why_invalid(attempt) for attempt in found),
@@ -107,10 +102,6 @@ def _tally(records: Sequence[TaskRecord], name: str, planners: Sequence[str]) ->
         performed=sum(run.interactions for run in replanned if run.own is not None),
         own=sum(run.own or 0 for run in replanned),
     )
-
-
-def _pairs(records: Sequence[TaskRecord], name: str) -> list[tuple[TaskRecord, Attempt]]:
-    return [(record, record.attempts[name]) for record in records if record.attempts[name].found]
 
 
 def _counts(reasons: Iterable[str]) -> dict[str, int]:
@@ -134,13 +125,7 @@ def _why_invalid(attempt: Attempt) -> str:
 
 
 def why_not_found(record: TaskRecord, name: str, planners: Sequence[str]) -> str:
-    """Say in a few words why a planner has no plan where another has; empty if it has, or none has.
-
-    Args:
-        record: What became of the task.
-        name: The planner.
-        planners: The planners to compare it with.
-    """
+    """Say in a few words why a planner has no plan where another has; empty if it has, or none has."""
     attempt = record.attempts[name]
     others = [record.attempts[other] for other in planners if record.attempts[other].found]
     if attempt.found or not others:
@@ -161,26 +146,13 @@ def why_not_found(record: TaskRecord, name: str, planners: Sequence[str]) -> str
     return _why_invalid(other).replace("it ends", "the other plan ends") or "though the other plan is valid"
 
 
-# Tables as Markdown, and figures over several repetitions
-
-
 def markdown_table(columns: Sequence[str], rows: Sequence[Sequence[str]]) -> str:
-    """Return a table as Markdown.
-
-    Args:
-        columns: Headings.
-        rows: One text for each heading.
-    """
+    """Return a table as Markdown."""
     lines = [columns, ["---"] * len(columns), *rows]
     escaped = [[cell.replace("|", "\\|") for cell in line] for line in lines]
     return "\n".join(f"| {' | '.join(line)} |" for line in escaped)
 
 
 def mean_and_spread(values: Sequence[float | int], digits: int = 3) -> str:
-    """Write mean and standard deviation over repetitions.
-
-    Args:
-        values: One for each repetition, at least one.
-        digits: How many stand after the point.
-    """
+    """Write mean and standard deviation over repetitions."""
     return f"{np.mean(values):.{digits}f} ± {np.std(values):.{digits}f}"

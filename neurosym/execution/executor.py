@@ -31,7 +31,6 @@ from neurosym.grounding import Grounding
 from neurosym.planners.planner import Effort, Tell
 from neurosym.planners.registry import Replanner
 from neurosym.problems import Problem
-from neurosym.tasks.supports import relating
 from neurosym.tasks.task import understand
 from neurosym.tasks.transition import PlanStep, Steps, named_steps, primitives, promise_of, validate
 from neurosym.world import FrameSink, OtherObject, Outcome, Reference, Scene, World
@@ -122,7 +121,7 @@ def _check_run(
     check_kind("grounding", grounding, Grounding, "a Grounding")
     check_all("plan", plan, PlanStep, "steps, as in PlanResult.steps")
     for step in plan:
-        if not relating(step.base, grounding):
+        if not grounding.relation_named(step.base):
             grounding.operator_named(step.base)
         problem.object_named(step.object)
     if replans is not None:

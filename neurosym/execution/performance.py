@@ -14,7 +14,7 @@ from neurosym.grounding import Grounding, is_lift
 from neurosym.operators import Primitive, vector
 from neurosym.pair_operators import extent
 from neurosym.problems import Problem, RelationGoal
-from neurosym.tasks.supports import Contacts, relating, touching, unmet_relations
+from neurosym.tasks.supports import Contacts, touching, unmet_relations
 from neurosym.tasks.transition import PlanStep
 from neurosym.world import FrameSink, Outcome, Place, Reference, Scene, Table, World, relative_to
 
@@ -220,7 +220,7 @@ class Situation:
 def check_aims(problem: Problem, grounding: Grounding, plan: Sequence[PlanStep]) -> None:
     """Refuse steps that carry an object nowhere, off the table, or to what a problem with places has not."""
     for step in plan:
-        if relating(step.base, grounding):
+        if grounding.relation_named(step.base):
             others = [name for name in problem.object_names if name != step.object]
             if step.place not in others:
                 raise UnknownChoice("other object", step.place, others)
@@ -232,14 +232,12 @@ def check_aims(problem: Problem, grounding: Grounding, plan: Sequence[PlanStep])
 
 def lifts(step: PlanStep, grounding: Grounding) -> bool:
     """Say whether a step promises to end with its object held."""
-    return not relating(step.operator, grounding) and is_lift(grounding.operator_named(step.operator))
+    return not grounding.relation_named(step.operator) and is_lift(grounding.operator_named(step.operator))
 
 
 def _primitive(step: PlanStep, grounding: Grounding) -> Primitive:
-    operator = relating(step.operator, grounding)
-    if operator and grounding.relations:
-        return grounding.relations.primitive_of(operator)
-    return grounding.primitive_of(grounding.operator_named(step.operator))
+    operator = grounding.relation_named(step.operator) or grounding.operator_named(step.operator)
+    return grounding.primitive_of(operator)
 
 
 def _levelled(outcome: Outcome) -> Outcome:

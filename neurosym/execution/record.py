@@ -18,7 +18,7 @@ from neurosym.pair_operators import PairState, describe_pair, extent, rotation
 from neurosym.problems import Problem, RelationGoal, SceneObject
 from neurosym.tasks.options import put_named
 from neurosym.tasks.promises import promised
-from neurosym.tasks.supports import Contacts, bearers_of, relating, with_contacts
+from neurosym.tasks.supports import Contacts, bearers_of, with_contacts
 from neurosym.tasks.transition import PlanStep, Steps, primitives
 from neurosym.world import Disturbance, OtherObject, Outcome, OutcomeKind, Place, Reference, Scene
 
@@ -338,7 +338,7 @@ def ended_in(outcome: Outcome, grounding: Grounding) -> PairState | None:
     if not (outcome.carried and isinstance(outcome.reference, OtherObject) and grounding.relations):
         return None
     described = describe_pair(outcome.end, outcome.target, outcome.reference.index, outcome.contacts)
-    return grounding.relations.state_of(described.tolist())
+    return grounding.relations.of(described.tolist())
 
 
 def record_step(
@@ -353,7 +353,7 @@ def record_step(
         outcome: What happened.
         put_down: Whether the object was to be put down if it was held.
     """
-    is_put, names = relating(step.operator, grounding) is not None, problem.object_names
+    is_put, names = grounding.relation_named(step.operator) is not None, problem.object_names
     told = (_put if is_put else _moved)(step, problem, grounding, outcome)
     promised_effect = told.pop("promised_effect")
     deviation = math.dist(told["effect"], promised_effect) if promised_effect else None

@@ -17,7 +17,7 @@ from neurosym.planners.registry import Replanner
 from neurosym.problems import Problem, SceneObject, pair_key
 from neurosym.tasks.options import PUT_DOWN, put_named
 from neurosym.tasks.promises import LEAST_CHANCE, promised
-from neurosym.tasks.supports import is_reached, is_relational, relating
+from neurosym.tasks.supports import is_reached, is_relational
 from neurosym.tasks.task import understand
 from neurosym.tasks.transition import PlanStep, Replay, primitives, validate
 from neurosym.world import Outcome, OutcomeKind
@@ -93,7 +93,7 @@ class Experience:
 
     def learn(self, step: PlanStep, outcome: Outcome) -> None:
         """Remember what a step did, by its learned name."""
-        if relating(step.base, self.grounding):
+        if self.grounding.relation_named(step.base):
             put = put_named(step.operator, self.grounding)
             kept = put is not None and ended_in(outcome, self.grounding) == put.state
             self._kept.setdefault((pair_key(step.object, step.place), step.operator), []).append(kept)
@@ -200,7 +200,7 @@ def believed_name(step: PlanStep, problem: Problem, grounding: Grounding) -> Pla
     That is the one with the same parameters and the same kind of outcome, for what the object is now. Problem
     and grounding are those that `Experience.believed` returned.
     """
-    if relating(step.base, grounding):
+    if grounding.relation_named(step.base):
         return step
     learned, item = grounding.operator_named(step.base), problem.object_named(step.object)
     label = _label(learned, grounding)

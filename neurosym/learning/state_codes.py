@@ -197,7 +197,7 @@ def ended_in(interactions: Interactions, states: PairStates) -> Float[np.ndarray
         interactions: The data, each aimed at another object.
         states: The states of pairs.
     """
-    order = states.bearing_order
+    order = states.bearing
     reached = np.zeros((len(interactions), len(order)))
     ends = described_ends(interactions).tolist()
     for row in np.flatnonzero(carried(interactions)):

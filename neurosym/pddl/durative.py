@@ -30,7 +30,6 @@ from neurosym.pddl.strips import NOWHERE, common_head
 from neurosym.pddl.strips_plan import Misread
 from neurosym.pddl.syntax import DURATIVE, Atom, domain_name
 from neurosym.problems import Problem
-from neurosym.tasks.options import carriers_of
 from neurosym.tasks.task import GOAL, START, Task, check_place, is_at, understand
 from neurosym.tasks.transition import PlanStep
 
@@ -105,7 +104,7 @@ def durative_domain_text(grounding: Grounding, seconds: Mapping[str, float] | No
 
 def _carriers(grounding: Grounding) -> tuple[Operator, ...]:
     """Return what carries objects to places, or refuse a domain in which nothing does."""
-    if carriers := carriers_of(grounding):
+    if carriers := grounding.carriers:
         return carriers
     raise InvalidValue(f"Nothing in the domain {grounding.name} carries objects to places.")
 

@@ -28,7 +28,6 @@ from neurosym.pddl.strips_plan import Misread, led_in, read
 from neurosym.pddl.strips_problem import StripsProblem
 from neurosym.problems import Problem
 from neurosym.tasks.options import PUT_DOWN
-from neurosym.tasks.supports import relating
 from neurosym.tasks.task import Task, check_place, understand
 from neurosym.tasks.transition import PlanStep
 
@@ -463,7 +462,7 @@ def _is_known(grounding: Grounding, problem: Problem) -> Callable[[str], bool]:
 
 def _put(name: str, grounding: Grounding) -> RelationOperator | None:
     """Return what puts objects in relations by that name, which may say that the object bears something."""
-    return relating(name.removesuffix(_LADEN), grounding)
+    return grounding.relation_named(name.removesuffix(_LADEN))
 
 
 def _of_page(grounding: Grounding) -> set[str]:

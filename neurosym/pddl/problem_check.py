@@ -15,7 +15,6 @@ from neurosym.pddl.compiler import is_taken
 from neurosym.pddl.grid import check_on_table
 from neurosym.pddl.strips import NOWHERE
 from neurosym.problems import NEAR_TABLE, SPOT, Problem, SceneObject, check_goals, check_names, goal_heights
-from neurosym.tasks.options import carriers_of
 from neurosym.tasks.pair_goals import check_relations
 from neurosym.tasks.supports import chain_below, known_bearers
 from neurosym.tasks.task import GOAL, PARK, START, footprints_apart, is_at
@@ -114,7 +113,7 @@ def check_places(problem: Problem, grounding: Grounding) -> None:
     """
     if not problem.places:
         return
-    if not carriers_of(grounding):
+    if not grounding.carriers:
         raise InvalidValue(
             f"The problem {problem.name} has places, and nothing in this domain carries objects to places; "
             "leave out `places`, or learn to with `neurosym run DIR --places N`."

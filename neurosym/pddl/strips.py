@@ -18,7 +18,7 @@ from functools import lru_cache
 from neurosym.grounding import Grounding, is_lift
 from neurosym.operators import Operator
 from neurosym.pddl.syntax import OBJECT, Action, Atom, Domain, Predicate, Typed
-from neurosym.tasks.options import Put, bearing_states, carriers_of, chance, puts_of
+from neurosym.tasks.options import Put, puts_of
 
 WIDTH = 108
 """So many columns lines of comments have behind their semicolon, at most."""
@@ -87,7 +87,7 @@ def page(grounding: Grounding) -> Domain:
     parts = [_COMMON, *([_LEADING] if grounding.live else [])]
     if puts_of(grounding):
         parts += [_carrying(grounding, "?from"), _relating(grounding)]
-    elif carriers_of(grounding):
+    elif grounding.carriers:
         parts += [_carrying(grounding)]
     categories = sorted(category.name for category in grounding.operators.categories)
     return Domain(
@@ -275,7 +275,7 @@ def _relating(grounding: Grounding) -> _Part:
             costs (cost ?c)
     """
     loads = _takes_loads(grounding)
-    relations = ", ".join(state.name for state in bearing_states(grounding))
+    relations = ", ".join(state.name for state in grounding.bearing_states)
     return _Part(
         about="Things also bear each other. A perch ?q is room for things on or in a thing ?b, one for each "
         f"relation: {relations}. A way ?w puts something there, at a price by where it is from, and by how "
@@ -308,7 +308,7 @@ def _relating(grounding: Grounding) -> _Part:
 
 def _takes_loads(grounding: Grounding) -> bool:
     """Say whether something is put elsewhere with what rests on it."""
-    return any(put.takes_laden for put in puts_of(grounding))
+    return any(put.operator.takes("laden") for put in puts_of(grounding))
 
 
 def _unloaded(grounding: Grounding) -> str:
@@ -355,7 +355,7 @@ def symbol_table(grounding: Grounding, *, with_others: bool = True) -> tuple[str
     categories = sorted(grounding.operators.categories, key=lambda one: one.symbol)
     names = {category.symbol: category.name for category in categories}
     rows = [["symbol", *names.values()], *_rows(grounding.live, names)]
-    carriers = _rows(carriers_of(grounding), names) if with_others else []
+    carriers = _rows(grounding.carriers, names) if with_others else []
     lines = [
         "Learned action symbols: what the surest motion of each does to a category, how far in mm, how often."
     ]
@@ -383,7 +383,7 @@ def _rows(operators: Sequence[Operator], names: dict[str, str]) -> list[list[str
         surest = {
             category: max(
                 (one for one in operators if (one.primitive, one.category) == (symbol, category)),
-                key=lambda one: (chance(one), one.name),
+                key=lambda one: (one.chance, one.name),
                 default=None,
             )
             for category in names
@@ -401,7 +401,7 @@ def _told(operator: Operator) -> str:
     x, y, z = promise.outcome
     far = f" {1000 * z:.0f}" if is_lift(operator) else f" {1000 * (x * x + y * y) ** 0.5:.0f}"
     said = "" if verb.startswith("carry") else f"{verb}{far} "
-    return f"{said}{chance(operator):.0%}"
+    return f"{said}{operator.chance:.0%}"
 
 
 def _of_pairs(puts: Iterable[Put]) -> list[str]:
@@ -409,7 +409,7 @@ def _of_pairs(puts: Iterable[Put]) -> list[str]:
     rows = dict[str, dict[str, list[float]]]()
     for put in puts:
         if put.kind:
-            rows.setdefault(put.operator.primitive, {}).setdefault(put.state.name, []).append(put.chance())
+            rows.setdefault(put.operator.primitive, {}).setdefault(put.state.name, []).append(put.chance)
     return [
         f"{_ROW}{symbol}  "
         + ", ".join(f"{state} {len(found)}, {_span(found)}" for state, found in sorted(of.items()))

@@ -5,13 +5,14 @@ from dataclasses import dataclass
 
 from neurosym.errors import InvalidValue, UnknownChoice
 from neurosym.grounding import Grounding, is_lift
+from neurosym.pair_operators import Case, case_of
 from neurosym.pddl import strips
 from neurosym.pddl.strips_problem import COUNTS, StripsProblem, motion_name, price_name, step_name
 from neurosym.pddl.syntax import STRIPS, Atom, Course, EncodingName, words
 from neurosym.problems import spot_named
-from neurosym.tasks.options import PUT_DOWN, Move
-from neurosym.tasks.supports import loads_of, relating
-from neurosym.tasks.task import START, PutOption, Task, check_place
+from neurosym.tasks.options import PUT_DOWN, Move, Put
+from neurosym.tasks.supports import loads_of
+from neurosym.tasks.task import START, Task, check_place
 from neurosym.tasks.transition import PlanStep, apply, start
 
 _BEGUN_BY = {
@@ -93,7 +94,7 @@ def action_for(operator: str, grounding: Grounding) -> str:
     """
     if operator.startswith(PUT_DOWN):
         return strips.PUT_DOWN
-    if relating(operator, grounding):
+    if grounding.relation_named(operator):
         return strips.PUT
     found = grounding.operator_named(operator)
     return strips.PUT_AT if grounding.carries(found) else strips.LIFT if is_lift(found) else strips.PUSH
@@ -122,7 +123,7 @@ class _Writer:
         for number, step in enumerate(steps):
             name = step.object
             if step.place:
-                (self._put if relating(step.base, task.grounding) else self._carry)(step)
+                (self._put if task.grounding.relation_named(step.base) else self._carry)(step)
             else:
                 self._lead(step)
                 is_last = not any(later.object == name for later in steps[number + 1 :])
@@ -225,23 +226,23 @@ class _Writer:
         name, other, supports = step.object, step.place, self._now.supports
         count = sum(one != name for one in loads_of(other, supports))
         load = len(loads_of(name, supports))
-        option = self._option(step, (name in supports, bool(count), bool(load)))
+        option = self._option(step, case_of(name in supports, bool(count), bool(load)))
         (origin,) = self._take(name)
         said = [name, self._printed.perch(option.state, other), other, origin]
         if load:
             if other not in self._now.stands:
                 raise InvalidValue(f"{name} bears something, and {other} stands at no place.")
             said += [self._now.stands[other], COUNTS[load - 1], COUNTS[load]]
-        way, cost = self._printed.way_of((name, other), option), price_name(option.cost)
+        way, cost = self._printed.way_of((name, other), option), price_name(option.cost(self._task.grounding))
         verb = strips.PUT_LOADED if load else strips.PUT
         self._say(verb, *said, COUNTS[count], COUNTS[count + 1], way, cost)
 
-    def _option(self, step: PlanStep, case: tuple[bool, bool, bool]) -> PutOption:
-        """Return what is offered for a step in a case: target borne, reference occupied, target laden."""
-        found = relating(step.base, self._task.grounding)
+    def _option(self, step: PlanStep, case: Case) -> Put:
+        """Return what is offered for a step in a case."""
+        found = self._task.grounding.relation_named(step.base)
         promise = found.promise if found else None
         for option in self._task.put_options.get((step.object, step.place), ()):
-            if promise is not None and option.state.symbol == promise.state and option.case[1:] == case:
+            if promise is not None and (option.state.symbol, option.case) == (promise.state, case):
                 return option
         raise InvalidValue(f"{step.operator} is not offered for {step.object} with {step.place} there.")
 
@@ -302,13 +303,14 @@ def _begun(name: str, arguments: Sequence[str], printed: StripsProblem) -> Itera
         yield PlanStep(task.carriers[thing][0].name, thing, arguments[1])
     if name in (strips.PUT, strips.PUT_LOADED):
         perch, other, origin = arguments[1:4]
-        case = (origin == strips.FROM_PERCH, arguments[-4] != COUNTS[0], name == strips.PUT_LOADED)
+        is_borne, is_occupied = origin == strips.FROM_PERCH, arguments[-4] != COUNTS[0]
+        case = case_of(is_borne, is_occupied, name == strips.PUT_LOADED)
         option = next(
             one
             for one in task.put_options[thing, other]
-            if printed.perch(one.state, other) == perch and one.case[1:] == case
+            if printed.perch(one.state, other) == perch and one.case == case
         )
-        yield PlanStep(option.put.name, thing, other)
+        yield PlanStep(option.name, thing, other)
 
 
 def _lacking(actions: Sequence[Atom], holds: set[Atom], task: Task) -> str:

@@ -28,10 +28,12 @@ from neurosym.pddl.strips import (
     Y_SHIFT,
 )
 from neurosym.pddl.syntax import Atom, Facts, PddlProblem, Typed
-from neurosym.tasks.options import Move, bearing_states
+from neurosym.tasks.options import Move, Put
 from neurosym.tasks.supports import loads_of
-from neurosym.tasks.task import START, Pair, PutOption, Task, is_at
+from neurosym.tasks.task import START, Pair, Task, is_at
 
+_Way = tuple[tuple[str, str, int], ...]
+"""What a way costs from each origin, and onto what bears so many."""
 COUNTS = (NONE, *(f"n{number}" for number in range(1, 100)))
 """How many objects another one bears."""
 STEPS = 1
@@ -74,7 +76,7 @@ def perch_name(state: PairState, thing: str, grounding: Grounding) -> str:
     Its bits are named, too, if the domain has another relation of that name.
     """
     plain = _plain(state)
-    is_only = sum(_plain(one) == plain for one in bearing_states(grounding)) < 2
+    is_only = sum(_plain(one) == plain for one in grounding.bearing_states) < 2
     return f"{plain if is_only else state.name}-{thing}"
 
 
@@ -261,7 +263,7 @@ class StripsProblem:
         """List what can be carried to places, and whether from another object."""
         for name in self.task.carried:
             yield name, False
-            if self.task.relates and self.task.carrier_facts[self.task.carriers[name][0].name].takes_borne:
+            if self.task.relates and self.task.grounding.takes(self.task.carriers[name][0], "borne"):
                 yield name, True
 
     def _carrying(self) -> Iterator[Atom]:
@@ -291,18 +293,28 @@ class StripsProblem:
         return perch_name(state, thing, self.task.grounding)
 
     @cached_property
-    def _ways(self) -> Mapping[tuple[tuple[str, str, int], ...], str]:
+    def _ways(self) -> Mapping[_Way, str]:
         """The different prices by origin and count, each with the name of the ways that have them."""
-        found = {way for options in self.task.put_options.values() for way in _by_state(options, self.counts)}
+        found = {way for options in self.task.put_options.values() for way in self._by_state(options)}
         return {
             way: f"way{number}" for number, way in enumerate(sorted({row for _, _, row in found}), start=1)
         }
 
-    def way_of(self, pair: Pair, option: PutOption) -> str:
+    def way_of(self, pair: Pair, option: Put) -> str:
         """Name the way that puts one object on or into another."""
-        rows = _by_state(self.task.put_options[pair], self.counts)
-        same = (option.state, option.laden)
+        rows = self._by_state(self.task.put_options[pair])
+        same = (option.state, "laden" in option.case)
         return next(self._ways[row] for state, laden, row in rows if (state, laden) == same)
+
+    def _by_state(self, options: Sequence[Put]) -> list[tuple[PairState, bool, _Way]]:
+        """List the states that a pair can be brought to, with or without a load, each with what it costs."""
+        found = dict[tuple[PairState, bool], list[tuple[str, str, int]]]()
+        for one in options:
+            origin, cost = FROM_PERCH if "borne" in one.case else FROM_SPOT, one.cost(self.task.grounding)
+            row = found.setdefault((one.state, "laden" in one.case), [])
+            counts = self.counts[1:] if "occupied" in one.case else self.counts[:1]
+            row += [(origin, count, cost) for count in counts]
+        return [(state, laden, tuple(sorted(row))) for (state, laden), row in found.items()]
 
     @property
     def counts(self) -> tuple[str, ...]:
@@ -315,7 +327,7 @@ class StripsProblem:
         yield Facts("counting", tuple(("next", less, more) for less, more in pairwise(counts)))
         atoms = list[Atom]()
         for (target, reference), options in task.put_options.items():
-            for state, laden, row in _by_state(options, self.counts):
+            for state, laden, row in self._by_state(options):
                 name = "can-put-loaded" if laden else "can-put"
                 atoms.append((name, target, self.perch(state, reference), self._ways[row]))
         yield Facts("on or in what", tuple(("on", perch, name) for perch, name in self._perches.items()))
@@ -392,15 +404,3 @@ def _surest(moves: Sequence[Move]) -> set[str]:
             if case not in best or move.cost < best[case].cost:
                 best[case] = move
     return {move.operator.name for move in best.values()}
-
-
-def _by_state(
-    options: Sequence[PutOption], counts: Sequence[str]
-) -> list[tuple[PairState, bool, tuple[tuple[str, str, int], ...]]]:
-    """List the states that a pair can be brought to, with or without a load, each with what it costs when."""
-    found = dict[tuple[PairState, bool], list[tuple[str, str, int]]]()
-    for option in options:
-        origin = FROM_PERCH if option.borne else FROM_SPOT
-        row = found.setdefault((option.state, option.laden), [])
-        row += [(origin, count, option.cost) for count in (counts[1:] if option.occupied else counts[:1])]
-    return [(state, laden, tuple(sorted(row))) for (state, laden), row in found.items()]

@@ -11,23 +11,20 @@ import msgspec
 import numpy as np
 from PIL import Image, ImageDraw, ImageFont
 
-from neurosym.checks import Float, UInt8
-from neurosym.errors import CannotWrite, InvalidValue, counted
+from neurosym.checks import UInt8
+from neurosym.errors import InvalidValue, counted
 from neurosym.execution.performance import nudged, perform
 from neurosym.execution.record import Run, StepRecord
-from neurosym.files import check_writable, write_atomically
+from neurosym.files import write_atomically
 from neurosym.grounding import Grounding
 from neurosym.operators import TOLERANCE, Categorise
 from neurosym.pictures.motions import Motion, operator_motions, operators_of
 from neurosym.problems import Problem
-from neurosym.world import Frame, FrameSink, Outcome, Pictured, Reference, Scene, World
+from neurosym.world import Frame, FrameSink, Outcome, Pictured, Scene, World
 
-# Files of pictures: an animated GIF of a motion, or a sheet with a row of captioned pictures for each
-
-ENDINGS = (".png", ".gif")
-GIF_SIZE = (480, 360)
-FRAME_MILLISECONDS = 50
-PAUSE_MILLISECONDS = 1500
+_GIF_SIZE = (480, 360)
+_FRAME_MILLISECONDS = 50
+_PAUSE_MILLISECONDS = 1500
 STRIP_SIZE = (640, 480)
 _CAPTION, _GAP = 34, 8
 _TEXT = 18
@@ -55,22 +52,7 @@ class Row:
         return STRIP_SIZE[1] + _CAPTION * (2 if self.title else 1)
 
 
-def check_picture_path(path: Path, endings: Sequence[str] = ENDINGS) -> None:
-    """Raise `InvalidValue` unless a picture can be written to a file, whose name can end so."""
-    if path.suffix.lower() not in endings:
-        raise InvalidValue(
-            f"No picture can be written to {path}; name a file that ends in {' or '.join(endings)}."
-        )
-    if path.is_dir() or not path.absolute().parent.is_dir():
-        raise InvalidValue(f"No picture can be written to {path}; name a file in an existing folder.")
-    try:
-        check_writable(path)
-    except CannotWrite as error:
-        said = f"No picture can be written to {path} ({error.reason})"
-        raise InvalidValue(f"{said}; name a file in a folder that can be written.") from error
-
-
-def shrink(frame: Frame) -> UInt8[np.ndarray, "strip_height strip_width 3"]:
+def _shrink(frame: Frame) -> UInt8[np.ndarray, "strip_height strip_width 3"]:
     """Bring a picture to the size that it has in a strip, smoothly."""
     return np.asarray(Image.fromarray(frame).resize(STRIP_SIZE, Image.Resampling.LANCZOS))
 
@@ -79,7 +61,7 @@ def save_gif(path: Path, frames: Sequence[Frame], captions: Sequence[str] = ()) 
     """Write one or more pictures as a GIF that pauses on the last, each with a line at its foot if given."""
     lines = captions or [""] * len(frames)
     images = _with_one_palette([_gif_image(*pair) for pair in zip(frames, lines, strict=True)])
-    durations = [FRAME_MILLISECONDS] * (len(images) - 1) + [PAUSE_MILLISECONDS]
+    durations = [_FRAME_MILLISECONDS] * (len(images) - 1) + [_PAUSE_MILLISECONDS]
     buffer = io.BytesIO()
     images[0].save(buffer, "GIF", save_all=True, append_images=images[1:], duration=durations, loop=0)
     write_atomically(path, buffer.getvalue())
@@ -114,15 +96,15 @@ def _paste(sheet: Image.Image, row: Row, top: int) -> None:
         draw.text((_CAPTION / 3, top + _CAPTION / 2), row.title, fill="black", font=font, anchor="lm")
         top += _CAPTION
     for index, (frame, caption) in enumerate(zip(row.frames, row.captions, strict=True)):
-        sheet.paste(Image.fromarray(shrink(frame)), (index * width, top))
+        sheet.paste(Image.fromarray(_shrink(frame)), (index * width, top))
         middle = (index * width + width / 2, top + height + _CAPTION / 2)
         draw.text(middle, caption, fill="black", font=font, anchor="mm")
 
 
 def _gif_image(frame: Frame, caption: str) -> Image.Image:
-    image = Image.fromarray(frame).resize(GIF_SIZE, Image.Resampling.LANCZOS)
+    image = Image.fromarray(frame).resize(_GIF_SIZE, Image.Resampling.LANCZOS)
     if caption:
-        place = (GIF_SIZE[0] / 2, GIF_SIZE[1] - _GIF_TEXT)
+        place = (_GIF_SIZE[0] / 2, _GIF_SIZE[1] - _GIF_TEXT)
         font = ImageFont.load_default(size=_GIF_TEXT)
         draw = ImageDraw.Draw(image)
         draw.text(place, caption, fill="black", font=font, anchor="mm", stroke_width=2, stroke_fill="white")
@@ -130,9 +112,9 @@ def _gif_image(frame: Frame, caption: str) -> Image.Image:
 
 
 T = TypeVar("T")
-BEFORE = "start"
+_BEFORE = "start"
 """The phase in which everything comes to rest and the hand is not yet where the motion starts."""
-WINDOW_PAUSE = 2.0
+_WINDOW_PAUSE = 2.0
 """How long a window shows how a motion ended [s]."""
 
 
@@ -157,51 +139,7 @@ class Windowed(Protocol):
         ...
 
 
-@dataclass(frozen=True, slots=True, eq=False)
-class Take:
-    """The pictures of one interaction.
-
-    Attributes:
-        outcome: What the interaction did.
-        frames: The pictures.
-        phases: The phase of the motion that each belongs to.
-    """
-
-    outcome: Outcome
-    frames: tuple[Frame, ...]
-    phases: tuple[str, ...]
-
-
-def film(world: World, motion: Motion) -> Take:
-    """Perform a motion, and keep every picture of it."""
-    pictures: list[tuple[Frame, str]] = []
-
-    def keep(frame: Frame, phase: str) -> None:
-        if phase != BEFORE:
-            pictures.append((shrink(frame), phase))
-
-    outcome = motion.perform(world, keep)
-    _check_drawn(world, len(pictures))
-    return Take(outcome, tuple(frame for frame, _ in pictures), tuple(phase for _, phase in pictures))
-
-
-def film_phases(
-    world: World, scene: Scene, action: Float[np.ndarray, "A"], reference: Reference | None = None
-) -> Take:
-    """Perform an action and keep how it starts, and how each phase of the motion ends.
-
-    Args:
-        world: Where it is performed.
-        scene: The objects.
-        action: The action parameters.
-        reference: What the action is relative to besides its target, if anything.
-    """
-    motion = Motion("", scene, action, reference)
-    outcome, pictures = sparing(world, lambda keep: motion.perform(world, keep), telling)
-    return Take(outcome, tuple(frame for frame, _ in pictures), (BEFORE, *(p for _, p in pictures[1:])))
-
-
-def sparing(
+def _sparing(
     world: World, attempt: Callable[[FrameSink], T], chosen: Callable[[Sequence[str]], Sequence[int]]
 ) -> tuple[T, tuple[tuple[Frame, str], ...]]:
     """Perform something, and keep only some of its pictures.
@@ -209,16 +147,8 @@ def sparing(
     A world that is `Sparing` performs it twice, first to tell when the phases end and then drawing only
     these few pictures: the same interaction has the same phases again.
 
-    Args:
-        world: Where it is performed.
-        attempt: Performs it.
-        chosen: Numbers the pictures to be kept, from the phase of each.
-
-    Returns:
-        What came of it, and each picture with its phase.
-
-    Raises:
-        InvalidValue: If the world draws no pictures.
+    `chosen` numbers the pictures to be kept, from the phase of each. Returned are what came of it, and each
+    picture with its phase.
     """
     pictures: list[tuple[Frame, str]] = []
 
@@ -247,7 +177,7 @@ def telling(phases: Sequence[str]) -> tuple[int, ...]:
 
     That is the first with the hand in place, and the last of each phase.
     """
-    shown = [number for number, phase in enumerate(phases) if phase != BEFORE] or [0]
+    shown = [number for number, phase in enumerate(phases) if phase != _BEFORE] or [0]
     last = {phases[number]: number for number in shown}
     return (shown[0], *last.values())
 
@@ -261,21 +191,21 @@ def open_window(world: World) -> None:
 
 def hold_window() -> None:
     """Let a window show for a while how a motion ended."""
-    time.sleep(WINDOW_PAUSE)
+    time.sleep(_WINDOW_PAUSE)
 
 
 def ignore(frame: Frame, phase: str) -> None:
     """Take no picture: the motion is seen in a window."""
 
 
-def caption_of(record: StepRecord, problem: Problem) -> str:
+def _caption_of(record: StepRecord, problem: Problem) -> str:
     """Say what a step of a run did, in a line."""
     caption = f"{record.operator} {record.object}: {record.happened}"
-    is_put_down = record.happened == "held" and not ends_in_the_air(record, problem)
+    is_put_down = record.happened == "held" and not _ends_in_the_air(record, problem)
     return f"{caption}, put down" if is_put_down else caption
 
 
-def ends_in_the_air(record: StepRecord, problem: Problem) -> bool:
+def _ends_in_the_air(record: StepRecord, problem: Problem) -> bool:
     """Say whether the object of a step hangs from the hand at its end."""
     resting_height = problem.object_named(record.object).position[2]
     return record.happened == "held" and record.positions[record.object][2] >= resting_height + TOLERANCE
@@ -294,11 +224,11 @@ class Film:
 
     def add_frame(self, frame: Frame, phase: str) -> None:  # noqa: ARG002 (a `FrameSink`)
         """Keep a picture."""
-        self._frames.append(shrink(frame))
+        self._frames.append(_shrink(frame))
 
     def end_step(self, record: StepRecord) -> None:
         """Note that the last picture shows the end of a step."""
-        self._ends.append((len(self._frames) - 1, caption_of(record, self._problem)))
+        self._ends.append((len(self._frames) - 1, _caption_of(record, self._problem)))
 
     def save(self, run: Run, gif: Path | None, strip: Path | None) -> bool:
         """Write the pictures that were asked for, and say whether there are any; an empty plan has none."""
@@ -315,27 +245,32 @@ class Film:
         return True
 
 
-# Showing motions and problems, in files of pictures or live in a window
-
-
 def picture_motions(world: World, motions: Sequence[Motion], path: Path) -> tuple[Outcome, ...]:
     """Perform one or more motions and write their pictures: a row of a PNG for each, or one GIF of all."""
-    check_pictured(world)
+    _check_pictured(world)
     if path.suffix.lower() != ".gif":
         filmed = [film_row(world, motion) for motion in motions]
         save_sheet(path, [row for row, _ in filmed])
         return tuple(outcome for _, outcome in filmed)
-    takes = [film(world, motion) for motion in motions]
-    told = zip(motions, takes, strict=True)
-    captions = [f"{motion.title}: {phase}" for motion, take in told for phase in take.phases]
-    save_gif(path, [frame for take in takes for frame in take.frames], captions)
-    return tuple(take.outcome for take in takes)
+    pictures, outcomes = list[tuple[Frame, str]](), list[Outcome]()
+    for motion in motions:
+        begun = len(pictures)
+
+        def keep(frame: Frame, phase: str, title: str = motion.title) -> None:
+            if phase != _BEFORE:
+                pictures.append((_shrink(frame), f"{title}: {phase}"))
+
+        outcomes.append(motion.perform(world, keep))
+        _check_drawn(world, len(pictures) - begun)
+    save_gif(path, [frame for frame, _ in pictures], [caption for _, caption in pictures])
+    return tuple(outcomes)
 
 
 def film_row(world: World, motion: Motion) -> tuple[Row, Outcome]:
     """Perform a motion, and keep the start and the end of each phase as a row; say what it did, too."""
-    take = film_phases(world, motion.scene, motion.action, motion.reference)
-    return Row(f"{motion.title}: {tell(take.outcome)}", take.frames, take.phases), take.outcome
+    outcome, pictures = _sparing(world, lambda keep: motion.perform(world, keep), telling)
+    phases = (_BEFORE, *(phase for _, phase in pictures[1:]))
+    return Row(f"{motion.title}: {tell(outcome)}", tuple(frame for frame, _ in pictures), phases), outcome
 
 
 def tell(outcome: Outcome) -> str:
@@ -356,14 +291,14 @@ def show_live(world: World, motions: Sequence[Motion]) -> tuple[Outcome, ...]:
 
 def picture_problem(world: World, problem: Problem, path: Path) -> None:
     """Write a picture of a problem's start with its goals transparent; the ending of the path decides how."""
-    frame = check_pictured(world).picture(problem.scene(), problem.goal_positions())
+    frame = _check_pictured(world).picture(problem.scene(), problem.goal_positions())
     if path.suffix.lower() == ".gif":
         save_gif(path, [frame])
     else:
         save_sheet(path, [Row("", (frame,), (f"{problem.name}: start, and its goals transparently",))])
 
 
-def check_pictured(world: World) -> Pictured:
+def _check_pictured(world: World) -> Pictured:
     """Return a world as one that draws pictures, or raise `InvalidValue`."""
     if not isinstance(world, Pictured):
         raise InvalidValue(f"The {world.name} world draws no pictures; give it a method `picture`.")
@@ -372,7 +307,7 @@ def check_pictured(world: World) -> Pictured:
 
 # Stills: the few pictures that tell what a primitive or a run does, as in the paper's Figures 3 and 4
 
-SAME = 0.001
+_SAME = 0.001
 """How near every object must end to where it ended before, for a run to have gone the same way again [m]."""
 
 
@@ -439,7 +374,7 @@ def run_stills(world: World, grounding: Grounding, problem: Problem, run: Run) -
     names = {*problem.object_names}
     if any(record.object not in names or record.positions.keys() != names for record in performed):
         raise InvalidValue(f"The run is not of the objects of {problem.name}.")
-    frames = [check_pictured(world).picture(scene, problem.goal_positions())]
+    frames = [_check_pictured(world).picture(scene, problem.goal_positions())]
     captions = [f"{problem.name}: start, goal transparent"]
     start = {item.name: item.position for item in problem.objects}
     for number, record in enumerate(performed, 1):
@@ -450,7 +385,7 @@ def run_stills(world: World, grounding: Grounding, problem: Problem, run: Run) -
         frame, scene = _perform(world, ghostly, grounding, record, scene)
         _check_same(problem, record, scene, number)
         frames.append(frame)
-        captions.append(f"{number}. {caption_of(record, problem)}")
+        captions.append(f"{number}. {_caption_of(record, problem)}")
     reached = f"goal {'reached' if run.reached else 'missed'}"
     captions[-1] += f", {reached}"
     told = f"{problem.name}: {reached}, {counted(len(performed), 'step')}"
@@ -461,19 +396,19 @@ def _perform(
     world: World, problem: Problem, grounding: Grounding, record: StepRecord, scene: Scene
 ) -> tuple[Frame, Scene]:
     """Perform a step again, and return its last picture and where everything is then."""
-    step, put_down = record.step, not ends_in_the_air(record, problem)
+    step, put_down = record.step, not _ends_in_the_air(record, problem)
 
     def attempt(keep: FrameSink) -> Outcome | None:
         aim = record.reference
         return perform(world, problem, grounding, step, scene, put_down, keep, reference=aim)
 
-    outcome, ((frame, _),) = sparing(world, attempt, lambda phases: (len(phases) - 1,))
+    outcome, ((frame, _),) = _sparing(world, attempt, lambda phases: (len(phases) - 1,))
     return frame, outcome.end if outcome else scene
 
 
 def _check_same(problem: Problem, record: StepRecord, scene: Scene, number: int) -> None:
     recorded = [record.positions[name] for name in problem.object_names]
-    if np.abs(scene.positions - np.array(recorded)).max() > SAME:
+    if np.abs(scene.positions - np.array(recorded)).max() > _SAME:
         raise InvalidValue(
             f"Step {number} of the run of {problem.name} goes another way this time: the domain, the world "
             "or the computer is not the one that it was recorded with."

@@ -15,14 +15,13 @@ from neurosym.grounding import Grounding
 from neurosym.operators import TOLERANCE, Categorise, Operator, Symbol
 from neurosym.pair_operators import RelationOperator, RelationOperators, describe_pair
 from neurosym.primitives.rehearsal import MARGIN, rehearsal_sample
-from neurosym.tasks.options import carriers_of
 from neurosym.tasks.supports import PairSight, nearest_kinds
 from neurosym.world import FrameSink, OtherObject, Outcome, Reference, Scene, World, relative_to
 from neurosym.worlds.aims import Aimed, AimedScene
 
-TRIES = 5
+_TRIES = 5
 """Sampled objects of a category, or pairs of a kind, that are tried until one does as promised."""
-DRAWS = 300
+_DRAWS = 300
 """How many scenes of two objects are drawn to find such pairs."""
 
 
@@ -174,8 +173,8 @@ def pair_motion(
     relations = grounding.relations
     assert relations is not None, "the operator is one of its own"
     give = sight.kinds if sight else (lambda features: nearest_kinds(features, relations.pairs))
-    action = np.array(relations.primitive_of(operator).action)
-    scenes = (world.sample_scene(np.random.default_rng([0, draw]), 2) for draw in range(DRAWS))
+    action = np.array(grounding.primitive_of(operator).action)
+    scenes = (world.sample_scene(np.random.default_rng([0, draw]), 2) for draw in range(_DRAWS))
     motions = (
         Motion(operator.name, scene, action, OtherObject(1))
         for scene in scenes
@@ -184,7 +183,7 @@ def pair_motion(
     if found := _as_promised(world, motions, partial(_keeps_pair_promise, operator, relations)):
         return found[0]
     raise InvalidValue(
-        f"None of {DRAWS} scenes of two objects has a pair of the kind {operator.pair}, which "
+        f"None of {_DRAWS} scenes of two objects has a pair of the kind {operator.pair}, which "
         f"{operator.name} is for."
     )
 
@@ -193,12 +192,9 @@ def surest_carriers(grounding: Grounding) -> tuple[Operator, ...]:
     """Name for each category what carries its objects to places most surely, and then most exactly.
 
     A category of which most cannot be carried has none.
-
-    Args:
-        grounding: The learned domain.
     """
     best: dict[Symbol, tuple[float, float, Operator]] = {}
-    for operator in carriers_of(grounding):
+    for operator in grounding.carriers:
         if operator.promise is None or 2 * operator.successes < operator.trials:
             continue
         spread = math.hypot(*operator.promise.resting_spread[:2])
@@ -211,7 +207,7 @@ def surest_carriers(grounding: Grounding) -> tuple[Operator, ...]:
 def _as_promised(world: World, motions: Iterable[Motion], keeps: Callable[[Outcome], bool]) -> list[Motion]:
     """Return the first motion that does as promised, or else the first of the few tried, if there is any."""
     tried = list[Motion]()
-    for motion in islice(motions, TRIES):
+    for motion in islice(motions, _TRIES):
         if keeps(motion.perform(world)):
             return [motion]
         tried.append(motion)
@@ -229,4 +225,4 @@ def _keeps_pair_promise(operator: RelationOperator, relations: RelationOperators
     if promise is None or outcome.kind != "carried":
         return promise is None
     described = describe_pair(outcome.end, 0, 1, outcome.contacts)
-    return relations.state_of(described.tolist()).symbol == promise.state
+    return relations.of(described.tolist()).symbol == promise.state

@@ -18,7 +18,6 @@ from neurosym.grounding import Grounding
 from neurosym.operators import Vector, vector
 from neurosym.planners.planner import PlanResult, PlanStatus
 from neurosym.problems import Problem, spot_name
-from neurosym.tasks.options import carriers_of
 from neurosym.tasks.task import (
     GAP,
     LEAST_GAP,
@@ -63,7 +62,7 @@ _Turn = tuple[PlanResult, Problem]
 
 def is_by_places(problem: Problem, grounding: Grounding) -> bool:
     """Say whether some object of a problem can be carried to its goal."""
-    if not (grounding.is_refined and carriers_of(grounding)):
+    if not (grounding.is_refined and grounding.carriers):
         return False
     return any(name in problem.goals for name in understand(problem, grounding).carried)
 

@@ -43,7 +43,7 @@ from neurosym.planners.planner import (
 from neurosym.planners.planner_table import PLANNERS
 from neurosym.problems import NEAR_TABLE, Problem, spot_named
 from neurosym.tasks.pair_goals import why_no_relation
-from neurosym.tasks.supports import is_reached, is_relational, relating, relations_of
+from neurosym.tasks.supports import is_reached, is_relational, relations_of
 from neurosym.tasks.task import Task, understand, with_places
 from neurosym.tasks.transition import PlanStep, State, apply, missed, refusal, start, validate
 
@@ -277,7 +277,7 @@ def _unknown(result: PlanResult, query: Query) -> str:
     carries = {operator.name: grounding.carries(operator) for operator in grounding.every_operator}
     places = with_places(query.problem, grounding).places if any(carries.values()) else {}
     for step in result.steps:
-        if relating(step.base, grounding):
+        if grounding.relation_named(step.base):
             if unknown := [name for name in (step.object, step.place) if name not in names]:
                 return f"the object {shortened(unknown[0])!r}, which the problem does not have"
             continue

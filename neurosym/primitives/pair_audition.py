@@ -102,8 +102,8 @@ def choose_for_pairs(search: Search, states: PairStates) -> Repertoire:
     )
     foreseen = {kind: _foreseen(search, scenes, world.action_box) for kind, scenes in sample.scenes.items()}
     contests: dict[Symbol, list[_OfState]] = {kind: [] for kind in foreseen}
-    for state in sorted(states.straight):
-        column = states.bearing_order.index(state)
+    for state in states.straight:
+        column = states.bearing.index(state)
         of_state = {kind: chances[:, :, column] for kind, chances in foreseen.items()}
         reach = sum(sample.shares[kind] * chances.max(0).mean() for kind, chances in of_state.items())
         for kind, chances in of_state.items():
@@ -232,7 +232,7 @@ def rehearse_among(search: Search, table: RelationOperators, rehearsals: Rehears
         table: The operators.
         rehearsals: Those whose ends are begun from.
     """
-    states = PairStates(table.states, table.scales)
+    states = table
     rng = np.random.default_rng([search.seed, _STREAM])
     ends = [
         outcome.end

@@ -27,6 +27,7 @@ from neurosym.operators import (
 from neurosym.pair_operators import (
     DESCRIPTION,
     NEVER_CARRIES,
+    Company,
     PairEnd,
     PairState,
     PlaceOperators,
@@ -57,11 +58,10 @@ from neurosym.stages.layout import (
     TABLE_FILES,
     WORLD,
 )
-from neurosym.tasks.options import left_out
 from neurosym.world import OutcomeKind, World
 from neurosym.worlds.world_file import read_world
 
-WhyLeftOut = Callable[[Operator], str | None]
+_WhyLeftOut = Callable[[Operator], str | None]
 """Says why an operator is not in the PDDL domain; None if it is."""
 _ENDS: dict[OutcomeKind, str] = {
     "resting": "at rest",
@@ -136,7 +136,7 @@ def explain(
     *,
     feature_names: Sequence[str] = (),
     gripper: Sequence[bool] = (),
-    why_left_out: WhyLeftOut | None = None,
+    why_left_out: _WhyLeftOut | None = None,
 ) -> Explanation:
     """Say what each symbol of a table means.
 
@@ -173,9 +173,7 @@ def explain(
 def explain_carrying(places: PlaceOperators, gripper: Sequence[bool] = ()) -> tuple[SymbolExplanation, ...]:
     """Say what each action symbol does that is aimed at a place.
 
-    Args:
-        places: What was rehearsed.
-        gripper: Which action parameters are gripper values, as the world says; empty if nobody knows.
+    `gripper` says which action parameters are gripper values; it is empty if nobody knows.
 
     Raises:
         InvalidValue: If the table does not fit together.
@@ -290,15 +288,24 @@ def _never_tried(table: OperatorTable, operators: Sequence[Operator]) -> tuple[s
     return (f"It was never tried on {', '.join(missing)}.",) if missing else ()
 
 
+_AMONG: dict[Company, str] = {
+    "beside": "others close beside it",
+    "occupied": "another object on the place",
+}
+_WITH_A_THIRD: dict[Company, str] = {
+    "occupied": "on the reference",
+    "borne": "under the target",
+    "laden": "on the target",
+}
+
+
 def _among_others(places: PlaceOperators, operators: Sequence[Operator]) -> list[str]:
-    names = {one.name for one in operators}
-    tables = {"others close beside it": places.beside, "another object on the place": places.occupied}
     said = []
-    for company, table in tables.items():
-        found = [one for one in table if one.name in names]
+    for how, others in _AMONG.items():
+        found = [one for operator in operators if (one := places.company(operator.name).get(how))]
         if trials := sum(one.trials for one in found):
             kept = sum(one.kept for one in found)
-            said.append(f"With {company} it went as promised {kept} of {trials} times.")
+            said.append(f"With {others} it went as promised {kept} of {trials} times.")
     return said
 
 
@@ -310,10 +317,7 @@ def _axes(table: OperatorTable) -> int:
     return next((len(mode.effect) for operator in table.operators for mode in operator.modes), 0)
 
 
-# States and kinds of pairs, and what operates on them, in sentences for a person
-
-
-def with_relations(
+def _with_relations(
     told: Explanation, relations: RelationOperators, feature_names: Sequence[str], gripper: Sequence[bool]
 ) -> Explanation:
     """Say also what states of pairs look like, which pairs are of each kind, and what operates on them.
@@ -333,10 +337,10 @@ def with_relations(
     )
 
 
-def summary_of_relations(relations: RelationOperators) -> str:
+def _summary_of_relations(relations: RelationOperators) -> str:
     """Say how many states, kinds and operators on pairs were learned."""
     bearing = [state.name for state in relations.states if state.bears]
-    live = len(relations.operators) - len(left_out(relations))
+    live = len(relations.operators) - len(relations.left_out)
     told = f"one object bears another in {', '.join(bearing)}" if bearing else "in none is anything borne"
     return (
         f"Pairs of objects are of {len(relations.pairs)} kinds and stand in {len(relations.states)} states; "
@@ -348,7 +352,7 @@ def _of_primitive(
     primitive: Primitive, relations: RelationOperators, gripper: Sequence[bool]
 ) -> SymbolExplanation:
     operators = [one for one in relations.operators if one.label == primitive.label]
-    reasons = left_out(relations)
+    reasons = relations.left_out
     led_to = [relations.state_named(one.promise.state).name for one in operators if one.promise]
     title = f"brings pairs to {', '.join(dict.fromkeys(led_to)) or 'no state'}"
     about = aimed_action_in_words(primitive, gripper, "the other object")
@@ -380,15 +384,10 @@ def _about_kind(kind: Category, feature_names: Sequence[str]) -> str:
 
 
 def _with_a_third(operator: RelationOperator) -> list[str]:
-    cases = (
-        ("on the reference", operator.occupied),
-        ("under the target", operator.borne),
-        ("on the target", operator.laden),
-    )
     return [
         f"{operator.name} with a third object {where}: {kept.kept} of {kept.trials} went so."
-        for where, kept in cases
-        if kept.trials
+        for how, where in _WITH_A_THIRD.items()
+        if (kept := operator.company[how]).trials
     ]
 
 
@@ -407,8 +406,6 @@ def _row(operator: RelationOperator, end: PairEnd, relations: RelationOperators,
     )
 
 
-# Explaining the symbols of a domain folder, from whatever of it is there
-
 _NO_WORLD = f"There is no {WORLD} here to say what the parameters of actions are: they are plain numbers."
 _ASSUMED = f"What is in the domain is said for cells of 5 mm; there is no {GROUNDING} yet."
 _OTHER_TABLE = f"{GROUNDING} was compiled from another {PRIMITIVES}; compile-domain makes it fit."
@@ -416,9 +413,6 @@ _OTHER_TABLE = f"{GROUNDING} was compiled from another {PRIMITIVES}; compile-dom
 
 def explain_folder(domain: DomainFolder) -> Explanation:
     """Explain the symbols of a domain folder, from whatever of it is there beside the table of operators.
-
-    Args:
-        domain: The folder.
 
     Raises:
         StageMissing: If there is no `primitives.json`.
@@ -439,8 +433,8 @@ def explain_folder(domain: DomainFolder) -> Explanation:
         remarks.append(summary_of(told.carrying))
     if (path := domain / RELATION_OPERATORS).is_file():
         relations = RelationOperators.load(path)
-        told = with_relations(told, relations, names, gripper)
-        remarks.append(summary_of_relations(relations))
+        told = _with_relations(told, relations, names, gripper)
+        remarks.append(_summary_of_relations(relations))
     remarks += [_NO_WORLD] * (world is None) + [remark] * bool(remark)
     remarks += [f"{line}." for line in domain.outdated(TABLE_FILES)]
     return replace(told, summary=(*told.summary, *remarks))

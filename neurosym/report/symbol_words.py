@@ -88,9 +88,6 @@ class Explanation:
     def only(self, symbol: str) -> "Explanation":
         """Keep what is said of one symbol, which may be one of actions and of objects alike.
 
-        Args:
-            symbol: Its bits, its name, or an operator of it.
-
         Raises:
             UnknownChoice: If there is none.
         """
@@ -142,18 +139,17 @@ def distance_in_words(distance: float, axes: int) -> str:
 def action_in_words(action: Sequence[float], gripper: Sequence[bool] = ()) -> tuple[str, ...]:
     """Say in sentences what the hand does.
 
-    Args:
-        action: The action parameters.
-        gripper: Which of them are gripper values, as the world's action box says; empty if nobody knows.
+    `gripper` says which parameters are gripper values; it is empty if nobody knows.
     """
     if not action or len(action) % len(_WAYPOINT) or tuple(gripper) != _WAYPOINT * (len(action) // 4):
         return (f"Its parameters are {_numbers(action)}.",)
     points = [action[i : i + AXES] for i in range(0, len(action), len(_WAYPOINT))]
     hands = ["open" if value >= _OPEN else "closed" for value in action[AXES :: len(_WAYPOINT)]]
-    moves = [
-        f"{_gripper_in_words(before, after)} {place_in_words(point, 'the centre')}."
-        for point, before, after in zip(points[1:], hands, hands[1:], strict=False)
-    ]
+    moves = []
+    for point, before, after in zip(points[1:], hands, hands[1:], strict=False):
+        turn = "opens" if after == "open" else "closes"
+        told = f"Still {after}, it moves" if before == after else f"It {turn} there and moves"
+        moves.append(f"{told} to {place_in_words(point, 'the centre')}.")
     travel = [end - start for start, end in zip(points[0], points[-1], strict=True)]
     start = place_in_words(points[0], "the object's centre")
     return (
@@ -166,13 +162,7 @@ def action_in_words(action: Sequence[float], gripper: Sequence[bool] = ()) -> tu
 def aimed_action_in_words(
     primitive: Primitive, gripper: Sequence[bool], reference: str = "the place"
 ) -> tuple[str, ...]:
-    """Say what the hand does: two waypoints are relative to the object, the third to what it is aimed at.
-
-    Args:
-        primitive: The action.
-        gripper: Which action parameters are gripper values, as the world says; empty if nobody knows.
-        reference: What it is aimed at besides the object.
-    """
+    """Say what the hand does: two waypoints are relative to the object, the third to what it is aimed at."""
     told = action_in_words(primitive.action, gripper)
     if len(told) <= AXES:  # plain numbers
         return told
@@ -183,9 +173,7 @@ def aimed_action_in_words(
 def place_in_words(point: Sequence[float], what: str) -> str:
     """Say where a point lies: `42 mm back and 44 mm left of the centre, 25 mm below it`.
 
-    Args:
-        point: x, y, z relative to what it is near [m].
-        what: What it is near.
+    The point is relative to what it is near [m].
     """
     level = " and ".join(_parts((*point[:2], 0.0)))
     (height,) = _parts((0.0, 0.0, point[2]), "above", "below") or [""]
@@ -196,12 +184,6 @@ def place_in_words(point: Sequence[float], what: str) -> str:
 
 def _numbers(values: Sequence[float]) -> str:
     return ", ".join(f"{value:.3g}" for value in values)
-
-
-def _gripper_in_words(before: str, after: str) -> str:
-    if before == after:
-        return f"Still {after}, it moves to"
-    return f"It {'opens' if after == 'open' else 'closes'} there and moves to"
 
 
 def _parts(vector: Sequence[float], up: str = "up", down: str = "down") -> list[str]:
@@ -217,8 +199,6 @@ def _millimetres(value: float) -> int:
     return round(1000 * value)
 
 
-# Which objects a category holds, in words, from the means and spreads of their features
-
 _SIZES = {"s_x": "from back to front", "s_y": "from right to left", "d": "high"}
 _TYPES = ("solid", "open at the top", "open at both ends (rings)")
 _NEGLIGIBLE = 0.005
@@ -227,9 +207,7 @@ _NEGLIGIBLE = 0.005
 def objects_in_words(category: Category, feature_names: Sequence[str] = ()) -> tuple[str, ...]:
     """Say in sentences which objects a category holds.
 
-    Args:
-        category: The category.
-        feature_names: What its features are, as the world names them; empty if nobody knows.
+    `feature_names` are as the world names them, empty if nobody knows.
     """
     if not category.share:
         return ("None of the sampled objects has this symbol, so nothing is known of what is done to it.",)
@@ -247,10 +225,6 @@ def type_shares(mean: float, spread: float) -> tuple[float, float, float] | None
     """Work out which shares of objects are of type 0, 1 and 2, or return None if there are other types.
 
     Mean and spread say it exactly: mean = p1 + 2 p2 and spread^2 + mean^2 = p1 + 4 p2.
-
-    Args:
-        mean: Mean of the type.
-        spread: Standard deviation of the type.
     """
     square = spread**2 + mean**2
     rings = (square - mean) / 2

@@ -1,15 +1,16 @@
 """The stage that compiles a domain: it prints the domain as PDDL, and its problems anew."""
 
 from collections.abc import Callable, Collection, Iterable, Sequence
+from contextlib import nullcontext, suppress
+from dataclasses import dataclass
 from functools import partial
-from typing import NamedTuple
 
 import msgspec
 
 from neurosym.errors import InvalidFile, InvalidValue, quoted
-from neurosym.files import digest, make_folder, read_json, read_text, remove, write_atomically
+from neurosym.files import MOST_JSON, digest, make_folder, read_bytes, read_text, remove, write_atomically
 from neurosym.grounding import Grounding
-from neurosym.operators import OperatorTable
+from neurosym.operators import OperatorTable, Versioned
 from neurosym.pair_operators import PlaceOperators, RelationOperators
 from neurosym.pddl.compiler import (
     GroundPlan,
@@ -26,12 +27,16 @@ from neurosym.regression import save_fits
 from neurosym.stages.folder import Claim, DomainFolder, Stage, load_scene
 from neurosym.stages.layout import (
     DOMAIN,
+    DURATIVE,
     DURATIVE_DOMAIN,
     FORMER,
     FORMER_DOMAINS,
     GROUNDING,
     NUMERIC_DOMAIN,
+    NUMERIC_PDDL,
+    PDDL,
     PLACE_OPERATORS,
+    PLAIN,
     PLAIN_DOMAIN,
     PRACTICE,
     PRIMITIVES,
@@ -40,10 +45,8 @@ from neurosym.stages.layout import (
     SCENE,
     TABLE_FILES,
     WORLD,
-    durative_file,
-    plain_file,
     printed_file,
-    problem_files,
+    problem_file,
     scene_file,
 )
 from neurosym.stages.plan_records import recorded_plans
@@ -53,12 +56,10 @@ from neurosym.tasks.supports import is_relational
 from neurosym.tasks.task import understand
 from neurosym.worlds.world_file import read_world
 
-# What practice came to: `practice.json`, and the operators as they are after it
-
 FORMAT = "neurosym-practice-1"
 
 
-class PracticeFile(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
+class PracticeFile(Versioned, frozen=True):
     """What was practised.
 
     Attributes:
@@ -74,13 +75,11 @@ class PracticeFile(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     seed: int
     evenly: bool
     practised: Practised
+    readable = (FORMAT,)
 
 
 def practice_of(folder: DomainFolder) -> PracticeFile | None:
     """Return what was practised with the operators that the folder has; None if nothing was.
-
-    Args:
-        folder: The domain folder.
 
     Raises:
         InvalidFile: If the file is none.
@@ -88,17 +87,13 @@ def practice_of(folder: DomainFolder) -> PracticeFile | None:
     path = folder / PRACTICE
     if not (path.is_file() and (folder / PRIMITIVES).is_file()):
         return None
-    found = read_json(path, PracticeFile, "; remove it to go back to what was distilled")
-    if found.format != FORMAT:
-        raise InvalidFile(path, f"it is of the format {found.format!r}, and this version reads {FORMAT!r}")
+    remedy = "; remove it to go back to what was distilled"
+    found = PracticeFile.decoded(path, read_bytes(path, MOST_JSON), remedy)
     return found if found.of == digest(folder / PRIMITIVES) else None
 
 
 def operator_table(folder: DomainFolder) -> OperatorTable:
     """Read the operators as they are now: after practice, those that it came to.
-
-    Args:
-        folder: The domain folder.
 
     Raises:
         StageMissing: If there is no `primitives.json`.
@@ -114,88 +109,48 @@ def operator_table(folder: DomainFolder) -> OperatorTable:
 # No command reads these files, so no stage is out of date for want of them.
 
 
-class _Form(NamedTuple):
-    """One more way to print a domain: its files, and what writes them."""
+@dataclass(frozen=True)
+class _Form:
+    """One more way to print a domain: its file, what those of problems end with, and what prints them."""
 
     domain: str
-    problem_file: Callable[[str], str]
+    ending: str
     domain_text: Callable[[Grounding], str]
     problem_text: Callable[[Problem, Grounding], str]
 
+    def is_there(self, folder: DomainFolder, wanted: Collection[str]) -> bool:
+        """Say whether the domain is to be printed so: it is asked for now, or was before."""
+        return self.domain in wanted or (folder / self.domain).exists()
+
 
 _FORMS = (
-    _Form(PLAIN_DOMAIN, plain_file, partial(domain_text, costs=False), partial(problem_text, costs=False)),
-    _Form(DURATIVE_DOMAIN, durative_file, durative_domain_text, durative_problem_text),
+    _Form(PLAIN_DOMAIN, PLAIN, partial(domain_text, costs=False), partial(problem_text, costs=False)),
+    _Form(DURATIVE_DOMAIN, DURATIVE, durative_domain_text, durative_problem_text),
 )
 
 
-def write_domains(folder: DomainFolder, grounding: Grounding, wanted: Collection[str]) -> None:
-    """Write the domain in each form that is wanted, or was before.
-
-    Args:
-        folder: The domain folder.
-        grounding: The learned domain.
-        wanted: Names of the files that are asked for now.
-
-    Raises:
-        InvalidValue: If it is asked for durative actions, and nothing carries objects to places.
-    """
-    for form in _FORMS:
-        if form.domain in wanted or (folder / form.domain).exists():
-            try:
-                write_atomically(folder / form.domain, form.domain_text(grounding))
-            except InvalidValue:
-                if form.domain in wanted:
-                    raise
-
-
-def write_problem(
+def print_problem(
     folder: DomainFolder, problem: Problem, grounding: Grounding, wanted: Collection[str] = ()
 ) -> None:
-    """Write a problem in each form that there is a domain in; none is left from before where it has none.
-
-    Args:
-        folder: The domain folder.
-        problem: The problem.
-        grounding: The learned domain.
-        wanted: Names of the domains that are about to be there.
-    """
-    for form in _FORMS:
-        if form.domain in wanted or (folder / form.domain).exists():
-            file = folder / form.problem_file(problem.name)
-            try:
-                write_atomically(file, form.problem_text(problem, grounding))
-            except InvalidValue:  # an object cannot be carried to its goal
-                file.unlink(missing_ok=True)
-
-
-# Printing the problems of a domain folder as PDDL, in every way that the domain is printed
-
-
-def print_problem(folder: DomainFolder, problem: Problem, grounding: Grounding) -> None:
     """Print a problem for other planners, in every way, such that plans beside it stay plans.
 
-    Args:
-        folder: The domain folder.
-        problem: The problem.
-        grounding: The learned domain.
+    Domains that are `wanted` are about to be there.
     """
-    problem = placed(problem, grounding)
+    problem, name = _placed(problem, grounding), problem.name
     printed = texts_of(problem, grounding, recorded_plans(folder, problem, grounding))
-    for file in sorted(printed):
-        write_atomically(folder / file, printed[file])
-    _remove_stale(folder, problem.name, printed)
-    write_problem(folder, problem, grounding)
+    for form in _FORMS:
+        if form.is_there(folder, wanted):
+            with suppress(InvalidValue):  # an object cannot be carried to its goal
+                printed[problem_file(name, form.ending)] = form.problem_text(problem, grounding)
+    for file, text in sorted(printed.items()):
+        write_atomically(folder / file, text)
+    for ending in (PDDL, NUMERIC_PDDL, PLAIN, DURATIVE, *FORMER):
+        if (file := problem_file(name, ending)) not in printed and (folder / file).exists():
+            remove(folder / file)  # a former problem of that name was printed so
 
 
 def put_problem(folder: DomainFolder, problem: Problem, grounding: Grounding) -> None:
-    """Write a problem that was made just now, printed and as we read it.
-
-    Args:
-        folder: The domain folder.
-        problem: The problem.
-        grounding: The learned domain.
-    """
+    """Write a problem that was made just now, printed and as we read it."""
     make_folder(folder / PROBLEMS)
     print_problem(folder, problem, grounding)
     problem.save(folder / scene_file(problem.name))
@@ -211,23 +166,22 @@ def print_beside(
 ) -> None:
     """Print a problem anew where it is missing, or lacks what plans beside it need.
 
-    Args:
-        folder: The domain folder.
-        problem: The problem.
-        grounding: The learned domain.
-        encoding: The encoding that was planned in; plans may be in another.
-        plans: What a planner found just now.
-        planner: Name of the planner.
+    `plans` are what a planner found just now, maybe in another encoding than the one that was planned in.
     """
     wanted: dict[str, EncodingName] = {
         printed_file(problem.name, plan.encoding): plan.encoding for plan in plans
     }
     if not plans and not is_relational(problem, grounding):
         wanted = {printed_file(problem.name, encoding): encoding}
-    lacking = [file for file in wanted if _lacks(folder, file, _beside(file, problem, plans))]
+    lacking = [
+        file
+        for file in wanted
+        if not (path := folder / file).is_file()
+        or any(plan.missing(read_text(path)) for plan in _beside(file, problem, plans))
+    ]
     if not lacking:
         return
-    problem = placed(problem, grounding)
+    problem = _placed(problem, grounding)
     recorded = recorded_plans(folder, problem, grounding)
     every = (*plans, *recorded_plans(folder, problem, grounding, besides=planner))
     for file in sorted(lacking):
@@ -239,24 +193,13 @@ def print_beside(
             write_atomically(path, print_with(plans=_beside(file, problem, every)))
 
 
-def _lacks(folder: DomainFolder, file: str, plans: Iterable[GroundPlan]) -> bool:
-    """Say whether a printed problem is missing, or lacks what some plans need."""
-    path = folder / file
-    return not path.is_file() or any(plan.missing(read_text(path)) for plan in plans)
-
-
 def _beside(file: str, problem: Problem, plans: Iterable[GroundPlan]) -> list[GroundPlan]:
     """Keep the plans whose problem is printed into a file."""
     return [plan for plan in plans if printed_file(problem.name, plan.encoding) == file]
 
 
-def placed(problem: Problem, grounding: Grounding) -> Problem:
-    """Return a problem with its places, which are drawn once for all that is printed of it.
-
-    Args:
-        problem: The problem.
-        grounding: The learned domain.
-    """
+def _placed(problem: Problem, grounding: Grounding) -> Problem:
+    """Return a problem with its places, which are drawn once for all that is printed of it."""
     for item in problem.objects:
         check_object(item, grounding)
     return msgspec.structs.replace(problem, places=understand(problem, grounding).flat.places)
@@ -265,10 +208,7 @@ def placed(problem: Problem, grounding: Grounding) -> Problem:
 def texts_of(problem: Problem, grounding: Grounding, plans: Sequence[GroundPlan] = ()) -> dict[str, str]:
     """Print a problem in each way, by file; one of relations has none in numbers.
 
-    Args:
-        problem: The problem, with its places.
-        grounding: The learned domain.
-        plans: The plans that stand beside it.
+    The problem has its places.
     """
     encodings = [STRIPS, *([] if understand(problem, grounding).relates else [NUMERIC])]
     files = {printed_file(problem.name, each): each for each in encodings}
@@ -276,13 +216,6 @@ def texts_of(problem: Problem, grounding: Grounding, plans: Sequence[GroundPlan]
         file: problem_text(problem, grounding, each, plans=_beside(file, problem, plans))
         for file, each in files.items()
     }
-
-
-def _remove_stale(folder: DomainFolder, name: str, printed: Collection[str]) -> None:
-    """Remove what a former problem of that name was printed as, and this one is not."""
-    for file in (*problem_files(name), *(f"{PROBLEMS}/{name}{ending}" for ending in FORMER)):
-        if file not in printed and (folder / file).exists():
-            remove(folder / file)
 
 
 def compile_stage(
@@ -333,16 +266,16 @@ def compile_stage(
         )
         write_atomically(folder / DOMAIN, domain_text(grounding))
         write_atomically(folder / NUMERIC_DOMAIN, domain_text(grounding, NUMERIC))
-        _remove_former(folder)
-        write_domains(folder, grounding, wanted)
+        for file in (*(folder / former for former in FORMER_DOMAINS), *folder.path.glob("*planviz.js*")):
+            remove(file)  # what earlier versions printed, and is on the page now
+        for form in _FORMS:
+            if form.is_there(folder, wanted):
+                with nullcontext() if form.domain in wanted else suppress(InvalidValue):
+                    write_atomically(folder / form.domain, form.domain_text(grounding))
         grounding.save(folder / GROUNDING)
         save_fits(folder / GROUNDING, fits_of(grounding))
         for scene in sorted((folder / PROBLEMS).glob(f"*{SCENE}")):
-            problem = placed(load_scene(scene), grounding)
-            plans = recorded_plans(folder, problem, grounding)
-            for file, text in texts_of(problem, grounding, plans).items():
-                write_atomically(folder / file, text)
-            write_problem(folder, problem, grounding, wanted)
+            print_problem(folder, load_scene(scene), grounding, wanted)
 
     wanted = [name for name, asked in ((PLAIN_DOMAIN, plain), (DURATIVE_DOMAIN, durative)) if asked]
     has_places = (folder / PLACE_OPERATORS).exists() if with_places is None else with_places
@@ -352,15 +285,6 @@ def compile_stage(
     outputs = (DOMAIN, NUMERIC_DOMAIN, GROUNDING)
     options = {"cell": cell} | ({"name": name} if name else {})
     return Stage("compile-domain", inputs, outputs, work, options, Claim.ALONE)
-
-
-def _remove_former(folder: DomainFolder) -> None:
-    """Remove what earlier versions printed, and is on the page now."""
-    files = [folder / name for name in FORMER_DOMAINS]
-    files += [folder / "planviz.js", *folder.path.glob("*.planviz.json")]
-    files += [file for ending in FORMER for file in (folder / PROBLEMS).glob(f"*{ending}")]
-    for file in files:
-        remove(file)
 
 
 def _former_name(folder: DomainFolder) -> str:

@@ -38,9 +38,6 @@ def progress_bar(label: str) -> AbstractContextManager[Advance]:
     """Show a bar with rate and remaining time while some long work goes on, once it has begun.
 
     Where the output is no terminal, a line now and then says as much.
-
-    Args:
-        label: What is being done.
     """
     from neurosym.stages.terminal import progress_bar as drawn
 
@@ -84,11 +81,7 @@ def say(text: str) -> None:
 
 
 def print_raw(text: str) -> None:
-    """Print a text as it is, for programs to read.
-
-    Args:
-        text: It needs no new line at its end.
-    """
+    """Print a text as it is, for programs to read."""
     say(text.rstrip("\n"))
 
 
@@ -105,11 +98,7 @@ def complain(sentence: str, style: str = "") -> None:
 
 
 def be_quiet(quiet: bool) -> None:
-    """Print nothing but what goes wrong, or everything again.
-
-    Args:
-        quiet: Which of both.
-    """
+    """Print nothing but what goes wrong, or everything again."""
     _Output.quiet = quiet
 
 

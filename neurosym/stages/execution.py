@@ -23,12 +23,11 @@ from neurosym.stages.folder import DomainFolder, Stage
 from neurosym.stages.layout import GROUNDING, RUNS, WORLD, run_file, run_name, scene_file
 from neurosym.stages.plan_records import planned_tolerance, record_beside
 from neurosym.stages.planning import load_problem, remarks_on_objects
-from neurosym.tasks.supports import relating
 from neurosym.tasks.transition import hand_problem
-from neurosym.world import FrameSink, World
+from neurosym.world import World
 from neurosym.worlds.world_file import read_world
 
-REPLANNER = "fast-downward"
+_REPLANNER = "fast-downward"
 
 
 class Audience(Watcher, Protocol):
@@ -65,7 +64,7 @@ def execute_stage(
     name: str,
     plan_file: Path,
     *,
-    replanner: str = REPLANNER,
+    replanner: str = _REPLANNER,
     replans: int | None = None,
     time_limit: float | None = None,
     nudge_seed: int | None = None,
@@ -119,10 +118,8 @@ def execute_stage(
                 replanner=None if replans == 0 else replanning(asked_again, time_limit, tell),
                 replans=replans,
                 nudge_seed=nudge_seed,
-                on_frame=shown.on_frame,
-                on_step=shown.on_step,
-                watcher=showing.audience,
                 tell=tell,
+                **shown.watching,
             )
         other = None if problem.tolerance == own.tolerance else problem.tolerance
         by = asked_again.name if run.own_steps < len(run.steps) else msgspec.UNSET
@@ -174,8 +171,7 @@ def replay_run(folder: DomainFolder, record: Path, showing: Showing = Showing())
         record: A file that `execute_stage` wrote.
         showing: How the run is shown.
 
-    Returns:
-        What the record says, and how well it agrees with what happened now.
+    Returned are what the record says, and how well it agrees with what happened now.
 
     Raises:
         InvalidFile: If the file is no record of a run, or names what the domain does not have.
@@ -187,23 +183,14 @@ def replay_run(folder: DomainFolder, record: Path, showing: Showing = Showing())
     try:
         problem = problem.within(run.tolerance)
         for step in run.steps:
-            if not relating(step.operator, grounding):
+            if not grounding.relation_named(step.operator):
                 grounding.operator_named(step.operator)
-            _check_object(step.object, problem)
-        for nudge in run.nudges:
-            _check_object(nudge.object, problem)
+        for name in (*(step.object for step in run.steps), *(nudge.object for nudge in run.nudges)):
+            problem.object_named(name)
     except (InvalidValue, UnknownChoice) as error:
         raise InvalidFile(record, str(error).rstrip(".")) from error
     shown = _Shown(showing, world, problem)
-    again = rerun(
-        world,
-        problem,
-        grounding,
-        run,
-        on_frame=shown.on_frame,
-        on_step=shown.on_step,
-        watcher=showing.audience,
-    )
+    again = rerun(world, problem, grounding, run, **shown.watching)
     shown.end(again)
     return run, compare_runs(run, again)
 
@@ -223,19 +210,19 @@ class _Shown:
         self._film = Film(world, problem) if showing.gif or showing.strip else None
         if showing.gui:
             open_window(world)
-        self.on_frame: FrameSink | None = (
-            self._film.add_frame if self._film else ignore if showing.gui else None
-        )
-        self._audience = showing.audience
-        if self._audience:
-            self._audience.begin(world, problem)
+        on_frame = self._film.add_frame if self._film else ignore if showing.gui else None
+        self.watching: dict[str, Any] = {
+            "on_frame": on_frame,
+            "on_step": self._end_step,
+            "watcher": showing.audience,
+        }
+        if showing.audience:
+            showing.audience.begin(world, problem)
 
-    def on_step(self, record: StepRecord) -> None:
-        """Show what a step did."""
-        if self._film:
-            self._film.end_step(record)
-        if self._audience:
-            self._audience.end_step(record)
+    def _end_step(self, record: StepRecord) -> None:
+        for looking_on in (self._film, self._showing.audience):
+            if looking_on:
+                looking_on.end_step(record)
 
     def end(self, run: Run) -> None:
         """Write the pictures, or hold the window for a while."""
@@ -245,8 +232,3 @@ class _Shown:
             say("no pictures: the plan has no step")
         if self._showing.gui:
             hold_window()
-
-
-def _check_object(name: str, problem: Problem) -> None:
-    if name not in problem.object_names:
-        raise UnknownChoice("object", name, problem.object_names)

@@ -63,9 +63,6 @@ if TYPE_CHECKING:
     from neurosym.problems import Problem
 
 
-# How the files of a domain folder came about: the stages that made them, and a record of each
-
-
 class StageRecord(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     """How the files of one stage came about.
 
@@ -135,11 +132,7 @@ def versions() -> dict[str, str]:
 
 
 def rehearsal_options(manifest: Manifest) -> tuple[int, int]:
-    """Return how many objects rehearsal sampled, and where its draws started.
-
-    Args:
-        manifest: How the files of the domain folder came about.
-    """
+    """Return how many objects rehearsal sampled, and where its draws started."""
     distilled = manifest.stages.get("distill")
     options = distilled.options if distilled else {}
     return options.get("objects", 100), options.get("seed", 0)
@@ -149,12 +142,8 @@ Notify = Callable[[str], None]
 """Takes a remark, in a sentence without a full stop."""
 
 
-def _keep_quiet(remark: str) -> None:
-    """Pass over a remark."""
-
-
 class DomainFolder:
-    """A domain folder that exists.
+    """A domain folder that exists; its files are named relative to it.
 
     Args:
         path: The folder.
@@ -164,7 +153,7 @@ class DomainFolder:
         FolderNotFound: If there is none.
     """
 
-    def __init__(self, path: Path, notify: Notify = _keep_quiet):
+    def __init__(self, path: Path, notify: Notify = lambda _: None):
         if not path.is_dir():
             raise FolderNotFound(path)
         self.path, self.notify = path, notify
@@ -186,13 +175,11 @@ class DomainFolder:
             command, besides = f"neurosym {COMMANDS[path.name]} {quoted(self.path)}", ""
             if name == INTERACTIONS:
                 besides = ", or a script of yours (docs/data.md)"
-            if name == WORLD and self._has_own_data():
+            has_data = (self.path / INTERACTIONS).exists() and "explore" not in self.manifest().stages
+            if name == WORLD and has_data:
                 command, besides = f"{command} --world module:factory", " for the world of your data"
             raise StageMissing(path, command, besides)
         return path
-
-    def _has_own_data(self) -> bool:
-        return (self.path / INTERACTIONS).exists() and "explore" not in self.manifest().stages
 
     def problem_names(self) -> tuple[str, ...]:
         """List the problems of this folder: scenes, and PDDL files whose scene is missing."""
@@ -248,9 +235,6 @@ class DomainFolder:
     @contextmanager
     def claimed(self, claim: Claim) -> Iterator[None]:
         """Have the folder as some work needs it, until that is done; what is held already is not taken again.
-
-        Args:
-            claim: For oneself, shared with others who share it, or not at all.
 
         Raises:
             FolderTaken: If another process has it, and goes on having it for two seconds.
@@ -321,9 +305,6 @@ class DomainFolder:
     def prepare(self, *names: str) -> None:
         """Raise unless files can be written, and remove what killed processes left of theirs.
 
-        Args:
-            names: The files, relative to the folder.
-
         Raises:
             InvalidFile: If a folder stands in the place of a file, or a file in that of a folder.
             CannotWrite: If the system does not let them be written.
@@ -343,11 +324,7 @@ class DomainFolder:
             yield
 
     def outdated(self, names: tuple[str, ...]) -> list[str]:
-        """Say which of these files were made from others than those that are there now, if any are.
-
-        Args:
-            names: Files, relative to the folder.
-        """
+        """Say which of these files were made from others than those that are there now, if any are."""
         remarks = []
         for stage, record in self.manifest().stages.items():
             made = {name: made for name, made in record.outputs.items() if name in names}
@@ -361,11 +338,7 @@ class DomainFolder:
         return remarks
 
     def is_as_made(self, name: str) -> bool:
-        """Say whether a file is as a command wrote it, and was not put there or changed since.
-
-        Args:
-            name: The file, relative to the folder.
-        """
+        """Say whether a file is as a command wrote it, and was not put there or changed since."""
         made = [record.outputs[name] for record in self.manifest().stages.values() if name in record.outputs]
         return self._digests((name,)).get(name) in made
 
@@ -386,9 +359,6 @@ class DomainFolder:
 def load_scene(path: Path) -> "Problem":
     """Read a problem of a folder; it is called as its file is, whatever stands in it.
 
-    Args:
-        path: The file, NAME.scene.json.
-
     Raises:
         InvalidFile: If it is no problem, or its name is none that a problem can have.
     """
@@ -406,7 +376,12 @@ def _refuse_damaged(folder: Path, names: tuple[str, ...]) -> None:
     from neurosym.grounding import Grounding
     from neurosym.worlds.world_file import read_world
 
-    for name, read in ((WORLD, read_world), (GROUNDING, Grounding.load), (MODEL, _read_model)):
+    def read_model(path: Path) -> None:
+        from neurosym.learning.network import EffectModel
+
+        EffectModel.load(path)
+
+    for name, read in ((WORLD, read_world), (GROUNDING, Grounding.load), (MODEL, read_model)):
         if name in names and (folder / name).is_file():
             read(folder / name)
 
@@ -421,9 +396,3 @@ def _command(folder: Path, stage: str, made: str) -> str:
         scene = folder / scene_file(of[0])  # taken over as it is, so that the task stays the same
         return f"{typed} --name {of[0]}" + (f" --scene {quoted(scene)}" if scene.exists() else "")
     return f"{typed} {of[0].split('.')[0]}" if command in ("plan", "execute") else typed
-
-
-def _read_model(path: Path) -> None:
-    from neurosym.learning.network import EffectModel
-
-    EffectModel.load(path)

@@ -24,10 +24,8 @@ PLACES = "places"
 """What was learned of actions that are aimed at places, in files that are called as those above."""
 PLACE_INTERACTIONS = f"{PLACES}/{INTERACTIONS}"
 """`explore --places`: a row for each interaction that was aimed at a place."""
-PLACE_MODEL, PLACE_DIRECT_MODEL = f"{PLACES}/{MODEL}", f"{PLACES}/{DIRECT_MODEL}"
-"""`train`: the networks that were fitted to these."""
-PLACE_TRAINING = f"{PLACES}/{TRAINING}"
-"""`train`: how well they fit."""
+PLACE_MODEL = f"{PLACES}/{MODEL}"
+"""`train`: the network that was fitted to these."""
 PLACE_OPERATORS = f"{PLACES}/operators.json"
 """`distill`: what carries objects of each category to places, and how surely."""
 RELATIONS = "relations"
@@ -37,8 +35,6 @@ RELATION_INTERACTIONS = f"{RELATIONS}/{INTERACTIONS}"
 CHANCES, STATES = "chances.safetensors", "states.json"
 RELATION_MODEL, RELATION_CHANCES = f"{RELATIONS}/{MODEL}", f"{RELATIONS}/{CHANCES}"
 """`train`: the networks that were fitted to these; the object symbols are kinds of pairs."""
-RELATION_TRAINING = f"{RELATIONS}/{TRAINING}"
-"""`train`: how well they fit."""
 RELATION_STATES = f"{RELATIONS}/{STATES}"
 """`train`: the states that pairs of objects can be in."""
 RELATION_OPERATORS = f"{RELATIONS}/operators.json"
@@ -95,18 +91,14 @@ COMMANDS = {
 
 SCENE = ".scene.json"
 """What the file of a problem as we read it ends with."""
-NUMERIC = ".numeric.pddl"
-"""What the file of a problem in numbers ends with; the one for the page is NAME.pddl."""
-PLAIN = ".plain.pddl"
-"""What the file of a problem without costs ends with."""
+PDDL, NUMERIC_PDDL, PLAIN, DURATIVE = ".pddl", ".numeric.pddl", ".plain.pddl", ".durative.pddl"
+"""What its files for other planners end with: the page, in numbers, without costs, with durative actions."""
 FORMER = (".places.pddl", ".relational.pddl", ".relational-lifted.pddl")
 """What files of problems ended with that earlier versions printed, and no longer are."""
 FORMER_DOMAINS = tuple(
     f"domain-{encoding}.pddl" for encoding in ("operators", "places", "relational", "relational-lifted")
 )
 """The domains that earlier versions printed, and no longer are."""
-DURATIVE = ".durative.pddl"
-"""What the file of a problem with durative actions ends with."""
 PLAN, STEPS = ".plan", ".steps"
 """What the file of a plan of the printed domain and problem ends with, and that of steps that are none.
 
@@ -116,24 +108,19 @@ RECORD = ".run.json"
 """What the file of a record of a run ends with."""
 
 
+def problem_file(problem: str, ending: str) -> str:
+    """Name the file of a problem that ends so."""
+    return f"{PROBLEMS}/{problem}{ending}"
+
+
 def scene_file(problem: str) -> str:
     """Name the file of a problem as we read it."""
-    return f"{PROBLEMS}/{problem}{SCENE}"
+    return problem_file(problem, SCENE)
 
 
 def problem_files(problem: str) -> tuple[str, str]:
     """Name a problem's files for other planners, for the page and in numbers."""
-    return f"{PROBLEMS}/{problem}.pddl", f"{PROBLEMS}/{problem}{NUMERIC}"
-
-
-def plain_file(problem: str) -> str:
-    """Name a problem's file for planners that take no costs."""
-    return f"{PROBLEMS}/{problem}{PLAIN}"
-
-
-def durative_file(problem: str) -> str:
-    """Name a problem's file for temporal planners."""
-    return f"{PROBLEMS}/{problem}{DURATIVE}"
+    return problem_file(problem, PDDL), problem_file(problem, NUMERIC_PDDL)
 
 
 def plan_files(problem: str, planner: str) -> tuple[str, str]:
@@ -159,15 +146,11 @@ def run_name(problem: str, plan_file: Path) -> str:
 
 def printed_file(problem: str, encoding: str) -> str:
     """Name the file that holds a problem in an encoding of the domain."""
-    return f"{PROBLEMS}/{problem}{NUMERIC if encoding == 'numeric' else '.pddl'}"
+    return problem_file(problem, NUMERIC_PDDL if encoding == "numeric" else PDDL)
 
 
 def problem_of(file: str) -> str:
-    """Return the name of the problem that a file is of.
-
-    Args:
-        file: Name of the file.
-    """
-    for ending in (SCENE, NUMERIC, PLAIN, DURATIVE, *FORMER):
+    """Return the name of the problem that a file is of."""
+    for ending in (SCENE, NUMERIC_PDDL, PLAIN, DURATIVE, *FORMER, PDDL):
         file = file.removesuffix(ending)
-    return file.removesuffix(".pddl")
+    return file

@@ -1,7 +1,6 @@
-"""What actions are aimed at, as values: nothing but their object, a place, or another object.
+"""The stages that explore, train and distil, and what actions are aimed at: an object, a place, another one.
 
-Exploring, training and distilling go the same way for each (`exploring.py`, `training.py`, `distilling.py`),
-in the world as an aim has it shown, with data and networks of its own.
+All go the same way for each aim, in the world as the aim has it shown, with data and networks of its own.
 """
 
 from collections.abc import Callable, Mapping
@@ -26,6 +25,7 @@ from neurosym.errors import InvalidFile, InvalidValue, UnknownChoice, quoted
 from neurosym.files import make_folder, write_json
 from neurosym.learning.training_config import PAIR_BITS, PLACE_BITS, STATE_BITS, Regime, regime_named
 from neurosym.operators import counted_axes
+from neurosym.pair_operators import PairStates, PlaceOperators, describe_pair
 from neurosym.primitives.audition import CHOICES
 from neurosym.stages.console import progress_bar, say
 from neurosym.stages.folder import Claim, DomainFolder, Stage
@@ -47,7 +47,15 @@ from neurosym.stages.layout import (
     WORLD,
 )
 from neurosym.world import EFFECT_AXES, ActionBox, World, WorldFactory, references_of
-from neurosym.worlds.aims import PAIR_AXES, PLACE_AXES, REFERENCE, TARGET, AimedFactory, RelatedFactory
+from neurosym.worlds.aims import (
+    PAIR_AXES,
+    PLACE_AXES,
+    REFERENCE,
+    TARGET,
+    AimedFactory,
+    KnownMotions,
+    RelatedFactory,
+)
 from neurosym.worlds.workers import check_workers
 from neurosym.worlds.world_file import origin_of, read_world
 
@@ -55,14 +63,9 @@ if TYPE_CHECKING:
     from neurosym.primitives.rehearsal import Method
 
 
-FRESH = 600
+_FRESH = 600
 """Pairs that nobody touched, to learn states from."""
 _STREAM = 0x6672  # keeps their draws apart from others
-
-
-def _nothing_besides(folder: DomainFolder, interactions: Interactions, regime: Regime, seed: int) -> dict:  # type: ignore[type-arg]
-    del folder, interactions, regime, seed
-    return {}
 
 
 @dataclass(frozen=True)
@@ -97,7 +100,7 @@ class Aim:
     categories: str = MODEL
     adapt: Callable[[DomainFolder, WorldFactory], WorldFactory] = lambda _, factory: factory
     origin: Mapping[str, Any] = field(default_factory=dict)
-    learn: Callable[[DomainFolder, Interactions, Regime, int], dict[str, Any]] = _nothing_besides
+    learn: Callable[[DomainFolder, Interactions, Regime, int], dict[str, Any]] = lambda *_: {}
 
     def file(self, name: str) -> str:
         """Return where one of its files is in the domain folder."""
@@ -116,30 +119,16 @@ class Aim:
             )
 
 
-def _displacing(_: DomainFolder, choice: str) -> "Method":
-    from neurosym.primitives.operator_search import displacing
+def _search() -> Any:
+    """Return what finds operators; importing it takes seconds."""
+    from neurosym.primitives import operator_search
 
-    return displacing(choice)
-
-
-def _carrying(_: DomainFolder, __: str) -> "Method":
-    from neurosym.primitives.operator_search import CARRYING
-
-    return CARRYING
-
-
-def _relating(folder: DomainFolder, _: str) -> "Method":
-    from neurosym.pair_operators import PairStates
-    from neurosym.primitives.operator_search import relating
-
-    return relating(PairStates.load(folder.require(RELATION_STATES)))
+    return operator_search
 
 
 def _with_known_motions(folder: DomainFolder, factory: WorldFactory) -> WorldFactory:
     """Have pairs explored from what carries objects to places."""
     from neurosym.learning.network import EffectModel
-    from neurosym.pair_operators import PlaceOperators
-    from neurosym.worlds.aims import KnownMotions
 
     categorise = EffectModel.load(folder.require(MODEL)).object_symbols
     places = PlaceOperators.load(folder.require(PLACE_OPERATORS))
@@ -151,14 +140,13 @@ def _learn_states(
 ) -> dict[str, Any]:
     """Find the states of pairs, and learn to foresee them."""
     from neurosym.learning.state_codes import ends_in, fit_chances, learn_states
-    from neurosym.pair_operators import describe_pair
 
     path = folder / RELATION_INTERACTIONS
     if not np.any(interactions.effects[:, -1]):
         raise InvalidFile(path, "nothing was carried to another object; explore more")
     rng = np.random.default_rng([seed, _STREAM])
     world = RelatedFactory(read_world(folder.require(WORLD)))()
-    scenes = (world.sample_scene(rng, 1).whole for _ in range(FRESH))  # type: ignore[attr-defined]
+    scenes = (world.sample_scene(rng, 1).whole for _ in range(_FRESH))  # type: ignore[attr-defined]
     fresh = np.array([describe_pair(scene, TARGET, REFERENCE, ()) for scene in scenes])
     states = learn_states(fresh, *ends_in(interactions), STATE_BITS, rng)
     if not states.bearing:
@@ -174,9 +162,9 @@ def _learn_states(
     return {STATES: states, CHANCES: chances}
 
 
-OBJECTS = Aim(_displacing, PRIMITIVES)
+OBJECTS = Aim(lambda _, choice: _search().displacing(choice), PRIMITIVES)
 TO_PLACES = Aim(
-    _carrying,
+    lambda *_: _search().CARRYING,
     PLACE_OPERATORS,
     PLACES,
     reference="place",
@@ -186,7 +174,7 @@ TO_PLACES = Aim(
     origin={"reference": "place"},
 )
 TO_OBJECTS = Aim(
-    _relating,
+    lambda folder, _: _search().relating(PairStates.load(folder.require(RELATION_STATES))),
     RELATION_OPERATORS,
     RELATIONS,
     reference="object",
@@ -202,9 +190,6 @@ TO_OBJECTS = Aim(
 )
 
 
-# The stage that explores: `world.toml` -> `interactions.npz`
-
-
 def explore_stage(
     folder: DomainFolder,
     aim: Aim = OBJECTS,
@@ -214,7 +199,6 @@ def explore_stage(
     seed: int,
     regime: str,
     workers: int,
-    min_predicted_effect: float = 0.0,
     object_bits: int | None = None,
     action_bits: int | None = None,
 ) -> Stage:
@@ -222,8 +206,8 @@ def explore_stage(
 
     Bits matter where a network with symbols is explored by: for the strategy `entropy`.
     """
-    chosen = check_choices(strategy, regime, min_predicted_effect)
-    name, network, path = own_name(strategy), chosen.exploration, folder / aim.file(INTERACTIONS)
+    chosen, name, path = regime_named(regime), own_name(strategy), folder / aim.file(INTERACTIONS)
+    network = chosen.exploration
     if strategy_named(strategy).curious_about == "entropy":
         network = network.with_bits(object_bits, action_bits)
 
@@ -238,11 +222,8 @@ def explore_stage(
             aim.check_takes(factory())
         _check_begun(folder, aim, name, seed)
         make_folder(path.parent)
-        config = ExplorationConfig(
-            min_predicted_effect=min_predicted_effect,
-            learning=LearningConfig(
-                learning_rate=chosen.exploration_rate, loss_coefficient=chosen.training.loss_coefficient
-            ),
+        learning = LearningConfig(
+            learning_rate=chosen.exploration_rate, loss_coefficient=chosen.training.loss_coefficient
         )
         shown = aim.adapt(folder, factory)
         with progress_bar(f"exploring {aim.folder} ({name})".replace("  ", " ")) as advance:
@@ -253,7 +234,7 @@ def explore_stage(
                 seed=seed,
                 workers=workers,
                 checkpoint=path.parent,
-                config=config,
+                config=ExplorationConfig(learning=learning),
                 model_config=network,
                 origin={**origin_of(factory), **aim.origin},
                 progress=advance,
@@ -261,8 +242,6 @@ def explore_stage(
         interactions.save(path)
 
     options: dict[str, Any] = {"strategy": name, "steps": steps, "seed": seed, "regime": regime}
-    if min_predicted_effect:
-        options["min_predicted_effect"] = min_predicted_effect
     options |= network.unusual_bits()
     inputs, outputs = (WORLD, *aim.builds_on), (aim.file(INTERACTIONS),)
     return Stage(aim.stage("explore"), inputs, outputs, work, options, Claim.ALONE)
@@ -286,12 +265,6 @@ def _check_begun(folder: DomainFolder, aim: Aim, strategy: str, seed: int) -> No
         say(f"note: {STATE_FILE} is missing, so that exploration begins anew, and comes to the same again")
 
 
-def check_choices(strategy: StrategyName, regime: str, min_predicted_effect: float = 0.0) -> Regime:
-    """Return a regime, or raise unless there are such a strategy and regime, and they can be combined."""
-    strategy_named(strategy, min_predicted_effect)
-    return regime_named(regime)
-
-
 def check_steps(folder: DomainFolder, steps: int, aim: Aim = OBJECTS) -> None:
     """Refuse to replace interactions by fewer, or a user's own by any."""
     path = folder / aim.file(INTERACTIONS)
@@ -306,9 +279,6 @@ def check_steps(folder: DomainFolder, steps: int, aim: Aim = OBJECTS) -> None:
     if len(found) > steps:
         said = f"{path} holds {len(found)} interactions already, more than {steps}"
         raise InvalidValue(f"{said}; remove it, or ask for more.")
-
-
-# The stage that distils: networks, data and world -> the table of operators
 
 
 def distill_stage(
@@ -372,9 +342,6 @@ def distill_stage(
     options = {"objects": objects, "seed": seed, **({} if aim.folder else {"choice": choice})}
     inputs = tuple(dict.fromkeys((WORLD, aim.categories, of_model, of_network, data, *besides)))
     return Stage(aim.stage("distill"), inputs, (aim.table,), work, options, Claim.ALONE)
-
-
-# The stage that trains: `interactions.npz` -> the networks and how well they fit
 
 
 def train_stage(

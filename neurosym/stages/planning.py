@@ -1,8 +1,7 @@
 """The stage that plans: problem and grounding -> a plan, and how planning went."""
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 from pathlib import Path
-from typing import Any
 
 import msgspec
 import numpy as np
@@ -29,19 +28,13 @@ from neurosym.tasks.task import blockers, footprints_apart, understand
 from neurosym.world import World
 from neurosym.worlds.world_file import read_limits
 
-# What a user should know of a problem that can be planned for, but hardly is what was meant
-
 
 def tell_remarks(
     folder: DomainFolder, problem: Problem, grounding: Grounding, *, is_new: bool = True
 ) -> None:
     """Tell a user all that is to be said of a problem.
 
-    Args:
-        folder: The domain folder.
-        problem: The problem.
-        grounding: The learned domain.
-        is_new: Whether somebody put it there, so that nothing was said of its objects yet.
+    If somebody put it there, and it is new, that is also of its objects.
     """
     for remark in (
         *(remarks_on_objects(folder, problem, grounding) if is_new else ()),
@@ -53,12 +46,7 @@ def tell_remarks(
 
 
 def remarks_on_places(problem: Problem, grounding: Grounding) -> Iterator[str]:
-    """Name the objects that could be carried to their goals, if only there were a place.
-
-    Args:
-        problem: The problem; only if it names places of its own, one may be missing.
-        grounding: The learned domain.
-    """
+    """Name the objects that could be carried to their goals, if only there were a place."""
     if not problem.places:
         return
     here = understand(problem, grounding).carried
@@ -72,12 +60,7 @@ def remarks_on_places(problem: Problem, grounding: Grounding) -> Iterator[str]:
 
 
 def remarks_on_blocked(problem: Problem, grounding: Grounding) -> Iterator[str]:
-    """Name the places that an object stands on which nothing in the domain moves.
-
-    Args:
-        problem: The problem; only places of its own may be blocked so.
-        grounding: The learned domain.
-    """
+    """Name the places that an object stands on which nothing in the domain moves."""
     if not problem.places:
         return
     carried, apart = understand(problem, grounding).carried, footprints_apart(problem)
@@ -93,12 +76,7 @@ def remarks_on_blocked(problem: Problem, grounding: Grounding) -> Iterator[str]:
 
 
 def remarks_on_number(folder: DomainFolder, problem: Problem) -> Iterator[str]:
-    """Say if there are more objects than the world of a folder simulates; plans can be found all the same.
-
-    Args:
-        folder: The domain folder.
-        problem: The problem.
-    """
+    """Say if there are more objects than the world of a folder simulates; plans can be found all the same."""
     limits = read_limits(folder / WORLD) if (folder / WORLD).is_file() else None
     if limits and (reason := limits.too_many(len(problem.objects))):
         yield f"{reason}, so plans for this problem cannot be executed"
@@ -107,10 +85,7 @@ def remarks_on_number(folder: DomainFolder, problem: Problem) -> Iterator[str]:
 def remarks_on_objects(folder: DomainFolder, problem: Problem, grounding: Grounding) -> Iterator[str]:
     """Name the objects that are unlike all of their category, or seem to be of another one.
 
-    Args:
-        folder: The domain folder; if it has no network, nothing is said of other categories.
-        problem: The problem.
-        grounding: The learned domain.
+    Of other categories nothing is said if the folder has no network.
     """
     if not grounding.operators.operators:
         return
@@ -241,9 +216,13 @@ def plan_stage(
         plans = write_plans(folder, chosen.name, own, problem, grounding, result, printed)
         print_beside(folder, own, grounding, printed, plans, chosen.name)
 
-    asked: dict[str, Any] = {"whole": whole, "nearest": nearest}
-    asked |= {"tolerance": tolerance, "factory": made_by}
-    options = {"time_limit": time_limit, "encoding": encoding, **_asked_for(asked)}
+    # what is not asked for is left out, so that records of earlier versions stay up to date
+    asked = {"whole": whole, "nearest": nearest, "tolerance": tolerance, "factory": made_by}
+    options = {
+        "time_limit": time_limit,
+        "encoding": encoding,
+        **{name: value for name, value in asked.items() if value},
+    }
     outputs = (plan_file, record_file, steps_file(plan_file))
     return Stage(stage, inputs, outputs, work, options, renews=printed_again)
 
@@ -258,11 +237,6 @@ def _refuse_namesake(folder: DomainFolder, stage: str, made_by: str, plan_file: 
             f"has the same name as {other}, by which {plan_file} is; "
             "give one of them another name, or remove that file",
         )
-
-
-def _asked_for(options: Mapping[str, Any]) -> dict[str, Any]:
-    """Keep the options that are asked for, so that records of earlier versions stay up to date."""
-    return {name: value for name, value in options.items() if value}
 
 
 def _prediction(folder: DomainFolder, grounding: Grounding) -> PredictEffects:

@@ -9,15 +9,18 @@ for its symbol are auditioned. After "Practice Makes Perfect" (Kumar et al., 202
 from collections import Counter
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
+from functools import partial
+from typing import Any
 
 import msgspec
 import numpy as np
 
 from neurosym.checks import check_count
+from neurosym.contract import made
 from neurosym.data.interactions import Interactions
-from neurosym.errors import InvalidValue, InvalidWorld
+from neurosym.errors import InvalidFile, InvalidValue, InvalidWorld, quoted
 from neurosym.execution.executor import execute
-from neurosym.execution.record import StepRecord
+from neurosym.files import at_once, digest, write_json
 from neurosym.grounding import Grounding
 from neurosym.learning.network import DirectModel, EffectModel
 from neurosym.operators import (
@@ -30,6 +33,7 @@ from neurosym.operators import (
     name_operator,
     symbols_of,
 )
+from neurosym.pddl.compiler import compile_domain
 from neurosym.planners.planner import PlanStatus
 from neurosym.planners.registry import plan
 from neurosym.primitives.audition import DIFFERENT, ROUNDS, moved, shortlist_own
@@ -37,17 +41,29 @@ from neurosym.primitives.distillation import distill
 from neurosym.primitives.rehearsal import modes_of, rehearsal_of, rounded
 from neurosym.primitives.reliability import Judgement, judge, performance
 from neurosym.primitives.sampling import MOST_DRAWS, draw_scene, next_variant, perform, tasks_of
+from neurosym.stages.compilation import FORMAT, PracticeFile, practice_of
+from neurosym.stages.console import progress_bar
+from neurosym.stages.folder import Claim, DomainFolder, Stage, load_scene
+from neurosym.stages.layout import (
+    DIRECT_MODEL,
+    INTERACTIONS,
+    MODEL,
+    PRACTICE,
+    PRIMITIVES,
+    PROBLEMS,
+    SCENE,
+    WORLD,
+)
 from neurosym.stages.rounds import HOPE, NEAR, Lesson, Practised, Round, competence, expected_gain
 from neurosym.tasks.promises import rehearsed_objects
 from neurosym.tasks.transition import PlanStep
 from neurosym.world import Outcome, Scene, World, WorldFactory
 from neurosym.worlds.task_drawing import draw_problem
-from neurosym.worlds.workers import Task
-
-# Improving an operator: it is rehearsed on more objects, or other actions for its symbol are auditioned
+from neurosym.worlds.workers import Task, check_workers
+from neurosym.worlds.world_file import read_world
 
 _STREAM = 0x70726163  # keeps the objects of practice apart from those of rehearsal
-Rows = tuple[tuple[float, ...], ...]
+_Rows = tuple[tuple[float, ...], ...]
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -213,11 +229,13 @@ def _is_like(one: Judgement, other: Judgement) -> bool:
     return one.kind == other.kind and bool(np.linalg.norm(one.mean[:3] - other.mean[:3]) <= DIFFERENT)
 
 
-def _features(scenes: Sequence[Scene]) -> Rows:
+def _features(scenes: Sequence[Scene]) -> _Rows:
     return tuple(rounded(scene.features[0]) for scene in scenes)
 
 
-def _tabulated(operator: Operator, objects: Rows, rehearsals: tuple[Rehearsal, ...], trials: int) -> Operator:
+def _tabulated(
+    operator: Operator, objects: _Rows, rehearsals: tuple[Rehearsal, ...], trials: int
+) -> Operator:
     """Give an operator rehearsals on objects, those that are its trials sorted into modes anew."""
     modes = modes_of(rehearsals[:trials])
     return msgspec.structs.replace(
@@ -225,15 +243,15 @@ def _tabulated(operator: Operator, objects: Rows, rehearsals: tuple[Rehearsal, .
     )
 
 
-TASKS = 8
+_TASKS = 8
 """Tasks of a round."""
 LESSONS = 4
 """Operators that are practised in a round."""
-MORE = 30
+_MORE = 30
 """Objects that an operator is rehearsed on, each time."""
-USED = 0.01
+_USED = 0.01
 """What a use counts beside a broken plan, so that where nothing broke, what is used is practised."""
-FADING = 0.7
+_FADING = 0.7
 """What a broken plan counts a round later."""
 MOST_OBJECTS, MOST_ACTIONS = 2, 3
 _FIRST_SEED = 1 << 40  # above those that people give, and that evaluations use
@@ -278,7 +296,7 @@ def _round(
         known = [other for other in table.operators if other.name in live]
         chosen = [(known[(number * LESSONS + n) % len(known)], "rehearsed") for n in range(LESSONS) if known]
     else:
-        tasks = range(number * TASKS, (number + 1) * TASKS)
+        tasks = range(number * _TASKS, (number + 1) * _TASKS)
         one, every = _try_tasks(shop.world, grounding, shop.model.object_symbols, tasks, shop.seed)
         uses, broke = (_of_table(counts, grounding, table) for counts in (every, one.broke))
         one = msgspec.structs.replace(one, broke=dict(sorted(broke.items())))
@@ -323,14 +341,11 @@ def _try_tasks(
         reached += run.reached
         interactions += len(run.steps)
         uses.update(PlanStep(step.operator, step.object).base for step in run.steps)
-        if broken := next((step.operator for step in run.steps if _breaks(step)), None):
-            broke[broken] += 1
+        for step in run.steps:
+            if step.happened != step.promised or step.deviation is None or step.deviation > NEAR:
+                broke[step.operator] += 1  # the first that did something else than it promised
+                break
     return Round(planned, reached, interactions, broke, ()), uses
-
-
-def _breaks(step: StepRecord) -> bool:
-    """Say whether a step did something else than it promised."""
-    return step.happened != step.promised or step.deviation is None or step.deviation > NEAR
 
 
 def _of_table(counts: Mapping[str, int], grounding: Grounding, table: OperatorTable) -> Counter[str]:
@@ -348,16 +363,13 @@ def choose_lessons(
 ) -> list[tuple[Operator, str]]:
     """Choose the operators whose practice is expected to mend most plans, and how each is practised.
 
-    Args:
-        table: The operators as they are now.
-        rounds: The rounds before.
-        uses: How often each operator was performed in this one.
-        broke: In how many plans of this round each was the first that did not do as promised.
+    `uses` counts how often each was performed in this round, and `broke` in how many plans it was the
+    first that did not do as promised.
     """
     weights = {name: float(count) for name, count in broke.items()}
     for age, earlier in enumerate(reversed(rounds), 1):
         for name, count in earlier.broke.items():
-            weights[name] = weights.get(name, 0.0) + count * FADING**age
+            weights[name] = weights.get(name, 0.0) + count * _FADING**age
     last = {lesson.replaced or lesson.operator: lesson.how for one in rounds for lesson in one.lessons}
     scored, categories = [], {one.symbol: one for one in table.categories}
     for operator in table.operators:
@@ -366,8 +378,8 @@ def choose_lessons(
         category = categories[operator.category]
         how = "auditioned" if last.get(operator.name) == "rehearsed" else "rehearsed"
         hope = HOPE * (1 - competence(operator, category))
-        gain = hope if how == "auditioned" else expected_gain(operator, category, MORE)
-        weight = weights.get(operator.name, 0.0) + USED * uses[operator.name]
+        gain = hope if how == "auditioned" else expected_gain(operator, category, _MORE)
+        weight = weights.get(operator.name, 0.0) + _USED * uses[operator.name]
         if weight * gain > 0:
             scored.append((-weight * gain, operator.name, (operator, how)))
     return [choice for _, _, choice in sorted(scored, key=lambda entry: entry[:2])[:LESSONS]]
@@ -381,7 +393,7 @@ def _give_lesson(
     primitive = next(one for one in table.primitives if one.label == operator.label)
     before, learner = competence(operator, category), Learner(operator, primitive, category)
     if how == "rehearsed":
-        improved = rehearse_more(shop, learner, MORE, turn)
+        improved = rehearse_more(shop, learner, _MORE, turn)
     else:
         improved = audition_others(shop, learner, turn)
     table, now = _with_improved(table, operator, category, improved)
@@ -405,3 +417,83 @@ def _with_improved(
     kept = [one for one in primitives if not one.variant or one.label in used]
     kept.sort(key=lambda one: (one.symbol, one.variant))
     return msgspec.structs.replace(table, primitives=tuple(kept), operators=operators), now
+
+
+def practise_stage(
+    folder: DomainFolder, *, interactions: int, seed: int, workers: int, evenly: bool = False
+) -> Stage:
+    """Practise: networks, data, world and operators -> `practice.json`.
+
+    What was practised before counts, so that an interrupted call goes on.
+
+    Args:
+        folder: The domain folder.
+        interactions: How many in all.
+        seed: Where all draws start.
+        workers: How many processes; their number does not change the result.
+        evenly: Rehearse all operators in turn instead.
+    """
+    check_count("interactions", interactions)
+    check_workers(workers)
+
+    def work() -> None:
+        for scene in sorted((folder / PROBLEMS).glob(f"*{SCENE}")):
+            load_scene(scene)  # it is printed anew afterwards: what cannot be used is refused now
+        begun = _begun(folder, seed, evenly=evenly)
+        shop = _workshop(folder, seed, workers)
+        world, of = shop.world, digest(folder / PRIMITIVES)
+        compiled = partial(
+            compile_domain, name=world.name, table_bounds=world.table, lift_height=world.lift_height
+        )
+
+        def save(practised: Practised) -> None:
+            write_json(folder / PRACTICE, PracticeFile(FORMAT, of, seed, evenly, practised))
+
+        with progress_bar("practising") as advance:
+
+            def on_round(practised: Practised) -> None:
+                with at_once():  # a kill loses no more than the round that it comes in
+                    save(practised)
+                advance(min(practised.spent, interactions), interactions)
+
+            advance(min(begun.spent, interactions), interactions)
+            save(practise(shop, begun, compiled, interactions=interactions, evenly=evenly, on_round=on_round))
+
+    options: dict[str, Any] = {"interactions": interactions, "seed": seed}
+    if evenly:
+        options["evenly"] = True
+    inputs = (WORLD, INTERACTIONS, MODEL, DIRECT_MODEL, PRIMITIVES)
+    return Stage("practise", inputs, (PRACTICE,), work, options, Claim.ALONE)
+
+
+def _workshop(folder: DomainFolder, seed: int, workers: int) -> Workshop:
+    factory = read_world(folder.require(WORLD))
+    return Workshop(
+        factory,
+        made(factory),
+        EffectModel.load(folder.require(MODEL)),
+        DirectModel.load(folder.require(DIRECT_MODEL)),
+        Interactions.load(folder.require(INTERACTIONS)),
+        seed,
+        workers,
+    )
+
+
+def _begun(folder: DomainFolder, seed: int, *, evenly: bool) -> Practised:
+    """Return what was practised so far, or the distilled operators without any practice."""
+    distilled = OperatorTable.load(folder.require(PRIMITIVES))
+    if not any(operator.rehearsals for operator in distilled.operators):
+        raise InvalidFile(
+            folder / PRIMITIVES,
+            f"its rehearsals are not kept; `neurosym distill {quoted(folder.path)}` makes it anew",
+        )
+    found = practice_of(folder)
+    if found is None:
+        return Practised(distilled)
+    if (found.seed, found.evenly) != (seed, evenly):
+        how = "evenly, " if found.evenly else ""
+        raise InvalidValue(
+            f"{folder / PRACTICE} was practised {how}with seed = {found.seed}; go on so, or remove it to "
+            "begin anew."
+        )
+    return found.practised

@@ -1,4 +1,4 @@
-"""The stage that makes a problem: drawn from the world, or with goals given by hand."""
+"""The stages that make a problem: drawn from the world, with goals given by hand, or a scene taken over."""
 
 import dataclasses
 from collections.abc import Mapping
@@ -14,7 +14,7 @@ from neurosym.errors import InvalidFile, InvalidValue, UnknownChoice
 from neurosym.files import digest
 from neurosym.grounding import Grounding
 from neurosym.operators import TOLERANCE, Categorise
-from neurosym.pair_operators import PairStates, RelationOperators
+from neurosym.pair_operators import LEAST_SHARE, PairStates, RelationOperators
 from neurosym.pddl.grid import check_on_table
 from neurosym.problems import Problem, RelationGoal
 from neurosym.stages.compilation import put_problem
@@ -30,15 +30,13 @@ from neurosym.stages.layout import (
     scene_file,
 )
 from neurosym.stages.planning import check_scene, remarks_on_number, tell_remarks
-from neurosym.tasks.options import LEAST_SHARE, left_out, puts_for
+from neurosym.tasks.options import puts_for
 from neurosym.tasks.pair_goals import check_relations, relations_meant
 from neurosym.tasks.supports import PairSight, known_bearers, with_pairs
 from neurosym.world import World
 from neurosym.worlds.relation_tasks import HEIGHT, RELATION_TASKS, Way, Ways, draw_relation_task
 from neurosym.worlds.task_drawing import Fits, draw_task
 from neurosym.worlds.world_file import read_world
-
-# Drawing the tasks that a domain can be asked for: of goals on the table, or of relations
 
 
 def draw_any_task(
@@ -112,7 +110,7 @@ def draw_any_task(
 
 def _state_asked(asked: str, relations: RelationOperators) -> str:
     """Return the name of a state that is asked for, if operators of the domain bring pairs there."""
-    state, left = relations.state_meant(asked), left_out(relations)
+    state, left = relations.state_meant(asked), relations.left_out
     promised = {one.promise.state for one in relations.operators if one.promise and one.name not in left}
     if state.symbol not in promised:
         valid = [one.name for one in relations.states if one.symbol in promised]
@@ -124,11 +122,7 @@ def _state_asked(asked: str, relations: RelationOperators) -> str:
 
 
 def sight_of_pairs(folder: DomainFolder) -> PairSight | None:
-    """Return what the networks of a domain folder say of pairs; None if none were learned.
-
-    Args:
-        folder: The domain folder.
-    """
+    """Return what the networks of a domain folder say of pairs; None if none were learned."""
     if not (folder / RELATION_MODEL).exists():
         return None
     from neurosym.learning.network import DirectModel, EffectModel
@@ -138,34 +132,28 @@ def sight_of_pairs(folder: DomainFolder) -> PairSight | None:
     if not (folder / RELATION_CHANCES).exists():
         return PairSight(kinds)
     chances = foreseen_by(DirectModel.load(folder / RELATION_CHANCES))
-    return PairSight(kinds, chances, PairStates.load(folder.require(RELATION_STATES)).bearing_order)
+    return PairSight(kinds, chances, PairStates.load(folder.require(RELATION_STATES)).bearing)
 
 
-def networks_of_pairs(folder: DomainFolder) -> tuple[str, ...]:
-    """Name the files of a domain folder that `sight_of_pairs` reads.
-
-    Args:
-        folder: The domain folder.
-    """
+def _networks_of_pairs(folder: DomainFolder) -> tuple[str, ...]:
+    """Name the files of a domain folder that `sight_of_pairs` reads."""
     files = RELATION_MODEL, RELATION_CHANCES, RELATION_STATES
     return tuple(name for name in files if (folder / name).exists())
 
 
 def ways_of(problem: Problem, grounding: Grounding, sight: PairSight | None = None) -> Ways:
-    """Say what can be done with each pair of objects of a problem, by operators for pairs of its kind.
-
-    Args:
-        problem: The problem.
-        grounding: The learned domain.
-        sight: What networks say of pairs; by default a pair is of the kind whose mean features are nearest.
-    """
+    """Say what can be done with each pair of objects of a problem, by operators for pairs of its kind."""
     relations = grounding.relations
     if relations is None:
         return {}
     problem, names = with_pairs(problem, relations, sight), problem.object_names
     return {
         (target, other): tuple(
-            Way(put.state.name, put.takes_occupied, np.array(relations.primitive_of(put.operator).action))
+            Way(
+                put.state.name,
+                put.operator.takes("occupied"),
+                np.array(grounding.primitive_of(put.operator).action),
+            )
             for put in puts_for(problem, grounding, target, other)
             if put.kind and put.share >= LEAST_SHARE
         )
@@ -211,9 +199,11 @@ class Asked:
         usual = {field.name: field.default for field in dataclasses.fields(self)}
         every = {name: getattr(self, name) for name in usual}
         always = ("objects", "actions", "seed", "goals")
-        return {
-            name: _plain(value) for name, value in every.items() if name in always or value != usual[name]
-        }
+        kept = {name: value for name, value in every.items() if name in always or value != usual[name]}
+        plain: dict[str, Any] = msgspec.json.decode(
+            msgspec.json.encode(kept, enc_hook=lambda one: one.item())
+        )
+        return plain
 
 
 def problem_stage(folder: DomainFolder, name: str, asked: Asked) -> Stage:
@@ -235,7 +225,7 @@ def problem_stage(folder: DomainFolder, name: str, asked: Asked) -> Stage:
         put_problem(folder, problem, grounding)
 
     printed_as = problem_files(name)[:1] if asked.is_relational else problem_files(name)
-    inputs = (WORLD, MODEL, GROUNDING, *networks_of_pairs(folder))
+    inputs = (WORLD, MODEL, GROUNDING, *_networks_of_pairs(folder))
     return Stage(f"new-problem {name}", inputs, (*printed_as, scene_file(name)), work, asked.options())
 
 
@@ -259,17 +249,6 @@ def _made(folder: DomainFolder, name: str, asked: Asked, grounding: Grounding) -
     problem = with_pairs(problem.within(asked.tolerance), grounding.relations, sight)
     check_relations(problem, grounding)
     return problem
-
-
-def _plain(value: Any) -> Any:
-    if isinstance(value, Mapping):
-        return {key: _plain(entry) for key, entry in value.items()}
-    if isinstance(value, tuple | list):
-        return [_plain(entry) for entry in value]
-    return value.item() if isinstance(value, np.generic) else value
-
-
-# The stage that takes over a scene that somebody wrote: checked, copied, and printed as PDDL
 
 
 def scene_stage(folder: DomainFolder, file: Path, *, name: str, tolerance: float | None = None) -> Stage:
@@ -297,5 +276,5 @@ def scene_stage(folder: DomainFolder, file: Path, *, name: str, tolerance: float
 
     options = {"scene": digest(file)} | ({} if tolerance is None else {"tolerance": tolerance})
     outputs = (*problem_files(name), scene_file(name))
-    inputs = (WORLD, GROUNDING, *networks_of_pairs(folder))
+    inputs = (WORLD, GROUNDING, *_networks_of_pairs(folder))
     return Stage(f"new-problem {name}", inputs, outputs, work, options)

@@ -4,7 +4,7 @@ import math
 
 import msgspec
 
-from neurosym.operators import Category, Count, Operator, OperatorTable
+from neurosym.operators import Category, Count, Operator, OperatorTable, smoothed
 from neurosym.tasks.promises import keeps_promises, rehearsed_objects
 
 
@@ -88,7 +88,7 @@ def competence(operator: Operator, category: Category) -> float:
     Each rehearsal, which are kept of it, is compared with what the others promise.
     """
     kept = keeps_promises(operator, category, NEAR)
-    return (sum(kept) + 1) / (len(kept) + 2)
+    return smoothed(sum(kept), len(kept))
 
 
 def expected_gain(operator: Operator, category: Category, more: int) -> float:

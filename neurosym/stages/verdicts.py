@@ -6,7 +6,7 @@ constants are the thresholds; docs/learning.md has the rules as a table.
 """
 
 import math
-from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Literal
@@ -18,9 +18,9 @@ from neurosym.data.interactions import Interactions
 from neurosym.data.origin import is_explored
 from neurosym.errors import InvalidPlan, InvalidValue, counted, listed_briefly
 from neurosym.files import read_text
-from neurosym.grounding import MIN_TRIALS, Grounding
+from neurosym.grounding import Grounding
 from neurosym.learning.training import TrainingReport
-from neurosym.operators import TOLERANCE, Mode, Operator, OperatorTable
+from neurosym.operators import MIN_TRIALS, TOLERANCE, Mode, Operator, OperatorTable
 from neurosym.pair_operators import RelationOperators
 from neurosym.pddl.compiler import Action, ground_plan, parameters_of, problem_text
 from neurosym.pddl.plan_reading import read_actions, read_plan
@@ -35,8 +35,8 @@ from neurosym.tasks.chances import expected_success
 from neurosym.tasks.task import understand
 from neurosym.tasks.transition import PlanStep, Steps, named_steps, validate
 
-Level = Literal["useless", "weak", "good", "unproven"]
-LEVELS: tuple[Level, ...] = ("useless", "weak", "good", "unproven")
+_Level = Literal["useless", "weak", "good", "unproven"]
+LEVELS: tuple[_Level, ...] = ("useless", "weak", "good", "unproven")
 """The worst first; what proves nothing counts only where there is nothing else."""
 
 USELESS_R2 = 0.1
@@ -73,7 +73,7 @@ class Verdict(msgspec.Struct, frozen=True):
         remedy: The likeliest reason, and what may help; empty if it is good.
     """
 
-    level: Level
+    level: _Level
     sentence: str
     remedy: str = ""
 
@@ -162,7 +162,7 @@ def judge_operators(table: OperatorTable, usable: Collection[str] | None = None)
         usable: Names of those that can be planned with; all, if not given.
     """
     judged = [one for one in table.operators if one.promised is None]  # the others are the same, less likely
-    sure = [one for one in judged if _is_sure(one)]
+    sure = [one for one in judged if _is_mostly(one.successes, one.trials)]
     acting = {one.category for one in sure if _acts(one) and (usable is None or one.name in usable)}
     idle = {one.name: one.share for one in table.categories if one.share and one.symbol not in acting}
     sentence = f"{len(sure)} of {counted(len(judged), 'operator')} keep their promise in most {table.trials}"
@@ -171,7 +171,7 @@ def judge_operators(table: OperatorTable, usable: Collection[str] | None = None)
             f"; none of these moves {listed_briefly(list(idle))} ({sum(idle.values()):.0%} of objects)"
         )
     if not acting or len(sure) < FEW * len(judged):
-        level: Level = "useless"
+        level: _Level = "useless"
     elif len(sure) < MOST * len(judged) or sum(idle.values()) > 1 - MOST:
         level = "weak"
     else:
@@ -180,11 +180,7 @@ def judge_operators(table: OperatorTable, usable: Collection[str] | None = None)
 
 
 def judge_domain(grounding: Grounding) -> Verdict:
-    """Judge what a compiled domain can be planned with: as `judge_operators`, by the operators it has.
-
-    Args:
-        grounding: The domain.
-    """
+    """Judge what a compiled domain can be planned with: as `judge_operators`, by the operators it has."""
     live = {operator.name for operator in grounding.live}
     found = judge_operators(grounding.operators, live)
     sentence = f"{found.sentence}; the domain has {counted(len(live), 'operator')}"
@@ -195,9 +191,6 @@ def judge_relations(table: RelationOperators) -> Verdict:
     """Judge how many pairs of objects can surely be brought into a state in which one bears the other.
 
     Operators that seldom do so are no flaw: each problem says with which pairs they are foreseen to.
-
-    Args:
-        table: What was learned of pairs.
     """
     bearing = {state.symbol for state in table.states if state.bears}
     served = {
@@ -211,10 +204,6 @@ def judge_relations(table: RelationOperators) -> Verdict:
         return Verdict("good", sentence)
     remedy = "pairs of one kind end differently; bring more interactions (explore --relations)"
     return Verdict("useless" if share < FEW else "weak", sentence, remedy)
-
-
-def _is_sure(operator: Operator) -> bool:
-    return _is_mostly(operator.successes, operator.trials)
 
 
 def _is_mostly(kept: int, trials: int) -> bool:
@@ -338,12 +327,7 @@ def _why_missed(tries: Tries, tolerance: float) -> str:
 
 
 def wilson(reached: int, of: int) -> tuple[float, float]:
-    """Return the Wilson interval of a share, at 95 % (Wilson, 1927).
-
-    Args:
-        reached: How many.
-        of: Out of how many, 1 or more.
-    """
+    """Return the Wilson interval of a share, at 95 % (Wilson, 1927)."""
     share, squared = reached / of, _Z**2
     middle = (share + squared / (2 * of)) / (1 + squared / of)
     half = _Z / (1 + squared / of) * math.sqrt(share * (1 - share) / of + squared / (4 * of**2))
@@ -409,23 +393,25 @@ def judge_plan(
     grounding = Grounding.load(folder.require(GROUNDING))
     own = load_problem(folder, name)
     actions = read_actions(plan_file, grounding, own)
+    files = {encoding: folder / DOMAIN_FILES[encoding] for encoding in ENCODINGS}
+    domains = {encoding: read_text(file) for encoding, file in files.items() if file.is_file()}
     try:
         steps, unread = read_plan(plan_file, grounding, own.within(planned_tolerance(plan_file))), ""
     except InvalidPlan as error:
-        if not any(_has(domain, actions) for _, domain in _domains(folder)):
+        if not any(_has(domain, actions) for domain in domains.values()):
             raise
         steps, unread = (), str(error)
     replay = None if unread else validate(steps, own.within(tolerance), grounding)
-    judged = _by_pddl(folder, own, grounding, actions, steps)
+    by, verdict, written_out = _by_pddl(folder, domains, own, grounding, actions, steps)
     return PlanVerdict(
         problem=name,
         plan=str(plan_file),
-        valid_by_pddl=judged.verdict.valid,
+        valid_by_pddl=verdict.valid,
         valid_by_replay=replay is not None and replay.valid,
-        domain=judged.domain,
-        written_out=judged.written_out,
-        pddl_reason=judged.verdict.reason,
-        pddl_failed=judged.verdict.failed,
+        domain=by,
+        written_out=written_out,
+        pddl_reason=verdict.reason,
+        pddl_failed=verdict.failed,
         replay_reason=replay.reason if replay else unread,
         replay_failed=replay.number if replay else None,
         steps=named_steps(steps),
@@ -433,66 +419,42 @@ def judge_plan(
     )
 
 
-class _Judged(msgspec.Struct, frozen=True):
-    """What was said of a plan by one of the printed domains."""
-
-    domain: str
-    verdict: PddlVerdict
-    written_out: bool = False
-
-
-_NONE = _Judged("", PddlVerdict(False, "no printed domain has all of its actions"))
-
-
 def _by_pddl(
     folder: DomainFolder,
+    domains: Mapping[EncodingName, str],
     problem: Problem,
     grounding: Grounding,
     actions: Sequence[Action],
     steps: Sequence[PlanStep],
-) -> _Judged:
-    """Judge a plan by each printed domain that has its actions, until one takes it; or else written out."""
-    judged = list[_Judged]()
-    relates = understand(problem, grounding).relates
-    for encoding, domain in _domains(folder):
+) -> tuple[str, PddlVerdict, bool]:
+    """Judge a plan by each printed domain that has its actions, until one takes it; or else written out.
+
+    Returned are the file of the domain, what is said of the plan by it, and whether it was written out.
+    """
+
+    def judged(encoding: EncodingName, actions: Sequence[Action]) -> PddlVerdict:
+        file = folder / printed_file(problem.name, encoding)
+        text = read_text(file) if file.is_file() else problem_text(problem, grounding, encoding)
+        return validate_pddl(domains[encoding], text, actions)
+
+    relates, found = understand(problem, grounding).relates, list[tuple[str, PddlVerdict, bool]]()
+    for encoding, domain in domains.items():
         if _has(domain, actions) and not (relates and encoding == NUMERIC):
-            verdict = _judged(domain, folder, problem, grounding, encoding, actions)
-            judged.append(_Judged(DOMAIN_FILES[encoding], verdict))
-            if verdict.valid:
-                return judged[-1]
-    if judged or not steps:
-        return judged[0] if judged else _NONE
+            found.append((DOMAIN_FILES[encoding], judged(encoding, actions), False))
+            if found[-1][1].valid:
+                return found[-1]
+    if found or not steps:
+        return (
+            found[0] if found else ("", PddlVerdict(False, "no printed domain has all of its actions"), False)
+        )
     try:
         plan = ground_plan(steps, problem, grounding)
     except InvalidValue as error:
-        return _Judged("", PddlVerdict(False, str(error).rstrip(".")), written_out=True)
-    domain = read_text(folder.require(DOMAIN_FILES[plan.encoding]))
-    verdict = _judged(domain, folder, problem, grounding, plan.encoding, plan.actions)
-    return _Judged(DOMAIN_FILES[plan.encoding], verdict, written_out=True)
-
-
-def _domains(folder: DomainFolder) -> Iterator[tuple[EncodingName, str]]:
-    """Yield the printed domains that are there, with their encodings."""
-    for encoding in ENCODINGS:
-        file = folder / DOMAIN_FILES[encoding]
-        if file.is_file():
-            yield encoding, read_text(file)
+        return "", PddlVerdict(False, str(error).rstrip(".")), True
+    folder.require(DOMAIN_FILES[plan.encoding])
+    return DOMAIN_FILES[plan.encoding], judged(plan.encoding, plan.actions), True
 
 
 def _has(domain: str, actions: Sequence[Action]) -> bool:
     known = parameters_of(domain)
     return all(known.get(name) == len(arguments) for name, *arguments in actions)
-
-
-def _judged(
-    domain: str,
-    folder: DomainFolder,
-    problem: Problem,
-    grounding: Grounding,
-    encoding: EncodingName,
-    actions: Sequence[Action],
-) -> PddlVerdict:
-    """Judge ground actions by a domain and the problem that is printed for it, or would be."""
-    file = folder / printed_file(problem.name, encoding)
-    text = read_text(file) if file.is_file() else problem_text(problem, grounding, encoding)
-    return validate_pddl(domain, text, actions)

@@ -1,4 +1,4 @@
-"""The table of a page: what is on it, and where it shall go. It knows nothing of a browser.
+"""The domain and the table of a page: what is on it, and where it shall go. It knows nothing of a browser.
 
 Whoever listens is told by topic what has changed. What cannot be done is said, and never raised.
 """
@@ -8,7 +8,7 @@ import threading
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property, partial, wraps
-from typing import TYPE_CHECKING, Concatenate, Literal, NamedTuple, ParamSpec, TypeVar
+from typing import TYPE_CHECKING, Concatenate, Literal, ParamSpec, TypeVar
 
 import msgspec
 import numpy as np
@@ -25,18 +25,6 @@ from neurosym.stages.layout import GROUNDING, INTERACTIONS, MODEL, RECORD, RUNS,
 from neurosym.stages.planning import load_problem
 from neurosym.stages.problem_making import sight_of_pairs
 from neurosym.studio import scene_editor
-from neurosym.studio.scene_editor import (
-    complaints_about,
-    free_spot,
-    ghost_spots,
-    goals_for,
-    relation_of_drop,
-    stacks_of,
-    under,
-    why_no_drop,
-    why_no_goal,
-)
-from neurosym.tasks.options import chance
 from neurosym.tasks.promises import usable
 from neurosym.tasks.supports import Borne, PairSight, carried_along, loads_of, with_pairs
 from neurosym.tasks.task import Task, understand
@@ -47,25 +35,9 @@ if TYPE_CHECKING:
     from neurosym.learning.network import EffectModel
 
 
-# The domain that a page shows: what was learned, read once and shared by all who look at it
-
 _HOLLOW = 0.5  # the least type of an object that has a hole, where a world does not say what it looks like
 _WALL = 0.006
 _T = TypeVar("_T")
-
-
-class Motion(NamedTuple):
-    """What the network says of an action on an object.
-
-    Attributes:
-        symbol: The symbol that the action has.
-        expected: Where the object goes by the bits alone [m].
-        direct: Where it goes by the network before the bits [m].
-    """
-
-    symbol: str
-    expected: tuple[float, ...]
-    direct: tuple[float, ...]
 
 
 class Library:
@@ -150,21 +122,19 @@ class Library:
                 return ()
             return tuple(model.object_margins(np.array([features], dtype=float))[0].tolist())
 
-    def expect(self, features: Sequence[float], action: Float[np.ndarray, "A"]) -> Motion | None:
-        """Say which symbol an action has, and what the network expects of it; None without a network.
+    def expect(
+        self, features: Sequence[float], action: Float[np.ndarray, "A"]
+    ) -> tuple[str, list[float], list[float]] | None:
+        """Say which symbol an action has, and where the network expects an object to go; None without one.
 
-        Args:
-            features: What the object is.
-            action: The action parameters.
+        That is by the bits alone, and by the network before the bits [m].
         """
         row = np.array([features], dtype=float), action[None]
         with self._lock:
             if (model := self.model) is None:
                 return None
-            through, before = (
-                tuple(predict(*row)[0][0].tolist()) for predict in (model.predict_from_codes, model.predict)
-            )
-            return Motion(model.action_symbols(row[1])[0], through, before)
+            by_bits, before = model.predict_from_codes(*row)[0][0], model.predict(*row)[0][0]
+            return model.action_symbols(row[1])[0], by_bits.tolist(), before.tolist()
 
     def problem_names(self) -> tuple[str, ...]:
         """List the problems of the folder."""
@@ -196,8 +166,7 @@ class Library:
     def object_parts(self, features: Sequence[float]) -> tuple[Part, ...]:
         """Return what an object is drawn with; a box, which may be open, if the world does not say.
 
-        Args:
-            features: What it is: sizes along x, y and z first [m].
+        Sizes along x, y and z come first in its features [m].
         """
         if isinstance(self.world, Posed):
             return self.world.object_parts(np.array(features, dtype=float))
@@ -220,7 +189,7 @@ Topic = Literal["scene", "place", "plan", "run", "step", "pose", "status"]
 """What has changed: which objects there are, where things are, the plan, the run, a pose, what is said."""
 MOST_OBJECTS = 8
 """So many objects are simulated at most."""
-GOAL_DISTANCE = 0.12
+_GOAL_DISTANCE = 0.12
 """How far from its object a new goal is put, so that the two do not cover each other [m]."""
 _D = TypeVar("_D", bound="Desk")
 _P = ParamSpec("_P")
@@ -340,27 +309,23 @@ class Desk:
         """Take note that the ghost of an object was let go: on another one, it is a goal by relation.
 
         Where nothing puts the one on the other, all is again as it was.
-
-        Args:
-            name: Name of the object.
-            before: What was on the table when the ghost was taken.
         """
         task = self.task()
-        on = under(task, name, self.ghosts()) if task.grounding.relations else ()
+        on = scene_editor.under(task, name, self.ghosts()) if task.grounding.relations else ()
         if not on:
             return
-        if goal := relation_of_drop(task, name):
+        if goal := scene_editor.relation_of_drop(task, name):
             self.relate(*goal)
             return
         if before is not None:
             self.put(before)
-        raise InvalidValue(f"{why_no_drop(task, name, on[0])}.")
+        raise InvalidValue(f"{scene_editor.why_no_drop(task, name, on[0])}.")
 
     @at_rest
     def relate(self, name: str, reference: str, state: str) -> None:
         """Give an object the goal to stand on or in another one, in the place of any other goal of it."""
         goal = (name, reference, state)
-        if why := why_no_goal(self.task(), goal):
+        if why := scene_editor.why_no_goal(self.task(), goal):
             raise InvalidValue(f"{why}.")
         self._change_goal(name, scene_editor.with_relation(self._problem(), *goal))
         self.say(f"goal: {name} {state} {reference}")
@@ -369,7 +334,7 @@ class Desk:
     def add_goal(self, name: str) -> None:
         """Give an object a goal beside it, towards the middle of the table, to be dragged from there."""
         x, y, _ = self._problem().object_named(name).position
-        self.aim(name, x + math.copysign(GOAL_DISTANCE, self.library.middle[0] - x), y)
+        self.aim(name, x + math.copysign(_GOAL_DISTANCE, self.library.middle[0] - x), y)
 
     @at_rest
     def remove_goal(self, name: str) -> None:
@@ -396,7 +361,9 @@ class Desk:
             raise InvalidValue(f"There are {MOST_OBJECTS} objects already, the most that are simulated.")
         if limits := self.library.limits:
             limits.check("the object", features)
-        x, y = free_spot(self.problem, features, self.library.grounding.table, self.library.middle)
+        x, y = scene_editor.free_spot(
+            self.problem, features, self.library.grounding.table, self.library.middle
+        )
         self._change(scene_editor.with_object(self.problem, features, x, y, self.library.categorise), "scene")
 
     @at_rest
@@ -419,7 +386,7 @@ class Desk:
         """Say of each object or goal that cannot be where it is why not, by `object NAME` and `goal NAME`."""
         problem, (known, found) = self.problem, self._complaints
         if problem is not known:
-            found = complaints_about(self.task())
+            found = scene_editor.complaints_about(self.task())
             self._complaints = problem, found
         return found
 
@@ -445,11 +412,11 @@ class Desk:
 
     def ghosts(self) -> Mapping[str, Vector]:
         """Return where the ghost of each object with a goal stands [m]."""
-        return ghost_spots(self.task()) if self.problem else {}
+        return scene_editor.ghost_spots(self.task()) if self.problem else {}
 
     def goals_for(self, name: str) -> tuple[RelationGoal, ...]:
         """List the goals by relation that an object can have; none where the domain knows no relations."""
-        return goals_for(self.task(), name)
+        return scene_editor.goals_for(self.task(), name)
 
     def _problem(self) -> Problem:
         if self.problem is None:
@@ -457,7 +424,7 @@ class Desk:
         return self.problem
 
     def _stacks(self) -> dict[str, Borne]:
-        return stacks_of(self.task())
+        return scene_editor.stacks_of(self.task())
 
     def _refuse_laden(self, name: str) -> None:
         """Raise `InvalidValue` if an object bears another one."""
@@ -473,8 +440,6 @@ class Desk:
             self.problem = problem
         self._changed(topic)
 
-
-# Symbols of one object and of one motion, as a page shows them: bits, operators, predictions, rehearsals
 
 SAFE, OTHERWISE = (42, 157, 92), (217, 83, 79)
 """Colours of rehearsals that ended as promised, and otherwise."""
@@ -501,7 +466,7 @@ def promises_for(item: SceneObject, library: Library) -> tuple[Promise, ...]:
     """List what the operators of the domain do to an object, the surest first."""
     grounding = library.grounding
     found = [
-        Promise(one, one.promise.outcome, is_lift(one), chance(one))
+        Promise(one, one.promise.outcome, is_lift(one), one.chance)
         for one in usable(grounding, item)
         if one.promise is not None and len(one.promise.outcome) == 3
     ]
@@ -513,10 +478,7 @@ def rehearsal_dots(
 ) -> tuple[Float[np.ndarray, "N 3"], Float[np.ndarray, "N 3"]]:
     """Return where rehearsals of an operator ended, as if all had begun at one point, and their colours.
 
-    Args:
-        operator: An operator, by whose name the rehearsals are found.
-        start: Where they begin [m].
-        library: The domain.
+    `start` is where they begin [m].
     """
     learned = library.grounding.operator_named(operator.name)
     promise = learned.promise

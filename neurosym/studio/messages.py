@@ -1,4 +1,4 @@
-"""What is said between a page and the process that works for it."""
+"""What a page and the process that works for it say, and who looks on there while something moves."""
 
 import time
 from pathlib import Path
@@ -11,10 +11,9 @@ from neurosym.choices import AnyTask
 from neurosym.contract import POSE_SECONDS, Pose, Posed
 from neurosym.execution.performance import STOP, Answer, Moment
 from neurosym.execution.record import Nudge, Replanning, Run, StepRecord
-from neurosym.pddl.syntax import EncodingName
 from neurosym.problems import Problem
 from neurosym.stages.plan_records import PlanRecord
-from neurosym.world import Outcome, OutcomeKind, Place, Scene, World
+from neurosym.world import Outcome, OutcomeKind, Scene, World
 
 
 class Controls(msgspec.Struct, frozen=True):
@@ -58,13 +57,11 @@ class Make(Job, frozen=True):
 
 
 class PlanNew(Job, frozen=True):
-    """Take a problem over, and plan; in the planner's usual encoding if none is given."""
+    """Take a problem over, and plan."""
 
     problem: Problem
     planner: str
-    encoding: EncodingName | None = None
     nearest: bool = False
-    time_limit: float | None = None
 
 
 class RunPlan(Job, frozen=True):
@@ -85,13 +82,12 @@ class Replay(Job, frozen=True):
 
 
 class DrawTask(Job, frozen=True):
-    """Draw a task: as the paper draws them, or of a kind that people ask for; `tolerance` in metres."""
+    """Draw a task: as the paper draws them, or of a kind that people ask for."""
 
     name: str
     objects: int
     seed: int
     task: AnyTask | None
-    tolerance: float | None = None
 
 
 class Perform(Job, frozen=True):
@@ -100,7 +96,6 @@ class Perform(Job, frozen=True):
     problem: Problem
     object: str
     action: tuple[float, ...]
-    reference: Place | None = None
     controls: Controls = Controls()
 
 
@@ -172,11 +167,9 @@ class Failed(msgspec.Struct, frozen=True):
     sentence: str
 
 
-# Looking on while something moves: what is seen goes to the page, and what is said there is heeded
-
-GLIDES = 18
+_GLIDES = 18
 """Poses of a motion in a world that tells none."""
-PACE = 0.9 * POSE_SECONDS
+_PACE = 0.9 * POSE_SECONDS
 """Least time between two poses that are sent, however fast a run is [s]."""
 _PAUSED = 0.02  # how often somebody is listened to while everything rests [s]
 _LONGEST_WAIT = 0.2  # of one pose, so that what is said meanwhile is heard soon [s]
@@ -207,7 +200,7 @@ class Onlooker:
         pace: Least time between two poses that are sent, by the clock [s].
     """
 
-    def __init__(self, way: Way, controls: Controls, pace: float = PACE):
+    def __init__(self, way: Way, controls: Controls, pace: float = _PACE):
         self._connection, self._controls, self._pace = way, controls, pace
         self._rest: Scene | None = None
         self._saw = False
@@ -272,8 +265,8 @@ class Onlooker:
 
     def glide(self, start: Scene, end: Scene) -> None:
         """Let objects glide from where they are to where they end, in a world that tells no poses."""
-        for number in range(1, GLIDES + 1):
-            share = number / GLIDES
+        for number in range(1, _GLIDES + 1):
+            share = number / _GLIDES
             positions = (1 - share) * start.positions + share * end.positions
             self.see(Pose(number * POSE_SECONDS, "motion", np.zeros((0, 7)), positions, end.orientations))
 
@@ -288,9 +281,6 @@ class Onlooker:
         """Let what is seen stay for a while, unless everything is to go as fast as it can.
 
         The speed may change meanwhile, and time does not count while everything is paused.
-
-        Args:
-            seconds: How long, at the speed of reality [s].
         """
         while seconds > 0 and self._controls.speed > 0 and not self._controls.is_stopped:
             controls, began = self._controls, time.monotonic()

@@ -1,7 +1,7 @@
 """The page of a session: what is seen of it in three dimensions, and its panels.
 
 The session says by topic what has changed, from whatever thread. One thread of the page draws it, at most
-`MOST_OFTEN` times a second, so that a drag or a run is never drawn later than it happens.
+`_MOST_OFTEN` times a second, so that a drag or a run is never drawn later than it happens.
 """
 
 import threading
@@ -22,9 +22,9 @@ from neurosym.studio.view import Grab, View, aim_camera
 from neurosym.studio.words import BAD, GOOD, coloured, paragraph, safe
 from neurosym.world import Scene
 
-MOST_OFTEN = 30.0
+_MOST_OFTEN = 30.0
 """How often a page is drawn at most [1/s]."""
-WIDTH = 400
+_WIDTH = 400
 """Of the panels [pixels]."""
 
 
@@ -47,7 +47,7 @@ class Page(Board):
         self._rested: Scene | None = None
         self.set_dark(False)
         server.gui.main_panel.dock_right()
-        server.gui.main_panel.set_width(WIDTH)
+        server.gui.main_panel.set_width(_WIDTH)
         aim_camera(server, session.library)
         self.view = View(server.scene, session.library, self._grabbed)
         self.panels: list[Panel] = [AboutPanel(self)]
@@ -121,7 +121,7 @@ class Page(Board):
                     self._draw(topics)
             except Exception as error:  # the page goes on, whatever one drawing of it does
                 self.session.say(f"The page could not be drawn: {type(error).__name__}", is_bad=True)
-            time.sleep(max(0.0, 1 / MOST_OFTEN - (time.monotonic() - began)))
+            time.sleep(max(0.0, 1 / _MOST_OFTEN - (time.monotonic() - began)))
 
     def _draw(self, topics: set[Topic]) -> None:
         session, problem, running = self.session, self.session.problem, self.session.running

@@ -1,4 +1,4 @@
-"""What the panels of a page have in common, and what they are about."""
+"""What panels have in common and are about, and the panels `Run` and `Tour` (six cards for a newcomer)."""
 
 import threading
 from collections.abc import Callable
@@ -11,7 +11,7 @@ import viser
 from neurosym.problems import SceneObject
 from neurosym.studio.desk import Topic, promises_for
 from neurosym.studio.session import Session, usual_planner
-from neurosym.studio.view import COLOURS, Overlays
+from neurosym.studio.view import Overlays
 from neurosym.studio.words import paragraph, replanning_list, run_summary, run_table, safe
 
 DARK, LIGHT = (24, 26, 30), (245, 246, 248)
@@ -57,12 +57,6 @@ class Board:
         if self.selected not in problem.object_names:
             self.selected = problem.object_names[0]
         return problem.object_named(self.selected)
-
-    def colour_of(self, name: str) -> tuple[int, int, int]:
-        """Return the colour of an object."""
-        problem = self.session.problem
-        number = problem.object_names.index(name) if problem and name in problem.object_names else 0
-        return COLOURS[number % len(COLOURS)]
 
     def set_dark(self, is_dark: bool) -> None:
         """Show the page dark or light."""
@@ -137,11 +131,9 @@ def set_options(field: Any, options: tuple[str, ...], value: str) -> None:
         set_value(field, value)
 
 
-# The panel `Run`: go, pause, step and stop, and what each step promised beside what happened
-
-SPEEDS = {"half": 0.5, "as it is": 1.0, "double": 2.0, "fourfold": 4.0, "at once": 0.0}
+_SPEEDS = {"half": 0.5, "as it is": 1.0, "double": 2.0, "fourfold": 4.0, "at once": 0.0}
 """How fast a run is shown; 0 is as fast as it is computed."""
-NO_RUN = "(no record)"
+_NO_RUN = "(no record)"
 
 
 class RunPanel(Panel):
@@ -154,14 +146,14 @@ class RunPanel(Panel):
         self._pause = self.button("Pause", self._toggle, disabled=True)
         self._step = self.button("One step", running.one_step, hint="Goes on to the end of one step.")
         self._stop = self.button("Stop", running.stop, disabled=True, color="red")
-        speed = gui.add_dropdown("Speed", tuple(SPEEDS), initial_value="as it is")
-        speed.on_update(by_user(lambda name: running.set_speed(SPEEDS[name])))
+        speed = gui.add_dropdown("Speed", tuple(_SPEEDS), initial_value="as it is")
+        speed.on_update(by_user(lambda name: running.set_speed(_SPEEDS[name])))
         self._anew = gui.add_checkbox(
             "Plan anew on the way", True, hint="Off: the plan is followed blindly to its end."
         )
         self._text = gui.add_html("")
         with gui.add_folder("Watch a run again", expand_by_default=False):
-            names = self.session.library.run_names() or (NO_RUN,)
+            names = self.session.library.run_names() or (_NO_RUN,)
             self._record = gui.add_dropdown("Record", names)
             self.button("Replay", lambda: running.replay(self._record.value))
 
@@ -198,8 +190,6 @@ class RunPanel(Panel):
         act = running.resume if running.controls.is_paused else running.pause
         act()
 
-
-# The panel `Tour`: six cards, from an experience to what went otherwise. Each has one thing to do
 
 BEFORE, NEXT = "Card before", "Next card"
 

@@ -1,11 +1,10 @@
-"""The panel `Table`: which objects there are, where they stand, and where they shall go."""
+"""The panels `Table` (the objects and their goals), `Symbols` (what can be done to one) and `Plan`."""
 
 from functools import partial
 from typing import Any, get_args
 
 import msgspec
 import numpy as np
-import viser
 
 from neurosym.checks import Float
 from neurosym.choices import DrawnTask, TaskKind
@@ -18,9 +17,8 @@ from neurosym.report.symbol_words import displacement_in_words
 from neurosym.studio.desk import MOST_OBJECTS, Promise, Topic, promises_for, rehearsal_dots
 from neurosym.studio.messages import Planned
 from neurosym.studio.panel import Panel, by_user, set_content, set_options, set_value
-from neurosym.studio.scene_editor import reach_of
 from neurosym.studio.session import planners_here, usual_planner
-from neurosym.studio.view import COLOURS, LIFT, PUSH, related_names
+from neurosym.studio.view import COLOURS, related_names
 from neurosym.studio.words import (
     DIM,
     bits_row,
@@ -35,9 +33,9 @@ from neurosym.studio.words import (
 )
 from neurosym.tasks.transition import PlanStep, validate
 
-PAPER = "as in the paper"
+_PAPER = "as in the paper"
 """The kind of tasks that is drawn unless one is named."""
-TYPES = {0.0: "solid", 1.0: "open at the top", 2.0: "open at both ends"}
+_TYPES = {0.0: "solid", 1.0: "open at the top", 2.0: "open at both ends"}
 """What the types of objects are called."""
 NOTHING = "(none)"
 
@@ -71,11 +69,9 @@ class TablePanel(Panel):
         self._build_sizes()
         self.button("Add another like it", self._add)
         self.button("Take it away", lambda: session.remove(self.page.selected))
-        self._reach = gui.add_checkbox("Show its reach", False, hint="Where three steps bring it.")
-        self._reach.on_update(by_user(lambda _: self._show_reach()))
         with gui.add_folder("Draw a task", expand_by_default=False):
             kinds = get_args(DrawnTask if has_relations else TaskKind)
-            self._kind = gui.add_dropdown("Kind", (PAPER, *kinds))
+            self._kind = gui.add_dropdown("Kind", (_PAPER, *kinds))
             self._count = gui.add_slider("Objects", 1, MOST_OBJECTS, 1, 2)
             self._seed = gui.add_number("Seed", 0, min=0, step=1)
             self.button("Draw", self._draw)
@@ -101,7 +97,7 @@ class TablePanel(Panel):
                 )
                 slider.on_update(by_user(lambda _: self._resize()))
                 self._sizes.append(slider)
-            types = tuple(TYPES.get(kind, f"{kind:g}") for kind in (limits.types if limits else (0.0,)))
+            types = tuple(_TYPES.get(kind, f"{kind:g}") for kind in (limits.types if limits else (0.0,)))
             self._type = self.gui.add_dropdown("type", types)
             self._type.on_update(by_user(lambda _: self._resize()))
             self._bits = self.gui.add_html("")
@@ -130,10 +126,8 @@ class TablePanel(Panel):
             for slider, size in zip(self._sizes, item.features, strict=False):
                 set_value(slider, round(1000 * size))
             kind = item.features[len(self._sizes)] if len(item.features) > len(self._sizes) else 0.0
-            set_value(self._type, TYPES.get(kind, f"{kind:g}"))
+            set_value(self._type, _TYPES.get(kind, f"{kind:g}"))
             set_content(self._bits, self.text_of(item))
-        if topics & {"scene", "place"}:
-            self._show_reach()
 
     def text_of(self, item: SceneObject) -> str:
         """Return the bits of an object, as HTML."""
@@ -165,9 +159,9 @@ class TablePanel(Panel):
     def _show_relations(self, problem: Problem, name: str) -> None:
         """Offer the goals by relation that the object can have, and list those of all objects."""
         asked = next((goal for goal in problem.related if goal[0] == name), None)
-        found = {choice_of(goal): goal for goal in (*self.session.goals_for(name), *filter(None, [asked]))}
+        found = {_choice_of(goal): goal for goal in (*self.session.goals_for(name), *filter(None, [asked]))}
         self._choices = found
-        set_options(self._relation, (NOTHING, *found), choice_of(asked) if asked else NOTHING)
+        set_options(self._relation, (NOTHING, *found), _choice_of(asked) if asked else NOTHING)
         set_content(self._related, relation_list(problem.related))
 
     def _relate(self, choice: str) -> None:
@@ -178,7 +172,7 @@ class TablePanel(Panel):
             self.session.remove_goal(name)
 
     def _features(self) -> tuple[float, ...]:
-        kinds = {label: kind for kind, label in TYPES.items()}
+        kinds = {label: kind for kind, label in _TYPES.items()}
         sizes = tuple(float(slider.value) / 1000 for slider in self._sizes)
         chosen = self._type.value
         return (*sizes, kinds[chosen] if chosen in kinds else float(chosen))
@@ -193,33 +187,18 @@ class TablePanel(Panel):
             self.page.select(self.session.problem.object_names[-1])
 
     def _draw(self) -> None:
-        kind: Any = None if self._kind.value == PAPER else self._kind.value
+        kind: Any = None if self._kind.value == _PAPER else self._kind.value
         self.session.draw(int(self._count.value), int(self._seed.value), kind)
         set_value(self._seed, int(self._seed.value) + 1)
 
-    def _show_reach(self) -> None:
-        item = self.page.item
-        if self._reach.value and item is not None:
-            self.page.overlays.reach(
-                reach_of(item, self.session.library.grounding), self.page.colour_of(item.name)
-            )
-        else:
-            self.page.overlays.clear("reach")
 
-
-def choice_of(goal: RelationGoal) -> str:
+def _choice_of(goal: RelationGoal) -> str:
     """Return what a goal by relation is called among the choices for its object: `rests-on-001 item-02`."""
     _, reference, state = goal
     return f"{state} {reference}"
 
 
-# The panel `Symbols`: what operators and motions do to an object, and all that was explored
-
-NONE = "(none)"
-MOST_ROWS = 2000
-"""So many interactions are drawn, evenly chosen among all."""
-NEAR = 0.015
-"""How near to the pointer's line an interaction must lie to be meant [m]."""
+_NONE = "(none)"
 _OVER = 0.05  # how far above its object an arrow begins, so that nothing hides it [m]
 
 
@@ -231,11 +210,9 @@ class SymbolsPanel(Panel):
         gui = self.gui
         self._promises: tuple[Promise, ...] = ()
         self._action: Float[np.ndarray, "A"] = np.zeros(0)
-        self._cloud: Float[np.ndarray, "N 3"] = np.zeros((0, 3))
-        self._rows: np.ndarray = np.zeros(0, dtype=int)
         self._arrows = gui.add_checkbox("Arrows: where operators take it", False)
         self._arrows.on_update(by_user(lambda _: self._show_arrows()))
-        self._operator = gui.add_dropdown("Operator", (NONE,), hint="Shows its waypoints and rehearsals.")
+        self._operator = gui.add_dropdown("Operator", (_NONE,), hint="Shows its waypoints and rehearsals.")
         self._operator.on_update(by_user(self._choose))
         self._said = gui.add_html("")
         with gui.add_folder("Its waypoints", expand_by_default=True):
@@ -248,13 +225,8 @@ class SymbolsPanel(Panel):
             self._expected = gui.add_html("")
             self._try = self.button("Try this motion", self.perform, visible=False)
         with gui.add_folder("All that was explored", expand_by_default=False):
-            show = gui.add_checkbox(
-                "Show the cloud of effects", False, hint="Click a point to see it happen."
-            )
-            show.on_update(by_user(self._show_cloud))
             self._row = gui.add_number("Interaction", 0, min=0, step=1)
             self.button("See it happen", lambda: self.session.running.recall(int(self._row.value)))
-        self.page.server.scene.on_click()(self._clicked)
         self._table = gui.add_html("")
 
     def refresh(self, topics: set[Topic]) -> None:
@@ -264,13 +236,13 @@ class SymbolsPanel(Panel):
             return
         if "scene" in topics:
             self._promises = promises_for(item, self.session.library)
-            names = (NONE, *(one.operator.name for one in self._promises))
+            names = (_NONE, *(one.operator.name for one in self._promises))
             if self._operator.options != names:
-                set_options(self._operator, names, NONE)
-                self._choose(NONE)
+                set_options(self._operator, names, _NONE)
+                self._choose(_NONE)
             set_content(self._table, self.text())
         self._show_arrows()
-        if self._operator.value != NONE:
+        if self._operator.value != _NONE:
             self._draw_motion()
 
     def text(self) -> str:
@@ -337,11 +309,11 @@ class SymbolsPanel(Panel):
             self.page.overlays.waypoints(drawn, self._dragged)
         else:
             self.page.overlays.follow(drawn)
-        said, motion = "", self.session.library.expect(item.features, self._action)
-        if motion is not None:
-            bits, direct = (displacement_in_words(one) for one in (motion.expected, motion.direct))
-            symbol = f"This motion has the symbol {motion.symbol}. By the bits the network expects: {bits}."
-            said = paragraph(safe(symbol), coloured(f"Before the bits: {direct}.", DIM))
+        said = ""
+        if expected := self.session.library.expect(item.features, self._action):
+            symbol, bits, direct = expected[0], *map(displacement_in_words, expected[1:])
+            told = f"This motion has the symbol {symbol}. By the bits the network expects: {bits}."
+            said = paragraph(safe(told), coloured(f"Before the bits: {direct}.", DIM))
         set_content(self._expected, said)
 
     def _dragged(self, number: int, at: tuple[float, float, float]) -> None:
@@ -359,43 +331,8 @@ class SymbolsPanel(Panel):
         self._action = action
         self._draw_motion()
 
-    def _show_cloud(self, is_shown: bool) -> None:
-        """Draw the effects of the data as points over the middle of the table."""
-        self.page.overlays.clear("cloud")
-        self._cloud = np.zeros((0, 3))
-        data = self.session.library.interactions
-        if not is_shown:
-            return
-        if data is None or data.effects.shape[1] != 3:
-            self.session.say("This domain brings no data of where objects went.", is_bad=True)
-            return
-        self._rows = np.unique(np.linspace(0, len(data) - 1, min(len(data), MOST_ROWS)).astype(int))
-        x, y = self.session.library.middle
-        self._cloud = data.effects[self._rows].astype(float) + np.array([x, y, 0.05])
-        kinds = data.held[self._rows][:, None]
-        colours = np.where(kinds, np.array([LIFT]), np.array([PUSH]))
-        self.page.overlays.dots(self._cloud, colours.astype(float), "cloud")
 
-    def _clicked(self, event: viser.SceneClickEvent) -> None:
-        row = self.row_at(event.ray_origin, event.ray_direction)
-        if row is not None and not self.session.running.is_active:
-            set_value(self._row, row)
-            self.session.running.recall(row)
-
-    def row_at(self, eye: Any, ray: Any) -> int | None:
-        """Return which interaction of the cloud a line of sight meets, if any is near enough."""
-        if not len(self._cloud):
-            return None
-        along = np.array(ray, dtype=float) / np.linalg.norm(ray)
-        away = self._cloud - np.array(eye, dtype=float)
-        apart = np.linalg.norm(away - np.outer(away @ along, along), axis=1)
-        nearest = int(np.argmin(apart))
-        return int(self._rows[nearest]) if apart[nearest] <= NEAR else None
-
-
-# The panel `Plan`: whom to ask, what was found, and the PDDL that says so
-
-NOBODY = "(nobody)"
+_NOBODY = "(nobody)"
 
 
 class PlanPanel(Panel):
@@ -409,7 +346,7 @@ class PlanPanel(Panel):
         self._go = self.button("Plan", lambda: session.plan(self._planner.value), color="green")
         self._stop = self.button("Stop planning", session.stop_planning, disabled=True)
         self._text = gui.add_html("")
-        self._choose = gui.add_dropdown("Show and run", (NOBODY,), visible=False)
+        self._choose = gui.add_dropdown("Show and run", (_NOBODY,), visible=False)
         self._choose.on_update(by_user(session.choose))
         self._accept = self.button(
             "Accept the nearest goals", session.accept_nearest, visible=False, color="orange"

@@ -1,27 +1,23 @@
 """Setting a scene: what a page changes of a problem, each change a function from one problem to the next."""
 
-from collections.abc import Collection, Iterator, Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from itertools import count
 from typing import Literal
 
 import msgspec
 import numpy as np
 
-from neurosym.checks import Float, Int
 from neurosym.errors import InvalidValue
-from neurosym.grounding import Grounding, is_lift
-from neurosym.operators import TOLERANCE, Categorise, Vector, vector
+from neurosym.operators import Categorise, Vector, vector
 from neurosym.pair_operators import extent
-from neurosym.problems import Problem, RelationGoal, SceneObject, pair_key
-from neurosym.studio import scene_editor
-from neurosym.tasks.options import Put, carriers_for, puts_for
+from neurosym.problems import Problem, RelationGoal, SceneObject
+from neurosym.tasks.options import Put
 from neurosym.tasks.pair_goals import valid_relations, why_no_relation, why_too_many
-from neurosym.tasks.promises import usable
 from neurosym.tasks.supports import Borne, carried_along, chain_below
 from neurosym.tasks.task import Task
 from neurosym.world import Table
 
-UPRIGHT = (0.0, 0.0, 0.0, 1.0)
+_UPRIGHT = (0.0, 0.0, 0.0, 1.0)
 
 
 def table_height(problem: Problem, name: str) -> float:
@@ -34,13 +30,7 @@ def moved(
 ) -> Problem:
     """Put an object elsewhere on the table; it keeps its height unless one is given, and its goal.
 
-    Args:
-        problem: The problem.
-        name: Name of the object.
-        x: Where its centre shall be [m].
-        y: The same for the other axis [m].
-        z: Its height [m], if another one.
-        along: Names of the objects that go along, as what it bears.
+    x, y and z are of its centre [m]; what it bears goes `along`.
     """
     old = problem.object_named(name).position
     new = _at(x, y, old[2] if z is None else z)
@@ -55,12 +45,7 @@ def moved(
 def with_goal(problem: Problem, name: str, x: float, y: float, z: float | None = None) -> Problem:
     """Give an object a goal on the table or above it, in the place of any other goal of it.
 
-    Args:
-        problem: The problem.
-        name: Name of the object.
-        x: Where its centre shall come to be [m].
-        y: The same for the other axis [m].
-        z: Its height [m]; that of the goal it has, or else the height that it lies at, if not given.
+    x, y and z are of its centre [m]. Without z it is as high as the goal it has, or else as the object lies.
     """
     known = problem.goals.get(name)
     height = known[2] if known else table_height(problem, problem.object_named(name).name)
@@ -69,10 +54,6 @@ def with_goal(problem: Problem, name: str, x: float, y: float, z: float | None =
 
 def with_relation(problem: Problem, *goal: str) -> Problem:
     """Give an object a goal by relation, in the place of any other goal of it.
-
-    Args:
-        problem: The problem.
-        goal: Name of the object, of the other one, and of the state that the two shall come to.
 
     Raises:
         InvalidValue: If the goals by relation could not all be met, as far as names tell.
@@ -91,12 +72,7 @@ def resized(
 ) -> Problem:
     """Make an object another one, which rests where the first one does, and is of the category that it shows.
 
-    Args:
-        problem: The problem.
-        name: Name of the object.
-        features: What it shall be: sizes along x, y and z first [m].
-        categorise: Gives objects their symbols.
-        under: How high it stands above the table [m].
+    Sizes along x, y and z come first in its features [m]; `under` is how high it stands above the table [m].
     """
     x, y, z = problem.object_named(name).position
     changed = _resting(name, features, x, y, categorise, under)
@@ -111,12 +87,7 @@ def with_object(
 ) -> Problem:
     """Add an object at rest; it is called `item-01` or the first such name that is free.
 
-    Args:
-        problem: The problem; None for the first object of all.
-        features: What it is: sizes along x, y and z first [m].
-        x: Where its centre is [m].
-        y: The same for the other axis [m].
-        categorise: Gives objects their symbols.
+    Sizes along x, y and z come first in its features; x and y are of its centre [m].
     """
     taken = problem.object_names if problem else ()
     name = next(one for number in count(1) if (one := f"item-{number:02d}") not in taken)
@@ -126,10 +97,6 @@ def with_object(
 
 def without_object(problem: Problem, name: str) -> Problem:
     """Take an object away, its goal, and the goals of others that are about it.
-
-    Args:
-        problem: The problem.
-        name: Name of the object.
 
     Raises:
         InvalidValue: If it is the last one.
@@ -149,7 +116,7 @@ def _resting(
 ) -> SceneObject:
     category = categorise(np.array([features], dtype=float))[0]
     position = _at(x, y, float(features[2]) / 2 + under)
-    return SceneObject(name, category, tuple(map(float, features)), position, UPRIGHT)
+    return SceneObject(name, category, tuple(map(float, features)), position, _UPRIGHT)
 
 
 def _at(x: float, y: float, z: float) -> Vector:
@@ -178,12 +145,9 @@ def _replaced(problem: Problem, **changes: object) -> Problem:
     return msgspec.structs.replace(problem, provenance="by hand", places={}, **changes)
 
 
-# Goals by relation on a page: which there can be, where their ghosts stand, and what dropping a ghost
-# means.
-#
-# All that is given here is a task as it is understood: its problem knows the kinds of its pairs.
+# Of goals by relation: all tasks here are as they are understood, and know the kinds of their pairs.
 
-OFF_TABLE = 0.005
+_OFF_TABLE = 0.005
 """What is borne stands so far above the table at least, unless somebody saw what it touches [m]."""
 
 
@@ -197,17 +161,14 @@ def stacks_of(task: Task) -> dict[str, Borne]:
         name: borne
         for name, borne in task.supports.items()
         if is_seen
-        or task.problem.object_named(name).position[2] - scene_editor.table_height(task.problem, name)
-        > OFF_TABLE
+        or task.problem.object_named(name).position[2] - table_height(task.problem, name) > _OFF_TABLE
     }
 
 
-def supports_of(task: Task, stacks: Mapping[str, Borne]) -> dict[str, Borne]:
+def _supports_of(task: Task, stacks: Mapping[str, Borne]) -> dict[str, Borne]:
     """Return what bears each object in the end: as is asked, or as it is now where nothing is asked of it.
 
-    Args:
-        task: The task.
-        stacks: What bears each object now that another one bears.
+    `stacks` is what bears each object now.
     """
     found = {
         target: Borne(reference, task.state_named(state)) for target, reference, state in task.problem.related
@@ -246,18 +207,14 @@ def _offset(task: Task, target: str, reference: str, state: str) -> tuple[float,
 
 
 def _surest_first(task: Task, target: str, reference: str) -> tuple[Put, ...]:
-    kind = task.kinds.get(pair_key(target, reference))
-    puts = puts_for(task.problem, task.grounding, target, reference, kind)
+    puts = task.puts.get((target, reference), ())
     return tuple(sorted(puts, key=lambda put: (-put.share, put.name)))
 
 
 def goals_for(task: Task, name: str, others: Sequence[str] | None = None) -> tuple[RelationGoal, ...]:
     """List the goals by relation that an object can have besides what is asked already, the surest first.
 
-    Args:
-        task: The task.
-        name: Name of the object.
-        others: Names of the objects that it may be about, in that order; all, if not given.
+    They are about the `others` alone, in that order, if these are given.
     """
     found, borne = list[RelationGoal](), stacks_of(task).get(name)
     for other in task.names if others is None else others:
@@ -269,22 +226,17 @@ def goals_for(task: Task, name: str, others: Sequence[str] | None = None) -> tup
 
 
 def why_no_goal(task: Task, goal: RelationGoal) -> str:
-    """Say why an object cannot have a goal by relation besides what is asked already, or nothing.
-
-    Args:
-        task: The task.
-        goal: The goal.
-    """
+    """Say why an object cannot have a goal by relation besides what is asked already, or nothing."""
     if why := _why_not_besides(task, goal):
         return why
-    alone = scene_editor.with_relation(task.problem, *goal)
+    alone = with_relation(task.problem, *goal)
     return why_no_relation(msgspec.structs.replace(alone, relations=(goal,)), task.grounding)
 
 
 def _why_not_besides(task: Task, goal: RelationGoal) -> str:
     """Say why the other goals forbid one, or nothing."""
     try:
-        asked = scene_editor.with_relation(task.problem, *goal)
+        asked = with_relation(task.problem, *goal)
     except InvalidValue as error:
         return str(error).rstrip(".")
     shared = tuple(one for one in asked.related if one[1] == goal[1])
@@ -294,12 +246,9 @@ def _why_not_besides(task: Task, goal: RelationGoal) -> str:
 def under(task: Task, name: str, spots: Mapping[str, Vector]) -> tuple[str, ...]:
     """Name the objects that a goal on the table lies over, the highest first.
 
-    Args:
-        task: The task.
-        name: Name of the object that has the goal.
-        spots: Where ghosts stand [m]; of other objects it is asked where they stand themselves.
+    `spots` is where ghosts stand [m]; of other objects it is asked where they stand themselves.
     """
-    problem, upon = task.problem, carried_along(name, supports_of(task, {}))
+    problem, upon = task.problem, carried_along(name, _supports_of(task, {}))
     if name not in problem.goals:
         return ()
     at, found = np.array(problem.goals[name][:2]), []
@@ -316,22 +265,12 @@ def relation_of_drop(task: Task, name: str) -> RelationGoal | None:
 
     It is about the highest object under the ghost that something puts it on or into, and the state that the
     two are brought to most surely.
-
-    Args:
-        task: The task.
-        name: Name of the object whose ghost was dropped.
     """
     return next(iter(goals_for(task, name, under(task, name, ghost_spots(task)))), None)
 
 
 def why_no_drop(task: Task, name: str, other: str) -> str:
-    """Say why the ghost of an object cannot be dropped on another one, and where it could.
-
-    Args:
-        task: The task.
-        name: Name of the object whose ghost was dropped.
-        other: Name of the object that it was dropped on.
-    """
+    """Say why the ghost of an object cannot be dropped on another one, and where it could."""
     goals = ((name, other, put.state.name) for put in _surest_first(task, name, other))
     said = f"nothing puts {name} on or into {other}; {valid_relations(task.problem, task.grounding, name)}"
     return next(filter(None, (_why_not_besides(task, goal) for goal in goals)), said)
@@ -345,43 +284,8 @@ def why_not_related(task: Task) -> dict[str, str]:
     return {name: why for name, why in whys.items() if why}
 
 
-# What cannot be, said while something is dragged; and where an object can be brought to
-
-REACH_CELL = 0.01
-"""Edge of the cells that the reach of an object is drawn with [m]."""
-REACH_STEPS = 3
-"""How many primitives with an object its reach is drawn for."""
 _SPOTS = 0.02  # how far apart the places are where an object is tried to be added [m]
 Kind = Literal["object", "goal"]
-
-
-def reach_of(item: SceneObject, grounding: Grounding, steps: int = REACH_STEPS) -> Float[np.ndarray, "N 2"]:
-    """Work out where operators bring an object within some steps: centres of cells of the table [m].
-
-    It can be everywhere, if something carries it; the cell of its own is always one.
-
-    Args:
-        item: The object.
-        grounding: The learned domain.
-        steps: How many primitives at most.
-    """
-    low, high = np.array([grounding.table.x, grounding.table.y]).T
-    shape = np.maximum(1, np.rint((high - low) / REACH_CELL).astype(int))
-    cells = np.clip(((np.array([item.position[:2]]) - low) // REACH_CELL).astype(int), 0, shape - 1)
-    if carriers_for(item, grounding, TOLERANCE):
-        cells, steps = np.argwhere(np.ones(shape)), 0
-    shifts = np.array([(0, 0), *_shifts(item, grounding)])
-    for _ in range(steps):
-        cells = np.unique((cells[:, None] + shifts).reshape(-1, 2), axis=0)
-        cells = cells[np.all((cells >= 0) & (cells < shape), axis=1)]
-    return np.asarray(cells * REACH_CELL + low + REACH_CELL / 2)
-
-
-def _shifts(item: SceneObject, grounding: Grounding) -> Iterator[Int[np.ndarray, "2"]]:
-    """Yield by how many cells each operator brings an object elsewhere."""
-    for operator in usable(grounding, item):
-        if operator.promise and (any(operator.promise.resting_effect) or not is_lift(operator)):
-            yield np.rint(np.array(operator.promise.resting_effect[:2]) / REACH_CELL).astype(int)
 
 
 def why_not_there(
@@ -398,13 +302,7 @@ def why_not_there(
     Two goals may not be in one place, nor a goal in an object that is to stay. A goal above the table is only
     asked to be over it.
 
-    Args:
-        problem: The problem.
-        name: Name of the object.
-        kind: Whether it is about where the object starts, or about its goal.
-        table: Where objects may stand.
-        ghosts: Where the ghosts of objects with goals stand [m]; the goals on the table, if not given.
-        may_be_in: Names of the objects that it may stand on or in, or that may stand on or in it.
+    `ghosts` is where the ghosts of objects with goals stand [m], and `may_be_in` what it may touch.
     """
     ghosts = {} if kind == "object" else problem.goals if ghosts is None else ghosts
     item = problem.object_named(name)
@@ -426,7 +324,7 @@ def complaints_about(task: Task) -> dict[str, str]:
     """Say of each object or goal that cannot be where it is why not, by `object NAME` and `goal NAME`."""
     problem, table, ghosts, found = task.problem, task.grounding.table, ghost_spots(task), dict[str, str]()
     stacks = stacks_of(task)
-    supports = supports_of(task, stacks)
+    supports = _supports_of(task, stacks)
     for name in problem.object_names:
         if why := why_not_there(problem, name, "object", table, may_be_in=_pile(name, stacks)):
             found[f"object {name}"] = why
@@ -459,12 +357,6 @@ def free_spot(
     problem: Problem | None, features: tuple[float, ...], table: Table, middle: tuple[float, float]
 ) -> tuple[float, float]:
     """Find room for an object on the table, nearest to its middle [m].
-
-    Args:
-        problem: The problem; None if nothing is on the table.
-        features: What the object is.
-        table: Where objects may stand.
-        middle: The middle of the table [m].
 
     Raises:
         InvalidValue: If there is none.

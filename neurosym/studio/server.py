@@ -29,9 +29,9 @@ from neurosym.studio.page import Page
 from neurosym.studio.session import Session
 from neurosym.studio.studio_workers import Workers
 
-PAGE = "/page/"
+_PAGE = "/page/"
 """What the path of a page begins with."""
-MOST_HEAD = 64_000
+_MOST_HEAD = 64_000
 """Bytes of the head of a request."""
 PATIENCE = 20.0
 """How long a head may take to come [s]."""
@@ -140,7 +140,7 @@ class Front:
         asyncio.set_event_loop(self._loop)
         try:
             server = self._loop.run_until_complete(
-                asyncio.start_server(self._serve, self._host, self._wanted, limit=MOST_HEAD)
+                asyncio.start_server(self._serve, self._host, self._wanted, limit=_MOST_HEAD)
             )
         except (OSError, ValueError) as error:
             why = error.strerror if isinstance(error, OSError) else "that is no host"
@@ -174,13 +174,13 @@ class Front:
     async def _route(self, head: Head, reader: asyncio.StreamReader, writer: asyncio.StreamWriter) -> None:
         if not self._is_ours(head):
             await _answer(writer, HTTPStatus.FORBIDDEN, "Another site sent this request; it is refused.")
-        elif head.path.startswith(PAGE):
-            page, _, rest = head.path.removeprefix(PAGE).partition("/")
+        elif head.path.startswith(_PAGE):
+            page, _, rest = head.path.removeprefix(_PAGE).partition("/")
             port = self._port_of(page)
             if port is None:
                 await _answer(writer, HTTPStatus.NOT_FOUND, "This page is closed.")
-            elif head.path == f"{PAGE}{page}" and not head.is_upgrade:
-                await _redirect(writer, f"{PAGE}{page}/")
+            elif head.path == f"{_PAGE}{page}" and not head.is_upgrade:
+                await _redirect(writer, f"{_PAGE}{page}/")
             else:
                 await _pass_on(head.for_page(f"/{rest}"), port, reader, writer)
         elif head.path == "/":
@@ -203,7 +203,7 @@ class Front:
                 await _answer(writer, HTTPStatus.BAD_REQUEST, str(error))
                 return
             cookies.append(f"{_COOKIE}={page}; Path=/; HttpOnly; SameSite=Strict")
-        await _redirect(writer, f"{PAGE}{page}/", cookies)
+        await _redirect(writer, f"{_PAGE}{page}/", cookies)
 
     def _is_ours(self, head: Head) -> bool:
         """Say whether a request comes from a page of ours, and by a name that is ours."""
@@ -270,11 +270,9 @@ async def _send(writer: asyncio.StreamWriter, status: HTTPStatus, lines: list[st
     await writer.drain()
 
 
-# The studio while it is open: its pages, and the processes that work for them
-
-MOST_PAGES = 64
+_MOST_PAGES = 64
 """So many pages are open at once; one that nobody looks at gives way to a new one."""
-RUNS = 8
+_RUNS = 8
 """So many pages run at once; a run waits for its own clock most of the time."""
 
 
@@ -292,7 +290,7 @@ class Studio:
         self, library: Library, host: str = "127.0.0.1", port: int = 0, problem: Problem | None = None
     ):
         self.library, self._problem = library, problem
-        self.planners, self.runners = Workers(max(1, os.cpu_count() or 1)), Workers(RUNS)
+        self.planners, self.runners = Workers(max(1, os.cpu_count() or 1)), Workers(_RUNS)
         self.front = Front(self.open_page, self._port_of, host, port)
         self._pages: dict[str, Page] = {}
         self._lock = threading.RLock()
@@ -331,7 +329,7 @@ class Studio:
             InvalidValue: If too many pages are open.
         """
         with self._lock:
-            server = self._freed_server() if len(self._pages) >= MOST_PAGES else None
+            server = self._freed_server() if len(self._pages) >= _MOST_PAGES else None
             server = server or viser.ViserServer("127.0.0.1", 0, label="neurosym studio", verbose=False)
             session = Session(self.library, self.planners, self.runners, self._problem)
             name = secrets.token_urlsafe(12)
@@ -346,7 +344,7 @@ class Studio:
         """Close the oldest page that nobody looks at, and return its server for the next one."""
         unseen = [name for name, page in self._pages.items() if not page.server.get_clients()]
         if not unseen:
-            raise InvalidValue(f"{MOST_PAGES} pages are open, the most there can be; close one.")
+            raise InvalidValue(f"{_MOST_PAGES} pages are open, the most there can be; close one.")
         gone = self._pages.pop(unseen[0])
         gone.close()
         gone.server.scene.reset()

@@ -49,13 +49,13 @@ from neurosym.studio.messages import (
 from neurosym.studio.studio_workers import Ticket, Workers
 from neurosym.tasks.supports import is_relational
 from neurosym.tasks.transition import PlanStep, validate
-from neurosym.world import Place, Scene
+from neurosym.world import Scene
 
-MOST_FILE = 1_000_000
+_MOST_FILE = 1_000_000
 """Bytes of a scene that is opened on the page."""
-MOST_SEEN = 30_000
+_MOST_SEEN = 30_000
 """So many poses of a run are kept for its film, the first ones: a quarter of an hour."""
-USUAL = "fast-downward"
+_USUAL = "fast-downward"
 """The planner that is asked if it is there."""
 _LEFT_OUT = (INTERACTIONS, "pictures", "comparison", "report.html")  # of a domain, in the folder of a page
 
@@ -66,9 +66,9 @@ def planners_here() -> tuple[str, ...]:
 
 
 def usual_planner() -> str:
-    """Name whom to ask if nobody says whom: `USUAL`, or else the first planner that is there."""
+    """Name whom to ask if nobody says whom: `_USUAL`, or else the first planner that is there."""
     names = planners_here()
-    return USUAL if USUAL in names else names[0]
+    return _USUAL if _USUAL in names else names[0]
 
 
 class Room:
@@ -145,13 +145,7 @@ class Session(Desk):
 
     @at_rest
     def draw(self, objects: int, seed: int, task: AnyTask | None) -> None:
-        """Draw a task: as the paper draws them, or of a kind that people ask for.
-
-        Args:
-            objects: How many objects.
-            seed: Same seed, same task.
-            task: Its kind; None for the paper's.
-        """
+        """Draw a task: as the paper draws them, or of a kind that people ask for."""
         if not 1 <= objects <= MOST_OBJECTS:
             raise InvalidValue(f"{objects} objects cannot be drawn; valid: 1 to {MOST_OBJECTS}.")
         job = DrawTask(self.room.path, f"drawn-{task or 'paper'}-{objects}-{seed}", objects, seed, task)
@@ -178,8 +172,8 @@ class Session(Desk):
     @at_rest
     def open_file(self, content: bytes) -> None:
         """Put the scene of a file on the table, whose bytes are as `Problem.save` writes them."""
-        if len(content) > MOST_FILE:
-            raise InvalidValue(f"The file has {len(content):,} bytes; a scene has at most {MOST_FILE:,}.")
+        if len(content) > _MOST_FILE:
+            raise InvalidValue(f"The file has {len(content):,} bytes; a scene has at most {_MOST_FILE:,}.")
         path = Path("the file")
         problem = decode_json(path, content, Problem)
         check_scene(self.library.folder, problem, path, self.library.world)
@@ -354,9 +348,7 @@ class Running:
     def begin(self, replanner: str | None = None, replans: int | None = None) -> None:
         """Run the plan that is shown.
 
-        Args:
-            replanner: Whom to ask for new plans; the usual planner if not given.
-            replans: How many may be asked for; 0 to follow the plan blindly, as usual if not given.
+        Without a replanner, the usual one is asked; with replans = 0 the plan is followed blindly.
         """
         session = self._session
         planned, problem = session.plan_shown, session.problem
@@ -378,17 +370,11 @@ class Running:
         if session.problem is not None and session.problem.name == problem:
             self._submit(Replay(session.room.path, name, self._fresh()), session.problem, f"replaying {name}")
 
-    def perform(self, name: str, action: tuple[float, ...], place: Place | None = None) -> None:
-        """Try an action on an object as it stands on the table; the table is as before afterwards.
-
-        Args:
-            name: Name of the object.
-            action: The action parameters.
-            place: Where it is carried, if it is an action that carries.
-        """
+    def perform(self, name: str, action: tuple[float, ...]) -> None:
+        """Try an action on an object as it stands on the table; the table is as before afterwards."""
         session = self._session
         if session.problem is not None:
-            job = Perform(session.room.path, session.problem, name, action, place, self._fresh())
+            job = Perform(session.room.path, session.problem, name, action, self._fresh())
             self._submit(job, session.problem, f"trying a motion on {name}")
 
     def recall(self, row: int) -> None:
@@ -458,7 +444,7 @@ class Running:
     def _hear(self, said: Any) -> None:
         """Take in what the process sends."""
         if isinstance(said, Seen):
-            if len(self.seen) < MOST_SEEN:
+            if len(self.seen) < _MOST_SEEN:
                 self.seen.append(said)
             else:
                 self.seen[-1] = said

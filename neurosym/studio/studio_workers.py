@@ -10,8 +10,17 @@ import numpy as np
 
 from neurosym.choices import told
 from neurosym.contract import Posed
+from neurosym.data.interactions import Interactions
 from neurosym.errors import CannotStart, NeurosymError
-from neurosym.studio import studio_workers
+from neurosym.files import read_json
+from neurosym.pictures.motions import judge, recall_interaction
+from neurosym.planners.registry import planner_named
+from neurosym.stages.execution import Showing, execute_stage, load_run, replay_run
+from neurosym.stages.folder import DomainFolder, load_scene
+from neurosym.stages.layout import RECORD, RUNS, WORLD, plan_files, run_file, scene_file
+from neurosym.stages.plan_records import PlanRecord, written_steps
+from neurosym.stages.planning import plan_stage
+from neurosym.stages.problem_making import Asked, problem_stage, scene_stage
 from neurosym.studio.messages import (
     Drawn,
     DrawTask,
@@ -29,10 +38,11 @@ from neurosym.studio.messages import (
     RunPlan,
 )
 from neurosym.worlds.processes import Child, ChildEnded, parent
+from neurosym.worlds.world_file import read_world
 
 DIED = "The process that worked on it has ended; only this is lost, so try again."
 STOPPED = "It was stopped."
-Tell = Callable[[Any], None]
+_Tell = Callable[[Any], None]
 """Takes what a process sends; the last is its answer."""
 
 
@@ -45,7 +55,7 @@ class Ticket:
         queue: Where it was handed in.
     """
 
-    def __init__(self, job: Job, tell: Tell, queue: "Workers"):
+    def __init__(self, job: Job, tell: _Tell, queue: "Workers"):
         self.job, self.tell = job, tell
         self._queue = queue
         self._child: Child | None = None
@@ -81,13 +91,9 @@ class Ticket:
         self._queue.drop(self)
 
     def work(self, child: Child) -> bool:
-        """Have a process do the job, tell what it sends, and say whether the process can do another one.
-
-        Args:
-            child: The process.
-        """
+        """Have a process do the job, tell what it sends, and say whether the process can do another one."""
         try:
-            child.ask(studio_workers.do, self.job)
+            child.ask(do, self.job)
             with self._lock:
                 self._child = child
                 for word in self._words:
@@ -121,16 +127,14 @@ class Workers:
     def warm(self) -> None:
         """Start a process before it is needed."""
         with suppress(CannotStart):
-            child = Child(studio_workers.__name__)
+            child = Child(__name__)
             with self._lock:
                 self._free.append(child)
 
-    def submit(self, job: Job, tell: Tell) -> Ticket:
+    def submit(self, job: Job, tell: _Tell) -> Ticket:
         """Hand in a job.
 
-        Args:
-            job: The job.
-            tell: Called in a thread of its own with what is sent, the answer last.
+        `tell` is called in a thread of its own with what is sent, the answer last.
         """
         ticket = Ticket(job, tell, self)
         with self._lock:
@@ -171,7 +175,7 @@ class Workers:
     def _work(self, ticket: Ticket, child: Child | None) -> None:
         is_usable = False
         try:
-            child = child or Child(studio_workers.__name__)
+            child = child or Child(__name__)
             is_usable = ticket.work(child)
         except CannotStart as error:
             ticket.tell(Failed(str(error)))
@@ -191,9 +195,9 @@ class Workers:
 # A job calls the stages that the command line calls, in the folder of one page. While it works it sends
 # what is to be seen, and heeds what is said to it: another speed, pause, go on, a nudge, stop.
 
-HOLD = 3.0
+_HOLD = 3.0
 """So long is the end of an interaction shown before the table is there again [s]."""
-SETTING = "setting.json"
+_SETTING = "setting.json"
 """Where a page keeps the scene that it takes over, in its folder."""
 
 
@@ -209,15 +213,12 @@ def do(job: Job) -> Any:
 
 def _without_paths(sentence: str, job: Job) -> str:
     """Return a sentence without the folder of the page, which is nobody's business but the server's."""
-    return sentence.replace(str(job.folder / SETTING), "The scene").replace(f"{job.folder}/", "")
+    return sentence.replace(str(job.folder / _SETTING), "The scene").replace(f"{job.folder}/", "")
 
 
 def _make(job: Make) -> Any:
     """Take a scene over into the folder, under the name of the problem."""
-    from neurosym.stages.folder import DomainFolder
-    from neurosym.stages.problem_making import scene_stage
-
-    file = job.folder / SETTING
+    file = job.folder / _SETTING
     job.problem.save(file)
     folder = DomainFolder(job.folder)
     folder.perform(scene_stage(folder, file, name=job.problem.name), again=True)
@@ -225,34 +226,15 @@ def _make(job: Make) -> Any:
 
 
 def _plan(job: PlanNew) -> Any:
-    from neurosym.files import read_json
-    from neurosym.planners.registry import planner_named
-    from neurosym.stages.folder import DomainFolder
-    from neurosym.stages.layout import plan_files
-    from neurosym.stages.plan_records import PlanRecord, written_steps
-    from neurosym.stages.planning import plan_stage
-
     _make(Make(job.folder, job.problem))
     folder, name = DomainFolder(job.folder), job.problem.name
     chosen = planner_named(job.planner, job.folder)
-    stage = plan_stage(
-        folder,
-        name,
-        planner=job.planner,
-        encoding=job.encoding,
-        nearest=job.nearest,
-        time_limit=job.time_limit,
-    )
-    folder.perform(stage, again=True)
+    folder.perform(plan_stage(folder, name, planner=job.planner, nearest=job.nearest), again=True)
     record = read_json(folder / plan_files(name, chosen.name)[1], PlanRecord)
     return Planned(record, written_steps(folder, name, chosen.name) or "")
 
 
 def _run(job: RunPlan) -> Any:
-    from neurosym.stages.execution import Showing, execute_stage, load_run
-    from neurosym.stages.folder import DomainFolder
-    from neurosym.stages.layout import run_file
-
     folder, plan_file = DomainFolder(job.folder), job.folder / job.plan_file
     stage = execute_stage(
         folder,
@@ -267,10 +249,6 @@ def _run(job: RunPlan) -> Any:
 
 
 def _replay(job: Replay) -> Any:
-    from neurosym.stages.execution import Showing, replay_run
-    from neurosym.stages.folder import DomainFolder
-    from neurosym.stages.layout import RECORD, RUNS
-
     folder, file = DomainFolder(job.folder), f"{RUNS}/{job.run}{RECORD}"
     showing = Showing(audience=Onlooker(parent(), job.controls))
     run, agreement = replay_run(folder, folder / file, showing)
@@ -278,40 +256,25 @@ def _replay(job: Replay) -> Any:
 
 
 def _draw(job: DrawTask) -> Any:
-    from neurosym.stages.folder import DomainFolder, load_scene
-    from neurosym.stages.layout import scene_file
-    from neurosym.stages.problem_making import Asked, problem_stage
-
     folder = DomainFolder(job.folder)
-    asked = Asked(job.objects, seed=job.seed, task=job.task, tolerance=job.tolerance)
+    asked = Asked(job.objects, seed=job.seed, task=job.task)
     folder.perform(problem_stage(folder, job.name, asked), again=True)
     return Drawn(load_scene(folder / scene_file(job.name)))
 
 
 def _perform(job: Perform) -> Any:
     """Perform one action in a scene, and send its poses."""
-    from neurosym.stages.folder import DomainFolder
-    from neurosym.stages.layout import WORLD
-    from neurosym.world import relative_to
-    from neurosym.worlds.world_file import read_world
-
     world = read_world(DomainFolder(job.folder).require(WORLD))()
     onlooker = Onlooker(parent(), job.controls)
     onlooker.begin(world, job.problem)
     target = job.problem.object_names.index(job.object)
-    aim = relative_to(world, job.reference)
-    outcome = world.interact(job.problem.scene(), np.array(job.action), target, **aim)
+    outcome = world.interact(job.problem.scene(), np.array(job.action), target)
     onlooker.see_outcome(outcome)
     return Performed(outcome.kind, tuple(map(float, outcome.effect)), outcome.end)
 
 
 def _recall(job: Recall) -> Any:
     """Make an interaction of the data happen again."""
-    from neurosym.data.interactions import Interactions
-    from neurosym.pictures.motions import judge, recall_interaction
-    from neurosym.stages.layout import WORLD
-    from neurosym.worlds.world_file import read_world
-
     world = read_world(job.folder / WORLD)()
     interactions = Interactions.load(job.data)
     motion, is_same = recall_interaction(world, interactions, job.row)
@@ -321,7 +284,7 @@ def _recall(job: Recall) -> Any:
         world.on_pose = onlooker.see
     outcome = world.interact(motion.scene, motion.action, 0)
     onlooker.see_outcome(outcome)
-    onlooker.hold(HOLD)
+    onlooker.hold(_HOLD)
     said = judge(interactions, job.row, outcome, is_same)
     return Performed(outcome.kind, tuple(map(float, outcome.effect)), outcome.end, said)
 

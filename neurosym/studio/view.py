@@ -22,12 +22,10 @@ from neurosym.operators import Vector, vector
 from neurosym.problems import Problem, SceneObject
 from neurosym.studio.desk import Library
 from neurosym.studio.messages import Seen
-from neurosym.studio.scene_editor import REACH_CELL, ghost_spots
+from neurosym.studio.scene_editor import ghost_spots
 from neurosym.tasks.task import understand
 
-# What is drawn over the table for a while: paths of a plan, reach, arrows, waypoints, outcomes
-
-WAYPOINTS = ((62, 117, 196), (68, 158, 88), (201, 72, 76))
+_WAYPOINTS = ((62, 117, 196), (68, 158, 88), (201, 72, 76))
 """Blue the first, green the second, red the third, as in pictures."""
 PUSH, LIFT = (245, 166, 35), (123, 97, 255)
 _OVER = 0.004
@@ -55,9 +53,7 @@ class Overlays:
     ) -> None:
         """Draw the way of each object through a plan, with a dot for each step.
 
-        Args:
-            positions: Centres of the objects before the first step and after each [m].
-            colours: Of each object.
+        The positions are centres of the objects before the first step and after each [m].
         """
         self.clear("paths")
         nodes = self._layers.setdefault("paths", [])
@@ -71,24 +67,16 @@ class Overlays:
             nodes.append(self._scene.add_line_segments(f"/paths/{number}", lines, colour, thickness=0.006))
             nodes.append(self._cloud(f"/paths/{number}-dots", way[1:][moves], colour, 0.011))
 
-    def _cloud(self, name: str, points: np.ndarray, colours: Any, size: float, **options: Any) -> Any:
+    def _cloud(self, name: str, points: np.ndarray, colours: Any, size: float) -> Any:
         return self._scene.add_point_cloud(
-            name, points, colours, point_size=size, point_shape="circle", precision="float32", **options
+            name, points, colours, point_size=size, point_shape="circle", precision="float32"
         )
-
-    def reach(self, centres: Float[np.ndarray, "N 2"], colour: tuple[int, int, int]) -> None:
-        """Draw where an object can be brought to [m], as dots on the table."""
-        self.clear("reach")
-        points = np.column_stack([centres, np.full(len(centres), 0.001)])
-        size = REACH_CELL * 0.35
-        self._layers["reach"] = [self._cloud("/reach", points, colour, size, point_shading="flat")]
 
     def arrows(self, start: Sequence[float], effects: Sequence[tuple[Sequence[float], bool]]) -> None:
         """Draw where operators take an object, each arrow with its number from 1.
 
-        Args:
-            start: Where the arrows begin, above the object so that they stay visible [m].
-            effects: Displacement [m] of each operator, and whether it lifts.
+        They begin above the object so that they stay visible. Start and effects are in metres; each effect
+        comes with whether it lifts.
         """
         self.clear("arrows")
         ends = np.array([np.add(start, effect) for effect, _ in effects]).reshape(-1, 3)
@@ -114,10 +102,7 @@ class Overlays:
     ) -> None:
         """Draw dots, as of rehearsals around a promise.
 
-        Args:
-            points: Where they are [m].
-            colours: Of each, from 0 to 255.
-            layer: Which layer they are.
+        The points are in metres, and the colours from 0 to 255.
         """
         self.clear(layer)
         if len(points):
@@ -130,15 +115,13 @@ class Overlays:
     ) -> None:
         """Draw the waypoints of an action, each to be dragged.
 
-        Args:
-            points: Where they are [m].
-            moved: Called with the number of a waypoint, from 0, and where it was dragged to [m].
+        `moved` is called with the number of one, from 0, and where it was dragged to [m].
         """
         self.clear("waypoints")
         lines = np.stack([points[:-1], points[1:]], axis=1)
         nodes: list[Any] = [self._scene.add_line_segments("/way", lines, (90, 90, 90), thickness=0.003)]
         for number, point in enumerate(points):
-            colour = WAYPOINTS[number % len(WAYPOINTS)]
+            colour = _WAYPOINTS[number % len(_WAYPOINTS)]
             ball = self._scene.add_icosphere(f"/waypoints/{number}", 0.012, colour, position=tuple(point))
             handle = self._scene.add_transform_controls(
                 f"/waypoint-handles/{number}",
@@ -170,7 +153,7 @@ def _teller(number: int, moved: Callable[[int, tuple[float, float, float]], None
 
 # Simple bodies as triangles, since a page draws and grabs each thing as one mesh
 
-SIDES = 20
+_SIDES = 20
 """How many sides a cylinder is drawn with."""
 
 
@@ -202,7 +185,7 @@ def _mesh(part: Part) -> Any:
     if part.kind == "box":
         mesh = trimesh.creation.box(part.size)
     elif part.kind == "cylinder":
-        mesh = trimesh.creation.cylinder(part.size[0], part.size[1], sections=SIDES)
+        mesh = trimesh.creation.cylinder(part.size[0], part.size[1], sections=_SIDES)
     else:
         mesh = trimesh.creation.icosphere(subdivisions=2, radius=part.size[0])
     place = np.eye(4)
@@ -224,7 +207,7 @@ ABOVE, LABEL = 0.03, (0.16, 0.035)
 _FLAT = 0.0015
 EYE, LOOK, LENS = (1.15, 0.0, 1.05), (-0.08, 0.0, 0.08), 0.72
 """Where the camera is and looks at, from the middle of the table [m]; its angle of view [rad]."""
-Grabbed = Callable[[str, str], Callable[[Any], Any]]
+_Grabbed = Callable[[str, str], Callable[[Any], Any]]
 """Gives what hears of a drag of an object or its goal: its kind and its name."""
 
 
@@ -246,7 +229,7 @@ class View:
         grabbed: Hears what is dragged.
     """
 
-    def __init__(self, scene: viser.SceneApi, library: Library, grabbed: Grabbed | None = None):
+    def __init__(self, scene: viser.SceneApi, library: Library, grabbed: _Grabbed | None = None):
         self._scene, self._library, self._grabbed = scene, library, grabbed
         self._objects: dict[str, _Thing] = {}
         self._goals: dict[str, _Thing] = {}
@@ -306,10 +289,7 @@ class View:
     def place(self, problem: Problem, ghosts: Mapping[str, Vector], complaints: Mapping[str, str]) -> None:
         """Put objects and goals where they are, red where they cannot be.
 
-        Args:
-            problem: The problem, of the objects and goals that are drawn.
-            ghosts: Where the ghost of each object with a goal stands [m].
-            complaints: What is wrong, by `object NAME` and `goal NAME`.
+        Complaints say what is wrong, by `object NAME` and `goal NAME`.
         """
         related = related_names(problem)
         for item, colour in zip(problem.objects, cycle(COLOURS), strict=False):
@@ -421,8 +401,6 @@ def aim_camera(server: viser.ViserServer, library: Library) -> None:
     server.initial_camera.fov = LENS
 
 
-# Dragging on the table: a pointer that moves in the picture moves a thing at the height of its grab
-
 _LEVEL = 1e-6
 
 
@@ -454,13 +432,11 @@ class Grab:
         return x, y
 
 
-# A run as one file: a page without a server, with a view that can be turned
-
-PACE = 1 / 15
+_PACE = 1 / 15
 """Time between two poses that are kept, of a motion as it is [s]."""
-PAUSE = 0.4
+_PAUSE = 0.4
 """How long the end of a step is shown [s]."""
-RECORDED_FROM = 0.55
+_RECORDED_FROM = 0.55
 """How high above the middle of the table the name of a step stands [m]."""
 _LOCK = threading.Lock()
 
@@ -470,17 +446,10 @@ def film_of(
     problem: Problem,
     seen: Sequence[Seen],
     steps: Sequence[StepRecord] = (),
-    *,
-    is_dark: bool = False,
 ) -> bytes:
     """Return what was seen of a run as one HTML file that needs nothing else.
 
-    Args:
-        library: The domain.
-        problem: What the run was for.
-        seen: What was seen, one pose or more.
-        steps: What was done, each named while it is seen, as far as it is known at which step that was.
-        is_dark: Whether it is shown dark.
+    Steps are named while they are seen, as far as it is known at which step that was.
     """
     with _LOCK:
         server = _server()
@@ -491,30 +460,26 @@ def film_of(
         view.show_problem(problem, ghost_spots(understand(library.paired(problem), library.grounding)))
         view.show(seen[0].pose)
         names = step_labels(steps)
-        label = server.scene.add_label("/step", "", position=(*library.middle, RECORDED_FROM), visible=False)
+        label = server.scene.add_label("/step", "", position=(*library.middle, _RECORDED_FROM), visible=False)
         film = server.get_scene_serializer()
-        last = -PACE
+        last = -_PACE
         for one in seen:
             if one.pose.seconds < last:  # another motion begins
-                film.insert_sleep(PAUSE)
-                last = -PACE
+                film.insert_sleep(_PAUSE)
+                last = -_PACE
             if label.text != (name := names.get(one.step, "")):
                 label.text, label.visible = name, bool(name)
-            if one.pose.seconds - last >= PACE * 0.99:
-                film.insert_sleep(min(one.pose.seconds - last, PACE * 4) if last >= 0 else 0.0)
+            if one.pose.seconds - last >= _PACE * 0.99:
+                film.insert_sleep(min(one.pose.seconds - last, _PACE * 4) if last >= 0 else 0.0)
                 view.show(one.pose)
                 last = one.pose.seconds
         view.show(seen[-1].pose)
-        film.insert_sleep(2 * PAUSE)
-        return film.as_html(dark_mode=is_dark).encode()
+        film.insert_sleep(2 * _PAUSE)
+        return film.as_html().encode()
 
 
 def step_labels(steps: Sequence[StepRecord]) -> dict[int, str]:
-    """Return what a film shows above the table at each step, by its number.
-
-    Args:
-        steps: What was done.
-    """
+    """Return what a film shows above the table at each step, by its number."""
     return {
         number: f"{number}: {step.operator} {step.object} {step.place or ''}".rstrip()
         for number, step in enumerate(steps, start=1)

@@ -42,11 +42,7 @@ def paragraph(*parts: str) -> str:
 def table(head: Sequence[str], rows: Iterable[Sequence[str]], at: int | None = None, label: str = "") -> str:
     """Return a table.
 
-    Args:
-        head: What stands above the columns, as text.
-        rows: The cells, as HTML.
-        at: Number of the row that is at hand, counted from 0.
-        label: What the table is about, for those who listen to it.
+    The cells are HTML, and `at` is the number of the row that is at hand, counted from 0.
     """
     heads = "".join(f'<th scope="col" style="{_CELL}">{safe(one)}</th>' for one in head)
     lines = []
@@ -60,11 +56,7 @@ def table(head: Sequence[str], rows: Iterable[Sequence[str]], at: int | None = N
 def plan_table(record: PlanRecord, problem: Problem, grounding: Grounding, at: int | None = None) -> str:
     """Return a plan in words, each step with its bits, what it costs, and its chance.
 
-    Args:
-        record: How planning went.
-        problem: The problem it is for.
-        grounding: The learned domain.
-        at: Number of the step at hand, counted from 0.
+    `at` is the number of the step at hand, counted from 0.
     """
     task = understand(problem, grounding)
     now, rows = start(task), []
@@ -114,9 +106,7 @@ def plan_summary(record: PlanRecord) -> str:
 def run_table(records: Sequence[StepRecord], at: int | None = None) -> str:
     """Return what each step promised beside what happened.
 
-    Args:
-        records: What the steps did.
-        at: Number of the step at hand, counted from 0.
+    `at` is the number of the step at hand, counted from 0.
     """
     rows = []
     for number, record in enumerate(records, start=1):
@@ -160,13 +150,12 @@ def relation_list(goals: Iterable[RelationGoal]) -> str:
 
 def replanning_list(replannings: Sequence[Replanning]) -> str:
     """Return why new plans were asked for."""
-    return _list(f"before step {one.before_step}: {one.why}; {_new_plan(one)}" for one in replannings)
-
-
-def _new_plan(replanning: Replanning) -> str:
-    if replanning.plan:
-        return f"a new plan of {counted(len(replanning.plan), 'step')}"
-    return f"no new plan: {replanning.reason}" if replanning.reason else "nothing is left to be done"
+    lines = []
+    for one in replannings:
+        none = f"no new plan: {one.reason}" if one.reason else "nothing is left to be done"
+        found = f"a new plan of {counted(len(one.plan), 'step')}" if one.plan else none
+        lines.append(f"before step {one.before_step}: {one.why}; {found}")
+    return _list(lines)
 
 
 def _list(lines: Iterable[str]) -> str:
@@ -183,9 +172,7 @@ def preformatted(text: str) -> str:
 def bits_row(symbol: str, margins: Sequence[float]) -> str:
     """Return the bits of an object, each with how far it is from its flip.
 
-    Args:
-        symbol: The bits.
-        margins: What each bit is the sign of; empty if that is not known.
+    `margins` is what each bit is the sign of; empty if that is not known.
     """
     rows = []
     for number, bit in enumerate(symbol):

@@ -17,7 +17,6 @@ from neurosym.checks import Float
 from neurosym.grounding import Grounding
 from neurosym.operators import Operator
 from neurosym.problems import Problem
-from neurosym.tasks.supports import relating
 from neurosym.tasks.task import understand
 from neurosym.tasks.transition import PlanStep, apply, chance, promise_of, start, validate
 
@@ -61,7 +60,7 @@ def expected_within(steps: Sequence[PlanStep], problem: Problem, grounding: Grou
     stages = []
     done_with = [step for step in steps if not step.puts_down]
     for step, kept in zip(done_with, _chances(steps, problem, grounding), strict=True):
-        is_put = relating(step.base, grounding) is not None
+        is_put = grounding.relation_named(step.base) is not None
         lost = 0.0 if is_put else _share_lost(promise_of(step, problem, grounding))
         left[step.object] -= 1
         if not left[step.object] and step.object in problem.goals:
@@ -113,7 +112,7 @@ def spread_of(steps: Sequence[PlanStep], problem: Problem, grounding: Grounding)
 
 def _moves(name: str, steps: Sequence[PlanStep], grounding: Grounding) -> list[PlanStep]:
     """List the steps that decide where on the table an object ends."""
-    return [step for step in steps if step.object == name and not relating(step.base, grounding)]
+    return [step for step in steps if step.object == name and not grounding.relation_named(step.base)]
 
 
 def _share_lost(operator: Operator) -> float:

@@ -7,7 +7,6 @@ from neurosym.errors import InvalidValue
 from neurosym.grounding import Grounding
 from neurosym.pair_operators import RelationOperators
 from neurosym.problems import Problem, RelationGoal
-from neurosym.tasks.options import bearing_states
 from neurosym.tasks.supports import unmet_relations
 from neurosym.tasks.task import understand
 
@@ -74,7 +73,7 @@ def why_no_relation(problem: Problem, grounding: Grounding) -> str:
         UnknownChoice: If there is no such state.
     """
     task = understand(problem, grounding)
-    bearing = ", ".join(state.name for state in bearing_states(grounding)) or "none was learned"
+    bearing = ", ".join(state.name for state in grounding.bearing_states) or "none was learned"
     for target, reference, name in problem.related:
         state = task.state_named(name)
         if not state.bears:
@@ -91,13 +90,7 @@ def why_no_relation(problem: Problem, grounding: Grounding) -> str:
 
 
 def valid_relations(problem: Problem, grounding: Grounding, target: str) -> str:
-    """Say what can be done with an object relative to others.
-
-    Args:
-        problem: The problem.
-        grounding: The learned domain.
-        target: Name of the object.
-    """
+    """Say what can be done with an object relative to others."""
     puts = understand(problem, grounding).puts
     ways = [
         f"{put.state.name} {other}"
@@ -110,18 +103,13 @@ def valid_relations(problem: Problem, grounding: Grounding, target: str) -> str:
 
 
 def why_too_many(problem: Problem, grounding: Grounding) -> str:
-    """Say which object should bear several and cannot, or nothing.
-
-    Args:
-        problem: The problem.
-        grounding: The learned domain.
-    """
+    """Say which object should bear several and cannot, or nothing."""
     puts = understand(problem, grounding).puts
     wanted = Counter(reference for _, reference, _ in problem.related)
     for reference, count in wanted.items():
         targets = [target for target, other, _ in problem.related if other == reference]
         rows = [puts[target, reference] for target in targets]
-        if count > 1 and not any(put.takes_occupied for row in rows for put in row):
+        if count > 1 and not any(put.operator.takes("occupied") for row in rows for put in row):
             return (
                 f"{reference} shall bear {' and '.join(targets)}, and rehearsals show that it bears one "
                 "object at a time; leave one of the two out"

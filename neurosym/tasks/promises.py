@@ -17,7 +17,7 @@ import numpy as np
 
 from neurosym.checks import Float
 from neurosym.grounding import Grounding
-from neurosym.operators import TOLERANCE, Category, Mode, Operator
+from neurosym.operators import TOLERANCE, Category, Effect, Operator
 from neurosym.problems import SceneObject
 from neurosym.regression import Choice, Regression, fit, found_for
 
@@ -59,12 +59,7 @@ def usable(grounding: Grounding, item: SceneObject, tolerance: float = TOLERANCE
 
 
 def why_unfit(operator: Operator, grounding: Grounding) -> str | None:
-    """Say why an operator is not planned with for an object, or return None if it is.
-
-    Args:
-        operator: An operator as it promises for the object.
-        grounding: The learned domain.
-    """
+    """Say why an operator, as it promises for an object, is not planned with; None if it is."""
     if reason := grounding.why_left_out(operator):
         return reason
     if grounding.is_refined and operator.successes < LEAST_CHANCE * operator.trials:
@@ -73,12 +68,7 @@ def why_unfit(operator: Operator, grounding: Grounding) -> str | None:
 
 
 def rehearsed_objects(operator: Operator, category: Category) -> tuple[tuple[float, ...], ...]:
-    """Return the features of the objects that an operator was rehearsed on, in the order of its rehearsals.
-
-    Args:
-        operator: The operator.
-        category: Its category.
-    """
+    """Return the features of the objects that an operator was rehearsed on, in that order."""
     return operator.objects or category.objects
 
 
@@ -104,13 +94,9 @@ def keeps_promises(operator: Operator, category: Category, tolerance: float) -> 
 
 
 def fits_of(grounding: Grounding) -> dict[str, Choice]:
-    """Fit the rehearsals of all operators of a domain, and return what that came to, by name.
-
-    Args:
-        grounding: The learned domain.
-    """
-    pairs = ((one, grounding.category(one.category)) for one in grounding.every_operator)
-    fitted = {operator.name: _regression(operator, category) for operator, category in pairs}
+    """Fit the rehearsals of all operators of a domain, and return what that came to, by name."""
+    every = grounding.every_operator
+    fitted = {one.name: _regression(one, grounding.category(one.category)) for one in every}
     return {name: regression.choice for name, regression in fitted.items() if regression}
 
 
@@ -206,28 +192,29 @@ def _refined(
     at = (np.array(features) - regression.centre) / regression.scale
     values, spreads = regression.predict(at), regression.spreads(at)
     so, kept = (round(regression.chance(at, within) * operator.trials) for within in (np.inf, tolerance))
-    counted = msgspec.structs.replace(promise, count=so, share=so / operator.trials, near_mean=kept)
-    mode = _refined_mode(counted, values, spreads)
-    modes = tuple(mode if other is promise else other for other in operator.modes)
-    return msgspec.structs.replace(operator, modes=modes, rehearsals=(), objects=())
-
-
-def _refined_mode(mode: Mode, values: Float[np.ndarray, "D"], spreads: Float[np.ndarray, "D"]) -> Mode:
-    """Put what was predicted in the place of the means; see `_outcomes` for what the columns are."""
-    x, y, *more = values.tolist()
-    spread_x, spread_y, *spread_more = spreads.tolist()
-    resting = (x, y, mode.resting_effect[2])
-    resting_spread = (spread_x, spread_y, mode.resting_spread[2])
-    effect, spread = (x, y, mode.effect[2]), (spread_x, spread_y, mode.spread[2])
-    if more:
-        effect, spread = (more[0], more[1], more[2]), (spread_more[0], spread_more[1], spread_more[2])
-    return msgspec.structs.replace(
-        mode,
+    resting, effect = _ends(values, promise.resting_effect[2], promise.effect[2])
+    resting_spread, spread = _ends(spreads, promise.resting_spread[2], promise.spread[2])
+    mode = msgspec.structs.replace(
+        promise,
+        count=so,
+        share=so / operator.trials,
+        near_mean=kept,
         effect=effect,
         spread=spread,
         resting_effect=resting,
         resting_spread=resting_spread,
     )
+    modes = tuple(mode if other is promise else other for other in operator.modes)
+    return msgspec.structs.replace(operator, modes=modes, rehearsals=(), objects=())
+
+
+def _ends(values: Float[np.ndarray, "D"], resting_z: float, z: float) -> tuple[Effect, Effect]:
+    """Return where an object rests, and where it is in the air, by what is predicted and means along z [m].
+
+    See `_outcomes` for what is predicted.
+    """
+    x, y, *in_air = values.tolist()
+    return (x, y, resting_z), tuple(in_air) or (x, y, z)
 
 
 @lru_cache(maxsize=2048)

@@ -4,7 +4,6 @@ A state of a pair is what the learned encoder says of its description. Which obj
 plans are made with: of several that seem to, it is the one whose pair is most typical of its state.
 """
 
-import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import combinations, permutations
@@ -21,15 +20,12 @@ from neurosym.pair_operators import (
     FAINTEST,
     LEAST,
     PairState,
-    PairStates,
-    RelationOperator,
     RelationOperators,
     describe_pair,
     extent,
-    pooled,
     share_with_any,
 )
-from neurosym.problems import FORMER_SUFFIX, Problem, RelationGoal, pair_key
+from neurosym.problems import Problem, RelationGoal, pair_key
 from neurosym.world import Scene
 
 # What is said of pairs before anything is done: their kinds, and how surely operators will keep promises.
@@ -131,7 +127,7 @@ def _foreseen(
     chances: ChancesOfStates,
 ) -> list[dict[str, float]]:
     """Foresee for each pair how surely the operators for its kind keep their promises, by their names."""
-    order = PairStates(relations.states, relations.scales).bearing_order
+    order = relations.bearing
     if sight.order != order:
         raise InvalidValue(
             "The network that foresees states of pairs was trained on others than the domain has; valid: "
@@ -140,7 +136,7 @@ def _foreseen(
     cases = [
         (row, operator, order.index(operator.promise.state))
         for row, kind in enumerate(kinds)
-        for operator in (*relations.operators, *pooled(relations))
+        for operator in relations.every_operator
         if operator.is_for(kind) and operator.promise and operator.promise.state in order
     ]
     found: list[dict[str, float]] = [{} for _ in kinds]
@@ -199,11 +195,7 @@ def contacts_of(scene: Scene) -> Contacts:
 
 
 def touching(problem: Problem) -> Contacts:
-    """Return which objects of a problem touch, as somebody saw it or else by geometry.
-
-    Args:
-        problem: The problem.
-    """
+    """Return which objects of a problem touch, as somebody saw it or else by geometry."""
     if problem.touching is None:
         return contacts_of(problem.scene())
     index = {name: number for number, name in enumerate(problem.object_names)}
@@ -212,38 +204,11 @@ def touching(problem: Problem) -> Contacts:
 
 
 def with_contacts(problem: Problem, contacts: Contacts) -> Problem:
-    """Return a problem that says which of its objects touch.
-
-    Args:
-        problem: The problem.
-        contacts: Pairs of indices.
-    """
+    """Return a problem that says which of its objects touch, by pairs of their indices."""
     names = problem.object_names
     return msgspec.structs.replace(
         problem, touching=tuple((names[one], names[other]) for one, other in contacts)
     )
-
-
-def misfit(description: Sequence[float], state: PairState, relations: RelationOperators) -> float:
-    """Return how far a description is from what is typical of a state, in its scales.
-
-    Args:
-        description: How a target stands to a reference.
-        state: The state.
-        relations: What was learned of pairs.
-    """
-    rows = zip(description, state.centre, relations.scales, strict=True)
-    return math.hypot(*((one - centre) / scale for one, centre, scale in rows))
-
-
-def states_of(problem: Problem, relations: RelationOperators) -> dict[tuple[str, str], PairState]:
-    """Return the state of each pair of objects, by the names of target and reference.
-
-    Args:
-        problem: The problem, with the objects as they stand now.
-        relations: What was learned of pairs.
-    """
-    return {names: state for names, (state, _) in _seen(problem, relations).items()}
 
 
 def bearers_of(
@@ -309,12 +274,7 @@ def _known_ends(relations: RelationOperators) -> set[tuple[Symbol, Symbol]]:
 
 
 def chain_below(name: str, bearers: Mapping[str, Borne]) -> tuple[str, ...]:
-    """Name an object and what bears it, down to what stands on the table.
-
-    Args:
-        name: The object.
-        bearers: What bears each object that another one bears; in no circle.
-    """
+    """Name an object and what bears it, down to what stands on the table; nothing bears itself."""
     chain = [name]
     while chain[-1] in bearers:
         chain.append(bearers[chain[-1]].by)
@@ -322,22 +282,12 @@ def chain_below(name: str, bearers: Mapping[str, Borne]) -> tuple[str, ...]:
 
 
 def loads_of(name: str, bearers: Mapping[str, Borne]) -> tuple[str, ...]:
-    """Name what stands on or in an object itself.
-
-    Args:
-        name: The object.
-        bearers: What bears each object that another one bears.
-    """
+    """Name what stands on or in an object itself."""
     return tuple(target for target, borne in bearers.items() if borne.by == name)
 
 
 def carried_along(name: str, bearers: Mapping[str, Borne]) -> tuple[str, ...]:
-    """Name all that an object takes along where it is carried.
-
-    Args:
-        name: The object.
-        bearers: What bears each object that another one bears.
-    """
+    """Name all that an object takes along where it is carried."""
     return tuple(one for one in bearers if one != name and name in chain_below(one, bearers))
 
 
@@ -353,24 +303,19 @@ def unmet_relations(problem: Problem, grounding: Grounding) -> tuple[RelationGoa
     if not problem.related:
         return ()
     relations = relations_of(grounding, problem)
-    states, bearers = states_of(problem, relations), bearers_of(problem, relations)
+    seen, bearers = _seen(problem, relations), bearers_of(problem, relations)
 
     def holds(target: str, reference: str, state: str) -> bool:
         asked = relations.state_named(state)
         if asked.bears:
             return bearers.get(target) == Borne(reference, asked)
-        return states[target, reference] == asked
+        return seen[target, reference][0] == asked
 
     return tuple(goal for goal in problem.related if not holds(*goal))
 
 
 def is_reached(problem: Problem, grounding: Grounding) -> bool:
-    """Say whether all goals are met as the objects stand now.
-
-    Args:
-        problem: The problem.
-        grounding: The learned domain.
-    """
+    """Say whether all goals are met as the objects stand now."""
     return problem.is_met(problem.scene().positions) and not unmet_relations(problem, grounding)
 
 
@@ -393,27 +338,8 @@ def relations_of(grounding: Grounding, problem: Problem) -> RelationOperators:
 
 
 def is_relational(problem: Problem, grounding: Grounding) -> bool:
-    """Say whether a problem is one of relations: it asks for some, or begins with some.
-
-    Args:
-        problem: The problem.
-        grounding: The learned domain.
-    """
+    """Say whether a problem is one of relations: it asks for some, or begins with some."""
     return bool(problem.related) or bool(grounding.relations and bearers_of(problem, grounding.relations))
-
-
-def relating(name: str, grounding: Grounding) -> RelationOperator | None:
-    """Return what puts objects in relations to one another by that name, or None if there is none.
-
-    Args:
-        name: Name of an operator.
-        grounding: The learned domain.
-    """
-    relations = grounding.relations
-    if relations is None:
-        return None
-    bare = name.removesuffix(FORMER_SUFFIX)
-    return next((one for one in (*relations.operators, *pooled(relations)) if one.name == bare), None)
 
 
 _Seen = dict[tuple[str, str], tuple[PairState, float]]
@@ -430,8 +356,8 @@ def _seen(problem: Problem, relations: RelationOperators) -> _Seen:
     found = {}
     for target, reference in permutations(range(len(scene)), 2):
         described = tuple(describe_pair(scene, target, reference, contacts).tolist())
-        state = relations.state_of(described)
-        found[names[target], names[reference]] = state, misfit(described, state, relations)
+        state = relations.of(described)
+        found[names[target], names[reference]] = state, relations.misfit(described, state)
     _latest.insert(0, (problem, relations, found))
     del _latest[_REMEMBERED:]
     return found

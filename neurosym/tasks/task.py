@@ -7,7 +7,7 @@ worked out here, when it is first asked for, and kept.
 import math
 from collections import Counter
 from collections.abc import Collection, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from itertools import combinations, permutations, product
 
@@ -17,10 +17,9 @@ import numpy as np
 from neurosym.checks import Bool, Float
 from neurosym.grounding import Grounding
 from neurosym.operators import Operator, Symbol
-from neurosym.pair_operators import PairState, extent
+from neurosym.pair_operators import Case, PairState, case_of, extent
 from neurosym.problems import ROUNDED, Problem, pair_key
 from neurosym.tasks.options import (
-    Carrier,
     Move,
     Put,
     as_moves,
@@ -28,7 +27,6 @@ from neurosym.tasks.options import (
     moves_for,
     puts_for,
     puts_of,
-    relational_carriers,
     step_cost,
 )
 from neurosym.tasks.promises import usable
@@ -301,35 +299,6 @@ MOST_BORNE = 2
 thing for planners to look at."""
 
 
-@dataclass(frozen=True, slots=True)
-class PutOption:
-    """What puts one object on or into another most surely, in a case.
-
-    Attributes:
-        put: The operator.
-        borne: Whether the target is taken from another object.
-        occupied: Whether the reference bears something already.
-        laden: Whether the target takes along what rests on it.
-        cost: What the step costs.
-    """
-
-    put: Put
-    borne: bool
-    occupied: bool
-    laden: bool
-    cost: int
-
-    @property
-    def state(self) -> PairState:
-        """The state that the pair ends in."""
-        return self.put.state
-
-    @property
-    def case(self) -> tuple[str, bool, bool, bool]:
-        """What tells it from others for the same pair."""
-        return self.state.name, self.borne, self.occupied, self.laden
-
-
 @dataclass(frozen=True, eq=False)
 class Task:
     """A problem and a learned domain together; see `understand`.
@@ -427,17 +396,9 @@ class Task:
         found = blockers(name, spot, self.flat, self.apart)
         return tuple(other for other in found if other not in self.supports)
 
-    @cached_property
-    def carrier_facts(self) -> Mapping[str, Carrier]:
-        """What was seen of stacks with each operator that carries to places, by its name."""
-        return relational_carriers(self.grounding)
-
     def carry_cost(self, name: str, *, borne: bool = False) -> int:
         """Return what carrying an object to a place costs, by its surest operator; it may be borne before."""
-        surest = self.carriers[name][0]
-        if not borne:
-            return step_cost(surest, self.grounding)
-        return self.carrier_facts[surest.name].cost(surest, self.grounding, borne=True)
+        return step_cost(self.carriers[name][0], self.grounding, borne=borne)
 
     @cached_property
     def puts(self) -> Mapping[Pair, tuple[Put, ...]]:
@@ -451,9 +412,9 @@ class Task:
         }
 
     @cached_property
-    def put_options(self) -> Mapping[Pair, tuple[PutOption, ...]]:
+    def put_options(self) -> Mapping[Pair, tuple[Put, ...]]:
         """The surest way for each pair, state and case; pairs with none are not there."""
-        found = {pair: _surest(puts, self.grounding) for pair, puts in self.puts.items()}
+        found = {pair: _surest(puts) for pair, puts in self.puts.items()}
         return {pair: options for pair, options in found.items() if options}
 
     @cached_property
@@ -461,7 +422,7 @@ class Task:
         """How many objects another one bears at most in a plan: as many as asked for, or a few."""
         wanted = Counter(reference for _, reference, _ in self.problem.related)
         at_first = (len(loads_of(name, self.supports)) for name in self.names)
-        takes_more = any(put.takes_occupied for put in puts_of(self.grounding))
+        takes_more = any(put.operator.takes("occupied") for put in puts_of(self.grounding))
         return max([MOST_BORNE if takes_more else 1, *wanted.values(), *at_first])
 
     def state_named(self, state: str) -> PairState:
@@ -495,19 +456,16 @@ def understand(problem: Problem, grounding: Grounding) -> Task:
     return task
 
 
-def _surest(puts: tuple[Put, ...], grounding: Grounding) -> tuple[PutOption, ...]:
-    """Return the surest of what does the same to a pair in the same case."""
-    found = dict[tuple[str, bool, bool, bool], tuple[float, PutOption]]()
-    for put, borne, occupied, laden in product(puts, *((False, True),) * 3):
-        takes = (put.takes_borne, put.takes_occupied, put.takes_laden)
-        if any(asked and not taken for asked, taken in zip((borne, occupied, laden), takes, strict=True)):
-            continue
-        case = {"borne": borne, "occupied": occupied, "laden": laden}
-        option = PutOption(put, **case, cost=put.cost(grounding, **case))
-        chance = put.chance(**case)
-        if option.case not in found or chance > found[option.case][0]:
-            found[option.case] = chance, option
-    return tuple(option for _, option in found.values())
+def _surest(puts: tuple[Put, ...]) -> tuple[Put, ...]:
+    """Return the surest of what does the same to a pair in the same case, in each case that it takes."""
+    found = dict[tuple[Symbol, Case], Put]()
+    cases = [case_of(*flags) for flags in product((False, True), repeat=3)]
+    for put, case in product(puts, cases):
+        if all(map(put.operator.takes, case)):
+            option, key = replace(put, case=case), (put.state.symbol, case)
+            if key not in found or option.chance > found[key].chance:
+                found[key] = option
+    return tuple(found.values())
 
 
 def _flattened(problem: Problem, borne: Collection[str]) -> Problem:

@@ -13,12 +13,11 @@ from neurosym.checks import Float, check_kind
 from neurosym.errors import counted, in_millimetres
 from neurosym.grounding import Grounding, is_lift
 from neurosym.operators import TOLERANCE, Operator
-from neurosym.pair_operators import extent
+from neurosym.pair_operators import RelationOperator, case_of, extent
 from neurosym.problems import Problem, pair_key
-from neurosym.tasks.options import PUT_DOWN, Carrier, Put, put_named, smoothed, step_cost
-from neurosym.tasks.options import chance as chance_of_step
+from neurosym.tasks.options import PUT_DOWN, Put, chance_borne, put_named, step_cost
 from neurosym.tasks.promises import promised
-from neurosym.tasks.supports import Borne, carried_along, chain_below, loads_of, relating
+from neurosym.tasks.supports import Borne, carried_along, chain_below, loads_of
 from neurosym.tasks.task import START, Task, overlapping, understand
 from neurosym.world import Scene
 
@@ -198,7 +197,7 @@ def refusal(task: Task, state: State, step: PlanStep) -> Refusal | None:
     """
     if said := _why_no_step(task, step):
         return Refusal(said)
-    put = _put(task, step)
+    put = _put(task, state, step)
     operator = None if put else operator_for(step, task.problem, task.grounding)
     if said := _hand_refusal(step, state.held, operator):
         return Refusal(said, (state.held.object,) if state.held and not step.puts_down else ())
@@ -225,7 +224,7 @@ def apply(task: Task, state: State, step: PlanStep) -> State:
         after[row] += by(operator)
         held = step if is_lift(operator) and not step.puts_down else None
         return replace(state, positions=after, held=held)
-    put = _put(task, step)
+    put = _put(task, state, step)
     supports, stands = dict(state.supports), dict(state.stands)
     there = _where_put(task, state, step, put) if put else _where_carried(task, step)
     moved = [row, *(task.names.index(one) for one in carried_along(target, state.supports))]
@@ -268,13 +267,10 @@ def chance(task: Task, state: State, step: PlanStep) -> float:
         state: How the objects are now.
         step: The step.
     """
-    if put := _put(task, step):
-        return put.chance(**_case(state, step))
-    usual = chance_of_step(promise_of(step, task.problem, task.grounding))
-    carrier = _carrier(task, step) if step.object in state.supports else None
-    if carrier is None or not carrier.borne.trials:
-        return usual
-    return min(usual, smoothed(carrier.borne.kept, carrier.borne.trials))
+    if put := _put(task, state, step):
+        return put.chance
+    operator = promise_of(step, task.problem, task.grounding)
+    return chance_borne(operator, task.grounding) if step.object in state.supports else operator.chance
 
 
 def cost(task: Task, state: State, step: PlanStep) -> int:
@@ -287,13 +283,10 @@ def cost(task: Task, state: State, step: PlanStep) -> int:
     """
     if step.puts_down:
         return 0
-    if put := _put(task, step):
-        return put.cost(task.grounding, **_case(state, step))
+    if put := _put(task, state, step):
+        return put.cost(task.grounding)
     operator = operator_for(step, task.problem, task.grounding)
-    carrier = _carrier(task, step)
-    if carrier is None:
-        return step_cost(operator, task.grounding)
-    return carrier.cost(operator, task.grounding, borne=step.object in state.supports)
+    return step_cost(operator, task.grounding, borne=step.object in state.supports)
 
 
 def operator_for(
@@ -332,7 +325,7 @@ def hand_problem(steps: Sequence[PlanStep], grounding: Grounding) -> str:
     number = 0
     for step in steps:
         number = max(1, number + (not step.puts_down))
-        if relating(step.base, grounding):
+        if grounding.relation_named(step.base):
             continue
         operator = grounding.operator_named(step.base)
         if operator.promise and (problem := _hand_refusal(step, held, operator)):
@@ -353,7 +346,7 @@ def _hand_refusal(step: PlanStep, held: PlanStep | None, operator: Operator | No
 
 def _why_no_step(task: Task, step: PlanStep) -> str:
     """Say what a step lacks, or names too much, whatever the state is; nothing if it is whole."""
-    if relating(step.base, task.grounding):
+    if task.grounding.relation_named(step.base):
         if not step.place:
             return "it does not name the other object"
         task.problem.object_named(step.place)
@@ -364,26 +357,15 @@ def _why_no_step(task: Task, step: PlanStep) -> str:
     return f"it names the place {step.place}, and goes to none" if step.place and not carries else ""
 
 
-def _put(task: Task, step: PlanStep) -> Put | None:
-    """Return the operator on pairs of a step, as it is foreseen to turn out; None if it is none."""
-    if not step.place or task.grounding.relations is None:
+def _put(task: Task, state: State, step: PlanStep) -> Put | None:
+    """Return the operator on pairs of a step, as it is foreseen to turn out now; None if it is none."""
+    put = put_named(step.operator, task.grounding) if step.place else None
+    if put is None:
         return None
-    put = put_named(step.operator, task.grounding)
-    return put.with_pair(task.problem, step.object, step.place) if put else None
-
-
-def _carrier(task: Task, step: PlanStep) -> Carrier | None:
-    return task.carrier_facts.get(step.operator)
-
-
-def _case(state: State, step: PlanStep) -> dict[str, bool]:
-    """Say where third objects are; see `Put.chance`."""
-    others = {one for one in loads_of(step.place, state.supports) if one != step.object}
-    return {
-        "borne": step.object in state.supports,
-        "occupied": bool(others),
-        "laden": bool(loads_of(step.object, state.supports)),
-    }
+    target, supports = step.object, state.supports
+    others = {one for one in loads_of(step.place, supports) if one != target}
+    case = case_of(target in supports, bool(others), bool(loads_of(target, supports)))
+    return replace(put.with_pair(task.problem, target, step.place), case=case)
 
 
 def _where_put(task: Task, state: State, step: PlanStep, put: Put) -> Float[np.ndarray, "3"]:
@@ -408,28 +390,30 @@ def _why_not_put(task: Task, state: State, step: PlanStep, put: Put) -> Refusal 
         return _wrong(f"it is not for {target} with {reference}, a pair of the kind {kind}", reference)
     if target in chain_below(reference, state.supports):
         return _wrong(f"{reference} rests on {target} itself", reference)
-    if others and not put.takes_occupied:
+    if others and not put.operator.takes("occupied"):
         return _wrong(f"{reference} bears {others[0]}, which rehearsals forbid", reference, others[0])
     if len(others) >= task.most_borne:
         said = f"{reference} bears {counted(len(others), 'object')}, and plans count no more"
         return _wrong(said, reference)
     if loads_of(target, state.supports) and reference not in state.stands:
         return _wrong(f"{target} bears something, and {reference} stands at no place", reference)
-    return _why_not_taken(state, target, put)
+    return _why_not_taken(task, state, target, put.operator)
 
 
 def _why_not_carried(task: Task, state: State, step: PlanStep) -> Refusal | None:
-    item = task.problem.object_named(step.object)
-    if step.operator not in promised(task.grounding, item, task.problem.tolerance):
+    item, tolerance = task.problem.object_named(step.object), task.problem.tolerance
+    if (operator := promised(task.grounding, item, tolerance).get(step.operator)) is None:
         return _wrong(f"it is not for {step.object}")
-    return _why_not_taken(state, step.object, _carrier(task, step))
+    return _why_not_taken(task, state, step.object, operator)
 
 
-def _why_not_taken(state: State, target: str, one: Put | Carrier | None) -> Refusal | None:
+def _why_not_taken(
+    task: Task, state: State, target: str, operator: Operator | RelationOperator
+) -> Refusal | None:
     borne, loads = state.supports.get(target), loads_of(target, state.supports)
-    if borne and one and not one.takes_borne:
+    if borne and not task.grounding.takes(operator, "borne"):
         return _wrong(f"{target} rests on {borne.by}, which rehearsals forbid", borne.by)
-    if loads and one and not one.takes_laden:
+    if loads and not task.grounding.takes(operator, "laden"):
         return _wrong(f"{target} bears {loads[0]}, which rehearsals forbid", loads[0])
     return None
 

@@ -5,8 +5,8 @@ import sys
 import pytest
 
 from tools.benchmarks import foreign
-from tools.benchmarks.foreign import Task, called, cost_of, judged, page, plan_in, shipped, totals
-from tools.benchmarks.foreign_calls.features import COSTS, FEATURES, PRICED, Feature
+from tools.benchmarks.foreign import Task, called, judged, plan_in
+from tools.benchmarks.foreign_calls.features import COSTS, PRICED, Feature
 from tools.benchmarks.foreign_calls.planners import PLANNERS, error_in, steps_in
 
 MOVE = ("move", "cup", "here", "there")
@@ -29,17 +29,6 @@ def test_plan_is_read_in_the_form_of(planner):
     assert steps_in(RECORDED[planner]) == [MOVE]
 
 
-def test_action_without_arguments_is_read():
-    assert steps_in("    1. pass\n    2. move(cup,here,there)\n") == [("pass",), MOVE]
-
-
-def test_last_line_of_a_traceback_is_told():
-    complaint = (
-        "Traceback (most recent call last):\n  File 'a.py', line 1\nValueError: Found unknown keyword\n"
-    )
-    assert error_in("", complaint) == "ValueError: Found unknown keyword"
-
-
 def test_warnings_are_not_taken_for_errors():
     output = (
         "WARNING: predicate A is declared to use unknown or empty type\ntoo many functions! increase MAX\n"
@@ -54,12 +43,6 @@ def test_plan_is_judged_and_its_cost_added_up():
         found = judged(printed(Feature(parts)), steps)
         assert (found["valid"], found["plan_length"], found["cost"]) == (True, 1, cost)
     assert judged(printed(Feature()), [("move", "cup", "there", "here")])["valid"] is False
-
-
-def test_plan_that_unified_planning_cannot_read_is_not_judged():
-    found = judged(printed(FEATURES["costs: the same, function named as its type"]), [(*MOVE, "c15")])
-    assert found["valid"] is None
-    assert "already defined" in found["judge"]
 
 
 def test_no_plan_is_found_where_no_planner_left_one(tmp_path):
@@ -83,24 +66,3 @@ def test_call_that_was_measured_is_not_made_again(tmp_path, monkeypatch):
     assert first["status"] == "solved"
     monkeypatch.setattr(foreign, "called", None)
     assert foreign.measured("Kairos", printed(Feature()), words, tmp_path, 5) == first
-
-
-def test_some_problems_of_each_domain_are_chosen():
-    chosen = shipped(foreign.ROOT / "domains")
-    assert len(chosen) == len(set(chosen)) == 23
-    assert {one.partition("/")[0] for one in chosen} == set(foreign.DOMAINS)
-
-
-def test_every_small_task_is_another():
-    texts = [feature.task() for feature in FEATURES.values()]
-    assert len(set(texts)) == len(texts)
-    assert cost_of(Task("", *texts[0]), [MOVE]) is None
-
-
-def test_page_tells_what_each_planner_refuses():
-    row = {"status": "failed", "cpu_s": 0.1, "plan_length": None, "cost": None, "valid": None}
-    row |= {"error": "ValueError: functions", "judge": ""}
-    one = {"version": "2.1", "call": "greedy", "not_installed": "", "problems": {"towers/a": row}}
-    text = page({"limit_cpu_s": 60, "planners": {"pyperplan": one | {"totals": totals([row])}}})
-    assert "| pyperplan | 2.1 | greedy | 0 of 1 |" in text
-    assert "`ValueError: functions`" in text

@@ -10,7 +10,7 @@ from command_line import neurosym, refusal
 
 from neurosym.data.interactions import Interactions
 from neurosym.data.origin import has_high_effect
-from neurosym.evaluation.paper_tables import KINDS, KindsFound, Measured, errors_on, kinds_table, tables
+from neurosym.evaluation.paper_tables import KINDS, KindsFound, Measured, errors_on, tables
 from neurosym.evaluation.summary import Comparison, Tally
 from neurosym.files import read_json, write_json
 from neurosym.learning.training import TrainingReport
@@ -49,17 +49,6 @@ def test_folders_are_averaged_by_strategy():
     assert second.rows[-1] == ["kinds, by folder", "1, 0", "2"]
     assert third.rows == [["random", "1-objects-50-mm", "bfs", "2", "20", *["65.0 ± 15.0"] * 4]]
     assert "`neurosym compare c`" in third.remark
-
-
-def test_kinds_are_counted_whatever_was_found():
-    columns, rows = kinds_table({"s": {"1": ["pull"], "2": ["pull", "grasp"]}}, "seed")
-    assert columns == ["", "s"]
-    assert dict(map(tuple, rows)) == {
-        **dict.fromkeys(KINDS, "0 of 2"),
-        "pull": "2 of 2",
-        "grasp": "1 of 2",
-        "kinds, by seed": "1, 2",
-    }
 
 
 def test_tables_hold_what_was_measured(folder, tmp_path, capsys):
@@ -104,31 +93,17 @@ def test_errors_are_measured_on_a_test_set_on_request(folder, tmp_path, capsys):
     assert json.loads((tmp_path / "tables.json").read_text())["folders"][0]["r2"] == r2
 
 
-@pytest.mark.parametrize(
-    ("arguments", "said"),
-    [
-        (["--output", "tables.csv"], "ends in .md or .json"),
-        (["--workers", 0], "workers = 0"),
-        (["--test", "nowhere.npz"], "nowhere.npz cannot be used: there is no such file"),
-        (["--test", "nowhere"], "nowhere cannot be used: there is no such file"),
-    ],
-)
-def test_what_cannot_be_evaluated_is_refused(toy_folder, capsys, arguments, said):
-    assert said in refusal(capsys, "evaluate", toy_folder, *arguments)
-
-
-def test_test_set_of_other_columns_or_without_a_high_effect_is_refused(toy_folder, tmp_path, capsys):
-    seen = Interactions.load(toy_folder / "interactions.npz")
+def test_what_cannot_be_evaluated_is_refused(kept, tmp_path, capsys):
+    seen = Interactions.load(kept / "interactions.npz")
     seen[np.flatnonzero(~has_high_effect(seen.effects))].save(tmp_path / "low.npz")
-    said = refusal(capsys, "evaluate", toy_folder, "--test", tmp_path / "low.npz")
-    assert "No interaction of the test set has absolute displacements that sum to 0.08 m" in said
     rows = np.random.default_rng(0).normal(size=(9, 7)).astype(np.float32)
     np.savez(tmp_path / "odd.npz", features=rows, actions=rows[:, :5], effects=rows[:, :2])
-    said = refusal(capsys, "evaluate", toy_folder, "--test", tmp_path / "odd.npz")
-    assert "it was trained on 4 object features, 12" in said
-    assert "the data have 7" in said
-
-
-def test_folder_without_data_is_refused(tmp_path, capsys):
+    for arguments, said in (
+        (["--output", "tables.csv"], "ends in .md or .json"),
+        (["--test", "nowhere.npz"], "nowhere.npz cannot be used: there is no such file"),
+        (["--test", tmp_path / "low.npz"], "No interaction of the test set has absolute displacements that"),
+        (["--test", tmp_path / "odd.npz"], "it was trained on 4 object features, 12"),
+    ):
+        assert said in refusal(capsys, "evaluate", kept, *arguments)
     assert "no folder" in refusal(capsys, "evaluate", tmp_path / "nowhere")
     assert "neurosym explore" in refusal(capsys, "evaluate", tmp_path)

@@ -1,14 +1,12 @@
 """`neurosym validate` judges plans; `neurosym execute` follows those of others, and says whose steps."""
 
 import json
-import shutil
 from pathlib import Path
 
 import msgspec
 import pytest
 import toy_domain
 from command_line import neurosym, refusal
-from places import ROOT
 
 from neurosym.pddl import domain_text
 from neurosym.pddl.compiler import ground_plan
@@ -20,16 +18,12 @@ GOAL = {"item-01": (0.6, 0.16, 0.025)}
 
 
 @pytest.fixture
-def folder(tmp_path: Path) -> Path:
-    """A folder with the toy world, its domain, and a scene by hand, printed."""
-    learned = toy_domain.grounding()
-    (tmp_path / "world.toml").write_text('world = "toy"\n')
-    learned.save(tmp_path / "grounding.json")
-    (tmp_path / "domain.pddl").write_text(domain_text(learned))
-    task = msgspec.structs.replace(toy_domain.problem(GOAL), name="two")
-    task.save(tmp_path / "two.json")
-    assert neurosym("new-problem", tmp_path, "--scene", tmp_path / "two.json") == 0
-    return tmp_path
+def folder(bare: Path) -> Path:
+    """The same, with the domain and a scene by hand, printed."""
+    (bare / "domain.pddl").write_text(domain_text(toy_domain.grounding()))
+    msgspec.structs.replace(toy_domain.problem(GOAL), name="two").save(bare / "two.json")
+    assert neurosym("new-problem", bare, "--scene", bare / "two.json") == 0
+    return bare
 
 
 def written(folder: Path, *steps: PlanStep, name: str = "other") -> Path:
@@ -59,59 +53,32 @@ def test_plan_is_judged_by_both(folder, capsys):
     assert lines[-1].startswith("next: neurosym execute")
 
 
-def test_plan_that_misses_says_so_twice(folder, capsys):
+def test_plan_that_misses_or_says_what_is_not_so_is_judged_and_not_refused(folder, capsys):
     code, said = judged(folder, written(folder, LEFT), capsys)
-    assert code == 3
-    assert said["pddl_failed"] == 4
+    assert (code, said["pddl_failed"]) == (3, 4)
     assert said["pddl_reason"].startswith("(goal-cell item-01 ")
     assert said["replay_reason"] == "item-01 ends 80 mm from its goal, 50 mm are allowed"
-
-
-def test_plan_that_says_what_is_not_so_is_judged_and_not_refused(folder, capsys):
     plan = written(folder, LEFT, LEFT)
     plan.write_text(plan.read_text().replace("y38", "y39", 1))
     code, said = judged(folder, plan, capsys)
-    assert code == 3
-    assert said["pddl_failed"] == 3
+    assert (code, said["pddl_failed"], said["steps"], said["chance"]) == (3, 3, [], None)
     assert "(y-sum dy8 y30 y39) does not hold there" in said["replay_reason"]
-    assert said["steps"] == []
-    assert said["chance"] is None
 
 
-@pytest.mark.parametrize(
-    ("text", "said"),
-    [
+def test_what_is_no_plan_is_refused_as_execute_does_and_steps_alone_are_written_out(folder, capsys):
+    file = folder / "other.plan"
+    for text, said in (
         ("(fly item-01 y060)\n", "There is no operator 'fly'"),
         ("(push-left-001-cube item-09)\n", "There is no object 'item-09'"),
-    ],
-)
-def test_plan_that_cannot_be_read_is_refused_as_execute_does(folder, capsys, text: str, said: str):
-    (folder / "other.plan").write_text(text)
-    assert said in refusal(capsys, "validate", folder, "two", folder / "other.plan")
-    assert said in refusal(capsys, "execute", folder, "two", folder / "other.plan")
-
-
-def test_steps_alone_are_written_out(folder, capsys):
-    (folder / "short.plan").write_text("(push-left-001-cube item-01)\n" * 2)
-    code, said = judged(folder, folder / "short.plan", capsys)
-    assert (code, said["written_out"]) == (0, True)
-
-
-def test_plan_without_steps_is_judged_by_the_page_where_there_are_relations(tmp_path, capsys):
-    shipped = ROOT / "domains" / "towers"
-    for name in ("grounding.json", "world.toml", "domain.pddl", "domain-numeric.pddl"):
-        shutil.copy(shipped / name, tmp_path)
-    shutil.copytree(shipped / "problems", tmp_path / "problems")
-    plan = tmp_path / "empty.plan"
-    plan.write_text("; nothing\n")
-    assert neurosym("validate", tmp_path, "tower-2-01", plan) == 3
-    assert "by domain.pddl, as unified-planning's validator says: not valid" in capsys.readouterr().out
-
-
-def test_file_that_is_no_plan_is_refused(folder, capsys):
-    (folder / "prose.plan").write_text("I would push it to the left, twice.\n")
-    assert "prose.plan" in refusal(capsys, "validate", folder, "two", folder / "prose.plan")
+        ("I would push it to the left, twice.\n", "other.plan"),
+    ):
+        file.write_text(text)
+        for command in ("validate", "execute"):
+            assert said in refusal(capsys, command, folder, "two", file)
     assert "There is no plan file" in refusal(capsys, "validate", folder, "two", folder / "none.plan")
+    file.write_text("(push-left-001-cube item-01)\n" * 2)
+    code, said = judged(folder, file, capsys)
+    assert (code, said["written_out"]) == (0, True)
 
 
 def test_plan_of_another_is_followed_as_it_is_and_credited_with_what_it_did(folder, capsys):

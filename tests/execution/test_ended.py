@@ -6,11 +6,10 @@ from toy_domain import WORLD, grounding, problem
 
 from neurosym.errors import InvalidValue
 from neurosym.execution.executor import execute
-from neurosym.execution.replanning import PATIENCE, Experience, Progress, new_plan, usual_replans, usual_work
+from neurosym.execution.replanning import PATIENCE, usual_replans, usual_work
 from neurosym.execution.rerun import failure
 from neurosym.grounding import Grounding
-from neurosym.planners import PlanResult, PlanStatus, plan
-from neurosym.planners.planner import Effort
+from neurosym.planners import PlanResult, plan
 from neurosym.problems import Problem, SceneObject
 from neurosym.tasks.transition import PlanStep
 from neurosym.world import Outcome, Scene
@@ -38,11 +37,6 @@ class Stubborn(type(WORLD)):
         return outcome if self.idle < 0 else replace(outcome, lifted=scene, end=scene, held=False)
 
 
-def test_budget_grows_with_the_plan():
-    assert usual_replans([PUSH_LEFT]) == PATIENCE + 2
-    assert usual_replans([LIFT, PUT_DOWN, PUSH_LEFT]) == PATIENCE + 4
-
-
 def test_run_goes_on_as_long_as_it_comes_nearer():
     """Eight failures in a row are no reason to stop, nor eight more after the object has moved."""
     run = execute(Stubborn(8), problem(AWAY), grounding(), [PUSH_LEFT, PUSH_LEFT], replanner=replanner)
@@ -54,6 +48,7 @@ def test_run_stops_when_new_plans_come_no_nearer():
     run = execute(Stubborn(1000), problem(AWAY), grounding(), [PUSH_LEFT] * 2, replanner=replanner)
     assert (run.reached, run.ended) == (False, "no progress")
     assert len(run.replannings) == PATIENCE
+    assert usual_replans([LIFT, PUT_DOWN, PUSH_LEFT]) == PATIENCE + 4
     assert "the last new plans came no nearer to the goal, after 10" in run.reason
     assert failure(run) == "new plans came no nearer"
 
@@ -79,52 +74,12 @@ def test_work_for_new_plans_is_bounded_in_all_and_its_end_is_named():
     assert failure(run) == "new plans were used up"
 
 
-def test_what_does_not_tell_its_work_counts_some():
-    effort = Effort()
-    new_plan(replanner, problem(AWAY), Experience(grounding()), effort)
-    assert effort.spent > 0
-
-
-def test_each_step_and_each_new_plan_is_told():
-    told: list[str] = []
-    execute(Stubborn(1), problem(AWAY), grounding(), [PUSH_LEFT] * 2, replanner=replanner, tell=told.append)
-    assert told[0] == f"step 1: {PUSH_LEFT.operator} item-01"
-    assert told[1].startswith("planning anew before step 2, new plan 1: item-01 ends")
-
-
-def test_progress_is_fewer_primitives_or_a_shorter_way():
-    progress = Progress(left=5, miss=0.4)
-    progress.note(5, 0.395)
-    assert progress.stalled == 1
-    progress.note(4, 0.4)
-    assert progress.stalled == 0
-    progress.note(6, 0.3)
-    assert (progress.stalled, progress.left) == (0, 4)
-    progress.note(None, 0.3)
-    assert progress.stalled == 1
-
-
 def test_lost_object_is_named_as_what_ended_the_run():
     cube = SceneObject("item-01", "00", (0.05, 0.05, 0.05, 0.0), (0.6, 0.25, 0.025))
     edge = Problem("edge", (cube,), {"item-01": (0.6, 0.1, 0.025)})
     run = execute(WORLD, edge, grounding(), [PUSH_LEFT, PUSH_LEFT])
     assert (run.ended, run.reached, [step.happened for step in run.steps]) == ("lost", False, ["lost"])
     assert "step 1 threw item-01 off the table" in run.reason
-
-
-def test_plan_that_is_followed_blindly_comes_to_its_end():
-    run = execute(WORLD, problem(AWAY), grounding(), [PUSH_LEFT])
-    assert run.ended == "plan"
-    assert "the plan came to its end; every step did as promised" in run.reason
-
-
-def test_no_new_plan_is_what_ended_the_run():
-    def none(task: Problem, learned: Grounding) -> PlanResult:
-        return PlanResult(PlanStatus.NOT_FOUND, (), 0.0, "there is none")
-
-    run = execute(WORLD, problem(AWAY), grounding(), [PUSH_LEFT], replanner=none)
-    assert run.ended == "no plan"
-    assert run.reason.endswith("no new plan after step 1: there is none")
 
 
 def test_object_that_was_moved_out_of_reach_is_named(monkeypatch):

@@ -1,13 +1,11 @@
 """Replanning: a run goes on until the goal is met, from whatever is seen, and its record can be run again."""
 
-import dataclasses
-
 import msgspec
 import pytest
 import toy_places
-from toy_domain import LEFT, WORLD, grounding, problem
+from msgspec.structs import replace
+from toy_domain import WORLD, grounding, problem
 
-from neurosym.commands.tables import show_run
 from neurosym.execution.executor import execute
 from neurosym.execution.performance import LEAST, MOST, Moment, Nudger, nudged
 from neurosym.execution.record import Nudge
@@ -36,26 +34,19 @@ def test_plan_that_misses_the_goal_is_replaced_before_it_begins():
     assert run.reached
     assert [step.operator for step in run.steps] == ["push-left-001-cube"] * 2
     assert run.replans == 1
+    right = execute(WORLD, problem(AWAY), grounding(), [PUSH_LEFT] * 2, replanner=replanner)
+    assert (right.reached, right.replans) == (True, 0)
+    assert execute(WORLD, problem(AWAY), grounding(), [], replanner=replanner, replans=0).steps == ()
     assert run.replannings[0].before_step == 1
     assert "80 mm from its goal" in run.replannings[0].why
-
-
-def test_plan_that_does_as_promised_is_never_replaced():
-    run = execute(WORLD, problem(AWAY), grounding(), [PUSH_LEFT, PUSH_LEFT], replanner=replanner)
-    assert run.reached
-    assert run.replans == 0
 
 
 def test_object_held_in_vain_is_put_down_before_anything_else():
     task, true = problem({"item-01": (0.68, 0.0, 0.225)}), grounding()
     lift = true.operator_named("lift-000-cube")
-    askew = msgspec.structs.replace(
-        lift, modes=(msgspec.structs.replace(lift.modes[0], effect=(0.08, 0.0, 0.2)),)
-    )
+    askew = replace(lift, modes=(replace(lift.modes[0], effect=(0.08, 0.0, 0.2)),))
     others = tuple(operator for operator in true.operators.operators if operator is not lift)
-    wrong = msgspec.structs.replace(
-        true, operators=msgspec.structs.replace(true.operators, operators=(askew, *others))
-    )
+    wrong = replace(true, operators=replace(true.operators, operators=(askew, *others)))
     run = execute(WORLD, task, wrong, [LIFT], replanner=replanner)
     assert run.reached
     assert [(step.happened, step.put_down) for step in run.steps] == [
@@ -67,24 +58,6 @@ def test_object_held_in_vain_is_put_down_before_anything_else():
     assert compare_runs(run, rerun(WORLD, task, wrong, run)).course == "same bytes"
 
 
-def test_operator_that_does_something_else_is_believed_to_do_it_again():
-    true = grounding()
-    pushing = tuple(
-        msgspec.structs.replace(p, action=LEFT) if p.symbol == "010" else p for p in true.operators.primitives
-    )
-    wrong = msgspec.structs.replace(
-        true, operators=msgspec.structs.replace(true.operators, primitives=pushing)
-    )
-    task = problem({"item-01": (0.68, 0.0, 0.025)})
-    first = plan(task, wrong, "fast-downward")
-    run = execute(WORLD, task, wrong, first.steps, replanner=replanner)
-    assert not run.reached
-    assert run.steps[0].operator == "push-forward-010-cube"
-    assert run.steps[0].effect == pytest.approx((0.0, 0.08, 0.0))
-    assert run.replannings[-1].reason
-    assert "no plan" in run.reason or "cannot" in run.reason
-
-
 def test_without_a_new_plan_the_old_one_is_gone_on_with():
     run = execute(WORLD, problem(AWAY), grounding(), [PUSH_LEFT], replanner=no_plan)
     assert len(run.steps) == 1
@@ -92,11 +65,7 @@ def test_without_a_new_plan_the_old_one_is_gone_on_with():
     assert "there is none" in run.reason
 
 
-def test_budget_of_new_plans_is_kept():
-    assert execute(WORLD, problem(AWAY), grounding(), [], replanner=replanner, replans=0).steps == ()
-
-
-@pytest.mark.parametrize("seed", range(6))
+@pytest.mark.parametrize("seed", range(3))
 def test_nudged_object_still_comes_to_its_goal(seed: int):
     plain = [PUSH_LEFT, PUSH_LEFT]
     run = execute(WORLD, problem(AWAY), grounding(), plain, replanner=replanner, nudge_seed=seed)
@@ -131,49 +100,12 @@ def test_nudges_come_from_their_seed_and_keep_objects_on_the_table():
     assert nudge_of(0, Table((0.0, 0.1), (0.0, 0.1))) is None
 
 
-def test_record_that_was_tampered_with_is_told_by_its_step():
-    run = execute(WORLD, problem(AWAY), grounding(), [PUSH_LEFT, PUSH_LEFT])
-    other = msgspec.structs.replace(run.steps[1], effect=(0.0, 0.0, 0.0))
-    false = msgspec.structs.replace(run, steps=(run.steps[0], other))
-    again = rerun(WORLD, problem(AWAY), grounding(), false)
-    assert compare_runs(false, again).where == "effect of step 2, push-left-001-cube item-01"
-
-
-def test_only_the_field_that_was_changed_is_named():
-    run = execute(WORLD, problem(AWAY), grounding(), [PUSH_LEFT, PUSH_LEFT])
-    false = msgspec.structs.replace(run, reached=False)
-    assert compare_runs(false, rerun(WORLD, problem(AWAY), grounding(), false)).where == "reached"
-
-
 def test_run_again_ends_with_the_first_step_that_goes_another_way():
     run = execute(WORLD, problem(AWAY), grounding(), [PUSH_LEFT, PUSH_LEFT])
-    false = msgspec.structs.replace(run, steps=(*run.steps, *run.steps * 1000))
+    false = replace(run, steps=(*run.steps, *run.steps * 1000))
     again = rerun(WORLD, problem(AWAY), grounding(), false)
     assert len(again.steps) == 3
     assert compare_runs(false, again).where == "positions of step 3, push-left-001-cube item-01"
-
-
-def test_why_a_plan_is_replaced_names_the_step_as_the_user_does(capsys):
-    """A push goes farther than promised, and by what was seen the next one would leave the table."""
-    true = grounding()
-    push = true.operator_named("push-left-001-cube")
-    short = (0.0, 0.05, 0.0)
-    mode = msgspec.structs.replace(push.modes[0], effect=short, resting_effect=short)
-    others = tuple(operator for operator in true.operators.operators if operator is not push)
-    operators = (msgspec.structs.replace(push, modes=(mode,)), *others)
-    learned = msgspec.structs.replace(
-        true,
-        table=dataclasses.replace(WORLD.table, y=(-0.3, 0.14)),
-        operators=msgspec.structs.replace(true.operators, operators=operators),
-    )
-    task = problem({"item-01": (0.6, 0.135, 0.025)})
-    run = execute(WORLD, task, learned, [PUSH_LEFT, PUSH_LEFT], replanner=no_plan)
-    assert run.replannings[0].before_step == 2
-    assert run.replannings[0].why.startswith("push-left-001-cube item-01: item-01 leaves the table at x")
-    plan = (("lift-000-cube", "item-01"), ("put-down-lift-000-cube", "item-01"))
-    new = msgspec.structs.replace(run.replannings[0], plan=plan)
-    show_run(msgspec.structs.replace(run, replannings=(new,)))
-    assert "0.155 m: 1 primitive\n" in capsys.readouterr().out
 
 
 def test_what_can_be_brought_to_its_goal_is_where_another_cannot():

@@ -1,14 +1,18 @@
-"""Running a record again tells the same bytes, the same but for the last digits, and another course apart."""
+"""A record that is run again: same bytes, last digits, another course; and who watches a run."""
 
 import json
 
 import msgspec
 import pytest
+from msgspec.structs import replace
 from toy_domain import WORLD, grounding, problem
 
+from neurosym.errors import UnknownChoice
 from neurosym.execution.executor import execute
-from neurosym.execution.record import Run
+from neurosym.execution.performance import STOP, Answer, Moment
+from neurosym.execution.record import Nudge, Replanning, Run
 from neurosym.execution.rerun import ROUNDING, compare_runs, rerun
+from neurosym.planners import plan
 from neurosym.tasks.transition import PlanStep
 
 AWAY = {"item-01": (0.6, 0.16, 0.025)}
@@ -23,23 +27,16 @@ def run() -> Run:
 def shifted(run: Run, number: int, by: float) -> Run:
     """The record of another machine, on which an object came to rest a little farther from a step on."""
     steps = tuple(
-        msgspec.structs.replace(
-            step, positions={name: (x + by, y, z) for name, (x, y, z) in step.positions.items()}
-        )
+        replace(step, positions={name: (x + by, y, z) for name, (x, y, z) in step.positions.items()})
         if at >= number
         else step
         for at, step in enumerate(run.steps, start=1)
     )
-    return msgspec.structs.replace(run, steps=steps)
+    return replace(run, steps=steps)
 
 
 def again(recorded: Run) -> Run:
     return rerun(WORLD, problem(AWAY), grounding(), recorded)
-
-
-def test_same_bytes_are_told(run):
-    found = compare_runs(run, again(run))
-    assert (found.course, found.apart, found.where) == ("same bytes", 0.0, "")
 
 
 @pytest.mark.parametrize("by", [3e-9, 0.9 * ROUNDING])
@@ -56,37 +53,21 @@ def test_last_digits_of_another_processor_are_no_other_course(run, by):
 @pytest.mark.parametrize("by", [1.1 * ROUNDING, 1e-3])
 @pytest.mark.parametrize("number", [1, 2])
 def test_another_course_is_told_by_the_step_that_it_begins_with(run, by, number):
-    recorded = shifted(run, number, by)
+    recorded = shifted(shifted(run, 1, 3e-9), number, by)
     found = compare_runs(recorded, again(recorded))
     assert found.course == "another"
     assert found.where == f"positions of step {number}, push-left-001-cube item-01"
 
 
-def test_another_course_is_told_though_digits_differ_before_it(run):
-    recorded = shifted(shifted(run, 1, 3e-9), 2, 1e-3)
-    found = compare_runs(recorded, again(recorded))
-    assert (found.course, found.where) == ("another", "positions of step 2, push-left-001-cube item-01")
-
-
 @pytest.mark.parametrize(
-    ("field", "value"), [("as_promised", False), ("happened", "toppled"), ("touched", ("item-02",))]
+    ("field", "value"), [("happened", "toppled"), ("touched", ("item-02",)), ("deviation", None)]
 )
 def test_what_is_no_length_must_be_the_same(run, field, value):
-    other = msgspec.structs.replace(run.steps[1], **{field: value})
-    recorded = msgspec.structs.replace(run, steps=(run.steps[0], other))
+    other = replace(run.steps[1], **{field: value})
+    recorded = replace(run, steps=(run.steps[0], other))
     found = compare_runs(recorded, again(recorded))
     assert (found.course, found.where) == ("another", f"{field} of step 2, push-left-001-cube item-01")
-
-
-def test_missing_deviation_is_no_length(run):
-    other = msgspec.structs.replace(run.steps[1], deviation=None)
-    recorded = msgspec.structs.replace(run, steps=(run.steps[0], other))
-    assert compare_runs(recorded, again(recorded)).where.startswith("deviation of step 2")
-
-
-def test_end_that_differs_is_told(run):
-    recorded = msgspec.structs.replace(run, distances={"item-01": run.distances["item-01"] + 1e-3})
-    found = compare_runs(recorded, again(recorded))
+    found = compare_runs(end := replace(run, distances={"item-01": 1e-3}), again(end))
     assert (found.course, found.where) == ("another", "distances")
 
 
@@ -97,3 +78,71 @@ def test_record_without_a_machine_or_a_tolerance_can_be_read(run):
     old = msgspec.json.decode(json.dumps(fields), type=Run)
     assert (old.machine, old.tolerance) == (None, None)
     assert compare_runs(old, again(old)).course == "same bytes"
+
+
+PLAN = [PUSH_LEFT, PUSH_LEFT]
+
+
+class Script:
+    """Answers before each step what is written down, and remembers what it was told."""
+
+    def __init__(self, **answers: Answer):
+        self.answers = {int(key.removeprefix("before_")): [answer] for key, answer in answers.items()}
+        self.moments: list[Moment] = []
+        self.heard: list[Replanning] = []
+
+    def before_step(self, moment: Moment) -> Answer:
+        """Answer what is written down."""
+        self.moments.append(moment)
+        waiting = self.answers.get(moment.number, [])
+        return waiting.pop() if waiting else None
+
+    def replanned(self, replanning: Replanning) -> None:
+        """Remember it."""
+        self.heard.append(replanning)
+
+
+def watched(script: Script, **options):
+    return execute(WORLD, problem(AWAY), grounding(), PLAN, watcher=script, **options)
+
+
+def test_who_only_watches_changes_no_byte():
+    script = Script()
+    plain = execute(WORLD, problem(AWAY), grounding(), PLAN)
+    assert msgspec.json.encode(watched(script)) == msgspec.json.encode(plain)
+    assert [moment.number for moment in script.moments] == [1, 2, 3]
+    assert [len(moment.left) for moment in script.moments] == [2, 1, 0]
+
+
+@pytest.mark.parametrize("number", [1, 2])
+def test_run_that_is_stopped_says_before_which_step(number):
+    run = watched(Script(**{f"before_{number}": STOP}))
+    assert (len(run.steps), run.ended, run.reached) == (number - 1, "stopped", False)
+    assert run.reason.endswith(f"it was stopped before step {number}")
+
+
+def test_nudge_calls_for_a_new_plan_that_is_told():
+    script = Script(before_2=Nudge(0, "item-01", (0.0, -0.08, 0.0)))
+    run = watched(script, replanner=plan, replans=4)
+    assert run.reached
+    assert run.nudge == Nudge(2, "item-01", (0.0, -0.08, 0.0))
+    assert run.more_nudges is msgspec.UNSET
+    assert [replanning.why for replanning in script.heard] == [one.why for one in run.replannings]
+    assert run.replannings
+
+
+def test_every_nudge_is_recorded_and_happens_again():
+    first, second = Nudge(1, "item-01", (0.0, -0.08, 0.0)), Nudge(2, "item-02", (0.05, 0.0, 0.0))
+    run = watched(Script(before_1=first, before_2=second), replanner=plan, replans=4)
+    assert run.nudges == (first, second)
+    again = rerun(WORLD, problem(AWAY), grounding(), run)
+    assert compare_runs(run, again).course == "same bytes"
+
+
+def test_nudge_after_the_last_step_counts_too_and_one_of_an_unknown_object_is_refused():
+    run = watched(Script(before_3=Nudge(3, "item-01", (0.1, 0.0, 0.0))))
+    assert (run.reached, run.distances["item-01"]) == (False, pytest.approx(0.1))
+    with pytest.raises(UnknownChoice, match="cup"):
+        watched(Script(before_1=Nudge(1, "cup", (0.0, 0.0, 0.0))))
+    again = rerun(WORLD, problem(AWAY), grounding(), watched(Script()), watcher=Script(before_2=STOP))
+    assert len(again.steps) == 1

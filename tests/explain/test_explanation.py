@@ -5,8 +5,7 @@ import re
 import msgspec
 import numpy as np
 import pytest
-from shipped import GROUNDING
-from tables import grounding, mode, table
+from tables import mode, table
 
 from neurosym.errors import InvalidValue
 from neurosym.operators import Category, Operator, OperatorTable, Primitive
@@ -16,7 +15,6 @@ from neurosym.report.symbol_words import (
     action_in_words,
     displacement_in_words,
     objects_in_words,
-    place_in_words,
     type_shares,
 )
 from neurosym.world import three_waypoints
@@ -39,13 +37,6 @@ def test_action_is_told_from_start_to_rise():
     )
 
 
-def test_hand_is_open_exactly_from_one_half_on():
-    nowhere = (0.0, 0.0, 0.0)
-    told = action_in_words((*nowhere, 0.5, *nowhere, 0.499, *nowhere, 0.5), GRIPPER)
-    assert [sentence.split()[1] for sentence in told[1:3]] == ["closes", "opens"]
-    assert "starts open, at the object's centre" in told[0]
-
-
 def test_words_give_the_numbers_back():
     rng = np.random.default_rng(3)
     signs = {"forward": 1, "back": -1, "left": 1, "right": -1, "up": 1, "down": -1}
@@ -57,25 +48,10 @@ def test_words_give_the_numbers_back():
         np.testing.assert_array_equal(read, np.round(1000 * vector))
 
 
-def test_point_at_a_place_is_said_to_be_there():
-    assert place_in_words((0.0002, 0.0, -0.0001), "the centre") == "at the centre"
-
-
-@pytest.mark.parametrize("gripper", [(), [False] * 12, GRIPPER[:8]])
-def test_parameters_that_are_no_waypoints_stay_numbers(gripper):
-    assert action_in_words((0.5,) * 12, gripper) == (f"Its parameters are {', '.join(['0.5'] * 12)}.",)
-
-
 @pytest.mark.parametrize("types", [[0, 0, 1, 2], [1, 1], [0], [2, 0, 0, 0, 2], [0, 1, 1]])
 def test_shares_of_types_follow_from_mean_and_spread(types):
     shares = type_shares(float(np.mean(types)), float(np.std(types)))
     np.testing.assert_allclose(shares, [types.count(kind) / len(types) for kind in range(3)], atol=1e-12)
-
-
-def test_numbers_that_are_no_types_are_not_told_as_types():
-    assert type_shares(7.0, 1.0) is None
-    odd = Category("0", "odd", 1.0, (7.0,), (1.0,))
-    assert objects_in_words(odd, ("t",)) == ("100% of the objects have this symbol: t 7 ± 1.",)
 
 
 def test_objects_are_told_by_size_and_type():
@@ -86,17 +62,6 @@ def test_objects_are_told_by_size_and_type():
         "Of them, all are open at the top.",
     )
     assert "f1 0.12 ± 0.02" in objects_in_words(tray)[0]
-
-
-def test_names_are_those_of_the_table_and_reasons_those_of_the_grounding():
-    explanation = explain(table(), why_left_out=grounding().why_left_out)
-    domain = {row.operator: row.domain for action in explanation.actions for row in action.effects}
-    reasons = grounding().left_out
-    assert domain == {
-        operator.name: f"no: {reasons[operator.name]}" if operator.name in reasons else "yes"
-        for operator in table().operators
-    }
-    assert [category.title for category in explanation.objects] == ["block", "tray"]
 
 
 def test_every_mode_has_its_row_with_mean_spread_and_share():
@@ -118,48 +83,6 @@ def test_carrying_is_told_from_pushing_by_how_high_the_object_was():
     )
 
 
-def test_effects_averaged_from_data_are_not_said_to_be_what_the_parameters_do():
-    assert "not what the distilled parameters do" in " ".join(
-        explain(msgspec.structs.replace(table(), measured="data")).summary
-    )
-    assert "not what the distilled" not in " ".join(explain(table()).summary)
-
-
-def test_unused_codes_are_named():
-    hollow = Category("10", "unseen-10", 0.0, (), ())
-    explanation = explain(msgspec.structs.replace(table(), categories=(*table().categories, hollow)))
-    assert (
-        "Action codes never reached, so that nothing was distilled: 011, 100, 101, 110."
-        in explanation.summary
-    )
-    assert "Object codes that no sampled object has: unseen-10." in explanation.summary
-    assert explanation.objects[2].about.startswith("None of the sampled objects")
-
-
-def with_axes(operators: OperatorTable, axes: int) -> OperatorTable:
-    """The same table with effects of another number of axes, as data of a user's own may have them."""
-
-    def changed(found):
-        vectors = ("effect", "spread", "resting_effect", "resting_spread")
-        return msgspec.structs.replace(found, **{name: (getattr(found, name) * 2)[:axes] for name in vectors})
-
-    return msgspec.structs.replace(
-        operators,
-        operators=tuple(
-            msgspec.structs.replace(operator, modes=tuple(changed(found) for found in operator.modes))
-            for operator in operators.operators
-        ),
-    )
-
-
-@pytest.mark.parametrize("axes", [1, 2, 5])
-def test_effects_of_any_number_of_axes_are_plain_numbers(axes):
-    explanation = explain(with_axes(table(), axes), feature_names=FEATURES)
-    rows = [row for action in explanation.actions for row in action.effects]
-    assert all(len(row.effect.split(", ")) == axes for row in rows)
-    assert not any("mm" in text for row in rows for text in (row.effect, row.spread))
-
-
 @pytest.mark.parametrize(
     ("change", "message"),
     [
@@ -172,11 +95,6 @@ def test_effects_of_any_number_of_axes_are_plain_numbers(axes):
 def test_table_that_does_not_fit_together_is_refused(change, message):
     with pytest.raises(InvalidValue, match=message):
         explain(msgspec.structs.replace(table(), **change))
-
-
-def test_table_without_a_single_trial_is_explained():
-    explanation = explain(msgspec.structs.replace(table(), operators=()))
-    assert {action.title for action in explanation.actions} == {"never tried"}
 
 
 def carrying(*ends) -> PlaceOperators:
@@ -204,17 +122,3 @@ def test_carrying_is_told_with_the_third_waypoint_at_the_place():
         ("not carried to the place", "elsewhere", "yes"),
     ]
     assert summary_of([told]).startswith("Of 1 symbols of actions aimed at a place, 1 carry objects there")
-
-
-def test_what_never_carries_is_not_in_the_domain():
-    (told,) = explain_carrying(carrying(mode((0.0, 0.0, 0.0), kind="missed", near=0)), GRIPPER)
-    assert told.title == "carries nothing"
-    assert [row.domain for row in told.effects] == ["no: never carries"]
-
-
-def test_each_category_counts_once_for_what_is_done_to_it():
-    """The shipped domain has several operators that lift objects of one category."""
-    titles = " ".join(one.title for one in explain(GROUNDING.operators).actions)
-    shares = [int(share) for share in re.findall(r"\((\d+)%", titles)]
-    assert len(shares) > 10
-    assert max(shares) <= 100

@@ -1,14 +1,17 @@
-"""A case: a domain folder with a few files changed, a command line, and a signal."""
+"""A case: a domain folder, learned once, with a few files changed, a command line, and a signal."""
 
 import base64
+import json
+import subprocess
+import sys
 from collections.abc import Callable
 from fnmatch import fnmatch
 from pathlib import Path
 from random import Random
 
 import msgspec
-from fuzz.files import KINDS, MUTATIONS, mutated, put
 from fuzz.lines import command_line
+from fuzz.mutations import KINDS, MUTATIONS, mutated, put
 
 READS = {
     "run": "world.toml manifest.json interactions.npz exploration.safetensors interactions.partial.npz",
@@ -33,8 +36,6 @@ OFTEN = ("plan", "execute", "explain", "report", "train", "distill", "compile-do
 """Commands that are drawn twice as often as others: there is much that they read."""
 LONG = {"demo"}
 """Commands that are not drawn: they read no file of a user's, and take a minute."""
-TRAINING = ("run", "train", "report")
-"""Commands that are never processes of their own: they would train for long."""
 STAGES = {"whole": "*", "explored": "world.toml interactions.npz", "begun": "world.toml", "empty": ""}
 """How far the domain folder came: which of its files are there, as patterns."""
 SIGNALS = ("SIGINT", "SIGINT", "SIGTERM", "SIGHUP")
@@ -57,7 +58,6 @@ class Case(msgspec.Struct, frozen=True):
         arguments: What is typed after `neurosym`; bytes that are no UTF-8 as `os.fsdecode` has them.
         stage: How far the domain folder came, one of `STAGES`.
         edits: What is changed in it before.
-        alone: Whether it is a process of its own, and not forked from one that has imported everything.
         signal: What the process is sent, if anything is.
         after: When [s].
     """
@@ -65,7 +65,6 @@ class Case(msgspec.Struct, frozen=True):
     arguments: tuple[str, ...]
     stage: str = "whole"
     edits: tuple[Edit, ...] = ()
-    alone: bool = False
     signal: str | None = None
     after: float = 0.0
 
@@ -82,37 +81,20 @@ class Case(msgspec.Struct, frozen=True):
                 put(path, edit.kind)
 
 
-def as_json(case: Case) -> bytes:
-    """Write a case down; arguments are kept as what the system hands over, in base 64."""
-    kept = [base64.b64encode(text.encode(errors="surrogateescape")).decode() for text in case.arguments]
-    document = {**msgspec.to_builtins(msgspec.structs.replace(case, arguments=())), "arguments": kept}
-    return msgspec.json.encode({"typed": " ".join(map(ascii, case.arguments)), **document})
+def as_json(case: Case) -> str:
+    """Write a case down, also one whose arguments are no UTF-8."""
+    return json.dumps(msgspec.to_builtins(case), indent=1)
 
 
-def from_json(text: bytes) -> Case:
+def from_json(text: str) -> Case:
     """Read a case that was written down."""
-    case = msgspec.json.decode(text, type=Case)
-    typed = (base64.b64decode(part).decode(errors="surrogateescape") for part in case.arguments)
-    return msgspec.structs.replace(case, arguments=tuple(typed))
+    return msgspec.convert(json.loads(text), Case)
 
 
 def drawn_case(
-    draw: Random,
-    commands: dict[str, Callable[..., int]],
-    seeds: dict[str, bytes],
-    *,
-    alone: int = 0,
-    signals: int = 0,
+    draw: Random, commands: dict[str, Callable[..., int]], seeds: dict[str, bytes], *, signals: int = 0
 ) -> Case:
-    """Draw a case.
-
-    Args:
-        draw: Source of randomness.
-        commands: The commands by name.
-        seeds: What the files of the domain folder hold, by their paths in it.
-        alone: How many of a hundred are processes of their own.
-        signals: How many of a hundred are sent a signal.
-    """
+    """Draw a command and changes to files, the seeds; so many of a hundred are sent a signal."""
     often = (name for name in OFTEN if name in commands)
     name = draw.choice((*sorted(commands.keys() - LONG), *often))
     arguments = command_line(draw, name, commands[name])
@@ -125,8 +107,7 @@ def drawn_case(
         edits[path] = _edit(draw, path, seeds)
     signal = draw.choice(SIGNALS) if draw.randint(0, 99) < signals else None
     after = round(draw.uniform(0, LONGEST_WAIT), 3) if signal else 0.0
-    is_alone = draw.randint(0, 99) < alone and name not in TRAINING
-    return Case(arguments, stage, tuple(edits.values()), is_alone, signal, after)
+    return Case(arguments, stage, tuple(edits.values()), signal, after)
 
 
 def _fits(path: str, patterns: str) -> bool:
@@ -143,3 +124,41 @@ def read_seeds(folder: Path) -> dict[str, bytes]:
     """Read the files of a domain folder that commands read, by their paths in it: no pictures, no page."""
     files = (path for path in sorted(folder.rglob("*")) if path.is_file() and path.suffix in MUTATIONS)
     return {path.relative_to(folder).as_posix(): path.read_bytes() for path in files}
+
+
+LEARN = (
+    "run {0} --world toy-relations --steps 1024 --seed 3 --strategy random --regime quick --workers 1 "
+    "--rehearsals 40 --problems 2 --places 512 --relations 1024"
+)
+MORE = (
+    "plan {0} task-01 --planner bfs",
+    "new-problem {0} --name far --seed 3 --goal item-01=0.98,0.29",
+    "new-problem {0} --name long --seed 5 --objects 3 --actions 4",
+    "plan {0} long",
+    "compare {0} --tasks 2 --workers 1 --planners counting fast-downward",
+    "evaluate {0} --workers 1",
+    "practise {0} --interactions 60 --workers 1",
+)
+"""What is added to a learned folder, so that every format that is read has a seed."""
+RELATED = (
+    "new-problem {0} --name tower --task tower --objects 4 --seed 3",
+    "plan {0} tower",
+    "execute {0} tower {0}/plans/tower.fast-downward.plan",
+)
+"""What is added to one that learned relations."""
+
+
+def build(folder: Path) -> None:
+    """Learn the domain folder, unless it is there."""
+    if not folder.is_dir():
+        unfinished = folder.with_name(f"{folder.name}-unfinished")
+        perform(unfinished, LEARN, *MORE, *RELATED)
+        unfinished.rename(folder)
+
+
+def perform(folder: Path, *lines: str) -> None:
+    """Have commands done in a folder."""
+    for line in lines:
+        arguments = [part.format(folder) for part in line.split()]
+        command = [sys.executable, "-m", "neurosym", *arguments]
+        subprocess.run(command, check=True, capture_output=True)

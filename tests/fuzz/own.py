@@ -6,73 +6,66 @@ import tempfile
 from dataclasses import replace
 
 from neurosym.planners import PLANNERS
-from neurosym.planners.planner import Planner
 from neurosym.worlds.toy import ToyConfig, ToyWorld
 
 
 class Moody(ToyWorld):
-    """A toy world that fails as it is told to."""
+    """A toy world that does something else instead of what it is asked for, if it is told to."""
 
-    def __init__(self, mood: str = "good"):
+    def __init__(self, instead=None):
         super().__init__(ToyConfig())
-        self.mood = mood
+        self.instead = instead
 
     def interact(self, scene, action, target=0, *, put_down=True, **_):
         """Perform an action, or fail."""
-        if self.mood == "leaves":
-            sys.exit(7)
-        if self.mood == "rubbish":
-            return None
-        if self.mood == "raises":
-            raise KeyError("left")
-        return super().interact(scene, action, target, put_down=put_down)
+        return self.instead() if self.instead else super().interact(scene, action, target, put_down=put_down)
 
 
-def world(mood: str = "good") -> Moody:
-    """Make a world."""
-    return Moody(mood)
+def _leave():
+    sys.exit(7)
 
 
-def angry() -> Moody:
+def world():
+    """Make a good world."""
+    return Moody()
+
+
+def angry():
     """Make a world that raises an error."""
-    return Moody("raises")
+    return Moody({}.popitem)
 
 
-def gone() -> Moody:
+def gone():
     """Make a world that ends the process."""
-    return Moody("leaves")
+    return Moody(_leave)
 
 
-def odd() -> Moody:
+def odd():
     """Make a world that returns nothing."""
-    return Moody("rubbish")
+    return Moody(lambda: None)
 
 
-def _named(name: str, solve) -> Planner:
+def planner(name="own-good", solve=PLANNERS["counting"].solve):
+    """Make a good planner."""
     return replace(PLANNERS["counting"], name=name, solve=solve)
 
 
-def planner() -> Planner:
-    """Make a good planner."""
-    return _named("own-good", PLANNERS["counting"].solve)
-
-
-def raising() -> Planner:
+def raising():
     """Make one that raises an error."""
-    return _named("own-raising", lambda _: 1 // 0)
+    return planner("own-raising", lambda _: 1 // 0)
 
 
-def leaving() -> Planner:
+def leaving():
     """Make one that ends the process."""
-    return _named("own-leaving", lambda _: sys.exit(7))
+    return planner("own-leaving", lambda _: _leave())
 
 
-def rubbish() -> Planner:
+def rubbish():
     """Make one that returns something else."""
-    return _named("own-rubbish", lambda _: "a plan")
+    return planner("own-rubbish", lambda _: "a plan")
 
 
-def littering() -> Planner:
+def littering():
     """Make one that leaves a process and a file."""
     tempfile.mkdtemp(prefix="litter")
     subprocess.Popen(["sleep", "100"], start_new_session=True)

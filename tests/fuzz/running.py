@@ -42,19 +42,15 @@ class Ending:
         files: Files that it left behind.
         output: What it printed.
         errors: What it printed as errors.
-        stack: Where it was when it was interrupted.
-        seconds: How long it took [s].
     """
 
-    code: int
-    stage: int
-    memory: int
-    left: tuple[str, ...]
-    files: tuple[str, ...]
-    output: str
-    errors: str
-    stack: str
-    seconds: float
+    code: int = 0
+    stage: int = 0
+    memory: int = 0
+    left: tuple[str, ...] = ()
+    files: tuple[str, ...] = ()
+    output: str = ""
+    errors: str = ""
 
 
 @dataclass(frozen=True, slots=True)
@@ -82,39 +78,25 @@ class Runner:
             shutil.copy(own.__file__, home / "own.py")
             shutil.copy(next((home / FOLDER / "plans").glob("*.plan")), home / "other.plan")
             case.prepare(home / FOLDER)
-            files = {name: root / name for name in ("output", "errors", "stack")}
             request = {
-                "arguments": [os.fsencode(text).hex() for text in case.arguments],
-                **{name: str(path) for name, path in files.items()},
-                "home": str(home),
-                "temporary": str(temporary),
-                "alone": case.alone,
+                "arguments": case.arguments,
+                "place": place,
                 "signal": case.signal,
                 "after": case.after,
                 "work": MOST_WORK,
                 "patience": SHORT_PATIENCE if asks_for_much(case.arguments) else PATIENCE,
             }
-            answer = self._ask(request)
-            texts = {name: _read(path) for name, path in files.items()}
-            left = tuple(answer.pop("left"))
-            return Ending(**answer, left=left, files=tuple(_left_files(home, temporary)), **texts)
-
-    def _ask(self, request: dict[str, object]) -> dict[str, object]:
-        assert self._server.stdin is not None
-        assert self._server.stdout is not None
-        self._server.stdin.write(json.dumps(request) + "\n")
-        self._server.stdin.flush()
-        answer: dict[str, object] = json.loads(self._server.stdout.readline())
-        return answer
+            self._server.stdin.write(json.dumps(request) + "\n")
+            self._server.stdin.flush()
+            answer = json.loads(self._server.stdout.readline())
+            files = tuple(_left_files(home, temporary))
+            texts = {name: _read(root / name) for name in ("output", "errors")}
+            return Ending(**answer | {"left": tuple(answer["left"])}, files=files, **texts)
 
 
 @contextmanager
 def runner(seed: Path) -> Iterator[Runner]:
-    """Start a server.
-
-    Args:
-        seed: The domain folder that every case begins with.
-    """
+    """Start a server, for cases that begin with this domain folder."""
     threads = dict.fromkeys(("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS"), "1")
     path = os.pathsep.join([str(_ROOT), str(_ROOT / "tests"), os.environ.get("PYTHONPATH", "")])
     server = subprocess.Popen(
@@ -150,64 +132,51 @@ def _read(path: Path) -> str:
 
 def judge(case: Case, ending: Ending) -> list[Finding]:
     """List what must not have happened."""
-    found = list(_bad_ends(case, ending))
     said = ending.output + ending.errors
+    command = next(iter(case.arguments), "")
+    command = command if command.isidentifier() else "neurosym"
+    left = re.sub(r"[\w]*\d\w*|_[\w]{6,}", "*", " ".join((*ending.left, *ending.files)))[:100]
+    warning = re.search(r"neurosym/([\w/]+\.py):(\d+): (\w+Warning): ", said)
+    warning = warning or re.search(r"(\w+Warning): (.{0,60})", said)
+    holds = {
+        _bad_end(case, ending, command): True,
+        f"a message with None: {command}": re.search(r"^None: ", said, re.MULTILINE),
+        f"a control character: {command}": re.search(r"[\x00-\x08\x0b-\x1f\x7f-\x9f]", said),
+        f"a warning of Python: {' '.join(warning.groups()) if warning else ''}": warning,
+        f"a long line: {command}": any(len(line) > LONGEST_LINE for line in said.splitlines()),
+        f"much memory: {command}": ending.memory > MUCH_MEMORY,
+        f"a process left: {left}": ending.left,
+        f"a file left: {left}": ending.files,
+    }
+    detail = f"{ending.left} {ending.files} {said[-3000:]}"
+    return [Finding(key, detail) for key, is_so in holds.items() if key and is_so]
+
+
+def _bad_end(case: Case, ending: Ending, command: str) -> str:
+    """Name what is wrong with how a command ended; nothing if that is fine."""
+    said, code = ending.output + ending.errors, ending.code
     if "Traceback (most recent call last)" in said and (frame := innermost(said)):
-        found = [Finding(f"{_error(said)} in {frame}", said[-3000:])]
-    command = next(iter(case.arguments), "") if next(iter(case.arguments), "").isidentifier() else "neurosym"
-    for words, holds in (
-        ("a message with None:", re.search(r"^None: ", said, re.MULTILINE)),
-        ("a control character", re.search(r"[\x00-\x08\x0b-\x1f\x7f-\x9f]", said)),
-        ("a warning of Python", re.search(r"\w+Warning: ", said)),
-        ("a long line", any(len(line) > LONGEST_LINE for line in said.splitlines())),
-        ("much memory", ending.memory > MUCH_MEMORY),
-        ("a process left", ending.left),
-        ("a file left", ending.files),
-    ):
-        if holds:
-            about = _cause(words, said, ending)
-            found.append(
-                Finding(f"{words}: {about or command}", f"{ending.left} {ending.files} {said[-2000:]}")
-            )
-    return found
-
-
-def _cause(words: str, said: str, ending: Ending) -> str:
-    if "warning" in words:
-        match = re.search(r"neurosym/([\w/]+\.py):(\d+): (\w+)", said) or re.search(
-            r"(\w+)Warning: (.{0,60})", said
-        )
-        return " ".join(match.groups()) if match else ""
-    if "left" in words:
-        return re.sub(r"[\w]*\d\w*|_[\w]{6,}", "*", " ".join((*ending.left, *ending.files)))[:100]
-    return ""
-
-
-def _bad_ends(case: Case, ending: Ending) -> Iterator[Finding]:
-    allowed = FINE | {_NUMBERS[case.signal]} if case.signal else FINE
+        return f"{_error(said)} in {frame}"
     if ending.stage == 2:
-        yield Finding(
-            f"deaf to Ctrl-C in {innermost(ending.stack, reverse=True)}", ending.stack or ending.errors
-        )
-    elif ending.stage == 1 and not asks_for_much(case.arguments):
-        where = innermost(ending.stack, reverse=True) or " ".join(case.arguments[:1])
-        yield Finding(f"no end of {where}", ending.stack)
-    elif ending.code not in allowed and not (case.signal == "SIGINT" and not innermost(ending.errors)):
+        return f"deaf to Ctrl-C: {command}"
+    if ending.stage == 1:
+        return "" if asks_for_much(case.arguments) else f"no end: {command}"
+    if code not in FINE and code != _NUMBERS.get(case.signal):
+        if case.signal == "SIGINT" and not innermost(ending.errors):
+            return ""  # Python itself was still starting
         last = re.sub(r"\d+|'[^']*'|/\S+", "*", (ending.errors.strip().splitlines() or [""])[-1])[:100]
-        yield Finding(f"exit code {ending.code}: {last}", (ending.output + ending.errors)[-3000:])
-    elif ending.code == 2 and not ending.errors.strip():
-        yield Finding("exit code 2 without a word", ending.output[-1000:])
+        return f"exit code {code}: {last}"
+    return "exit code 2 without a word" if code == 2 and not ending.errors.strip() else ""
 
 
-def innermost(text: str, *, reverse: bool = False) -> str:
-    """Name the innermost function of ours in a traceback, which comes last, or else first (`reverse`)."""
+def innermost(text: str) -> str:
+    """Name the innermost function of ours in a traceback."""
     frames = re.findall(r'File "[^"]*?/(neurosym/[\w/]+\.py)", line \d+,? in (\S+)', text)
-    return ":".join(frames[0 if reverse else -1]) if frames else ""
+    return ":".join(frames[-1]) if frames else ""
 
 
 def _error(text: str) -> str:
     """Name the last exception that a traceback ends with."""
-    names = re.findall(
-        r"^((?:\w+\.)*[A-Z]\w+)(?::|$)", text.rpartition("Traceback (most recent call last)")[2], re.MULTILINE
-    )
+    last = text.rpartition("Traceback (most recent call last)")[2]
+    names = re.findall(r"^((?:\w+\.)*[A-Z]\w+)(?::|$)", last, re.MULTILINE)
     return names[0] if names else "an error"

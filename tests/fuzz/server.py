@@ -5,7 +5,6 @@ its process, the next finds it as it was. Trainings are cut short: their code is
 """
 
 import atexit
-import faulthandler
 import importlib
 import json
 import os
@@ -68,21 +67,14 @@ def _train_shortly() -> None:
     from neurosym.learning import training_config
     from neurosym.primitives import distillation
 
+    few = {"table_actions": 100, "table_objects": 8, "table_restarts": 1}
     for name, regime in training_config.REGIMES.items():
         training = regime.training
         short = replace(
             training,
             epochs=2,
             teacher=replace(training.teacher, epochs=2),
-            naming=replace(
-                training.naming,
-                table_actions=100,
-                table_objects=8,
-                table_restarts=1,
-                actions=200,
-                objects=50,
-                steps=3,
-            ),
+            naming=replace(training.naming, **few, actions=200, objects=50, steps=3),
             coding=replace(training.coding, steps=3),
             decoder=replace(training.decoder, imagined=200, imagined_epochs=1, epochs=2),
         )
@@ -103,12 +95,10 @@ def perform(request: dict[str, Any]) -> dict[str, Any]:
     """Run a command in a process of its own, and watch how it ends.
 
     Args:
-        request: `arguments`, `home` (the folder it is run in), `temporary` (where its temporary files go),
-            `output`, `errors` and `stack` (files), `alone`, `signal` and `after`, and when it is interrupted:
-            after `work` [CPU s] or `patience` [s].
+        request: `arguments`, `place` (a folder with `home`, `tmp`, and files for what it prints), `signal`
+            and `after`, and when it is interrupted: after `work` [CPU s] or `patience` [s].
     """
     begun, beginning = os.pipe()
-    start = time.monotonic()
     process = os.fork()
     if process == 0:
         os.close(begun)
@@ -116,10 +106,7 @@ def perform(request: dict[str, Any]) -> dict[str, Any]:
     os.close(beginning)
     os.read(begun, 1)
     os.close(begun)
-    answer = _watch(process, request)
-    answer["seconds"] = round(time.monotonic() - start, 3)
-    answer["left"] = _left_behind()
-    return answer
+    return {**_watch(process, request), "left": _left_behind()}
 
 
 def _watch(process: int, request: dict[str, Any]) -> dict[str, Any]:
@@ -129,19 +116,13 @@ def _watch(process: int, request: dict[str, Any]) -> dict[str, Any]:
         ended, status, usage = os.wait4(process, os.WNOHANG)
         if ended:
             code = os.waitstatus_to_exitcode(status)
-            return {
-                "code": code if code >= 0 else 128 - code,
-                "stage": stage,
-                "memory": usage.ru_maxrss * 1024,
-            }
+            code = code if code >= 0 else 128 - code
+            return {"code": code, "stage": stage, "memory": usage.ru_maxrss * 1024}
         now = time.monotonic() - start
         if pending and now >= request["after"]:
             os.kill(process, getattr(signal, pending))
             pending = None
         if stage < 2 and (now >= deadline or (stage == 0 and _cpu_seconds(process) >= request["work"])):
-            if stage == 0 and not request["alone"]:
-                os.kill(process, signal.SIGUSR1)
-                time.sleep(0.2)
             os.kill(process, (signal.SIGINT, signal.SIGKILL)[stage])
             stage, deadline = stage + 1, now + GRACE
         time.sleep(0.002)
@@ -183,12 +164,9 @@ def _become(request: dict[str, Any], beginning: int) -> None:
     code = 1
     try:
         _settle(request)
-        arguments = [os.fsdecode(bytes.fromhex(text)) for text in request["arguments"]]
         os.write(beginning, b".")
         os.close(beginning)
-        if request["alone"]:
-            os.execv(sys.executable, [sys.executable, "-m", "neurosym", *arguments])
-        code = _call(arguments)
+        code = _call(request["arguments"])
     except BaseException:
         traceback.print_exc()
     finally:
@@ -202,17 +180,16 @@ def _become(request: dict[str, Any], beginning: int) -> None:
 
 def _settle(request: dict[str, Any]) -> None:
     os.setsid()
-    os.chdir(request["home"])
-    os.environ["TMPDIR"] = request["temporary"]
-    for descriptor, path in ((0, os.devnull), (1, request["output"]), (2, request["errors"])):
+    place = Path(request["place"])
+    os.chdir(place / "home")
+    os.environ["TMPDIR"] = str(place / "tmp")
+    for descriptor, path in ((0, os.devnull), (1, place / "output"), (2, place / "errors")):
         opened = os.open(path, os.O_RDONLY if descriptor == 0 else os.O_WRONLY | os.O_CREAT | os.O_TRUNC)
         os.dup2(opened, descriptor)
         os.close(opened)
     sys.stdin = open(0, closefd=False)  # noqa: SIM115
     sys.stdout = open(1, "w", encoding="utf-8", closefd=False)  # noqa: SIM115
     sys.stderr = open(2, "w", encoding="utf-8", errors="backslashreplace", closefd=False)  # noqa: SIM115
-    stack = os.open(request["stack"], os.O_WRONLY | os.O_CREAT)
-    faulthandler.register(signal.SIGUSR1, stack, all_threads=False)
     pages = int(Path("/proc/self/statm").read_text().split()[0])
     size = pages * resource.getpagesize() + MORE_MEMORY
     resource.setrlimit(resource.RLIMIT_AS, (size, resource.RLIM_INFINITY))

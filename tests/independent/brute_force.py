@@ -7,12 +7,11 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from decimal import Decimal
 
-from independent.replay import Json, Step, Tabletop, displacement, domain_operators, lifts, settled
+from independent.replay import PUT_DOWN, Json, Step, Tabletop, displacement, domain_operators, lifts, settled
 
 UNIT = 10**6
 """Lengths are counted in micrometres."""
 MOST_STATES = 2_000_000
-PUT_DOWN = "put-down-"
 
 Spot = tuple[int, int]
 State = tuple[Spot, ...]
@@ -75,25 +74,27 @@ class Search:
 
     def solve(self) -> Answer:
         """Find a plan with the fewest primitives."""
-        if all(self._meets(row, (*spot, self.heights[row])) for row, spot in enumerate(self.start)):
+        if all(self._rests_right(self.start, row) for row in range(len(self.start))):
             return Answer(0, True, 0)
-        came_from: dict[State, tuple[State, int, Move] | None] = {self.start: None}
-        level, depth = [self.start], 0
+        level: dict[State, tuple[Step, ...]] = {self.start: ()}
+        seen, depth = {self.start}, 0
         while level:
             depth += 1
-            following = []
-            for state in level:
+            following: dict[State, tuple[Step, ...]] = {}
+            for state, steps in level.items():
                 wrong = [row for row in range(len(state)) if not self._rests_right(state, row)]
                 for row, move, held, then in self._children(state, wrong):
+                    done = (*steps, (move.name, self.names[row]))
                     if held:
-                        return Answer(depth, True, depth, _steps(self, came_from, state, (row, move, True)))
-                    if then is None or then in came_from:
+                        return Answer(depth, True, depth, done)
+                    if then is None or then in seen:
                         continue
+                    done += ((PUT_DOWN + move.name, self.names[row]),) if move.lifts else ()
                     if all(self._rests_right(then, other) for other in {*wrong, row}):
-                        return Answer(depth, True, depth, _steps(self, came_from, state, (row, move, False)))
-                    came_from[then] = (state, row, move)
-                    following.append(then)
-                if len(came_from) > self.most_states:
+                        return Answer(depth, True, depth, done)
+                    seen.add(then)
+                    following[then] = done
+                if len(seen) > self.most_states:
                     return Answer(None, False, depth - 1)
             level = following
         return Answer(None, True, depth)
@@ -105,10 +106,8 @@ class Search:
             for move in moves:
                 if not self._on_table(row, up := (x + move.up[0], y + move.up[1])):
                     continue
-                held = False
-                if move.lifts:
-                    others_right = all(other == row for other in wrong)
-                    held = others_right and self._meets(row, (*up, self.heights[row] + move.up[2]))
+                above = (*up, self.heights[row] + move.up[2])
+                held = move.lifts and not {*wrong} - {row} and self._meets(row, above)
                 down = (x + move.down[0], y + move.down[1])
                 fits = self._on_table(row, down) and self._is_free(state, row, down)
                 if held or fits:
@@ -119,15 +118,12 @@ class Search:
         return x_low <= spot[0] <= x_high and y_low <= spot[1] <= y_high
 
     def _is_free(self, state: State, row: int, spot: Spot) -> bool:
-        apart = self.twice_apart[row]
-        for other, (x, y) in enumerate(state):
-            if (
-                other != row
-                and 2 * abs(x - spot[0]) < apart[other][0]
-                and 2 * abs(y - spot[1]) < apart[other][1]
-            ):
-                return False
-        return True
+        return not any(
+            other != row and 2 * abs(x - spot[0]) < apart_x and 2 * abs(y - spot[1]) < apart_y
+            for other, ((x, y), (apart_x, apart_y)) in enumerate(
+                zip(state, self.twice_apart[row], strict=True)
+            )
+        )
 
     def _rests_right(self, state: State, row: int) -> bool:
         return self._meets(row, (*state[row], self.heights[row]))
@@ -148,20 +144,3 @@ def _move(operator: Json) -> Move:
     x, y, z = map(whole, displacement(operator))
     down_x, down_y, _ = map(whole, settled(operator))
     return Move(operator["name"], lifts(operator), (x, y, z), (down_x, down_y))
-
-
-def _steps(
-    search: Search,
-    came_from: dict[State, tuple[State, int, Move] | None],
-    state: State,
-    last: tuple[int, Move, bool],
-) -> tuple[Step, ...]:
-    row, move, ends_held = last
-    steps: list[Step] = [(PUT_DOWN + move.name, search.names[row])] if move.lifts and not ends_held else []
-    steps.append((move.name, search.names[row]))
-    while (before := came_from[state]) is not None:
-        state, row, move = before
-        if move.lifts:
-            steps.append((PUT_DOWN + move.name, search.names[row]))
-        steps.append((move.name, search.names[row]))
-    return tuple(reversed(steps))

@@ -1,45 +1,26 @@
-"""A judge of ground plans: as much of PDDL as we print, and SAS+, read and performed in plain Python.
+"""A judge of ground plans: as much of PDDL as we print, read and performed in plain Python.
 
 Strict where planners may be lenient: what is not declared, or of another type or arity, is an error.
-`pddl-pyvalidator` judges the same (see `pyval_says`), at a thousand times the time.
 """
 
 import operator as arithmetic
 import re
-import tempfile
-import warnings
-from collections.abc import Callable, Iterator
-from pathlib import Path
+from collections.abc import Iterator
 from typing import Any
 
 Tree = list[Any]
 Fact = tuple[str, ...]
-COMPARED: dict[str, Callable[[int, int], bool]] = {
-    "<=": arithmetic.le,
-    ">=": arithmetic.ge,
-    "=": arithmetic.eq,
-}
-CALCULATED: dict[str, Callable[[int, int], int]] = {
-    "+": arithmetic.add,
-    "-": arithmetic.sub,
-    "*": arithmetic.mul,
-}
+COMPARED = {"<=": arithmetic.le, ">=": arithmetic.ge, "=": arithmetic.eq}
+CALCULATED = {"+": arithmetic.add, "-": arithmetic.sub, "*": arithmetic.mul}
 
 
 def judge(domain: str, problem: str, plan: str) -> str:
-    """Say what is wrong with a ground plan in PDDL; nothing if it is valid.
-
-    Args:
-        domain: The text of the domain.
-        problem: The text of the problem.
-        plan: Ground actions, one in parentheses a line.
-    """
+    """Say what is wrong with a plan of ground actions, one in parentheses a line; nothing if it is valid."""
     task = read_task(domain, problem)
     for number, line in enumerate(_actions(plan), start=1):
         if wrong := task.do(line):
             return f"action {number} ({' '.join(line)}): {wrong}"
-    wrong = [part for part in _conjuncts(task.goal) if not task.holds(part, {})]
-    return f"goals that do not hold: {wrong}" if wrong else ""
+    return "" if task.holds(task.goal, {}) else "goals that do not hold"
 
 
 def read_task(domain: str, problem: str) -> "Task":
@@ -87,14 +68,15 @@ class Task:
             if not self._is_a(thing, kind):
                 return f"{thing} is no {kind}"
         bound = {variable: thing for (variable, _), thing in zip(parameters, given, strict=True)}
-        for part in _conjuncts(action[":precondition"]):
-            if not self.holds(part, bound):
-                return f"{part} does not hold"
+        if wrong := [one for one in _conjuncts(action[":precondition"]) if not self.holds(one, bound)]:
+            return f"{wrong} does not hold"
         self._change(_conjuncts(action[":effect"]), bound)
         return ""
 
     def holds(self, part: Tree, bound: dict[str, str]) -> bool:
         """Say whether a condition holds, its variables replaced."""
+        if part[:1] == ["and"]:
+            return all(self.holds(one, bound) for one in part[1:])
         if part[0] in COMPARED:
             return COMPARED[part[0]](*(self._value(side, bound) for side in part[1:]))
         return self._checked(part, bound, self.declared) in self.facts
@@ -175,59 +157,3 @@ def _actions(plan: str) -> Iterator[tuple[str, ...]]:
         line = re.sub(r"^[\d.]+\s*:\s*|\s*\[[\d.\s]+\]\s*$", "", raw.split(";")[0].strip())
         if words := tuple(line.strip("()").split()):
             yield words
-
-
-def judge_sas(task: str, plan: str) -> str:
-    """Say what is wrong with a plan for a task in Fast Downward's format of SAS+; nothing if it is valid."""
-    lines = iter(task.splitlines())
-    operators: dict[str, list[str]] = {}
-    state: list[int] = []
-    goals: list[str] = []
-    for line in lines:
-        if line == "begin_state":
-            state = [int(word) for word in _until("end_state", lines)]
-        elif line == "begin_goal":
-            goals = _until("end_goal", lines)[1:]
-        elif line == "begin_operator":
-            name, *rest = _until("end_operator", lines)
-            operators[name] = rest
-    for number, words in enumerate(_actions(plan), start=1):
-        if (name := " ".join(words)) not in operators:
-            return f"action {number} ({name}): there is no such operator"
-        if not _apply(operators[name], state):
-            return f"action {number} ({name}) does not apply"
-    wrong = [goal for goal in goals if not _is(state, *map(int, goal.split()))]
-    return f"goals that do not hold: {wrong}" if wrong else ""
-
-
-def _until(end: str, lines: Iterator[str]) -> list[str]:
-    return list(iter(lambda: next(lines), end))
-
-
-def _apply(operator: list[str], state: list[int]) -> bool:
-    prevail = operator[1 : 1 + int(operator[0])]
-    changes = operator[2 + len(prevail) : 2 + len(prevail) + int(operator[1 + len(prevail)])]
-    triples = [tuple(map(int, change.split()[1:])) for change in changes]  # no conditions of their own
-    asked = [tuple(map(int, line.split())) for line in prevail]
-    asked += [(variable, before) for variable, before, _ in triples if before >= 0]
-    if not all(_is(state, variable, value) for variable, value in asked):
-        return False
-    for variable, _, after in triples:
-        state[variable] = after
-    return True
-
-
-def _is(state: list[int], variable: int, value: int) -> bool:
-    return state[variable] == value
-
-
-def pyval_says(domain: str, problem: str, plan: str) -> bool:
-    """Ask `pddl-pyvalidator` if a plan is valid."""
-    with warnings.catch_warnings(), tempfile.TemporaryDirectory() as name:
-        warnings.simplefilter("ignore")  # unified-planning and what it imports, not ours to mend
-        from pyval import PDDLValidator
-
-        files = [Path(name) / file for file in ("domain.pddl", "problem.pddl", "my.plan")]
-        for file, text in zip(files, (domain, problem, plan), strict=True):
-            file.write_text(text)
-        return bool(PDDLValidator().validate(*map(str, files)).is_valid)

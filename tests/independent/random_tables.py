@@ -12,6 +12,7 @@ from typing import Literal
 import msgspec
 import numpy as np
 from independent.replay import Json, Point, Step, Tabletop, domain_operators, lifts, read_text, replay
+from msgspec.structs import replace
 
 from neurosym.grounding import Grounding
 from neurosym.operators import Category, Mode, Operator, OperatorTable, Primitive, Vector
@@ -71,7 +72,7 @@ def draw(number: int, kind: Kind | None = None, objects: int | None = None) -> D
         walked, goals = (), anywhere(problem, grounding, rng)
     if kind == "bystander":
         problem = _with_stone(problem, goals, grounding.operators.categories[-1].symbol, rng)
-    problem = msgspec.structs.replace(problem, goals=goals)
+    problem = replace(problem, goals=goals)
     scene_json = read_text(msgspec.json.encode(problem).decode())
     known = walked if walked and not replay(domain_json, scene_json, walked)[0] else None
     return Drawn(number, kind, is_whole, grounding, problem, domain_json, scene_json, known)
@@ -249,5 +250,5 @@ def _with_stone(problem: Problem, goals: dict[str, Vector], stone: str, rng: np.
         x, y = (round(at + float(rng.uniform(-0.1, 0.1)), 4) for at in goal[:2])
         there = SceneObject("item-10", stone, (*(round(side, 6) for side in size), 0.05, 0.0), (x, y, 0.025))
         if not any(_overlap(there, item) for item in problem.objects):
-            return msgspec.structs.replace(problem, objects=(*problem.objects, there))
+            return replace(problem, objects=(*problem.objects, there))
     return problem

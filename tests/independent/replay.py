@@ -9,7 +9,6 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from decimal import Decimal
 from fractions import Fraction
-from pathlib import Path
 from typing import Any
 
 Json = dict[str, Any]
@@ -25,10 +24,6 @@ NEAR_TABLE = Decimal("0.1")
 """How far off the table an object may stand that is still planned for [m]."""
 LEAST_TRIALS = 5
 LEAST_SHARE = Decimal("0.1")
-
-
-def read_json(path: Path) -> Json:
-    return read_text(path.read_text())
 
 
 def read_text(text: str) -> Json:
@@ -108,10 +103,6 @@ def _is_worth_having(operator: Json, cell: Decimal) -> bool:
     return sum(part * part for part in scatter) <= sum(part * part for part in moved)
 
 
-def operators_of(grounding: Json) -> dict[str, Json]:
-    return {operator["name"]: operator for operator in grounding["operators"]["operators"]}
-
-
 @dataclass
 class Tabletop:
     """What the replay knows of a scene: where everything is, and what the hand holds.
@@ -119,7 +110,7 @@ class Tabletop:
     Attributes:
         grounding: The raw `grounding.json`.
         scene: The raw scene file of a problem.
-        own: By how much operators move objects [m], if they have steps of their own; see `own_facts`.
+        own: By how much operators move objects [m], if they have steps of their own; see `random_sizes`.
         places: Where the centre of each object is [m].
         held: The object in the hand and the operator that lifted it, or None.
         primitives: How many primitives were done.
@@ -133,7 +124,7 @@ class Tabletop:
     primitives: int = 0
 
     def __post_init__(self) -> None:
-        self.operators = operators_of(self.grounding)
+        self.operators = {one["name"]: one for one in self.grounding["operators"]["operators"]}
         self.items = {item["name"]: item for item in self.scene["objects"]}
         self.places = {name: tuple(item["position"]) for name, item in self.items.items()}
         pairs = itertools.permutations(self.items, 2)

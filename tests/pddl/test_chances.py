@@ -1,14 +1,25 @@
-"""The chance that a plan comes true, against what is known of normal errors."""
+"""What a plan is worth: its chance to come true, against normal errors, and its costs."""
 
 import math
+import re
+from functools import partial
 
 import numpy as np
 import pytest
 import tables
-from tables import LIFT, PULL
+import toy_domain
+from msgspec.structs import replace
+from tables import LIFT, PULL, PUSH
 
+from neurosym.grounding import Grounding
+from neurosym.operators import Operator
+from neurosym.pddl.compiler import problem_text
+from neurosym.planners import plan
+from neurosym.planners.pddl_search import _aim
 from neurosym.problems import Problem
 from neurosym.tasks.chances import chance_inside, expected_success, expected_within, spread_of
+from neurosym.tasks.options import cost
+from neurosym.tasks.transition import PlanStep, validate
 
 
 @pytest.mark.parametrize("tolerance", [0.005, 0.01, 0.02, 0.05])
@@ -77,3 +88,92 @@ def test_plan_comes_true_if_all_steps_are_kept_and_all_objects_end_inside():
     )
     assert centred == pytest.approx(19 / 22, abs=1e-6)
     assert outer < 0.8 * centred
+
+
+def test_chance_of_a_plan_is_the_product_over_its_primitives():
+    steps = (
+        PlanStep("lift-000-cube", "item-01"),
+        PlanStep("put-down-lift-000-cube", "item-01"),
+        PlanStep("push-left-001-cube", "item-01"),
+    )
+    assert expected_success(steps, toy_domain.problem({}), toy_domain.grounding()) == pytest.approx(
+        (21 / 22) ** 2
+    )
+    assert expected_success((), toy_domain.problem({}), toy_domain.grounding()) == 1.0
+    lift = tables.grounding().operator_named("lift-010-block")
+    assert math.exp(-(cost(lift) - 1) / 100) == pytest.approx(16 / 22, abs=0.005)
+
+
+@pytest.mark.parametrize("planner", ["counting", "fast-downward"])
+def test_without_costs_steps_are_few_rather_than_safe(planner: str):
+    """Two safe pushes instead of one lift that fails as often as not."""
+    learned = tables.grounding()
+    lift = learned.operator_named("lift-010-block")
+    rare = replace(lift.modes[0], near_mean=7, effect=(0.142, -0.02, 0.2), resting_effect=(0.142, -0.02, 0.0))
+    table = replace(
+        learned.operators, operators=(*learned.operators.operators[:4], replace(lift, modes=(rare,)))
+    )
+    risky = replace(learned, operators=table)
+    away = Problem(
+        "p", (tables.item("item-01", 0.45, 0.0),), {"item-01": (0.592, -0.02, 0.025)}, tolerance=0.02
+    )
+    few = plan(away, risky, planner, costs=False)
+    assert [step.operator for step in few.steps] == [lift.name, f"put-down-{lift.name}"]
+    if planner == "fast-downward":
+        safe = plan(away, risky, planner)
+        assert [step.operator for step in safe.steps] == ["push-away-001-block"] * 2
+        assert expected_success(safe.steps, away, risky) > expected_success(few.steps, away, risky)
+    alike = problem_text(away, replace(risky, unit_costs=True))
+    assert re.findall(r"\(= \(cost \S+\) \d+\)", alike) == ["(= (cost cost1) 1)"]
+
+
+aim = partial(_aim, deadline=math.inf)
+
+FARTHER = PlanStep("push-away-111-block", "item-01")
+
+
+def learned(cost_of_farther: int) -> Grounding:
+    """Add a second push away, 40 mm farther than the first, that keeps its promise so many times of 20."""
+    known = tables.grounding()
+    mode = tables.mode((0.1113, -0.0124, 0.0), near=cost_of_farther)
+    farther = Operator(FARTHER.operator, "00", "111", 20, (mode,))
+    table = replace(known.operators, operators=(*known.operators.operators, farther))
+    return replace(known, operators=table)
+
+
+def task(goal: float = 0.45 + 0.1113) -> Problem:
+    return Problem("p", (tables.item("item-01", 0.45, 0.0),), {"item-01": (goal, -0.0124, 0.025)}, 0.042)
+
+
+def test_plan_that_ends_at_the_edge_gives_way_to_one_in_the_middle():
+    known = learned(18)
+    found = aim([PUSH], task(), known)
+    assert found == (FARTHER,)
+    assert expected_success(found, task(), known) > expected_success([PUSH], task(), known)
+
+
+def test_plan_in_the_middle_stays_and_so_does_one_whose_rivals_are_dear():
+    assert aim([PUSH], task(0.45 + 0.0713), learned(18)) == (PUSH,)
+    assert aim([PUSH], task(), learned(12)) == (PUSH,)
+    assert aim([], task(0.46), learned(18)) == ()
+
+
+def test_other_objects_keep_their_steps_and_the_plan_is_valid():
+    known = learned(18)
+    tray = tables.item("item-02", 0.7, 0.15, category="11")
+    both = replace(
+        task(), objects=(*task().objects, tray), goals={**task().goals, "item-02": (0.7, 0.21, 0.025)}
+    )
+    left = PlanStep("push-left-000-tray", "item-02")
+    found = aim([PUSH, left], both, known)
+    assert found == (FARTHER, left)
+    assert validate(found, both, known).valid
+
+
+@pytest.mark.parametrize("goal", [0.5, 0.6])
+def test_fast_downward_aims_unless_costs_do_not_count(goal: float):
+    known = learned(18)
+    asked = task(goal)
+    found, bare = (plan(asked, known, costs=costs).steps for costs in (True, False))
+    assert validate(found, asked, known).valid
+    assert expected_success(found, asked, known) >= expected_success(bare, asked, known)

@@ -2,9 +2,9 @@
 
 import math
 
-import msgspec
 import numpy as np
 import pytest
+from msgspec.structs import replace
 from tables import grounding, item, mode, table
 
 from neurosym.errors import InvalidValue
@@ -20,22 +20,13 @@ from neurosym.world import Table
 BLOCK = item("item-01", 0.4512, 0.0133)
 
 
-def test_grid_covers_the_table_and_the_highest_lift():
-    assert grid_of(grounding()).last == (120, 120, 41)
-
-
-def test_start_is_in_the_nearest_cell():
-    assert grid_of(grounding()).anchor(BLOCK.position) == (30, 63, 0)
-
-
-def test_start_at_the_far_edge_is_in_the_last_cell():
+def test_grid_covers_the_table_and_starts_are_in_the_nearest_cell():
+    grid = grid_of(grounding())
+    assert grid.last == (120, 120, 41)
+    assert grid.anchor(BLOCK.position) == (30, 63, 0)
     assert grid_of(grounding(0.007)).anchor((0.9, 0.3, 0.02)) == (85, 85, 0)
-
-
-def test_names_of_cells_sort_like_their_indices():
-    names = grid_of(grounding()).cell_names(0)
-    assert list(names) == sorted(names)
-    assert (names[0], names[-1]) == ("x000", "x120")
+    names = grid.cell_names(0)
+    assert (names[0], names[-1], list(names)) == ("x000", "x120", sorted(names))
 
 
 @pytest.mark.parametrize(("cells", "margin"), [(7, 0), (-7, 0), (7, 2), (-7, 2), (130, 0)])
@@ -138,35 +129,22 @@ def test_more_steps_shrink_the_region_and_none_is_the_whole_disc():
     assert sizes[-1] == 1  # the goal's own cell is always left
 
 
-def test_goal_in_the_air_asks_for_the_height_of_the_lift():
-    region = goal_region(BLOCK, (0.5, 0.05, 0.225), 0.05, grounding(), steps=3)
-    assert 41 in region.z
-    assert 0 not in region.z
-
-
-def test_goal_in_the_air_takes_every_height_that_lifts_end_at_unless_too_little_is_left():
+def test_goal_in_the_air_takes_every_height_that_lifts_end_at_and_no_other():
     def heights(*lifts: float) -> tuple[int, ...]:
         modes = (mode((0.0, 0.0, height), kind="held", resting=(0.05, 0.0, 0.0)) for height in lifts)
         operators = tuple(Operator(f"lift-{n}", "00", f"{n:03b}", 20, (m,)) for n, m in enumerate(modes))
-        learned = msgspec.structs.replace(
-            grounding(), operators=msgspec.structs.replace(table(), operators=operators)
-        )
+        learned = replace(grounding(), operators=replace(table(), operators=operators))
         return goal_region(BLOCK, (0.5, 0.05, 0.025 + 0.2), 0.05, learned, steps=1).z
 
     assert heights(0.2, 0.22) == (40, 44)
     assert heights(0.2, 0.24) == (40,)
-
-
-def test_goal_at_a_height_that_nothing_reaches_has_no_region():
+    assert goal_region(BLOCK, (0.5, 0.05, 0.225), 0.05, grounding(), steps=3).z == (41,)
     assert goal_region(BLOCK, (0.5, 0.05, 0.125), 0.05, grounding(), steps=3).z == ()
-
-
-def test_tray_that_nothing_lifts_has_no_goal_in_the_air():
-    tray = item("item-02", 0.6, -0.1, category="11", height=0.04)
+    tray = item("item-02", 0.6, -0.1, category="11", height=0.04)  # which nothing lifts
     assert goal_region(tray, (0.6, -0.1, 0.22), 0.05, grounding(), steps=3).z == ()
 
 
 def test_object_off_the_table_is_refused_with_the_valid_ranges():
-    astray = msgspec.structs.replace(BLOCK, position=(0.95, 0.0, 0.025))
+    astray = replace(BLOCK, position=(0.95, 0.0, 0.025))
     with pytest.raises(InvalidValue, match=r"item-01 stands at x = 0.95.*x 0.3 to 0.9"):
         goal_region(astray, (0.5, 0.05, 0.025), 0.05, grounding(), steps=3)

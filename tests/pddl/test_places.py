@@ -1,13 +1,16 @@
-"""Tasks with places: where those are, which can be, and that plans for them come true."""
+"""Tasks with places: where those are, who may be carried there, and that plans for them come true."""
 
 import math
+import sys
 from pathlib import Path
 
 import msgspec
 import numpy as np
 import pytest
 import toy_domain
-from toy_places import NAME, OFFSET, grounding, mixed, scene, swap
+from msgspec.structs import replace
+from toy_domain import WORLD
+from toy_places import CUBE, NAME, OFFSET, grounding, mixed, scene, swap
 
 from neurosym.errors import InvalidPlan, InvalidValue, NeurosymError
 from neurosym.execution.executor import execute
@@ -15,12 +18,24 @@ from neurosym.execution.rerun import compare_runs, rerun
 from neurosym.pddl.plan_reading import parse_plan
 from neurosym.pddl.problem_check import check_places, check_problem
 from neurosym.planners import PlanStatus, plan
-from neurosym.planners.planner import PlanResult
 from neurosym.problems import Problem, SceneObject
-from neurosym.tasks.task import GOAL, PARK, footprints_apart, overlapping, with_places
+from neurosym.tasks.task import (
+    GOAL,
+    PARK,
+    ROOM,
+    SHARE,
+    footprints_apart,
+    goal_spots,
+    occupants,
+    overlapping,
+    parks_wanted,
+    with_places,
+)
 from neurosym.tasks.transition import PlanStep, validate
-from neurosym.world import Place
 from neurosym.worlds.aims import Aimed
+
+MODULE = sys.modules["neurosym.planners.pddl_search"]
+"""The package has a function of that name, too."""
 
 
 def solved(problem: Problem) -> tuple[PlanStep, ...]:
@@ -42,23 +57,19 @@ def test_places_are_those_of_the_goals_and_free_ones_apart_from_everything():
     assert with_places(swap(), grounding()) == problem == with_places(problem, grounding())
 
 
-def test_two_objects_change_places_by_way_of_a_third():
-    steps = solved(swap())
-    assert [step.operator for step in steps] == [NAME] * 3
-    assert steps[0].place.startswith(PARK)
-    assert validate(steps, with_places(swap(), grounding()), grounding()).valid
-
-
-def test_a_plan_carries_one_thing_and_pushes_another_out_of_its_place_first():
-    steps = solved(mixed())
-    assert [step.object for step in steps] == ["item-02", "item-02", "item-01"]
-    assert [bool(step.place) for step in steps] == [False, False, True]
-
-
-@pytest.mark.parametrize("problem", [swap(), mixed()])
-def test_plans_come_true_in_the_world_and_again_from_the_record(problem):
-    world, learned = toy_domain.WORLD, grounding()
-    run = execute(world, problem, learned, solved(problem))
+@pytest.mark.parametrize(
+    ("problem", "names", "carried"),
+    [
+        (swap(), ["item-01", "item-02", "item-01"], [True] * 3),  # by way of a third place
+        (mixed(), ["item-02", "item-02", "item-01"], [False, False, True]),  # pushed out of its place first
+    ],
+)
+def test_plans_come_true_in_the_world_and_again_from_the_record(problem, names, carried):
+    world, learned, steps = toy_domain.WORLD, grounding(), solved(problem)
+    assert [step.object for step in steps] in (names, ["item-02", "item-01", "item-02"])
+    assert [bool(step.place) for step in steps] == carried
+    assert validate(steps, with_places(problem, learned), learned).valid
+    run = execute(world, problem, learned, steps)
     assert run.reached
     assert max(run.distances.values()) < 1e-9
     aims = [record.reference for record in run.steps if record.place]
@@ -70,67 +81,14 @@ def test_plans_come_true_in_the_world_and_again_from_the_record(problem):
     assert msgspec.json.decode(msgspec.json.encode(run), type=type(run)) == run
 
 
-def test_unknown_places_are_refused_in_one_sentence(tmp_path: Path):
-    for words, said in (
-        ("moon", "no place 'moon'; valid: goal-item-01, goal-item-02, park-01"),
-        ("", "needs a place to carry it to; valid: goal-item-01, goal-item-02"),
-        ("start-item-01 start-item-02", "no place 'start-item-02'; valid: goal-item-01"),
-        ("spot-5500-m5200", "The place spot-5500-m5200 lies .* off the table"),
-    ):
-        with pytest.raises(InvalidPlan, match=f"line 1: .*{said}"):
-            parse_plan(f"({NAME} item-01 {words})", tmp_path, grounding(), swap())
-
-
-@pytest.mark.parametrize("name", ["place", "object", "take", "move-x", "cube", "nowhere", "start-item-01"])
-def test_places_of_a_problem_have_no_names_of_the_domain(name):
-    own = msgspec.structs.replace(swap(), places={name: (0.5, 0.2)})
-    with pytest.raises(InvalidValue, match=f"No place can be called {name}"):
-        check_places(own, grounding())
-
-
-@pytest.mark.parametrize(
-    ("step", "said"),
-    [
-        (
-            PlanStep(NAME, "item-01", place="moon"),
-            "no place 'moon'; valid: goal-item-01, goal-item-02, park-01",
-        ),
-        (PlanStep(NAME, "item-01"), "needs a place to carry it to; valid: goal-item-01"),
-        (
-            PlanStep("push-left-001-slab", "item-01", place="park-01"),
-            "carries nothing, so it cannot lead to park-01",
-        ),
-    ],
-)
-def test_steps_to_nowhere_are_refused_before_anything_moves(step, said):
-    done = []
-    with pytest.raises(NeurosymError, match=said):
-        execute(toy_domain.WORLD, swap(), grounding(), [*solved(swap()), step], on_step=done.append)
-    assert not done
-
-
-def test_what_is_led_and_what_is_carried_is_planned_in_turns_if_not_at_once(monkeypatch):
-    """The slab is led past the cube's goal, and would stand in the cube if that were there already."""
-    goals = {"item-01": (0.7, 0.0, 0.025), "item-02": (0.7, 0.24, 0.025)}
-    problem = Problem("past", scene(("cube", 0.5, -0.2), ("slab", 0.7, -0.16)), goals, 0.02)
-    learned = grounding()
-    monkeypatch.setattr(
-        "neurosym.planners.pddl_search.plan_by_places",
-        lambda *_: PlanResult(PlanStatus.FAILED, (), 0.0, "not true when replayed"),
-    )
-    steps = solved(problem)
-    assert [step.object for step in steps] == ["item-02"] * 5 + ["item-01"]
-    assert validate(steps, problem, learned).valid
-
-
 def test_what_shows_as_another_category_by_now_is_aimed_at_by_what_was_learned():
     """A tall block that lies on its side looks like a slab, which the operator of cubes is not for."""
     aside = (math.sqrt(0.5), 0.0, 0.0, math.sqrt(0.5))
     block = SceneObject("item-01", "00", (0.05, 0.05, 0.1, 0.0), (0.5, -0.2, 0.025), aside)
     problem = Problem("lying", (block,), {"item-01": (0.8, 0.1, 0.025)}, 0.02)
     table = grounding().operators
-    seen = tuple(msgspec.structs.replace(one, objects=(one.feature_means,)) for one in table.categories)
-    learned = msgspec.structs.replace(grounding(), operators=msgspec.structs.replace(table, categories=seen))
+    seen = tuple(replace(one, objects=(one.feature_means,)) for one in table.categories)
+    learned = replace(grounding(), operators=replace(table, categories=seen))
     run = execute(toy_domain.WORLD, problem, learned, [PlanStep(NAME, "item-01", place="goal-item-01")])
     assert [record.happened for record in run.steps] in (["missed"], ["carried"])
 
@@ -154,35 +112,58 @@ def test_what_fails_is_not_done_again_the_same_way():
     assert run.ended == "no plan"
 
 
-def test_place_nearest_to_a_point_lies_on_the_table():
-    table = toy_domain.WORLD.table
-    assert table.nearest(2.0, 0.1) == Place(table.x[1], 0.1)
-    assert table.nearest(0.5, -9.0) == Place(0.5, table.y[0])
+@pytest.mark.parametrize(
+    ("words", "said"),
+    [
+        ("moon", "no place 'moon'; valid: goal-item-01, goal-item-02, park-01"),
+        ("", "needs a place to carry it to; valid: goal-item-01, goal-item-02"),
+        ("start-item-01 start-item-02", "no place 'start-item-02'; valid: goal-item-01"),
+        ("spot-5500-m5200", "The place spot-5500-m5200 lies .* off the table"),
+    ],
+)
+def test_steps_to_nowhere_are_refused_in_a_plan_and_before_anything_moves(words, said, tmp_path: Path):
+    done = []
+    with pytest.raises(InvalidPlan, match=f"line 1: .*{said}"):
+        parse_plan(f"({NAME} item-01 {words})", tmp_path, grounding(), swap())
+    steps = [*solved(swap()), PlanStep(NAME, "item-01", place=(words.split() or [""])[-1])]
+    with pytest.raises(NeurosymError, match=said):
+        execute(toy_domain.WORLD, swap(), grounding(), steps, on_step=done.append)
+    pushed = PlanStep("push-left-001-slab", "item-01", place="park-01")
+    with pytest.raises(NeurosymError, match="carries nothing, so it cannot lead to park-01"):
+        execute(toy_domain.WORLD, swap(), grounding(), [pushed], on_step=done.append)
+    assert not done
 
 
 def with_own_places(**places: tuple[float, float]) -> Problem:
     """The problem of two cubes, with places that somebody wrote."""
     named = {name.replace("_", "-"): spot for name, spot in places.items()}
-    return msgspec.structs.replace(swap(), places=named)
+    return replace(swap(), places=named)
 
 
-def test_own_places_are_planned_with_as_they_are_written():
+def test_own_places_are_planned_with_as_they_are_written(monkeypatch):
     problem = with_own_places(left=(0.8, 0.1), right=(0.5, -0.1), park_aside=(0.7, 0.25))
     check_places(problem, grounding())
-    result = plan(problem, grounding())
-    assert [step.place for step in result.steps] in (
-        ["park-aside", "right", "left"],
-        ["park-aside", "left", "right"],
-    )
+    places = [step.place for step in plan(problem, grounding()).steps]
+    assert (places[0], {*places[1:]}) == ("park-aside", {"right", "left"})
+    with pytest.raises(InvalidValue, match="nothing in this domain carries objects to places; leave out"):
+        check_places(problem, replace(grounding(), places=None))
+    few = with_own_places(left=(0.8, 0.1), right=(0.5, -0.1))
+    for most, said in ((1, "among more than 1 objects, none is led over cells"), (2, "without: ")):
+        monkeypatch.setattr(MODULE, "MOST_LED", most)
+        monkeypatch.setattr("neurosym.planners.joined_plans.MOST_LED", most)
+        result = plan(few, grounding())
+        assert result.status is PlanStatus.NOT_FOUND
+        assert said in result.reason
 
 
 @pytest.mark.parametrize(
     ("places", "said"),
     [
         ({"shelf": (2.0, 0.0)}, r"place shelf lies at x = 2, y = 0 m, off the table; valid: x 0\.\d+ to"),
-        ({"item_01": (0.6, 0.0)}, "No place can be called item-01"),
-        ({"start_item_01": (0.6, 0.0)}, "No place can be called start-item-01"),
-        ({"nowhere": (0.6, 0.0)}, "No place can be called nowhere"),
+        *(
+            ({name: (0.6, 0.0)}, f"No place can be called {name.replace('_', '-')}")
+            for name in ("item_01", "start_item_01", "nowhere", "place", "take", "move_x", "cube")
+        ),
         ({"goal_item_01": (0.4, 0.2)}, r"goal-item-01 lies at \(0.4, 0.2\) m, and the goal of item-01 at"),
         ({"Shelf": (0.6, 0.0)}, "'Shelf' is not a legal name"),
         (
@@ -197,47 +178,115 @@ def test_own_places_that_cannot_be_are_refused_in_one_sentence(places, said):
         check_problem(with_own_places(**places), grounding(), None)
 
 
-def test_places_mean_nothing_to_a_domain_that_carries_nothing():
-    problem = with_own_places(shelf=(0.6, 0.0))
-    with pytest.raises(InvalidValue, match="nothing in this domain carries objects to places; leave out"):
-        check_places(problem, msgspec.structs.replace(grounding(), places=None))
-
-
-def test_goal_under_what_nothing_moves_is_a_result_with_its_reason():
-    goals = {"item-01": (0.7, 0.0, 0.025)}
-    problem = Problem("under", scene(("cube", 0.5, -0.2), ("slab", 0.7, 0.0)), goals, 0.02)
-    still = msgspec.structs.replace(
-        grounding(), operators=msgspec.structs.replace(grounding().operators, operators=())
-    )
-    result = plan(problem, still)
+def test_goal_under_what_nothing_moves_or_without_room_is_a_result_with_its_reason():
+    learned, goals = grounding(), {"item-01": (0.7, 0.0, 0.025)}
+    cubes = scene(("cube", 0.5, -0.2), ("cube", 0.7, 0.0))
+    crowd = Problem("under", cubes, goals, 0.02, places={"goal-item-01": (0.7, 0.0)})
+    result = plan(crowd, learned)
+    assert result.status is PlanStatus.NOT_FOUND
+    assert result.reason.startswith("no plan with the places that were drawn; without: ")
+    assert [step.object for step in solved(replace(crowd, places={}))] == ["item-02", "item-01"]
+    still = replace(learned, operators=replace(learned.operators, operators=()))
+    slab = Problem("under", scene(("cube", 0.5, -0.2), ("slab", 0.7, 0.0)), goals, 0.02)
+    result = plan(slab, still)
     assert result.status is PlanStatus.UNSOLVABLE
     assert result.reason == "item-02 stands where item-01 is to end, and no primitive moves it"
 
 
-def test_what_only_a_hand_can_carry_away_does_not_stand_in_the_way_for_ever():
-    goals = {"item-01": (0.7, 0.0, 0.025)}
-    problem = Problem("under", scene(("cube", 0.5, -0.2), ("cube", 0.7, 0.0)), goals, 0.02)
-    assert [step.object for step in solved(problem)] == ["item-02", "item-01"]
+EDGE = CUBE[0]
+TABLE = grounding().table
+NAMES = ("item-01", "item-02")
 
 
-def test_goal_that_nothing_can_be_put_at_is_not_said_to_be_proved_out_of_reach():
-    goals = {"item-01": (0.7, 0.0, 0.025)}
-    crowd = with_places(
-        Problem("no-room", scene(("cube", 0.5, -0.2), ("cube", 0.7, 0.0)), goals), grounding()
+def side_by_side(gap: float, tolerance: float = 0.05) -> Problem:
+    """Two cubes whose goals lie side by side along y, so far apart [m]."""
+    goals = {"item-01": (0.7, 0.0, 0.025), "item-02": (0.7, EDGE + gap, 0.025)}
+    return Problem("pair", scene(("cube", 0.5, -0.2), ("cube", 0.5, 0.2)), goals, tolerance)
+
+
+def test_goals_that_nearly_touch_make_room_for_the_hand_as_far_as_they_allow():
+    spots = goal_spots(side_by_side(2 * ROOM[1]), TABLE, NAMES)
+    assert spots["item-01"] == (0.7, 0.0)
+    assert spots["item-02"] == pytest.approx((0.7, EDGE + 2 * ROOM[1]))
+    spots = goal_spots(side_by_side(0.01), TABLE, NAMES)
+    assert spots["item-02"][1] - spots["item-01"][1] - EDGE == pytest.approx(ROOM[1], abs=0.002)
+    tight = side_by_side(0.0, tolerance=0.01)
+    spots = goal_spots(tight, TABLE, NAMES)
+    beside = [math.dist(spots[name], tight.goals[name][:2]) for name in NAMES]
+    assert beside == pytest.approx([SHARE * 0.01] * 2, abs=1e-4)
+
+
+def test_what_stands_at_its_goal_stays_and_the_other_makes_room():
+    problem = side_by_side(0.01)
+    stands = replace(problem.objects[0], position=(0.7, 0.01, 0.025))
+    spots = goal_spots(replace(problem, objects=(stands, problem.objects[1])), TABLE, ("item-02",))
+    assert spots["item-02"] == pytest.approx((0.7, EDGE + 0.01 + SHARE * 0.05), abs=1e-4)
+
+
+@pytest.mark.parametrize("seed", range(8))
+def test_every_spot_is_in_its_goal_and_on_the_table(seed):
+    rng = np.random.default_rng(seed)
+    low, high = np.array([TABLE.x, TABLE.y]).T
+    goals = {f"item-{n:02d}": (*rng.uniform(low, high).tolist(), 0.025) for n in range(1, 7)}
+    cubes = scene(*(("cube", 0.4 + 0.08 * n, -0.2) for n in range(6)))
+    problem = Problem("many", cubes, goals, 0.05)
+    spots = goal_spots(problem, TABLE, tuple(goals))
+    assert spots == goal_spots(problem, TABLE, tuple(goals))
+    for name, (x, y, _) in goals.items():
+        there = math.dist(problem.object_named(name).position[:2], (x, y)) <= 0.05
+        assert math.dist(spots[name], (x, y)) <= (1.0 if there else SHARE) * 0.05 + 1e-4
+        assert TABLE.contains(np.array([*spots[name], 0.025]))
+
+
+def test_run_asks_for_places_anew_when_something_stands_otherwise():
+    """Who was set down beside its place is kept clear of by the next."""
+    problem = side_by_side(0.0)
+    off = replace(problem.objects[0], position=(0.7, 0.02, 0.025))
+    problem = replace(problem, objects=(off, problem.objects[1]))
+    steps = [PlanStep(NAME, "item-01", place="goal-item-01")]
+    run = execute(WORLD, problem, grounding(), steps, replanner=plan)
+    assert run.reached, run.reason
+
+
+def test_objects_wait_on_goals_of_others_only_where_there_are_no_parks():
+    """The ring: three cubes, each to go where the next one stands, and the goal of a fourth to wait at."""
+    problem = with_places(swap(), grounding())
+    may, names = occupants(problem, problem.object_names), problem.object_names
+    assert may == {f"goal-{name}": (name,) for name in names} | {f"park-0{n}": names for n in (1, 2)}
+    spots = [(0.5, -0.2), (0.5, 0.0), (0.5, 0.2), (0.8, 0.2)]
+    goals = {f"item-{n + 1:02d}": (*spots[(n + 1) % 3], 0.025) for n in range(3)}
+    goals["item-04"] = (0.8, -0.2, 0.025)
+    places = {f"goal-{name}": goal[:2] for name, goal in goals.items()}
+    ring = Problem("ring", scene(*(("cube", *spot) for spot in spots)), goals, 0.02, places=places)
+    assert occupants(ring, ring.object_names)["goal-item-04"] == ring.object_names
+    result = plan(ring, grounding())
+    assert result.status is PlanStatus.SOLVED, result.reason
+    assert all(step.place for step in result.steps)
+    assert validate(result.steps, ring, grounding()).valid
+
+
+@pytest.mark.parametrize("seed", range(8))
+def test_no_two_that_may_stand_at_places_stand_in_each_other(seed):
+    rng = np.random.default_rng(seed)
+    cubes = tuple(
+        replace(one, features=(*rng.uniform(0.03, 0.2, 2).tolist(), *CUBE[2:]))
+        for one in scene(*(("cube", x, y) for x in (0.4, 0.6, 0.8) for y in (-0.2, 0.2)))
     )
-    only = msgspec.structs.replace(crowd, places={"goal-item-01": (0.7, 0.0)})
-    result = plan(only, grounding())
-    assert result.status is PlanStatus.NOT_FOUND
-    assert result.reason.startswith("no plan with the places that were drawn; without: ")
-
-
-@pytest.mark.parametrize(
-    ("most", "said"),
-    [(1, "among more than 1 objects, none is led over cells that could be carried"), (2, "without: ")],
-)
-def test_many_objects_that_could_be_carried_are_not_led_instead(monkeypatch, most, said):
-    monkeypatch.setattr("neurosym.planners.pddl_search.MOST_LED", most)
-    monkeypatch.setattr("neurosym.planners.joined_plans.MOST_LED", most)
-    result = plan(with_own_places(left=(0.8, 0.1), right=(0.5, -0.1)), grounding())
-    assert result.status is PlanStatus.NOT_FOUND
-    assert said in result.reason
+    goals = {f"item-{n:02d}": (*rng.uniform((0.4, -0.25), (0.9, 0.25)).tolist(), 0.025) for n in (1, 3, 5)}
+    problem = with_places(Problem("full", cubes, goals, 0.02), grounding())
+    apart, names = footprints_apart(problem), problem.object_names
+    may = occupants(problem, names)
+    assert parks_wanted(problem) == len(names)
+    assert all(name in may[f"goal-{name}"] for name in goals)
+    for here, mine in may.items():
+        for there, its in may.items():
+            away = np.abs(np.subtract(problem.place_named(here), problem.place_named(there)))
+            clash = [
+                (one, other)
+                for one in mine
+                for other in its
+                if here != there
+                and one != other
+                and np.all(away < apart[names.index(one), names.index(other)])
+            ]
+            assert all(f"goal-{one}" == here and f"goal-{other}" == there for one, other in clash)

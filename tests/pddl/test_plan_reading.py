@@ -1,16 +1,22 @@
-"""Plan reading: a plan is read by what it says, and what is not so is refused by line, step and argument."""
+"""Plan reading: whatever its form, a plan is read by what it says; what is not so is refused."""
 
+from functools import cache
 from pathlib import Path
 
+import numpy as np
 import pytest
 import toy_places
 import toy_relations
+from places import DOCS, ROOT
 from tables import grounding, problem
 from toy_relations import PUT_ON
 
 from neurosym.errors import InvalidFile, InvalidPlan
+from neurosym.grounding import Grounding
 from neurosym.pddl.plan_reading import parse_plan, read_plan
+from neurosym.problems import Problem
 from neurosym.tasks.transition import PlanStep
+from tools.benchmarks.plan_forms import FORMS, PlanForm
 
 PULL, PUSH = PlanStep("pull-010-tray", "item-02"), PlanStep("push-away-001-block", "item-01")
 LIFT, DOWN = PlanStep("lift-010-block", "item-01"), PlanStep("put-down-lift-010-block", "item-01")
@@ -49,6 +55,7 @@ def refusal(text: str) -> str:
         "pull_010_tray(item_02)",
         "pull-010-tray item-02",
         "pull-010-tray item-02 (16)",
+        "(pull-010-tray item-02) (reach-goal item-02 x049 y031 z000) (REACH-GOAL)",
     ],
 )
 def test_dialects_of_planners_are_read(line: str):
@@ -104,10 +111,6 @@ def test_plans_of_earlier_versions_are_read_for_their_steps_alone(tmp_path: Path
     ]
 
 
-def test_steps_in_short_may_be_followed_by_a_note_of_what_is_so():
-    assert read("(pull-010-tray item-02) (reach-goal item-02 x049 y031 z000) (REACH-GOAL)") == (PULL,)
-
-
 def test_plan_without_steps_is_one_if_nothing_is_said_or_that_there_are_none():
     for text in ("", "; nothing\n", "; cost = 0 (unit cost)\n", "[]", '{"plan": []}', "SequentialPlan:\n"):
         assert read(text) == ()
@@ -135,11 +138,6 @@ def test_of_plans_that_get_better_the_last_is_read_and_others_are_not_joined():
     assert "stands outside the block" in refusal(f"{one}```\n{other}```\n")
 
 
-def test_plan_with_a_byte_order_mark_is_read(tmp_path: Path):
-    (tmp_path / "windows.plan").write_text("(pull-010-tray item-02)\r\n", encoding="utf-8-sig")
-    assert read_plan(tmp_path / "windows.plan", grounding(), problem()) == (PULL,)
-
-
 @pytest.mark.parametrize(
     "line",
     [
@@ -147,12 +145,9 @@ def test_plan_with_a_byte_order_mark_is_read(tmp_path: Path):
         f"(lift-010-block {'x' * 5000})",
         f"({'x' * 5000} item-01)",
         "\0" * 3_000_000,
-        "1" * 3_000_000,
         f"(a{' ' * 1_000_000}b)",
         "(" * 90_000,
-        "([" * 40_000,
         f"{'((a) ' * 10_000}",
-        f"{'(a' * 10_000}",
         "a " * 40_000 + "(",
     ],
 )
@@ -162,15 +157,111 @@ def test_little_is_quoted_of_a_long_line_and_it_is_refused_at_once(line: str):
     assert len(said) < 700
 
 
-def test_file_that_is_far_too_large_is_refused_unread(tmp_path: Path):
+def test_file_that_is_missing_no_text_or_far_too_large_is_refused_unread(tmp_path: Path):
+    (tmp_path / "image.plan").write_bytes(b"\xff\xfe\x00")
     with (tmp_path / "huge.plan").open("wb") as file:
         file.truncate(200 * 2**20)
-    with pytest.raises(InvalidFile, match=r"huge\.plan cannot be used: it has 200 MB; valid: at most 16 MB"):
-        read_plan(tmp_path / "huge.plan", grounding(), problem())
+    large = r"huge\.plan cannot be used: it has 200 MB; valid: at most 16 MB"
+    for name, said in (("missing", "missing.plan"), ("image", "image.plan"), ("huge", large)):
+        with pytest.raises(InvalidFile, match=said):
+            read_plan(tmp_path / f"{name}.plan", grounding(), problem())
 
 
-def test_file_that_is_missing_or_no_text_is_refused(tmp_path: Path):
-    (tmp_path / "image.plan").write_bytes(b"\xff\xfe\x00")
-    for name in ("missing.plan", "image.plan"):
-        with pytest.raises(InvalidFile, match=name):
-            read_plan(tmp_path / name, grounding(), problem())
+def test_plan_with_a_byte_order_mark_is_read(tmp_path: Path):
+    (tmp_path / "windows.plan").write_text("(pull-010-tray item-02)\r\n", encoding="utf-8-sig")
+    assert read_plan(tmp_path / "windows.plan", grounding(), problem()) == (PULL,)
+
+
+SHIPPED = (
+    ("places", "row-4-12.fast-downward"),
+    ("tabletop", "task-01.fast-downward"),
+    ("towers", "tower-6-05.fast-downward"),
+)
+"""A plan of each kind of domain: by places, over cells, and by relations."""
+Words = list[list[str]]
+
+
+@cache
+def shipped(domain: str, plan: str) -> tuple[str, Grounding, Problem]:
+    folder = ROOT / "domains" / domain
+    scene = folder / "problems" / f"{plan.partition('.')[0]}.scene.json"
+    text = (folder / "plans" / f"{plan}.plan").read_text()
+    return text, Grounding.load(folder / "grounding.json"), Problem.load(scene)
+
+
+def actions_of(text: str) -> Words:
+    """Return the words of the ground actions in a plan file, an action a line."""
+    lines = (line.partition(";")[0].strip() for line in text.splitlines())
+    return [line.strip("()").split() for line in lines if line]
+
+
+def read_shipped(text: str, domain: str, plan: str) -> tuple[PlanStep, ...]:
+    return parse_plan(text, Path("some.plan"), *shipped(domain, plan)[1:])
+
+
+def by_hand(actions: Words) -> list[tuple[str, ...]]:
+    """Fold ground actions into steps by their names alone, a few lines instead of what is tested."""
+    steps = []
+    for name, thing, *words in actions:
+        if name in ("push", "lift", "put-down"):
+            steps.append((thing, words[0].removeprefix("m-"), ""))
+        elif name == "put-at":
+            steps.append((thing, "carry", words[0]))
+        elif name in ("put", "put-loaded"):
+            steps.append((thing, "put", words[1]))
+    return steps
+
+
+def in_short(steps: tuple[PlanStep, ...], grounding: Grounding) -> list[tuple[str, ...]]:
+    """Say of steps what `by_hand` tells."""
+
+    def word(step: PlanStep) -> str:
+        if grounding.relation_named(step.operator):
+            return "put"
+        return "carry" if step.place else grounding.operator_named(step.base).label
+
+    return [(step.object, word(step), step.place) for step in steps]
+
+
+@pytest.mark.parametrize("form", FORMS, ids=lambda form: form.name)
+def test_a_plan_gives_the_same_steps_in_every_form(form: PlanForm):
+    assert f"| {form.name} |" in (DOCS / "other-plans.md").read_text()
+    for domain, plan in SHIPPED:
+        text = shipped(domain, plan)[0]
+        assert (
+            read_shipped(form.write(actions_of(text)), domain, plan) == read_shipped(text, domain, plan) != ()
+        )
+
+
+def edited(actions: Words, rng: np.random.Generator, words: list[str]) -> Words:
+    """Drop, double or swap actions, or change a word of one."""
+    actions = [[*action] for action in actions]
+    at, other = (int(number) for number in rng.integers(len(actions), size=2))
+    match rng.integers(4):
+        case 0:
+            del actions[at]
+        case 1:
+            actions.insert(other, actions[at])
+        case 2:
+            actions[at], actions[other] = actions[other], actions[at]
+        case 3:
+            actions[at] = [*actions[at]]
+            actions[at][int(rng.integers(len(actions[at])))] = str(rng.choice(words))
+    return actions
+
+
+@pytest.mark.parametrize(("domain", "plan"), SHIPPED)
+def test_an_edited_plan_is_refused_or_gives_the_steps_that_it_says(domain: str, plan: str):
+    text, grounding, _ = shipped(domain, plan)
+    actions, rng = actions_of(text), np.random.default_rng(41)
+    words = [*sorted({word for action in actions for word in action}), "x999", "item-77", "goal-item-01"]
+    refused = 0
+    for _ in range(60):
+        some = edited(actions, rng, words)
+        try:
+            steps = read_shipped(FORMS[0].write(some), domain, plan)
+        except InvalidPlan:
+            refused += 1
+        else:
+            assert in_short(steps, grounding) == by_hand(some)
+    assert refused > 30

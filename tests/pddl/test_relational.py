@@ -1,10 +1,11 @@
-"""Tasks of relations: what is planned for them, and that it comes true."""
+"""Tasks of relations: what is planned for them, that it comes true, and what cannot be is refused."""
 
+import json
 from pathlib import Path
 
-import msgspec
 import pytest
 import toy_places
+from msgspec.structs import replace
 from toy_relations import (
     LIE,
     PUT_IN,
@@ -18,13 +19,15 @@ from toy_relations import (
     tower_at_place,
 )
 
+from neurosym.errors import InvalidPlan, InvalidValue, NeurosymError
 from neurosym.grounding import Grounding
+from neurosym.pddl.plan_reading import parse_plan
 from neurosym.planners import PlanStatus, plan
 from neurosym.planners.planner import Planner, PlanResult
 from neurosym.problems import Problem
-from neurosym.tasks.options import left_out, puts_for, puts_of
+from neurosym.tasks.options import puts_for, puts_of
+from neurosym.tasks.pair_goals import check_relations, relations_meant
 from neurosym.tasks.supports import bearers_of, with_pairs
-from neurosym.tasks.task import understand
 from neurosym.tasks.transition import PlanStep, validate
 
 
@@ -34,12 +37,22 @@ def solved(problem: Problem, learned: Grounding | None = None, **options) -> tup
     return result.steps
 
 
-def words(steps: tuple[PlanStep, ...]) -> list[str]:
-    return [f"{step.operator} {step.object} {step.place}" for step in steps]
-
-
-def test_tower_is_built_from_below():
-    assert words(solved(tower())) == [f"{PUT_ON} item-03 item-02", f"{PUT_ON} item-01 item-03"]
+@pytest.mark.parametrize(
+    ("problem", "steps"),
+    [
+        (tower(), [(PUT_ON, "item-03", "item-02"), (PUT_ON, "item-01", "item-03")]),  # from below
+        (sorting(), [(PUT_IN, "item-01", "item-04"), (PUT_IN, "item-02", "item-05")]),  # from above
+        (replace(sorting(), relations=(("item-01", "item-02", REST),)), []),
+    ],
+)
+def test_steps_are_those_one_would_take_whoever_plans(problem: Problem, steps: list[tuple[str, str, str]]):
+    wanted = tuple(PlanStep(*step) for step in steps)
+    assert solved(problem) == wanted
+    assert len(solved(problem, planner="bfs")) == len(wanted)
+    own = Planner("own", "mine", lambda _: PlanResult(PlanStatus.SOLVED, wanted, 0.0))
+    assert solved(problem, planner=own) == wanted
+    false = Planner("own", "mine", lambda _: PlanResult(PlanStatus.SOLVED, wanted[:1], 0.0))
+    assert not steps or plan(problem, grounding(), false).status is PlanStatus.FAILED
 
 
 def test_tower_at_a_place_is_built_there_after_the_place_was_cleared():
@@ -48,18 +61,14 @@ def test_tower_at_a_place_is_built_there_after_the_place_was_cleared():
     ends = validate(steps, tower_at_place(), grounding()).positions[-1]
     assert ends[2] == pytest.approx([*ends[1][:2], 0.075])
     assert ends[0] == pytest.approx([*ends[1][:2], 0.125])
+    step = PlanStep("carry-to-01-block", "item-03", "park-01")  # what rests on it goes along
+    before, after = validate([step], sorting(), grounding()).positions
+    assert (after - before)[0] == pytest.approx((after - before)[2])
+    assert (after - before)[3:] == pytest.approx(0)
 
 
-def test_stack_is_taken_down_from_above():
-    assert words(solved(sorting())) == [f"{PUT_IN} item-01 item-04", f"{PUT_IN} item-02 item-05"]
-
-
-def test_what_fails_with_a_third_object_on_the_target_is_done_without():
-    steps = solved(tower_at_place(), relearned(PUT_ON, laden=0))
-    assert steps == solved(tower_at_place())
-
-
-def test_what_fails_from_another_object_goes_by_way_of_a_place():
+def test_what_fails_with_a_third_object_is_done_without_and_what_fails_from_one_by_way_of_a_place():
+    assert solved(tower_at_place(), relearned(PUT_ON, laden=0)) == solved(tower_at_place())
     steps = solved(sorting(), relearned(PUT_IN, borne=0))
     assert len(steps) == 4
     assert {step.operator for step in steps[::2]} == {"carry-to-01-cube"}
@@ -70,55 +79,19 @@ def test_of_operators_that_do_the_same_a_few_are_in_the_domain_and_each_pair_get
     assert learned.relations is not None
     one = learned.relations.operators[0]
     worse = [
-        msgspec.structs.replace(
-            one, name=f"worse-{count}", ends=(msgspec.structs.replace(one.ends[0], count=count),)
-        )
+        replace(one, name=f"worse-{count}", ends=(replace(one.ends[0], count=count),))
         for count in (15, 16, 17, 18)
     ]
-    both = msgspec.structs.replace(learned.relations, operators=(*worse, *learned.relations.operators))
-    changed = msgspec.structs.replace(learned, relations=both)
-    assert {put.name for put in puts_of(changed)} - {put.name for put in puts_of(learned)} == {
-        "worse-16",
-        "worse-17",
-        "worse-18",
-    }
-    assert left_out(changed.relations)["worse-15"] == f"does less surely what {PUT_ON} does"
+    both = replace(learned.relations, operators=(*worse, *learned.relations.operators))
+    changed = replace(learned, relations=both)
+    more = {put.name for put in puts_of(changed)} - {put.name for put in puts_of(learned)}
+    assert more == {"worse-16", "worse-17", "worse-18"}
+    assert changed.relations.left_out["worse-15"] == f"does less surely what {PUT_ON} does"
     problem = with_pairs(tower(), changed.relations)
     assert [put.name for put in puts_for(problem, changed, "item-01", "item-03")] == [PUT_ON]
     foreseen = {"item-01 item-03": {PUT_ON: 0.5, "worse-16": 0.9}}
-    problem = msgspec.structs.replace(problem, foreseen=foreseen)
+    problem = replace(problem, foreseen=foreseen)
     assert [put.name for put in puts_for(problem, changed, "item-01", "item-03")] == ["worse-16"]
-    assert {one.put.name for one in understand(problem, changed).put_options["item-01", "item-03"]} == {
-        "worse-16"
-    }
-
-
-def test_what_rests_on_a_carried_object_goes_along_in_the_replay():
-    step = PlanStep("carry-to-01-block", "item-03", "park-01")
-    before, after = validate([step], sorting(), grounding()).positions
-    assert (after - before)[0] == pytest.approx((after - before)[2])
-    assert (after - before)[3:] == pytest.approx(0)
-
-
-def answering(steps: tuple[PlanStep, ...]):
-    def solve(query):
-        return PlanResult(PlanStatus.SOLVED, steps, 0.0)
-
-    return solve
-
-
-def test_planner_of_ones_own_is_asked_for_relations_as_it_is():
-    steps = solved(tower())
-    for given, status in ((steps, PlanStatus.SOLVED), (steps[:1], PlanStatus.FAILED)):
-        own = Planner("own", "mine", answering(given))
-        assert plan(tower(), grounding(), own).status is status
-
-
-def test_goals_met_at_the_start_need_no_step():
-    problem = msgspec.structs.replace(sorting(), relations=(("item-01", "item-02", REST),))
-    assert solved(problem) == ()
-    indirect = msgspec.structs.replace(sorting(), relations=(("item-01", "item-03", REST),))
-    assert len(solved(indirect)) > 1
 
 
 def test_what_bears_what_is_seen_in_a_box_with_a_stack():
@@ -137,27 +110,122 @@ def test_what_bears_what_is_seen_in_a_box_with_a_stack():
 def test_of_two_that_look_as_if_each_bore_the_other_the_one_bears_that_goals_ask_for(target, reference):
     learned = grounding().relations
     _, lying, miss = learned.operators
-    around = msgspec.structs.replace(miss, ends=lying.ends)  # trays are put around cubes, too
-    known = msgspec.structs.replace(learned, operators=(*learned.operators[:2], around))
+    around = replace(miss, ends=lying.ends)  # trays are put around cubes, too
+    known = replace(learned, operators=(*learned.operators[:2], around))
     objects = scene(("tray", 0.7, 0.0), ("cube", 0.7, 0.0, 0.005))
     problem = with_pairs(Problem("mutual", objects, {}, relations=((target, reference, LIE),)), known)
     assert {name: one.by for name, one in bearers_of(problem, known).items()} == {target: reference}
 
 
-def test_kinds_of_pairs_are_kept_in_the_file_of_a_problem_and_old_files_have_none(tmp_path: Path):
+def test_kinds_of_pairs_and_relations_are_kept_in_files_and_old_ones_have_none(tmp_path: Path):
     problem = with_pairs(tower(), grounding().relations)
     assert problem.pairs["item-01 item-02"] == "01"
     problem.save(tmp_path / "new.json")
     assert Problem.load(tmp_path / "new.json") == problem
     toy_places.swap().save(tmp_path / "old.json")
-    assert (
-        not {"relations", "pairs", "touching"}
-        & msgspec.json.decode((tmp_path / "old.json").read_text()).keys()
-    )
-
-
-def test_groundings_with_relations_are_stored_and_have_a_format_of_their_own(tmp_path: Path):
+    assert not {"relations", "pairs", "touching"} & json.loads((tmp_path / "old.json").read_text()).keys()
     grounding().save(tmp_path / "grounding.json")
     assert Grounding.load(tmp_path / "grounding.json") == grounding()
     assert grounding().format == "neurosym-grounding-4"
     assert toy_places.grounding().format == "neurosym-grounding-3"
+
+
+@pytest.mark.parametrize(
+    ("steps", "said"),
+    [
+        (((PUT_IN, "item-02", "item-01"),), "it is not for item-02 with item-01, a pair of the kind 01"),
+        (((PUT_ON, "item-01", "item-03"),), "item-03 bears item-02, which rehearsals forbid"),
+        (((PUT_ON, "item-03", "item-01"),), "item-01 rests on item-03 itself"),
+        ((("carry-to-01-cube", "item-03", "park-01"),), "it is not for item-03"),
+        ((("carry-to-01-cube", "item-01", "spot-5000-0"),), "item-01 ends where item-02 is"),
+        (
+            (("carry-to-01-cube", "item-01", "park-01"),),
+            "item-01 ends borne by nothing, not lies-in-010 item-04",
+        ),
+    ],
+)
+def test_replay_says_what_is_wrong(steps, said):
+    checked = validate([PlanStep(*step) for step in steps], sorting(), grounding())
+    assert not checked.valid
+    assert said in checked.reason
+
+
+@pytest.mark.parametrize(
+    ("line", "said"),
+    [
+        (f"({PUT_ON} item-01 moon)", "no other object 'moon'; valid: item-02, item-03"),
+        (f"({PUT_ON} item-01 item-01)", "no other object 'item-01'"),
+        (f"({PUT_ON} item-01)", "it names no other object; valid: item-02, item-03"),
+        ("(put-under item-01 item-02)", "no operator 'put-under'"),
+    ],
+)
+def test_lines_of_plans_that_cannot_be_are_refused_in_one_sentence(line, said, tmp_path: Path):
+    with pytest.raises(InvalidPlan, match=f"line 1: .*{said}"):
+        parse_plan(line, tmp_path, grounding(), sorting())
+
+
+@pytest.mark.parametrize(
+    ("goals", "said"),
+    [
+        (
+            [("item-01", "item-01", REST)],
+            "item-01 cannot be rests-on-001 of itself; valid references: item-02",
+        ),
+        ([("item-01", "item-02", REST), ("item-02", "item-01", REST)], "lead round in a circle"),
+        ([("item-01", "item-02", REST), ("item-01", "item-03", REST)], "give it one reference"),
+        ([("item-01", "item-02", REST), ("item-01", "item-02", LIE)], "a pair is in one state at a time"),
+        ([("item-01", "moon", REST)], "a relation of moon, which is not in the scene; objects: item-01"),
+        ([("item-01", "item-02", "floats")], "no state of a pair 'floats'; valid: apart-000"),
+        ([("item-01", "item-02", "apart-000")], "in which nothing is borne; valid states: rests-on-001"),
+        ([("item-04", "item-03", REST)], "nothing puts item-04 on or into any other object"),
+        (
+            [("item-01", "item-04", REST)],
+            "no operator brings item-01 to rests-on-001 with item-04; valid for item-01: rests-on-001 ",
+        ),
+        (
+            [("item-01", "item-03", REST), ("item-02", "item-03", REST)],
+            "item-03 shall bear item-01 and item-02, and rehearsals show that it bears one object at a time",
+        ),
+    ],
+)
+def test_relations_that_cannot_be_are_refused_in_one_sentence(goals, said):
+    with pytest.raises(NeurosymError, match=said):
+        check_relations(replace(sorting(), relations=tuple(goals)), grounding())
+
+
+@pytest.mark.parametrize(
+    ("call", "said"),
+    [
+        (
+            lambda: replace(tower(), goals={"item-01": (0.8, 0.0, 0.025)}),
+            "item-01 has a goal and a relation to item-03",
+        ),
+        (lambda: plan(tower(), toy_places.grounding()), "learned none; valid: a problem with goals"),
+        (lambda: plan(tower(), grounding(), "counting"), r"which counting does not take; valid: .*bfs"),
+        (
+            lambda: plan(tower(), grounding(), "fast-downward", encoding="numeric"),
+            "does not take the encoding 'numeric'; valid: sas, strips",
+        ),
+        (
+            lambda: check_relations(replace(tower(), pairs={"item-01 item-02": "1"}), grounding()),
+            r"the code '1' for 'item-01 item-02'; valid: 2 bits",
+        ),
+        (
+            lambda: grounding().relations.state_meant("b"),
+            "'b' may be any of several states; valid: below-011, beside-100",
+        ),
+    ],
+)
+def test_what_does_not_go_together_is_refused_in_one_sentence(call, said):
+    with pytest.raises(InvalidValue, match=said):
+        call()
+
+
+def test_relation_is_meant_by_the_beginning_of_a_name_and_one_that_nothing_leads_to_is_a_result():
+    goal = ("item-01", "item-02", "rests")
+    assert relations_meant((goal, goal), grounding()) == (("item-01", "item-02", REST),)
+    problem = replace(sorting(), relations=(("item-04", "item-03", REST),))
+    for planner in ("fast-downward", "bfs"):
+        result = plan(problem, grounding(), planner)
+        assert result.status is PlanStatus.UNSOLVABLE
+        assert result.reason.startswith("no operator brings item-04 to rests-on-001 with item-03")

@@ -9,15 +9,12 @@ from tables import DOWN, LEFT, LIFT, PULL, PUSH, TRAY_LEFT, grounding, problem
 from toy_places import NAME
 from toy_relations import PUT_IN, PUT_ON
 
-from neurosym.errors import InvalidPlan, InvalidValue, NeurosymError
+from neurosym.errors import InvalidPlan, NeurosymError
 from neurosym.grounding import Grounding
 from neurosym.pddl.compiler import ground_plan
-from neurosym.pddl.plan_reading import parse_plan
-from neurosym.pddl.strips_plan import Misread, led_in, read
-from neurosym.pddl.strips_problem import StripsProblem
+from neurosym.pddl.plan_reading import parse_plan, read_plan
 from neurosym.planners import PlanStatus, plan
 from neurosym.problems import Problem
-from neurosym.tasks.task import understand
 from neurosym.tasks.transition import PlanStep, print_plan, validate
 
 PUSHED = """(push item-01 m-001 dx7 dy-1 cost16)
@@ -64,57 +61,9 @@ def test_steps_over_cells_are_written_with_their_motion_and_where_it_leads():
         "(reach-cell item-01 x23 y28)",
         "(reach-cell item-02 x25 y15)",
     ]
+    assert parsed(LIFTED, CELLS) == (LIFT,)
     held = ground_plan([PULL, LIFT], task, learned).text.splitlines()
     assert held[-2:] == ["(reach-lifted item-01 m-010 x16 y29)", "(reach-cell item-02 x25 y15)"]
-
-
-def test_steps_with_places_are_written_from_where_an_object_stands():
-    learned, task = toy_places.grounding(), toy_places.swap()
-    steps = (
-        PlanStep(NAME, "item-01", "park-01"),
-        PlanStep(NAME, "item-02", "goal-item-02"),
-        PlanStep(NAME, "item-01", "goal-item-01"),
-    )
-    assert ground_plan(steps, task, learned).text.splitlines() == [
-        "(take item-01 start-item-01)",
-        "(put-at item-01 park-01 cost6)",
-        "(take item-02 start-item-02)",
-        "(note-clear item-02 goal-item-02 start-item-01 nowhere)",
-        "(put-at item-02 goal-item-02 cost6)",
-        "(take item-01 park-01)",
-        "(note-clear item-01 goal-item-01 start-item-02 nowhere)",
-        "(put-at item-01 goal-item-01 cost6)",
-        "(reach-place item-01 goal-item-01)",
-        "(reach-place item-02 goal-item-02)",
-    ]
-
-
-def test_what_was_led_to_its_goal_leaves_where_it_stood():
-    learned, task = PLACES
-    pushes = (PlanStep("push-left-001-slab", "item-02"),) * 2
-    text = ground_plan([*pushes, PlanStep(NAME, "item-01", "goal-item-01")], task, learned).text
-    assert text.splitlines()[6:] == [
-        "(reach-cell item-02 x15 y23)",
-        "(leave item-02 start-item-02)",
-        "(take item-01 start-item-01)",
-        "(note-clear item-01 goal-item-01 start-item-02 nowhere)",
-        "(put-at item-01 goal-item-01 cost6)",
-        "(reach-place item-01 goal-item-01)",
-    ]
-
-
-def test_steps_with_relations_are_written_with_what_is_borne_and_by_how_many():
-    learned, task = RELATIONS
-    steps = (PlanStep(PUT_IN, "item-01", "item-04"), PlanStep(PUT_IN, "item-02", "item-04"))
-    assert ground_plan(steps, task, learned).text.splitlines() == [
-        "(take-off item-01 rests-on-item-02 item-02 n0 n1)",
-        "(put item-01 lies-in-item-04 item-04 from-perch n0 n1 way1 cost10)",
-        "(take-off item-02 rests-on-item-03 item-03 n0 n1)",
-        "(put item-02 lies-in-item-04 item-04 from-perch n1 n2 way1 cost34)",
-    ]
-    laden = ground_plan([PlanStep(PUT_IN, "item-02", "item-04")], task, learned).text.splitlines()
-    perch = "lies-in-item-04 item-04 from-perch start-item-04"
-    assert laden[1] == f"(put-loaded item-02 {perch} n0 n1 n0 n1 way4 cost23)"
 
 
 @pytest.mark.parametrize("kind", SOLVED, ids=lambda kind: kind[1].name)
@@ -129,24 +78,14 @@ def test_plans_that_are_found_are_read_back_in_short_and_as_ground_actions(kind)
 @pytest.mark.parametrize(
     "steps", [(PUSH, LIFT, DOWN, PULL), (PULL, LIFT), (LEFT, TRAY_LEFT, PULL, LIFT, DOWN, LIFT)]
 )
-@pytest.mark.parametrize("cell", [0.005, 0.002, 0.02])
-@pytest.mark.parametrize("encoding", ["strips", "numeric"])
+@pytest.mark.parametrize(("cell", "encoding"), [(0.005, "strips"), (0.02, "strips"), (0.002, "numeric")])
 def test_any_steps_over_cells_are_read_back_on_any_grid(steps, cell: float, encoding):
     kind = (grounding(cell), problem())
     assert parsed(ground_plan(steps, problem(), kind[0], encoding).text, kind) == steps
 
 
-def test_plan_for_other_cells_than_the_problems_is_refused():
-    text = ground_plan([PULL], problem(), grounding(0.002)).text
-    assert "(pushes item-02 m-010 dx-13 dy-12 cost16) does not hold there (step 1" in refusal(text, CELLS)
-
-
-def test_motion_left_out_of_a_problem_that_leads_alike_is_read_as_itself():
-    """A plan names its motion; that the problem tells a surer one does not change the plan."""
-    steps = (PlanStep("push-left-000-block", "item-01"),)
-    text = ground_plan(steps, problem(), grounding()).text
-    assert "(push item-01 m-000 " in text
-    assert parsed(text, CELLS) == steps
+LIFTED = ground_plan([LIFT], problem(), grounding()).text.split("(reach-")[0]
+OTHER_CELLS = ground_plan([PULL], problem(), grounding(0.002)).text
 
 
 @pytest.mark.parametrize(
@@ -154,22 +93,18 @@ def test_motion_left_out_of_a_problem_that_leads_alike_is_read_as_itself():
     [
         (PUSHED.replace("x15", "x01"), r"line 2: \(at-x item-01 x01\) does .* holds is \(at-x item-01 x15\)"),
         (PUSHED.replace("x22", "x99"), r"line 2: \(x-sum dx7 x15 x99\) does not hold"),
-        (PUSHED.replace("y31", "y30"), r"line 3: \(at-y item-01 y30\) does not hold there.*step 3"),
-        (PUSHED.replace("dx7", "dx6"), r"line 1: \(pushes item-01 m-001 dx6 dy-1 cost16\) does not hold"),
         (PUSHED.replace("cost16", "cost1"), r"line 1: \(pushes item-01 m-001 dx7 dy-1 cost1\) does not hold"),
-        (PUSHED.replace("m-001", "m-111"), r"line 1: \(pushes item-01 m-111 .* does not hold"),
         (PUSHED.replace("item-01", "item-02"), r"line 1: \(pushes item-02 m-001 .* does not hold"),
+        (LIFTED + PUSHED, r"\(hand-empty\) does not hold there \(step 4"),
+        (OTHER_CELLS, r"\(pushes item-02 m-010 dx-13 dy-12 cost16\) does not hold there \(step 1"),
         (PUSHED.splitlines()[0], "line 1: the step is not complete; move-x and move-y come after it"),
         ("\n".join(PUSHED.splitlines()[:2]), "line 2: the step is not complete"),
         (PUSHED.splitlines()[1], r"line 1: \(due-x item-01 dx7\) does not hold there"),
-        ("\n".join(PUSHED.splitlines()[::-1]), r"line 1: \(went-x item-01\) does not hold there"),
         (PUSHED + PUSHED, r"line 5: \(at-x item-01 x15\) does not hold .*step 5"),
         (PUSHED + "(reach-cell item-01 x22 y31)", r"line 4: \(at-y item-01 y31\) does not hold"),
         (PUSHED + "(reach-cell item-01 x22 y30)", "line 4: after it nothing notes that item-02 is"),
         (PUSHED + "(reach-lifted item-01 m-010 x22 y30)", r"\(lifted item-01 m-010\) does not hold"),
-        (PUSHED + "(put-down item-01 m-010 dx0 dy0)", r"line 4: \(lifted item-01 m-010\) does not hold"),
         (PUSHED + "(push-away-001-block item-01)", "line 1: push is an action of the page, and"),
-        ("(push-away-001-block item-01)\n" + PUSHED, "line 2: push is an action of the page, and others"),
         ("(push item-01 m-001)", r"line 1: it has 2 arguments; valid: \(push \?o \?m \?dx \?dy \?c\)"),
         ("(push item-02 m-010-item-02)\n(push item-01 m-010-item-01)", "line 2: .* is nothing that"),
     ],
@@ -177,12 +112,6 @@ def test_motion_left_out_of_a_problem_that_leads_alike_is_read_as_itself():
 def test_what_is_not_so_over_cells_is_refused_by_line_and_step(text: str, said: str):
     with pytest.raises(InvalidPlan, match=said):
         parsed(text, CELLS)
-
-
-def test_with_a_full_hand_nothing_else_is_done():
-    text = ground_plan([LIFT], problem(), grounding()).text.split("(reach-")[0]
-    assert parsed(text, CELLS) == (LIFT,)
-    assert "(hand-empty) does not hold there (step 4" in refusal(text + PUSHED, CELLS)
 
 
 def test_goals_are_noted_after_the_last_step_with_their_object_or_of_none():
@@ -195,37 +124,20 @@ def test_goals_are_noted_after_the_last_step_with_their_object_or_of_none():
 
 
 TAKE, PUT = "(take item-01 start-item-01)", "(put-at item-01 {} cost6)"
+CLEAR, PARK = "(note-clear item-01 goal-item-01 start-item-02 nowhere)", PUT.format("park-01")
 
 
 @pytest.mark.parametrize(
     ("text", "said"),
     [
-        (
-            "(take item-01 start-item-02)",
-            r"\(stands item-01 start-item-02\) does not hold there; what holds is",
-        ),
+        ("(take item-01 start-item-02)", r"\(stands item-01 start-item-02\) does .* holds is"),
         (TAKE, "item-01 was taken, and is put nowhere"),
-        (PUT.format("park-01"), r"\(taken item-01\) does not hold there"),
-        (TAKE + TAKE, r"\(hand-empty\) does not hold there"),
         (TAKE + PUT.format("start-item-02"), r"\(check item-01 start-item-02 nowhere\) does not hold there"),
-        (
-            TAKE + PUT.format("goal-item-01"),
-            r"\(check item-01 goal-item-01 nowhere\) does not hold",
-        ),
-        (
-            TAKE + "(note-clear item-01 goal-item-01 start-item-02 nowhere)" + PUT.format("goal-item-01"),
-            r"\(free start-item-02\) does not hold there",
-        ),
-        (TAKE + PUT.format("moon"), r"\(check item-01 moon nowhere\) does not hold there"),
+        (TAKE + PUT.format("goal-item-01"), r"\(check item-01 goal-item-01 nowhere\) does not hold"),
+        (TAKE + CLEAR + PUT.format("goal-item-01"), r"\(free start-item-02\) does not hold there"),
         (TAKE + PUT.format("spot-5500-m5200"), "place spot-5500-m5200 lies at .* off the table"),
-        (
-            TAKE + PUT.replace("cost6", "cost1").format("park-01"),
-            r"\(can-carry item-01 cost1\) does .* cost6\)",
-        ),
-        (
-            TAKE + PUT.format("park-01") + "(reach-place item-01 park-01)",
-            r"\(goal-place item-01 park-01\) does not hold there; what holds is",
-        ),
+        (TAKE + PARK.replace("cost6", "cost1"), r"\(can-carry item-01 cost1\) does .* cost6\)"),
+        (TAKE + PARK + "(reach-place item-01 park-01)", r"\(goal-place item-01 park-01\) does not hold"),
         ("(leave item-02 start-item-02)", r"\(done item-02\) does not hold there"),
     ],
 )
@@ -255,11 +167,9 @@ INTO = "(put item-01 lies-in-item-04 item-04 from-perch n0 n1 way1 cost10)"
         (OFF.replace("n0 n1", "n1 n2"), r"\(bears item-02 n2\) does .* holds is \(bears item-02 n1\)"),
         (INTO, r"\(taken item-01 from-perch\) does not hold there"),
         (OFF + INTO.replace("from-perch", "from-spot"), r"\(taken item-01 from-spot\) does"),
-        (OFF + INTO.replace("n0 n1", "n1 n2"), r"\(bears item-04 n1\) does not hold"),
         (OFF + INTO.replace("way1", "way2"), r"\(can-put item-01 lies-in-item-04 way2\) does not hold"),
         (OFF + INTO.replace("cost10", "cost6"), r"\(fee way1 from-perch n0 cost6\) does not hold"),
         (OFF + INTO.replace("lies-in-item-04", "lies-in-item-05"), r"\(on lies-in-item-05 item-04\) "),
-        (OFF, "item-01 was taken, and is put nowhere"),
         ("(take item-02 start-item-02)", r"\(stands item-02 start-item-02\) does not hold there"),
     ],
 )  # fmt: skip
@@ -280,22 +190,18 @@ def test_what_is_not_so_of_relations_is_refused(text: str, said: str):
             f"{PUT_ON} is not offered for item-01 with item-04",
         ),
         (PlanStep("push-away-001-block", "item-09"), CELLS, "no object 'item-09'"),
+        (PUSH, CELLS, "push-away-001-block leads item-01 off the grid along x"),
     ],
 )
 def test_steps_that_a_problem_does_not_offer_are_not_printed(step: PlanStep, kind, said: str):
     with pytest.raises(NeurosymError, match=said):
-        ground_plan([step], kind[1], kind[0])
+        ground_plan([step] * 9, kind[1], kind[0])
 
 
-def test_steps_off_the_table_are_not_printed():
-    with pytest.raises(InvalidValue, match="push-away-001-block leads item-01 off the grid along x"):
-        ground_plan([PUSH] * 9, problem(), grounding())
-
-
-def test_the_number_of_the_action_that_is_wrong_is_told():
-    learned, task = CELLS
-    actions = [tuple(line.strip("()").split()) for line in (PUSHED + PUSHED).splitlines()]
-    understood = understand(task, learned)
-    with pytest.raises(Misread) as refused:
-        read(actions, StripsProblem(understood, led=led_in(actions, understood), every=True))
-    assert refused.value.number == 4
+def test_printed_plan_is_read_back(tmp_path: Path):
+    path = tmp_path / "errand.plan"
+    path.write_text(print_plan([PULL, LIFT, DOWN, PUSH]))
+    assert path.read_text().endswith("(push-away-001-block item-01)\n; 3 primitives\n")
+    assert read_plan(path, grounding(), problem()) == (PULL, LIFT, DOWN, PUSH)
+    stay = PlanStep("stay-111-block", "item-01")  # left out of the domain, and has no cells
+    assert parsed(print_plan([stay]), CELLS) == (stay,)

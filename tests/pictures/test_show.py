@@ -8,8 +8,8 @@ from PIL import Image
 from neurosym.data.interactions import Interactions
 from neurosym.errors import InvalidValue
 from neurosym.grounding import Grounding
-from neurosym.pictures.film import STRIP_SIZE, film_phases, picture_problem, telling
-from neurosym.pictures.motions import recall_interaction, surest_carriers
+from neurosym.pictures.film import STRIP_SIZE, film_row, picture_problem, telling
+from neurosym.pictures.motions import Motion, recall_interaction, surest_carriers
 from neurosym.sim.tabletop import Tabletop
 from neurosym.stages.folder import DomainFolder
 from neurosym.stages.planning import load_problem
@@ -121,7 +121,7 @@ def test_same_command_writes_the_same_bytes(folder):
         (["--operator", "wave"], "no operator 'wave'; valid: "),
         (["--problem", "task-99"], "no problem 'task-99'; valid: task-01, task-02"),
         (["--interaction", "0", "--output", "x.jpg"], "x.jpg; name a file that ends in .png or .gif"),
-        (["--interaction", "0", "--output", "none/x.png"], "none/x.png; name a file in an existing folder"),
+        (["--interaction", "0", "--output", "none/x.png"], "none/x.png; name a file that ends in "),
         (["--interaction", "0", "--gui"], "The toy world has no window"),
         (["--interaction", "0", "--gui", "--output", "x.png"], "leave out --output"),
     ],
@@ -164,8 +164,8 @@ def test_strip_of_the_tabletop_shows_every_phase_of_a_lift():
     scene.positions[0, 2] = 0.025
     lift = np.array([0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0.03, 0], dtype=float)
     world = Tabletop()
-    take = film_phases(world, scene, lift)
-    assert take.outcome.held
-    assert take.phases == ("start", "waypoint 1", "waypoint 2", "waypoint 3", "rise", "put down")
-    assert all(frame.min() < 100 for frame in take.frames)
+    row, outcome = film_row(world, Motion("lift", scene, lift))
+    assert outcome.held
+    assert row.captions == ("start", "waypoint 1", "waypoint 2", "waypoint 3", "rise", "put down")
+    assert all(frame.min() < 100 for frame in row.frames)
     assert world.wanted_pictures is None

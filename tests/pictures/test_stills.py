@@ -9,18 +9,11 @@ from toy_domain import WORLD, grounding, problem
 from neurosym.errors import InvalidValue
 from neurosym.execution.executor import execute
 from neurosym.pictures.film import run_stills
-from neurosym.report.sections import Example, telling_examples
 from neurosym.tasks.transition import PlanStep
 from neurosym.worlds.toy import ToyConfig, ToyWorld
 
 GOALS = {"item-01": (0.68, 0.0, 0.025), "item-02": (0.8, 0.18, 0.025)}
 PLAN = (PlanStep("push-forward-010-cube", "item-01"), PlanStep("push-left-001-cube", "item-02"))
-
-
-def example(tmp_path, name, goals, plan):
-    asked = problem(goals)
-    run = execute(WORLD, asked, grounding(), plan)
-    return Example(tmp_path / f"{name}.bfs.run.json", asked, run)
 
 
 def test_run_is_shown_from_its_goals_to_its_start():
@@ -40,12 +33,3 @@ def test_run_that_goes_another_way_is_not_shown():
     assert run_stills(nearer, grounding(), asked, run).frames
     with pytest.raises(InvalidValue, match="Step 1 of the run of errand goes another way"):
         run_stills(nearer, grounding(), asked, lifted)
-
-
-def test_examples_that_reach_their_goals_with_more_objects_come_first(tmp_path):
-    both = example(tmp_path, "errand", GOALS, PLAN)
-    one = example(tmp_path, "errand", {"item-01": GOALS["item-01"]}, PLAN[:1])
-    missed = example(tmp_path, "errand", GOALS, PLAN[:1])
-    empty = example(tmp_path, "errand", GOALS, ())
-    assert telling_examples([missed, one, empty, both]) == (both,)
-    assert telling_examples([missed, empty]) == (missed,)

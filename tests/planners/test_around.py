@@ -3,19 +3,17 @@
 import itertools
 import math
 
-import msgspec
 import numpy as np
 import pytest
 import tables
+from msgspec.structs import replace
 
 from neurosym.grounding import Grounding
 from neurosym.operators import Operator
 from neurosym.planners import PlanStatus, plan
 from neurosym.planners.object_paths import plan_around
-from neurosym.planners.pddl_search import _plan_likeliest
 from neurosym.planners.planner import TimeIsUp
 from neurosym.problems import Problem
-from neurosym.tasks.chances import expected_success
 from neurosym.tasks.transition import primitives, validate
 
 STEP = 0.06
@@ -29,9 +27,7 @@ def learned() -> Grounding:
         Operator(f"push-{way}-{symbol}-block", "00", symbol, 20, (tables.mode((*by, 0.0)),))
         for (way, by), symbol in zip(ways.items(), ("000", "001", "010", "111"), strict=True)
     )
-    return msgspec.structs.replace(
-        known, operators=msgspec.structs.replace(known.operators, operators=operators)
-    )
+    return replace(known, operators=replace(known.operators, operators=operators))
 
 
 def task(starts: dict[str, tuple[int, int]], goals: dict[str, tuple[int, int]]) -> Problem:
@@ -43,28 +39,6 @@ def task(starts: dict[str, tuple[int, int]], goals: dict[str, tuple[int, int]]) 
     items = tuple(tables.item(name, *place(square)) for name, square in starts.items())
     wanted = {name: (*place(square), 0.025) for name, square in goals.items()}
     return Problem("board", items, wanted, tolerance=0.01)
-
-
-def test_way_leads_around_who_stands_there():
-    row = task({"item-01": (0, 0), "item-02": (1, 0)}, {"item-01": (2, 0)})
-    found = plan_around(row, learned())
-    assert found.status is PlanStatus.SOLVED
-    assert primitives(found.steps) == 4
-    assert validate(found.steps, row, learned()).valid
-
-
-def test_likeliest_plan_is_no_less_likely_than_the_cheapest():
-    alone = msgspec.structs.replace(task({"item-01": (0, 0)}, {"item-01": (2, 0)}), tolerance=0.02)
-    cheapest, likeliest = plan_around(alone, learned()), _plan_likeliest(alone, learned(), math.inf)
-    assert validate(likeliest.steps, alone, learned()).valid
-    chances = [expected_success(one.steps, alone, learned()) for one in (cheapest, likeliest)]
-    assert chances[1] >= chances[0]
-    assert likeliest.work > cheapest.work > 0
-
-
-def test_who_is_in_the_way_of_another_goes_first():
-    row = task({"item-01": (0, 0), "item-02": (1, 0)}, {"item-01": (1, 0), "item-02": (2, 0)})
-    assert [step.object for step in plan_around(row, learned()).steps] == ["item-02", "item-01"]
 
 
 @pytest.mark.parametrize("planner", ["fast-downward", "lama-first"])
@@ -79,7 +53,7 @@ def test_two_that_change_places_make_way_for_each_other(planner: str):
 
 def test_ways_are_as_short_as_can_be_among_footprints():
     rng, walls = np.random.default_rng(0), 0
-    for _ in range(20):
+    for _ in range(12):
         squares = rng.permutation(list(itertools.product(range(5), range(-2, 3))))
         start, goal, *others = (tuple(map(int, square)) for square in squares[:10])
         starts = {"item-01": start, **{f"wall-{n}": square for n, square in enumerate(others)}}

@@ -2,16 +2,22 @@
 
 import itertools
 
-import msgspec
 import numpy as np
 import pytest
+import toy_relations
+from independent.ground_pddl import judge
+from msgspec.structs import replace
 from tables import BOUNDS, grounding, problem
+from toy_relations import REST, relations, scene, sorting, tower, tower_at_place
 
+from neurosym.pddl.compiler import domain_text, ground_plan, problem_text
 from neurosym.planners import PlanStatus, plan
 from neurosym.planners import bfs as bfs_module
 from neurosym.planners.bfs import Branching, branching_of, plan_bfs, predicted_branching
+from neurosym.planners.registry import _plan_breadth_first as plan_relational_bfs
 from neurosym.problems import Problem, SceneObject
-from neurosym.tasks.transition import PlanStep
+from neurosym.tasks.supports import with_pairs
+from neurosym.tasks.transition import PlanStep, validate
 
 State = tuple[np.ndarray, list[PlanStep]]
 
@@ -75,95 +81,13 @@ def random_task(seed: int) -> tuple[Problem, Branching, tuple[tuple[str, ...], .
 def test_search_finds_what_the_naive_one_finds(monkeypatch: pytest.MonkeyPatch, chunk: int):
     monkeypatch.setattr(bfs_module, "CHUNK", chunk)
     lengths = []
-    for seed in range(50):
+    for seed in range(40):
         task, table = random_task(seed)
         expected, found = naive(task, table, table.names, 3), plan_bfs(task, table, BOUNDS)
         assert (found.status is PlanStatus.SOLVED) == (expected is not None), seed
         assert list(found.steps) == (expected or []), seed
         lengths.append(len(found.steps))
     assert {0, 1, 2, 3} < set(lengths)  # the tasks are of all kinds, also with put-downs in between
-
-
-def one_object(goal: tuple[float, float, float], effects, held=None, resting=None):
-    item = SceneObject("item-01", "00", (0.05, 0.05, 0.05, 0.0), (0.6, 0.0, 0.02))
-    effects = np.array([effects], dtype=float)
-    table = Branching(
-        effects,
-        np.array([resting], dtype=float) if resting else effects,
-        np.array([held]) if held else np.zeros(effects.shape[:2], dtype=bool),
-        (tuple(f"op-{index}" for index in range(effects.shape[1])),),
-    )
-    return plan_bfs(Problem("p", (item,), {"item-01": goal}), table, BOUNDS)
-
-
-def test_lift_is_put_down_before_the_next_primitive():
-    lift, push = (0.0, 0.0, 0.2), (0.1, 0.0, 0.0)
-    found = one_object((0.8, 0.0, 0.22), [lift, push], held=[True, False], resting=[(0.0, 0.0, 0.0), push])
-    assert [step.operator for step in found.steps] == ["op-1", "op-1", "op-0"]
-
-
-def test_put_down_ends_a_plan_when_the_goal_is_on_the_table_and_costs_no_depth():
-    found = one_object((0.9, 0.0, 0.02), [(0.1, 0.0, 0.2)], held=[True], resting=[(0.1, 0.0, 0.0)])
-    assert [step.operator for step in found.steps] == ["op-0", "put-down-op-0"] * 3
-
-
-def test_nobody_leaves_the_table_on_the_way():
-    assert one_object((0.6, 0.2, 0.02), [(0.0, 0.4, 0.0), (0.0, -0.2, 0.0)]).steps[0].operator == "op-1"
-
-
-def test_search_that_is_exhausted_says_how_deep_it_went():
-    found = one_object((0.6, 0.28, 0.02), [(0.0, 0.06, 0.0)])
-    assert (found.status, found.reason) == (PlanStatus.NOT_FOUND, "3 primitives do not suffice")
-    table = branching_of(problem(), grounding())
-    assert plan_bfs(problem(), table, BOUNDS).status is PlanStatus.NOT_FOUND
-    assert plan_bfs(problem(), table, BOUNDS, depth=4).status is PlanStatus.SOLVED
-
-
-def test_time_out_is_a_result():
-    table = branching_of(problem(), grounding())
-    assert plan_bfs(problem(), table, BOUNDS, time_limit=0.0).status is PlanStatus.TIMEOUT
-
-
-def test_operators_left_out_are_never_promised_but_may_be_predicted():
-    table = branching_of(problem(), grounding())
-    assert table.names == (
-        ("push-left-000-block", "push-away-001-block", "lift-010-block"),
-        ("push-left-000-tray", "pull-010-tray", ""),
-    )
-    assert np.isnan(table.effects[1, 2]).all()
-    assert (table.usable(0), table.usable(1)) == ((0, 1, 2), (0, 1))
-    assert table.held.tolist() == [[False, False, True], [False] * 3]
-    predicted = predicted_branching(problem(), grounding(), np.full((2, 4, 3), 0.07))
-    assert predicted.names[0][3] == "stay-111-block"
-    assert np.all(predicted.effects == 0.07)
-    assert predicted.resting_effects[0, 2].tolist() == [0.0141, -0.0228, 0.0]
-
-
-def test_primitive_with_two_outcomes_is_two_choices_but_one_prediction():
-    learned = grounding()
-    lift = learned.operator_named("lift-010-block")
-    slips = msgspec.structs.replace(lift, name="slip-010-block", modes=lift.modes[1:])
-    slips = msgspec.structs.replace(
-        slips, modes=(msgspec.structs.replace(slips.modes[0], resting_effect=(0.04, 0.0, 0.0), count=10),)
-    )
-    table = msgspec.structs.replace(learned.operators, operators=(*learned.operators.operators, slips))
-    both = msgspec.structs.replace(learned, operators=table)
-    branching = branching_of(problem(), both)
-    assert branching.names[0][2:] == ("lift-010-block", "slip-010-block")
-    assert branching.effects[0, 3].tolist() == [0.04, 0.0, 0.0]
-    assert branching.held[0].tolist() == [False, False, True, False]
-    predicted = predicted_branching(problem(), both, np.full((2, 4, 3), 0.07))
-    assert predicted.names[0][2] == "lift-010-block"
-
-
-def test_object_off_the_table_may_come_back_but_go_no_further():
-    off = Problem(
-        "p", (SceneObject("item-01", "00", (0.05,) * 4, (0.93, 0.0, 0.02)),), {"item-01": (0.8, 0.0, 0.02)}
-    )
-    for step, status in ((-0.1, PlanStatus.SOLVED), (0.01, PlanStatus.NOT_FOUND)):
-        effects = np.array([[(step, 0.0, 0.0), (0.01, -0.01, 0.0)]])
-        table = Branching(effects, effects, np.zeros((1, 2), dtype=bool), (("op", "out"),))
-        assert plan_bfs(off, table, BOUNDS).status is status
 
 
 def far_away(primitives: int, objects: int = 1) -> tuple[Problem, Branching]:
@@ -178,47 +102,85 @@ def far_away(primitives: int, objects: int = 1) -> tuple[Problem, Branching]:
 
 
 @pytest.mark.parametrize(
-    ("primitives", "objects", "depth"),
-    [(8, 4, 3), (8, 16, 3), (64, 1, 3), (64, 2, 3), (32, 4, 3), (64, 4, 2), (256, 4, 2), (256, 8, 1)],
+    ("primitives", "objects", "depth"), [(8, 16, 3), (64, 2, 3), (64, 4, 2), (256, 4, 2), (256, 8, 1)]
 )
-def test_search_goes_as_deep_as_the_number_of_sequences_allows(primitives, objects, depth):
-    _, table = far_away(primitives, objects)
+def test_search_goes_as_deep_as_the_number_of_sequences_allows_and_says_so(primitives, objects, depth):
+    task, table = far_away(primitives, objects)
     assert bfs_module.depth_within(table) == depth
-    assert (bfs_module.why_not_deeper(table) == "") == (depth == 3)
+    if (primitives, objects) == (64, 4):
+        found = plan_bfs(task, table, BOUNDS)
+        said = "2 primitives do not suffice; 3 would be 16,777,216 sequences, more than 2,500,000"
+        assert (found.status, found.reason, found.depth) == (PlanStatus.NOT_FOUND, said, 2)
 
 
-def test_search_that_is_cut_short_says_at_which_depth_and_why():
-    found = plan_bfs(*far_away(64, 4), BOUNDS)
-    said = "2 primitives do not suffice; 3 would be 16,777,216 sequences, more than 2,500,000"
-    assert (found.status, found.reason, found.depth) == (PlanStatus.NOT_FOUND, said, 2)
-
-
-def test_search_looks_one_primitive_ahead_however_many_there_are(monkeypatch: pytest.MonkeyPatch):
+def test_depth_time_and_number_of_sequences_end_a_search_with_its_reason(monkeypatch: pytest.MonkeyPatch):
+    table = branching_of(problem(), grounding())
+    found = plan_bfs(problem(), table, BOUNDS)
+    assert (found.status, found.reason) == (PlanStatus.NOT_FOUND, "3 primitives do not suffice")
+    assert plan_bfs(problem(), table, BOUNDS, depth=4).status is PlanStatus.SOLVED
+    assert plan_bfs(problem(), table, BOUNDS, time_limit=0.0).status is PlanStatus.TIMEOUT
     monkeypatch.setattr(bfs_module, "MOST_SEQUENCES", 3)
-    found = plan_bfs(*far_away(5), BOUNDS)
+    task, short = far_away(5)  # one primitive ahead is looked at, however many there are
+    found = plan_bfs(task, short, BOUNDS)
     assert found.reason == "1 primitive does not suffice; 2 would be 25 sequences, more than 3"
-    task, table = far_away(5)
-    near = msgspec.structs.replace(task, goals={"item-0": (0.45, -0.2, 0.02)}, tolerance=0.041)
-    assert [step.operator for step in plan_bfs(near, table, BOUNDS).steps] == ["op-0-0"]
-
-
-@pytest.mark.parametrize("name", ["bfs", "bfs-operators"])
-def test_both_planners_say_that_they_were_cut_short(monkeypatch: pytest.MonkeyPatch, name: str):
-    monkeypatch.setattr(bfs_module, "MOST_SEQUENCES", 10)
-    predict = (lambda _: predicted_effects()) if name == "bfs" else None
-    found = plan(problem(), grounding(), name, predict=predict)
+    near = replace(task, goals={"item-0": (0.45, -0.2, 0.02)}, tolerance=0.041)
+    assert [step.operator for step in plan_bfs(near, short, BOUNDS).steps] == ["op-0-0"]
+    found = plan(problem(), grounding(), "bfs-operators")
     assert found.status is PlanStatus.NOT_FOUND
     assert "only 1 is looked at; 2 would be " in found.reason
-    assert " sequences, more than 10" in found.reason
 
 
-def predicted_effects() -> np.ndarray:
-    """What the network would predict if it knew what the operators promise."""
+def test_operators_left_out_are_never_promised_but_may_be_predicted():
     learned = grounding()
-    table = learned.operators
-    effects = np.full((2, len(table.primitives), 3), np.nan)
-    for row, item in enumerate(problem().objects):
-        for column, primitive in enumerate(table.primitives):
-            operator = learned.operator_for(item.category, primitive.symbol)
-            effects[row, column] = learned.displacement(operator) if operator in learned.live else 0.0
-    return effects
+    lift = learned.operator_named("lift-010-block")
+    slip = replace(lift.modes[1], resting_effect=(0.04, 0.0, 0.0), count=10)
+    slips = replace(lift, name="slip-010-block", modes=(slip,))
+    both = replace(
+        learned, operators=replace(learned.operators, operators=(*learned.operators.operators, slips))
+    )
+    table = branching_of(problem(), both)  # one primitive with two outcomes is two choices
+    assert table.names[0] == ("push-left-000-block", "push-away-001-block", lift.name, slips.name)
+    assert table.names[1][:2] == ("push-left-000-tray", "pull-010-tray")
+    assert np.isnan(table.effects[1, 2:]).all()
+    assert table.effects[0, 3].tolist() == [0.04, 0.0, 0.0]
+    assert table.held.tolist() == [[False, False, True, False], [False] * 4]
+    predicted = predicted_branching(problem(), both, np.full((2, 4, 3), 0.07))
+    assert predicted.names[0][2:] == (lift.name, "stay-111-block")
+    assert np.all(predicted.effects == 0.07)
+    assert predicted.resting_effects[0, 2].tolist() == [0.0141, -0.0228, 0.0]
+
+
+@pytest.mark.parametrize("planner", ["bfs", "bfs-operators"])
+@pytest.mark.parametrize("problem", [tower(), sorting(), tower_at_place()], ids=lambda one: one.name)
+def test_plans_are_true_and_no_longer_than_those_of_fast_downward(problem: Problem, planner: str):
+    found = plan(problem, toy_relations.grounding(), planner)
+    assert found.status is PlanStatus.SOLVED
+    assert validate(found.steps, problem, toy_relations.grounding()).valid
+    assert len(found.steps) <= len(plan(problem, toy_relations.grounding()).steps)
+
+
+def test_what_bears_something_is_put_only_on_what_stands_at_a_place():
+    objects = scene(
+        ("cube", 0.5, -0.2, 0.05), ("cube", 0.5, -0.2), ("cube", 0.5, 0.1, 0.05), ("block", 0.5, 0.1)
+    )
+    goals = (("item-02", "item-03", REST),)
+    problem = with_pairs(Problem("laden", objects, {}, relations=goals), relations())
+    steps = plan(problem, toy_relations.grounding(), "bfs").steps
+    assert len(steps) > 1
+    assert validate(steps, problem, toy_relations.grounding()).valid
+    written = ground_plan(steps, problem, toy_relations.grounding())
+    printed = problem_text(problem, toy_relations.grounding(), plans=[written])
+    assert judge(domain_text(toy_relations.grounding()), printed, written.text) == ""
+    assert "(put item-02 rests-on-item-03 item-03 from-spot n0 n1" in written.text
+
+
+def test_search_ends_where_so_many_steps_were_looked_at_or_with_all_sequences():
+    result = plan_relational_bfs(with_pairs(tower(), relations()), toy_relations.grounding(), most_steps=10)
+    assert (result.status, result.depth) == (PlanStatus.NOT_FOUND, 0)
+    assert result.reason == "10 steps were looked at, 0 deep"
+    objects = scene(("cube", 0.5, -0.2), ("block", 0.5, 0.1), ("cube", 0.7, -0.1))
+    goals = (("item-01", "item-02", REST), ("item-03", "item-02", REST))
+    problem = with_pairs(Problem("both", objects, {}, relations=goals), relations())
+    result = plan_relational_bfs(problem, toy_relations.grounding())
+    assert result.status is PlanStatus.NOT_FOUND
+    assert result.reason.startswith("no sequence of steps leads there")

@@ -7,6 +7,7 @@ import os
 import subprocess
 import sys
 import tempfile
+import threading
 import time
 from functools import partial
 from pathlib import Path
@@ -14,15 +15,18 @@ from pathlib import Path
 import pytest
 import toy_relations
 from processes import alive
-from tables import grounding, item
+from tables import grounding, item, problem
 
-from neurosym.errors import InvalidValue
-from neurosym.planners import PLANNERS, PlannerAnswer, PlanResult, PlanStatus, pddl_planner, plan
-from neurosym.planners.external import Program, plan_program
+from neurosym.errors import CannotStart, InvalidValue
+from neurosym.pddl import domain_text, problem_text
+from neurosym.planners import PLANNERS, PlannerAnswer, PlanResult, PlanStatus, external, pddl_planner, plan
+from neurosym.planners.external import Program, Search, plan_fast_downward, plan_program
 from neurosym.planners.keeper import MARK, end_processes, marked
+from neurosym.planners.pddl_search import _plan_together as plan_together
 from neurosym.planners.planner import PlannerMissing
 from neurosym.planners.planner_table import PROGRAMS
-from neurosym.planners.process import kept, run_limited
+from neurosym.planners.process import Finished, kept, run_limited
+from neurosym.planners.unified_planning import engine_program
 from neurosym.problems import Problem
 from neurosym.tasks.transition import validate
 
@@ -54,26 +58,16 @@ def writes(text: str) -> str:
     return f"open('plan', 'w').write({text!r})"
 
 
-def test_a_script_can_be_a_planner(scratch: Path):
-    found = solved_by(writes("0: (PUSH-AWAY-001-BLOCK ITEM-01) [1]\n; cost 16\n"))
-    assert (found.status, len(found.steps)) == (PlanStatus.SOLVED, 1), found.reason
-    assert list(scratch.iterdir()) == []
-
-
 @pytest.mark.parametrize(
     ("script", "reason"),
     [
         ("raise SystemExit('no memory left')", "Script ended with code 1: no memory left"),
         ("import os; os.abort()", "Script ended with code -6: it said nothing"),
-        ("import os; os.kill(os.getpid(), 9)", "code -9"),
-        ("print('all is well')", "Script ended with code 0: all is well"),
         ("import os; os.write(1, bytes(range(256)) * 1000)", "Script ended with code 0"),
         ("print('\\x1b[31m' + 'many words ' * 1000)", "[...]"),
         (writes(""), "Script ended with code 0"),
         (writes("(push-away-001-block item-01"), "line 1: '(push-away-001-block item-01' is not of the form"),
-        (writes("; fine\n(fly item-01)\n"), "line 2: There is no operator 'fly'"),
         (writes("(push-away-001-block item-77)"), "line 1: There is no object 'item-77'"),
-        (writes("(lift-010-block item-01)\n" * 3), "the hand still holds item-01"),
         (writes("(push-left-000-block item-01)"), "mm from its goal"),
         ("open('plan', 'wb').write(b'(\\xff\\xfe\\x00')", "cannot be read"),
         ("import os; os.mkdir('plan')", "Script ended with code 0"),
@@ -100,8 +94,14 @@ if os.fork() == 0:
 """
 
 
+@pytest.mark.parametrize("knows", [True, False], ids=["", "the system does not tell of processes"])
 @pytest.mark.parametrize("script", [SLEEP, "while True: print('rubbish')", ORPHAN + SLEEP])
-def test_planner_that_never_ends_is_ended_with_all_its_children(scratch: Path, script: str):
+def test_planner_that_never_ends_is_ended_with_all_its_children(
+    scratch: Path, script: str, knows: bool, monkeypatch: pytest.MonkeyPatch
+):
+    if not knows:
+        monkeypatch.setattr("neurosym.planners.keeper.processes", list)
+        script = SLEEP
     begin = time.perf_counter()
     found = solved_by(script, time_limit=1.0)
     assert found.status is PlanStatus.TIMEOUT
@@ -110,17 +110,20 @@ def test_planner_that_never_ends_is_ended_with_all_its_children(scratch: Path, s
     assert list(scratch.iterdir()) == []
 
 
-def test_children_that_outlive_their_planner_are_ended(scratch: Path):
-    found = solved_by(ORPHAN + writes("(push-away-001-block item-01)"))
-    assert found.status is PlanStatus.SOLVED, found.reason
+def test_a_script_can_be_a_planner_and_children_that_outlive_it_are_ended(scratch: Path, tmp_path: Path):
+    """Without that they live, as the first lines show."""
+    orphan = [sys.executable, "-c", ORPHAN.replace("60", "3"), str(tmp_path / "marked")]
+    subprocess.run(orphan, cwd=tmp_path, check=True)
+    assert any(alive(str(tmp_path / "marked")) or time.sleep(0.02) for _ in range(100))
+    (scratch / "left").unlink(missing_ok=True)
+    found = solved_by(ORPHAN + writes("0: (PUSH-AWAY-001-BLOCK ITEM-01) [1]\n; cost 16\n"))
+    assert (found.status, len(found.steps)) == (PlanStatus.SOLVED, 1), found.reason
     assert alive(str(scratch)) == []
     assert list(scratch.iterdir()) == []
 
 
 def test_what_is_killed_has_ended():
-    code = (
-        "import os, time; [os.fork() for _ in range(3)]; x = b'.' * 2**24; print(flush=True); time.sleep(60)"
-    )
+    code = "import os, time; [os.fork() for _ in range(3)]; print(flush=True); time.sleep(60)"
     started = {"env": {**os.environ, MARK: "slow"}, "stdout": subprocess.PIPE}
     with subprocess.Popen([sys.executable, "-c", code], **started) as process:
         assert process.stdout.read(8) == b"\n" * 8
@@ -128,34 +131,19 @@ def test_what_is_killed_has_ended():
         assert marked(f"{MARK}=slow") == set()
 
 
-def test_an_orphan_would_be_seen(tmp_path: Path):
-    """The counter-test: what the tests above look for is there until it is killed."""
-    subprocess.run([sys.executable, "-c", ORPHAN.replace("60", "3"), str(tmp_path)], cwd=tmp_path, check=True)
-    assert any(alive(str(tmp_path)) or time.sleep(0.02) for _ in range(100))
-
-
-def test_temporary_files_of_a_planner_go_where_it_runs(tmp_path: Path):
-    code = "import tempfile; print(tempfile.mkdtemp())"
-    finished = run_limited([sys.executable, "-c", code], tmp_path, 10.0)
-    assert Path(finished.last_words).parent == tmp_path
-
-
-def test_planner_that_is_not_installed_is_refused_with_what_to_do():
+def test_planner_that_is_not_here_and_encodings_it_does_not_take_are_refused_with_what_to_do():
     nowhere = Program("Nobody", "no_such_package", ("true",))
     nobody = pddl_planner("nobody", "", partial(plan_program, program=nowhere), missing=nowhere.missing)
     with pytest.raises(PlannerMissing, match="nobody is not installed; `pip install no-such-package`"):
         plan(TASK, grounding(), nobody)
     lacking = Program("Nobody", "neurosym", ("true",), needs=("no-such-command", "a shop"))
     assert lacking.missing() == "it needs no-such-command, which a shop brings"
-
-
-def test_encoding_that_a_planner_does_not_take_is_refused():
-    with pytest.raises(InvalidValue, match=r"encoding 'numeric'; valid: sas, strips"):
-        plan(TASK, grounding(), "fast-downward", encoding="numeric")
-    with pytest.raises(
-        InvalidValue, match=r"encoding stepwise is gone: one page, 'strips', .*; valid: strips"
+    for encoding, said in (
+        ("numeric", "'numeric'; valid: sas, strips"),
+        ("stepwise", "stepwise is gone: one page, 'strips'"),
     ):
-        plan(TASK, grounding(), "fast-downward", encoding="stepwise")
+        with pytest.raises(InvalidValue, match=f"encoding {said}"):
+            plan(TASK, grounding(), "fast-downward", encoding=encoding)
 
 
 @pytest.mark.parametrize("costs", [True, False])
@@ -198,26 +186,97 @@ def test_a_planner_gets_no_more_than_its_caller_may_have(tmp_path: Path):
     assert ended.stdout.strip() == f"{(3 << 30, 3 << 30)} {(1 << 20, 1 << 20)}"
 
 
-def test_a_planner_is_limited_from_its_first_moment(tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
-    """Also on a machine so busy that this process is not heard of for a while after it started one."""
-    start = subprocess.Popen
+def test_results_come_in_the_order_of_the_tasks():
+    def waits(seconds: float) -> PlanResult:
+        time.sleep(seconds)
+        return PlanResult(PlanStatus.SOLVED, (), seconds)
 
-    def start_and_sleep(*arguments: object, **options: object) -> object:
-        process = start(*arguments, **options)
-        time.sleep(1.0)
-        return process
-
-    monkeypatch.setattr(subprocess, "Popen", start_and_sleep)
-    asked = "import resource as r; print(r.getrlimit(r.RLIMIT_AS))"
-    finished = run_limited([sys.executable, "-c", asked], tmp_path, 10.0, memory=1 << 30)
-    assert finished.last_words == f"{(1 << 30, 1 << 30)}"
+    found = plan_together([lambda s=s: waits(s) for s in (0.2, 0.0, 0.1)])
+    assert [one.seconds for one in found] == [0.2, 0.0, 0.1]
 
 
-def test_where_the_system_does_not_tell_of_processes_a_planner_is_ended_all_the_same(
-    scratch: Path, monkeypatch: pytest.MonkeyPatch
-):
-    monkeypatch.setattr("neurosym.planners.keeper.processes", list)
+def test_first_without_a_plan_ends_what_still_runs(tmp_path: Path):
+    ended: list[int | None] = []
+
+    def sleeps() -> PlanResult:
+        command = [sys.executable, "-c", "import time; time.sleep(60)"]
+        ended.append(run_limited(command, tmp_path, 60.0).code)
+        return PlanResult(PlanStatus.FAILED, (), 0.0)
+
+    def gives_up() -> PlanResult:
+        time.sleep(0.3)
+        return PlanResult(PlanStatus.UNSOLVABLE, (), 0.0, "no way")
+
     begin = time.perf_counter()
-    assert solved_by(SLEEP, time_limit=0.5).status is PlanStatus.TIMEOUT
-    assert time.perf_counter() - begin < 10.0
-    assert alive(str(scratch)) == []
+    found = plan_together([gives_up, sleeps, sleeps])
+    assert [one.reason for one in found] == ["no way"]
+    assert time.perf_counter() - begin < 20
+    assert set(ended) == {-9}
+
+
+def test_where_nothing_can_be_started_a_sentence_says_so(tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
+    def refused(*_: object, **__: object) -> None:
+        raise BlockingIOError(11, "Resource temporarily unavailable")
+
+    with monkeypatch.context() as patch:
+        patch.setattr(subprocess, "Popen", refused)
+        with pytest.raises(CannotStart, match="No planner can be started: Resource temporarily"):
+            run_limited(["true"], tmp_path, 1.0)
+
+    def no_thread(*_: object) -> None:
+        raise RuntimeError("can't start new thread")
+
+    monkeypatch.setattr(threading.Thread, "start", no_thread)
+    with pytest.raises(CannotStart, match="can't start new thread; allow more"):
+        plan_together([lambda: PlanResult(PlanStatus.SOLVED, (), 0.0)])
+
+
+plan_unified_planning = partial(plan_program, program=engine_program("fast-downward"))
+BOTH = [plan_fast_downward, plan_unified_planning]
+
+
+def write(folder: Path, *, cell: float = 0.03, solvable: bool = True, domain: str = "") -> tuple[Path, Path]:
+    task = problem_text(problem(), grounding(cell))
+    (folder / "domain.pddl").write_text(domain or domain_text(grounding(cell)))
+    unreachable = task.replace("(goal-on-table item-02)", "")
+    assert unreachable != task
+    (folder / "problem.pddl").write_text(task if solvable else unreachable)
+    return folder / "domain.pddl", folder / "problem.pddl"
+
+
+@pytest.mark.parametrize("planner", BOTH)
+def test_plans_proofs_and_failures_are_results_and_nothing_is_left_behind(
+    tmp_path: Path, scratch: Path, planner
+):
+    here = set(Path.cwd().iterdir())
+    found = planner(*write(tmp_path), time_limit=60.0)
+    assert found.status is PlanStatus.SOLVED, found.reason
+    assert "(lift item-01 m-010 " in found.text
+    proved = planner(*write(tmp_path, solvable=False), time_limit=60.0)
+    assert (proved.status, proved.text) == (PlanStatus.UNSOLVABLE, "")
+    broken = planner(*write(tmp_path, domain="(define (domain tabletop)"), time_limit=60.0)
+    assert broken.status is PlanStatus.FAILED
+    assert len(broken.reason) > 40
+    assert list(scratch.iterdir()) == []
+    assert set(Path.cwd().iterdir()) == here
+
+
+def test_unknown_search_fails_and_one_that_is_not_complete_proves_nothing(tmp_path: Path, monkeypatch):
+    """Exit code 12: the search ended without a plan, and there may be one."""
+    files = write(tmp_path, solvable=False)
+    unknown = plan_fast_downward(*files, time_limit=20.0, searches=[Search("no-such-search()")])
+    assert unknown.status is PlanStatus.FAILED
+    assert "code 33" in unknown.reason
+    monkeypatch.setattr(external, "run_limited", lambda *_, **__: Finished(12, "no solution!"))
+    answer = plan_fast_downward(*files, time_limit=1.0)
+    assert (answer.status, answer.text) == (PlanStatus.NOT_FOUND, "")
+
+
+@pytest.mark.parametrize(("planner", "limit"), [(plan_fast_downward, 0.15), (plan_unified_planning, 0.4)])
+def test_time_out_is_a_result_that_comes_in_time(tmp_path: Path, scratch: Path, planner, limit: float):
+    begin = time.perf_counter()
+    answer: PlannerAnswer = planner(*write(tmp_path, cell=0.005), time_limit=limit)
+    assert answer.status is PlanStatus.TIMEOUT
+    assert time.perf_counter() - begin < limit + 1.0
+    assert alive(str(tmp_path)) == []
+    assert list(scratch.iterdir()) == []

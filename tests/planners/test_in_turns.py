@@ -1,12 +1,18 @@
-"""What stands in the way of what must be led is carried away first, and what is led never goes through it."""
+"""What is led and what is carried: in turns, out of each other's way, and the clearest first."""
 
+import itertools
+
+import numpy as np
 import pytest
-from toy_places import grounding, scene
+from msgspec.structs import replace
+from toy_places import NAME, grounding, scene, swap
 
 from neurosym.planners import PlanResult, PlanStatus, plan
-from neurosym.planners.joined_plans import plan_in_turns
+from neurosym.planners.joined_plans import _Way as Way
+from neurosym.planners.joined_plans import clearest_first, plan_in_turns
 from neurosym.problems import Problem
-from neurosym.tasks.transition import validate
+from neurosym.tasks.task import with_places
+from neurosym.tasks.transition import PlanStep, validate
 
 
 def lead_past(*cubes: tuple[float, float, float, float]) -> Problem:
@@ -32,81 +38,130 @@ def order(problem: Problem) -> list[str]:
     return list(dict.fromkeys(step.object for step in result.steps))
 
 
-def test_who_has_its_goal_beside_the_way_is_carried_first():
-    assert order(lead_past((0.7, 0.0, 0.45, 0.0))) == ["item-02", "item-01"]
-
-
-def test_who_has_its_goal_in_the_way_is_carried_last():
-    assert order(lead_past((0.45, 0.0, 0.7, 0.0))) == ["item-01", "item-02"]
-
-
-def test_who_stands_in_the_way_and_goes_there_is_put_aside():
-    problem = lead_past((0.7, 0.0, 0.7, -0.16))
-    learned = grounding()
-    steps = plan(problem, learned).steps
-    assert order(problem) == ["item-02", "item-01"]
-    assert validate(steps, problem, learned).valid
-
-
-@pytest.mark.parametrize("encoding", ["strips", "sas"])
-def test_an_encoding_that_is_asked_for_carries_what_is_carried_without(encoding: str):
-    problem, learned = lead_past((0.45, 0.0, 0.7, 0.0)), grounding()
-    usual, asked = plan(problem, learned), plan(problem, learned, encoding=encoding)
-    assert validate(asked.steps, problem, learned).valid
-    assert [step for step in asked.steps if step.place] == [step for step in usual.steps if step.place]
-    assert asked.steps == usual.steps or encoding == "strips"  # which has other cells
-
-
-def test_where_all_can_be_carried_there_are_no_turns():
-    problem = Problem("one", scene(("cube", 0.5, 0.0)), {"item-01": (0.7, 0.0, 0.025)}, 0.02)
-    result = plan_in_turns(problem, grounding(), plan, plan)
-    assert result.status is PlanStatus.FAILED
-    assert "everything that has a goal can be carried" in result.reason
-
-
-def test_what_cannot_be_led_even_alone_is_not_tried_again():
-    asked: list[Problem] = []
-
-    def lead(task: Problem) -> PlanResult:
-        asked.append(task)
-        return PlanResult(PlanStatus.UNSOLVABLE, (), 0.0, "out of reach")
-
-    result = plan_in_turns(lead_past((0.7, 0.0, 0.45, 0.0)), grounding(), plan, lead)
-    assert (result.status, result.reason, len(asked)) == (PlanStatus.UNSOLVABLE, "out of reach", 1)
-
-
-def test_places_without_a_plan_prove_nothing():
-    def carry(_: Problem) -> PlanResult:
-        return PlanResult(PlanStatus.UNSOLVABLE, (), 0.0, "not with these places")
-
-    learned = grounding()
-    result = plan_in_turns(
-        lead_past((0.7, 0.0, 0.45, 0.0)),
-        learned,
-        carry,
-        lambda task: plan(task, learned, encoding="sas"),
-    )
-    assert result.status is not PlanStatus.UNSOLVABLE
-
-
-def test_where_all_ways_cannot_be_cleared_at_once_each_is_cleared_when_it_is_needed():
+def crossed() -> Problem:
     """Two slabs, and a cube in the way of each with its goal in the other's; only one can wait elsewhere."""
     things = [("slab", 0.7, -0.16), ("slab", 0.5, -0.16), ("cube", 0.7, 0.0), ("cube", 0.5, 0.0)]
-    goals = {
-        "item-01": (0.7, 0.24, 0.025),
-        "item-02": (0.5, 0.24, 0.025),
-        "item-03": (0.5, 0.1, 0.025),
-        "item-04": (0.7, 0.1, 0.025),
-    }
+    spots = ((0.7, 0.24), (0.5, 0.24), (0.5, 0.1), (0.7, 0.1))
+    goals = {f"item-0{number}": (*spot, 0.025) for number, spot in enumerate(spots, start=1)}
     places = {"goal-item-03": (0.5, 0.1), "goal-item-04": (0.7, 0.1), "park-01": (0.85, 0.0)}
-    led = order(Problem("crossed", scene(*things), goals, 0.02, places=places))
-    assert led == ["item-03", "item-01", "item-04", "item-02"]
+    return Problem("crossed", scene(*things), goals, 0.02, places=places)
 
 
-def test_what_is_led_goes_around_what_can_be_carried_but_has_no_room_elsewhere():
+def around() -> Problem:
     """The cube has no place but one in the slab's way; with five objects, none is led around all others."""
     goals = {"item-01": (0.62, 0.24, 0.025), "item-02": (0.62, 0.1, 0.025)}
     corners = [("cube", x, y) for x, y in ((0.45, 0.0), (0.9, 0.25), (0.9, -0.25))]
     things = scene(("slab", 0.54, -0.16), ("cube", 0.62, 0.0), *corners)
-    problem = Problem("around", things, goals, 0.02, places={"goal-item-02": (0.62, 0.1)})
-    assert order(problem) == ["item-01", "item-02"]
+    return Problem("around", things, goals, 0.02, places={"goal-item-02": (0.62, 0.1)})
+
+
+@pytest.mark.parametrize(
+    ("problem", "names"),
+    [
+        (lead_past((0.7, 0.0, 0.45, 0.0)), ["item-02", "item-01"]),
+        (lead_past((0.45, 0.0, 0.7, 0.0)), ["item-01", "item-02"]),
+        (lead_past((0.7, 0.0, 0.7, -0.16)), ["item-02", "item-01"]),
+        (crossed(), ["item-03", "item-01", "item-04", "item-02"]),
+        (around(), ["item-01", "item-02"]),
+    ],
+    ids=["goal beside the way", "goal in the way", "put aside", "cleared when needed", "led around"],
+)
+def test_what_is_led_and_what_is_carried_take_turns(problem: Problem, names: list[str]):
+    assert order(problem) == names
+
+
+def test_turns_prove_nothing_where_places_fail_and_end_with_what_cannot_be_led_even_alone():
+    learned, asked = grounding(), list[Problem]()
+
+    def hopeless(task: Problem) -> PlanResult:
+        asked.append(task)
+        return PlanResult(PlanStatus.UNSOLVABLE, (), 0.0, "out of reach")
+
+    beside = lead_past((0.7, 0.0, 0.45, 0.0))
+    result = plan_in_turns(beside, learned, plan, hopeless)
+    assert (result.status, result.reason, len(asked)) == (PlanStatus.UNSOLVABLE, "out of reach", 1)
+    result = plan_in_turns(beside, learned, hopeless, lambda task: plan(task, learned, encoding="sas"))
+    assert result.status is not PlanStatus.UNSOLVABLE
+    carried = Problem("one", scene(("cube", 0.5, 0.0)), {"item-01": (0.7, 0.0, 0.025)}, 0.02)
+    result = plan_in_turns(carried, learned, plan, plan)
+    assert result.status is PlanStatus.FAILED
+    assert "everything that has a goal can be carried" in result.reason
+
+
+PATH = np.array([[[0.7, y, 0.025]] for y in (-0.16, -0.08, 0.0, 0.08, 0.16, 0.24)])  # (steps, 1, 3)
+
+
+def way(*cubes: tuple[float, float], **goals: tuple[float, float, float]) -> Way:
+    """A slab's way along y at x = 0.7 m, and cubes."""
+    things = scene(("slab", 0.7, -0.16), *(("cube", x, y) for x, y in cubes))
+    named = {name.replace("_", "-"): goal for name, goal in goals.items()}
+    now = Problem("way", things, {"item-01": (0.7, 0.24, 0.025), **named}, 0.02)
+    return Way(PATH, ["item-01"], now, grounding().table)
+
+
+def cleared(of: Way, *, everything: bool = False) -> dict[str, tuple[float, float, float]]:
+    names = of.now.object_names[1:]
+    goals = {name: goal for name, goal in of.now.goals.items() if name in names}
+    return of.cleared(names, goals, everything=everything)
+
+
+def clear_of(spot: tuple[float, ...], x: float, y: float, room: tuple[float, float]) -> bool:
+    return abs(spot[0] - x) >= room[0] - 1e-9 or abs(spot[1] - y) >= room[1] - 1e-9
+
+
+def test_who_stands_in_the_way_goes_to_its_goal_if_that_is_beside_it_and_others_stay():
+    goal = (0.5, 0.0, 0.025)
+    assert cleared(way((0.5, 0.0))) == cleared(way((0.5, 0.1), item_02=goal)) == {}
+    assert cleared(way((0.7, 0.0), item_02=goal)) == {"item-02": goal}
+    assert cleared(way((0.5, 0.1), item_02=goal), everything=True) == {"item-02": goal}
+    spots = cleared(way((0.7, 0.0), (0.7, 0.1)))
+    (x, y, _), other = spots["item-02"], spots["item-03"]
+    assert clear_of(other, x, y, (0.1, 0.1)), "two that wait do not wait in each other"
+
+
+def test_who_has_its_goal_in_the_way_waits_where_nobody_is_disturbed():
+    """Beside the way by the hand's room, off the other cube, its goal and the edge."""
+    of = way((0.7, 0.0), (0.5, 0.0), item_02=(0.7, 0.1, 0.025), item_03=(0.5, 0.2, 0.025))
+    spots = cleared(of)
+    assert list(spots) == ["item-02"]
+    spot = spots["item-02"]
+    assert all(clear_of(spot, 0.7, y, (0.07, 0.105)) for y in PATH[:, 0, 1])
+    assert clear_of(spot, 0.5, 0.0, (0.1, 0.1))
+    assert clear_of(spot, 0.5, 0.2, (0.1, 0.1))
+    assert grounding().table.contains(np.array(spot))
+
+
+def test_objects_wait_only_at_the_places_that_somebody_wrote():
+    of = way((0.7, 0.0))
+    for places, waits in (
+        ({"shelf": (0.5, 0.1)}, {"item-02": (0.5, 0.1, 0.025)}),
+        ({"in-it": (0.7, 0.1)}, {}),
+    ):
+        own = replace(of.now, places=places)
+        assert cleared(Way(PATH, ["item-01"], own, of.table)) == waits
+
+
+def crowd() -> Problem:
+    """Three cubes side by side, of which the middle one has least room, and a place for each far away."""
+    goals = {"item-01": (0.5, -0.2, 0.025), "item-02": (0.5, 0.0, 0.025), "item-03": (0.5, 0.2, 0.025)}
+    cubes = scene(("cube", 0.8, -0.06), ("cube", 0.8, 0.0), ("cube", 0.8, 0.07))
+    return with_places(Problem("crowd", cubes, goals, 0.02), grounding())
+
+
+def carried(*names: str) -> tuple[PlanStep, ...]:
+    return tuple(PlanStep(NAME, name, place=f"goal-{name}") for name in names)
+
+
+def test_the_one_with_most_room_goes_first_whatever_the_order_was():
+    for names in itertools.permutations(["item-01", "item-02", "item-03"]):
+        steps = clearest_first(carried(*names), crowd())
+        assert steps[0].object == "item-03"
+        assert sorted(map(str, steps)) == sorted(map(str, carried(*names)))
+        assert validate(steps, crowd(), grounding()).valid
+    assert plan(crowd(), grounding()).steps[0].object == "item-03"
+
+
+def test_what_waits_for_another_still_waits_and_an_impossible_plan_stays_as_it_is():
+    problem = with_places(swap(), grounding())
+    for steps in (plan(swap(), grounding()).steps, carried("item-01", "item-02")):
+        assert clearest_first(steps, problem) == steps

@@ -1,15 +1,21 @@
-"""Problems go to unified-planning, and what its engines plan comes back to be executed."""
+"""Problems go to unified-planning, its engines' plans come back, and its validator judges them."""
 
+import json
 import warnings
 
 import pytest
 import toy_domain
 import toy_places
+from places import DOCS
 
 import neurosym
 from neurosym.errors import InvalidValue
 from neurosym.execution.executor import execute
-from neurosym.tasks.transition import validate
+from neurosym.pddl.compiler import domain_text, ground_plan, problem_text
+from neurosym.planners.planner_table import track_record
+from neurosym.planners.unified_planning import PddlVerdict, validate_pddl
+from neurosym.tasks.transition import PlanStep, validate
+from tools.benchmarks.planning.planner_matrix import record_of
 
 
 def solved(task):
@@ -23,22 +29,18 @@ def solved(task):
             return engine.solve(task).plan
 
 
-@pytest.mark.parametrize("encoding", [None, "strips"])
-def test_engine_carries_things_to_places_and_its_plan_comes_true(encoding):
-    problem, grounding = toy_places.swap(), toy_places.grounding()
+CELLS = toy_domain.problem({"item-01": (0.68, 0.08, 0.025), "item-02": (0.8, 0.1, 0.025)})
+
+
+@pytest.mark.parametrize(
+    ("problem", "grounding", "encoding"),
+    [(toy_places.swap(), toy_places.grounding(), "strips"), (CELLS, toy_domain.grounding(), None)],
+)
+def test_engine_plans_and_its_plan_comes_true(problem, grounding, encoding):
     plan = solved(neurosym.to_unified_planning(problem, grounding, encoding))
     steps = neurosym.from_unified_planning(plan, problem, grounding)
-    assert len(steps) == 3, "one waits while the other is carried"
     assert validate(steps, problem, grounding).valid
     assert execute(toy_domain.WORLD, problem, grounding, steps).reached
-
-
-def test_engine_plans_over_cells():
-    problem = toy_domain.problem({"item-01": (0.68, 0.08, 0.025), "item-02": (0.8, 0.1, 0.025)})
-    grounding = toy_domain.grounding()
-    plan = solved(neurosym.to_unified_planning(problem, grounding))
-    steps = neurosym.from_unified_planning(plan, problem, grounding)
-    assert validate(steps, problem, grounding).valid
 
 
 def test_what_is_no_sequence_is_refused_in_a_sentence():
@@ -46,8 +48,56 @@ def test_what_is_no_sequence_is_refused_in_a_sentence():
 
     problem = toy_domain.problem({"item-01": (0.6, 0.16, 0.025)})
     for plan, said in (
-        ("a plan", "^A str is no sequence"),
+        ("a plan", "^A str is no plan in a sequence"),
         (PartialOrderPlan({}), "^A PartialOrderPlan is no"),
     ):
         with pytest.raises(InvalidValue, match=said):
             neurosym.from_unified_planning(plan, problem, toy_domain.grounding())
+
+
+TASK = toy_domain.problem({"item-01": (0.6, 0.08, 0.025)})
+DOMAIN = domain_text(toy_domain.grounding())
+PROBLEM = problem_text(TASK, toy_domain.grounding())
+
+
+def actions() -> list[tuple[str, ...]]:
+    steps = [PlanStep("push-left-001-cube", "item-01")]
+    return [
+        tuple(line.strip("()").split()) for line in ground_plan(steps, TASK, toy_domain.grounding()).lines
+    ]
+
+
+def test_first_action_that_cannot_be_performed_is_named_or_the_goal_that_is_not_met():
+    push, along_x, along_y, reach = actions()
+    assert validate_pddl(DOMAIN, PROBLEM, actions()) == PddlVerdict(valid=True)
+    verdict = validate_pddl(DOMAIN, PROBLEM, [push, along_x, along_y, push, along_x, along_y, reach])
+    assert verdict == PddlVerdict(False, f"(at-y item-01 {along_y[3]}) does not hold", 6)
+    for part in (actions()[:-1], []):
+        assert validate_pddl(DOMAIN, PROBLEM, part).reason == "(done item-01) does not hold in the end"
+    with pytest.raises(InvalidValue, match="PDDL"):
+        validate_pddl("(define", PROBLEM, actions())
+
+
+@pytest.mark.parametrize(
+    ("action", "reason"),
+    [
+        (("fly", "item-01"), "the domain has no action fly"),
+        (("reach-cell", "item-01"), "reach-cell takes 3 arguments, not 1"),
+        (("reach-cell", "item-77", "x00", "y00"), "the problem has no object item-77"),
+        (("reach-cell", "x00", "x00", "y00"), "x00 is no thing"),
+    ],
+)
+def test_action_that_cannot_be_is_named(action: tuple[str, ...], reason: str):
+    assert validate_pddl(DOMAIN, PROBLEM, [action]) == PddlVerdict(False, reason, 1)
+
+
+def test_record_in_the_package_is_that_of_the_results():
+    assert track_record() == record_of(json.loads((DOCS / "results/planners.json").read_text()))
+
+
+def test_what_was_not_given_to_a_planner_is_not_held_against_it():
+    solved, failed = {"status": "solved"}, {"status": "timeout"}
+    cells = {"lpg.numeric.task-01": failed, "lpg.strips.task-01": solved, "lpg.strips.toy-1": failed}
+    record = record_of({"problems": ["toy-1", "task-01"], "time_limit": 30.0, "cells": cells})
+    assert record.solved["lpg"] == {"numeric": 0, "strips": 1}
+    assert record.solved["fast-downward"] == {}

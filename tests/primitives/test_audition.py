@@ -1,20 +1,20 @@
-"""Choosing among candidates: what is sure and does something wins."""
+"""Choosing among candidates: what is sure and does something wins, for all categories or for each its own."""
+
+from contextlib import contextmanager
+from dataclasses import replace
 
 import numpy as np
 import pytest
-from toy_learning import foretell, search, some_features
+from toy_learning import FORWARD, LEFT, LIFT, SHORT, alike, by_affordance, foretell, search, some_features
 
 from neurosym.errors import UnknownChoice
-from neurosym.operators import Primitive
-from neurosym.primitives.audition import CHOICES, audition, choose, lowest_error, shortlist
-from neurosym.primitives.rehearsal import rehearsal_sample
-from neurosym.worlds.toy import LONGEST_PUSH, WIDEST_GRASP, ToyWorld, make_world
-from neurosym.worlds.workers import Task
+from neurosym.operators import Primitive, name_operator
+from neurosym.primitives.audition import audition, choose, choose_own, shortlist, shortlist_own
+from neurosym.primitives.rehearsal import rehearsal_sample, rehearse, tabulate
+from neurosym.primitives.sampling import Repertoire, with_own
+from neurosym.world import Outcome, Scene
+from neurosym.worlds.toy import LONGEST_PUSH, ToyWorld, make_world
 
-SHORT = (0.0, -0.005, 0.0, 0.1, 0.0, 0.0, 0.0, 0.1, 0.0, 0.005, 0.0, 0.1)  # too short to push anything
-LEFT = (0.0, -0.04, 0.0, 0.1, 0.0, 0.0, 0.0, 0.1, 0.0, 0.04, 0.0, 0.1)
-FORWARD = (-0.04, 0.0, 0.0, 0.1, 0.0, 0.0, 0.0, 0.1, 0.04, 0.0, 0.0, 0.1)
-LIFT = (0.0, 0.0, 0.0, 0.9, 0.0, 0.0, 0.0, 0.9, 0.0, 0.0, 0.0, 0.1)
 RIVALS = (
     Primitive("001", SHORT, 0.001),
     Primitive("001", LEFT, 0.02),
@@ -23,31 +23,15 @@ RIVALS = (
 )
 
 
-def by_affordance(features):
-    graspable = (features[:, 3] >= 0.5) | (features[:, 1] <= WIDEST_GRASP)
-    return tuple(f"{int(g)}{int(p)}" for g, p in zip(graspable, features[:, 0] <= LONGEST_PUSH, strict=True))
+class Changed(ToyWorld):
+    """A toy world that performs what a function makes of a scene and an action."""
 
-
-def alike(features):
-    return ("00",) * len(features)
-
-
-class Watched(ToyWorld):
-    """A toy world that remembers what it was asked to do."""
-
-    asked: list[Task]
-
-    def __init__(self):
+    def __init__(self, change):
         super().__init__(make_world().config)
-        self.asked = []
+        self.change = change
 
     def interact(self, scene, action, target, **options):  # noqa: D102
-        self.asked.append(Task(scene, action, target))
-        return super().interact(scene, action, target, **options)
-
-
-def test_lowest_error_takes_the_nearest_to_the_code_of_each_symbol():
-    assert lowest_error(RIVALS) == (RIVALS[0], RIVALS[3])
+        return super().interact(scene, self.change(scene, action), target, **options)
 
 
 def test_shortlist_keeps_the_best_few_of_each_symbol_best_first():
@@ -59,9 +43,12 @@ def test_shortlist_keeps_the_best_few_of_each_symbol_best_first():
 
 
 def test_audition_finds_what_works_whatever_was_foretold():
-    for groups in (RIVALS, RIVALS[::-1]):
-        chosen = audition(search(categorise=by_affordance), groups, objects=12)
-        assert [(one.symbol, one.action) for one in chosen] == [("001", LEFT), ("100", LIFT)]
+    one, two = (
+        audition(search(categorise=by_affordance, workers=workers), groups, objects=12)
+        for workers, groups in ((1, RIVALS), (2, RIVALS[::-1]))
+    )
+    assert [(each.symbol, each.action) for each in one] == [("001", LEFT), ("100", LIFT)]
+    assert one == two
 
 
 def test_audition_prefers_what_does_the_same_to_every_object_of_a_category():
@@ -71,45 +58,29 @@ def test_audition_prefers_what_does_the_same_to_every_object_of_a_category():
     assert (pushable[0].action, graspable[0].action) == (LEFT, LIFT)
 
 
-def test_auditions_are_the_same_for_any_number_of_workers():
-    one, two = (
-        audition(search(categorise=alike, seed=4, workers=workers), RIVALS, objects=9) for workers in (1, 2)
-    )
-    assert one == two
-
-
 def test_auditions_are_on_other_objects_than_rehearsals_and_the_same_for_every_candidate():
-    world = Watched()
-    told = []
+    auditioned, told = [], []
+    world = Changed(lambda scene, action: auditioned.append(tuple(scene.features[0])) or action)
     audition(search((), alike, lambda: world, told, seed=3), RIVALS[:2], objects=5)
-    auditioned = [tuple(task.scene.features[0]) for task in world.asked]
     assert auditioned[:5] == auditioned[5:10]
     assert auditioned[10:15] == auditioned[15:]
     assert len(set(auditioned)) == 10  # the second audition is on others
-    drawn = rehearsal_sample(world, alike, objects=10, seed=3).scenes["00"]
+    drawn = rehearsal_sample(world, alike, objects=10, seed=3).scenes["0"]
     rehearsed = {tuple(scene.features[0]) for scene in drawn}
     assert not rehearsed & set(auditioned)
     assert told == [(n, 20) for n in range(1, 21)]
 
 
-class Lucky(ToyWorld):
-    """A toy world in which `SHORT` does something while the first audition lasts."""
-
-    def __init__(self):
-        super().__init__(make_world().config)
-        self.performed = 0
-
-    def interact(self, scene, action, target, **options):  # noqa: D102
-        self.performed += 1
-        lucky = tuple(action) == SHORT and self.performed <= 2 * 12
-        return super().interact(scene, np.array(FORWARD) if lucky else action, target, **options)
-
-
 def test_who_shone_by_luck_is_found_out_by_the_second_audition():
     groups = (Primitive("0", SHORT, 0.0), Primitive("0", LEFT, 0.0))
-    world = Lucky()
-    assert audition(search((), by_affordance, lambda: world), groups, objects=12)[0].action == LEFT
-    assert world.performed == 4 * 12
+    performed = []
+
+    def luck(_, action):  # does something by `SHORT` while the first audition lasts
+        performed.append(action)
+        return np.array(FORWARD) if tuple(action) == SHORT and len(performed) <= 2 * 12 else action
+
+    assert audition(search((), by_affordance, lambda: Changed(luck)), groups, objects=12)[0].action == LEFT
+    assert len(performed) == 4 * 12
 
 
 def test_without_a_world_the_choice_rests_on_what_is_foretold():
@@ -131,14 +102,159 @@ def test_the_world_has_the_last_word():
 
 
 def test_unknown_choice_is_refused_with_the_valid_ones():
+    options = {"predict": foretell, "features": some_features(2), "categorise": alike, "seed": 0}
     with pytest.raises(UnknownChoice, match="no choice 'luck'; valid: lowest-error, own, predictable"):
-        choose(
-            RIVALS,
-            "luck",
-            predict=foretell,
-            features=some_features(2),
-            categorise=alike,
-            world_factory=None,
-            seed=0,
-        )
-    assert set(CHOICES) == {"own", "predictable", "lowest-error"}
+        choose(RIVALS, "luck", world_factory=None, **options)
+
+
+NAMES = make_world().feature_names
+EDGE = (0.0, -0.04, 0.0, 0.1, 0.0, 0.0, 0.02, 0.1, 0.0, 0.04, 0.0, 0.1)
+PUSHING, LIFTING, DOING_NOTHING = (Primitive("0", action, 0.01) for action in (LEFT, LIFT, SHORT))
+
+
+def pushable(features):
+    return tuple(f"{int(p)}" for p in features[:, 0] <= LONGEST_PUSH)
+
+
+def chosen(candidates, shared, categorise=by_affordance, factory=make_world, **options):
+    return choose_own(search(candidates, categorise, factory, **options), shared, factory)
+
+
+def actions_of(repertoire, category):
+    return [one.action for one in repertoire.primitives if repertoire.serves(one, category)]
+
+
+class Cliff(ToyWorld):
+    """A toy world in which a push goes farther if waypoint 2 is high, and nowhere if just above."""
+
+    def interact(self, scene, action, target, **options):  # noqa: D102
+        moved = np.array(action) if action[6] <= 0.0201 else np.array(SHORT)
+        outcome = super().interact(scene, moved, target, **options)
+        return farther(outcome, 1.5 if action[6] > 0.015 else 1.0)
+
+
+def make_cliff():
+    return Cliff(make_world().config)
+
+
+def farther(outcome: Outcome, times: float) -> Outcome:
+    moved = outcome.start.positions + times * (outcome.end.positions - outcome.start.positions)
+    end = Scene(outcome.end.features, moved, outcome.end.orientations)
+    return replace(outcome, lifted=end, end=end, lost=False)
+
+
+class Turning(ToyWorld):
+    """A toy world in which what is pushed forward turns round."""
+
+    def interact(self, scene, action, target, **options):  # noqa: D102
+        outcome = super().interact(scene, action, target, **options)
+        if outcome.effect[0] > 0.01:
+            end = replace(outcome.end, orientations=np.array([[0.0, 0.0, 1.0, 0.0]]))
+            return replace(outcome, end=end)
+        return outcome
+
+
+def test_each_category_gets_the_action_that_does_best_there():
+    found = chosen([LIFTING, PUSHING, DOING_NOTHING], [DOING_NOTHING])
+    assert actions_of(found, "01") == [LEFT]
+    assert actions_of(found, "10") == [LIFT]
+    assert found.primitives[0] == DOING_NOTHING  # the shared one stays, though nothing is done with it
+    assert [one.label for one in found.primitives] == ["0", "0a", "0b"]
+    assert chosen([LIFTING, PUSHING, DOING_NOTHING], [DOING_NOTHING], workers=2) == found
+
+
+def test_the_shared_action_stays_where_it_is_best_and_where_it_does_something_else():
+    found = chosen([LIFTING, PUSHING], [PUSHING])
+    assert actions_of(found, "01") == [LEFT]
+    assert actions_of(found, "10") == [LIFT]
+    assert sorted(actions_of(found, "11")) == sorted([LEFT, LIFT])
+    assert [one.label for one in found.primitives] == ["0", "0a"]
+
+
+def test_the_shared_action_does_not_stay_if_another_symbol_does_the_same():
+    other = Primitive("1", LEFT, 0.0)
+    found = chosen([LIFTING, PUSHING, other], [PUSHING, other])
+    assert sorted(one.label for one in found.primitives if found.serves(one, "11")) == ["0a", "1"]
+
+
+def test_an_action_on_an_edge_is_demoted_because_its_performances_are_moved(monkeypatch):
+    safe, edge = PUSHING, Primitive("0", EDGE, 0.0)
+    for candidates, shared in (([safe, edge], [safe]), ([edge, safe], [edge])):
+        found = chosen(candidates, shared, pushable, make_cliff, seed=1)
+        assert actions_of(found, "1")[0] == LEFT
+    monkeypatch.setattr("neurosym.primitives.audition.MOVED", 0.0)
+    found = chosen([safe, edge], [safe], pushable, make_cliff, seed=1)
+    assert EDGE in actions_of(found, "1")
+
+
+def test_an_action_that_turns_objects_is_passed_over():
+    forward = Primitive("0", FORWARD, 0.0)
+    turning = chosen([forward, PUSHING], [forward], pushable, lambda: Turning(make_world().config))
+    assert actions_of(turning, "1") == [LEFT]
+    assert FORWARD in actions_of(chosen([forward, PUSHING], [forward], pushable), "1")
+
+
+def test_moves_stay_in_the_box_and_leave_the_gripper_alone():
+    box, asked = make_world().action_box, []
+
+    def predict(features, actions):
+        asked.append(actions)
+        return np.zeros((len(features), 4))
+
+    corner = Primitive("0", tuple(box.high.tolist()), 0.0)
+    shortlist_own([[corner, PUSHING]], predict, some_features(30), box, 6, 0)
+    for action, moved in zip((corner.action, LEFT), np.split(asked[0], 2), strict=True):
+        change = moved - np.array(action)
+        assert all(map(box.contains, moved))
+        assert not np.any(change[:, box.gripper])
+        assert np.all(np.any(change[:, ~box.gripper], axis=0))
+        assert np.abs(change).max() < 0.005
+
+
+def test_own_is_what_choose_gives_and_what_is_told_counts_performances():
+    told = {}
+
+    @contextmanager
+    def told_of(label):
+        told[label] = []
+        yield lambda *numbers: told[label].append(numbers)
+
+    found = choose(
+        [LIFTING, PUSHING],
+        "own",
+        predict=foretell,
+        features=some_features(100),
+        categorise=by_affordance,
+        world_factory=make_world,
+        seed=0,
+        open_bar=told_of,
+    )
+    assert {LEFT, LIFT} == {one.action for one in found.primitives}
+    assert list(told) == ["auditioning", "auditioning for each category"]
+    for numbers in told.values():
+        assert numbers == [(done, len(numbers)) for done in range(1, len(numbers) + 1)]
+
+
+def test_operators_of_a_table_are_named_for_their_actions_the_surest_of_a_pair_first():
+    found = with_own([PUSHING], {"10": [LIFTING], "11": [PUSHING, LIFTING], "01": [PUSHING]})
+    table = tabulate(rehearse(make_world, found, by_affordance, seed=0), make_world().feature_names)
+    pairs = [(op.category, op.label) for op in table.operators]
+    assert [pair for pair in pairs if pair[0] != "11"] == [("00", "0"), ("01", "0"), ("10", "0a")]
+    both = [op for op in table.operators if op.category == "11"]
+    assert [op.label for op in both] == ["0a", "0"]  # a push may lose the object over the edge of the table
+    names = {category.symbol: category.name for category in table.categories}
+    assert all(op.name == name_operator(op.label, names[op.category], op.modes) for op in table.operators)
+    assert len({op.name for op in table.operators}) == len(table.operators)
+    assert [one.label for one in table.primitives] == ["0", "0a"]
+    assert table.symbols == ("0",)
+    assert table.format == "neurosym-primitives-2"
+
+
+def test_letters_are_shared_by_categories_and_go_on_after_z():
+    many = [Primitive("0", (float(number),) * 12, 0.0) for number in range(30)]
+    found = with_own([many[0]], {f"{number:05b}": [one] for number, one in enumerate(many)})
+    assert {"0", "0a", "0z", "0aa", "0ab", "0ac"} <= {one.label for one in found.primitives}
+    assert len({one.label for one in found.primitives}) == 30
+    same = with_own([PUSHING], {"0": [LIFTING], "1": [LIFTING]})
+    lifting = Primitive("0", LIFT, 0.01, "a")
+    assert same == Repertoire((PUSHING, lifting), {"0": ("0a",), "1": ("0a",)})

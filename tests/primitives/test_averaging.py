@@ -35,14 +35,10 @@ def naive_kind(data, row):
     return "resting"
 
 
-def test_kinds_are_told_as_a_world_tells_them():
-    data = some_data()
-    assert kinds_of(data) == [naive_kind(data, row) for row in range(len(data))]
-
-
-@pytest.mark.parametrize("axes", [1, 2, 3, 5])
+@pytest.mark.parametrize("axes", [1, 3])
 def test_table_agrees_with_a_naive_average(axes):
     data = some_data(axes=axes)
+    assert kinds_of(data) == [naive_kind(data, row) for row in range(len(data))]
     table = average(data, PRIMITIVES, both_signs, first_sign)
     assert table.measured == "data"
     assert table.axes == axes
@@ -67,19 +63,6 @@ def test_pairs_and_primitives_that_no_row_has_are_left_out():
     data = some_data()
     table = average(data, PRIMITIVES, lambda rows: ("00",) * len(rows), lambda rows: ("1",) * len(rows))
     assert [(operator.category, operator.primitive) for operator in table.operators] == [("00", "1")]
-    assert [category.name for category in table.categories] == [
-        "kind-00",
-        "unseen-01",
-        "unseen-10",
-        "unseen-11",
-    ]
-
-
-def test_categories_are_named_after_features_that_have_our_names():
-    table = average(some_data(feature_names=["t", "mass"]), PRIMITIVES, both_signs, first_sign)
-    assert {category.name.split("-")[0] for category in table.categories} <= {"hollow", "solid", "any"}
-
-
-def test_nothing_can_be_averaged_without_primitives():
+    assert [one.name for one in table.categories] == ["kind-00", "unseen-01", "unseen-10", "unseen-11"]
     with pytest.raises(InvalidValue, match="without primitives"):
-        average(some_data(), (), both_signs, first_sign)
+        average(data, (), both_signs, first_sign)

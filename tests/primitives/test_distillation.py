@@ -11,7 +11,6 @@ from neurosym.learning.losses import reproducible
 from neurosym.learning.network import EffectModel
 from neurosym.learning.training_config import ModelConfig
 from neurosym.operators import CONVERGED, OperatorTable, all_symbols
-from neurosym.primitives import distillation
 from neurosym.primitives.distillation import code_errors, distill, draw_of_every_kind
 from neurosym.worlds.toy import make_world
 
@@ -79,59 +78,21 @@ def test_all_candidates_have_converged_or_there_is_only_the_best_one():
     assert counts[0] < counts[-1]  # the longer the descent, the more arrive
 
 
-def test_descent_lowers_the_error_of_the_best_start():
-    model = a_model()
-    ends = distill(model, DATA, BOX, seed=0, **FEW)
-    starts = distill(model, DATA, BOX, seed=0, candidates=4, steps=0)
-    before, after = (
-        {symbol: found[0].code_error for symbol, found in by_symbol(all_found).items()}
-        for all_found in (starts, ends)
-    )
-    assert before.keys() == after.keys()
-    assert all(after[symbol] <= before[symbol] for symbol in before)
-    assert sum(after.values()) < 0.7 * sum(before.values())
-
-
-def test_symbols_of_no_action_are_left_out_and_can_be_listed():
-    model = a_model()
-    used = set(model.action_symbols(DATA.actions))
-    rows = np.array([symbol == min(used) for symbol in model.action_symbols(DATA.actions)])
-    primitives = distill(model, DATA[rows], BOX, seed=0, **FEW)
-    assert {primitive.symbol for primitive in primitives} == {min(used)}
-    table = OperatorTable((), primitives[:1], ())
-    assert table.unreached == tuple(s for s in all_symbols(3) if s != min(used))
-
-
-def test_the_same_seed_gives_the_same_primitives_and_the_model_is_untouched():
+def test_the_same_seed_gives_the_same_primitives_the_model_is_untouched_and_what_it_lacks_is_told():
     model = a_model()
     before = {name: weights.clone() for name, weights in model.state_dict().items()}
     assert distill(model, DATA, BOX, seed=1, **FEW) == distill(model, DATA, BOX, seed=1, **FEW)
     assert all(torch.equal(before[name], weights) for name, weights in model.state_dict().items())
     assert all(parameter.grad is None for parameter in model.parameters())
-
-
-def test_codes_that_do_not_saturate_are_reported_honestly():
-    model = a_model()
+    used = min(model.action_symbols(DATA.actions))
+    rows = np.array([symbol == used for symbol in model.action_symbols(DATA.actions)])
+    found = distill(model, DATA[rows], BOX, seed=0, **FEW)
+    assert {primitive.symbol for primitive in found} == {used}, "symbols of no action are left out"
+    assert OperatorTable((), found[:1], ()).unreached == tuple(s for s in all_symbols(3) if s != used)
     with torch.no_grad():
         model.action_encoder[-2].weight *= 1e-4
         model.action_encoder[-2].bias *= 1e-4
     assert all(primitive.code_error > 0.5 for primitive in distill(model, DATA, BOX, seed=0, **FEW))
-
-
-@pytest.mark.parametrize("option", [{"candidates": 0}, {"steps": -1}])
-def test_impossible_options_are_refused(option):
-    with pytest.raises(InvalidValue, match=next(iter(option))):
-        distill(a_model(), DATA, BOX, seed=0, **option)
-
-
-def test_an_action_that_encodes_to_another_symbol_is_no_candidate(monkeypatch):
-    """The search ends at actions of other symbols, as it can with encoders that hardly tell them apart."""
-    model = a_model()
-
-    def astray(_model, begin, *_):
-        return [np.roll(begin, FEW["candidates"], axis=0)] * 2
-
-    monkeypatch.setattr(distillation, "_descend", astray)
-    found = distill(model, DATA, BOX, seed=0, **FEW)
-    encoded = [model.action_symbols(np.array([one.action], dtype=np.float32))[0] for one in found]
-    assert encoded == [one.symbol for one in found]
+    for option in ({"candidates": 0}, {"steps": -1}):
+        with pytest.raises(InvalidValue, match=next(iter(option))):
+            distill(model, DATA, BOX, seed=0, **option)

@@ -1,81 +1,257 @@
-"""Judging counts what ends alike, on a scale of its own, without turning, and goes somewhere."""
+"""Judging and variety: what ends alike is sure; what is sure and unlike the others counts."""
 
-from math import pi, sqrt
+from dataclasses import replace
+from functools import cache, partial
+from itertools import product
+from math import pi, sqrt, tanh
 
 import numpy as np
 import pytest
+import torch
+from toy_learning import BRIEF, alike, search
 
-from neurosym.primitives.reliability import EXACT, Performance, exactness, judge, sureness
+from neurosym.data.origin import Dimensions
+from neurosym.learning.losses import Samples, reproducible
+from neurosym.learning.network import DirectModel
+from neurosym.learning.recipes import fit_direct
+from neurosym.learning.training_config import DirectConfig
+from neurosym.operators import Primitive
+from neurosym.primitives.audition import audition, shortlist
+from neurosym.primitives.reliability import (
+    EXACT,
+    LITTLE,
+    PLENTY,
+    CandidateEffects,
+    Performance,
+    best_set,
+    exactness,
+    judge,
+    observe,
+    sureness,
+    worths,
+)
 from neurosym.world import Outcome, Scene
+from neurosym.worlds.toy import PUSH_LENGTH, ToyWorld, make_world
 
 
-def ended(x, kind="resting", turn=0.0):
-    return Performance(kind, (x, 0.0, 0.0), 0.0, turn)
+def ended(x, kind="resting", turn=0.0, **more):
+    return Performance(kind, (x, 0.0, 0.0), 0.0, turn, **more)
 
 
-def test_sureness_does_not_grow_with_how_far_an_object_goes():
-    near, far = ([ended(x + d) for d in (-EXACT, EXACT)] for x in (0.2, 0.4))
-    assert judge(near).sureness == pytest.approx(1 / sqrt(2), abs=0.01)
-    assert judge(far).sureness == pytest.approx(1 / sqrt(2), abs=0.01)
+SURE = judge([ended(0.2)] * 4).sureness
 
 
-def test_moving_little_is_worth_little():
-    assert exactness(np.array([[0.01, 0.0, 0.0]])) == pytest.approx(0.5)
-    assert exactness(np.zeros((3, 3))) == 0.0
+@pytest.mark.parametrize(
+    ("performances", "sure"),
+    [
+        ([ended(0.2 + d) for d in (-EXACT, EXACT)], 1 / sqrt(2)),
+        ([ended(0.4 + d) for d in (-EXACT, EXACT)], 1 / sqrt(2)),  # however far an object goes
+        ([ended(0.2), ended(0.2), ended(0.2), ended(0.0, "held")], 0.75),  # the main way of ending
+        ([ended(0.2, "toppled"), ended(0.2, "lost")], 0.0),
+        ([ended(0.2), ended(0.2, turn=0.3)] * 2, SURE / 2),
+        ([ended(0.2), ended(0.2, disturbs=True)] * 2, SURE / 2),
+    ],
+)
+def test_sure_is_what_ends_alike_without_turning_or_moving_anything_else(performances, sure):
+    assert judge(performances).sureness == pytest.approx(sure, abs=0.01)
 
 
-def test_only_the_main_way_of_ending_is_averaged_and_its_share_counts():
+def test_only_the_main_way_of_ending_is_averaged_and_moving_little_is_worth_little():
     judged = judge([ended(0.2), ended(0.2), ended(0.2), ended(0.0, "held")])
     assert (judged.kind, judged.mean.tolist()) == ("resting", pytest.approx([0.2, 0, 0, 0]))
-    assert judged.sureness == pytest.approx(0.75, abs=0.01)
-
-
-def test_what_topples_or_falls_promises_nothing():
-    assert judge([ended(0.2, "toppled"), ended(0.2, "lost")]).sureness == 0.0
-
-
-def test_turning_counts_against_an_action():
-    whole, half = judge([ended(0.2)] * 4), judge([ended(0.2), ended(0.2, turn=0.3)] * 2)
-    assert half.sureness == pytest.approx(whole.sureness / 2)
-
-
-def test_moving_something_else_counts_against_an_action():
-    among = [ended(0.2), Performance("resting", (0.2, 0.0, 0.0), 0.0, 0.0, disturbs=True)]
-    assert judge(among * 2).sureness == pytest.approx(judge([ended(0.2)] * 4).sureness / 2)
+    assert exactness(np.array([[0.01, 0.0, 0.0]])) == pytest.approx(0.5)
+    assert exactness(np.zeros((3, 3))) == 0.0
 
 
 def test_turn_is_the_angle_between_start_and_end_whatever_the_sign_of_a_quaternion():
     def scene(*orientation):
         return Scene(np.ones((1, 4)), np.zeros((1, 3)), np.array([orientation]))
 
-    start = scene(0.0, 0.0, 0.0, 1.0)
+    def turn(end):
+        start = scene(0.0, 0.0, 0.0, 1.0)
+        return Outcome(start, end, end, 0, False, False, False, 0.0).turn
+
     for angle in (0.0, 0.4, pi):
         for sign in (1, -1):
             end = scene(0.0, 0.0, sign * np.sin(angle / 2), sign * np.cos(angle / 2))
-            assert Outcome(start, end, end, 0, False, False, False, 0.0).turn == pytest.approx(
-                angle, abs=1e-6
-            )
-    assert Outcome(start, start, scene(0.0, 0.0, 0.0, 0.0), 0, False, False, False, 0.0).turn == 0.0
+            assert turn(end) == pytest.approx(angle, abs=1e-6)
+    assert turn(scene(0.0, 0.0, 0.0, 0.0)) == 0.0
 
 
-def pair_ended(state: str, /, **changes: object) -> Performance:
+def pair_ended(state: str = "01", /, **changes: object) -> Performance:
     """Describe how an action turned out: straight above the reference."""
     values = {"kind": "carried", "outcome": (0.0, 0.0, 1.0), "peak_height": 0.2, "turn": 0.0, "state": state}
     return Performance(**(values | changes))  # type: ignore[arg-type]
 
 
-def test_sure_is_what_always_ends_in_the_state():
-    assert sureness([pair_ended("01")] * 4, "01") == pytest.approx(1.0)
-    assert sureness([pair_ended("01")] * 3 + [pair_ended("10")], "01") == pytest.approx(0.75)
-    assert sureness([pair_ended("01")] * 3 + [pair_ended("10")], "10") == pytest.approx(0.25)
-    assert sureness([pair_ended("01")] * 4, "10") == 0
+@pytest.mark.parametrize(
+    ("performances", "state", "sure"),
+    [
+        ([pair_ended()] * 4, "01", 1.0),
+        ([pair_ended()] * 4, "10", 0.0),
+        ([*[pair_ended()] * 3, pair_ended("10")], "01", 0.75),
+        ([*[pair_ended()] * 3, pair_ended("10")], "10", 0.25),
+        ([pair_ended(), pair_ended(disturbs=True)], "01", 0.5),
+        ([pair_ended(), pair_ended(turn=1.0)], "01", 0.5),
+        ([pair_ended(), pair_ended("")], "01", 0.5),
+        ([pair_ended(outcome=(x, 0.0, 1.0)) for x in (-0.5, 0.5)], "01", 1 / sqrt(2)),
+    ],
+)
+def test_sure_of_a_pair_is_what_always_ends_alike_in_the_state(performances, state, sure):
+    assert sureness(performances, state) == pytest.approx(sure)
 
 
-@pytest.mark.parametrize("spoilt", [{"disturbs": True}, {"turn": 1.0}, {"state": ""}])
-def test_what_moves_others_or_turns_over_does_not_count(spoilt: dict[str, object]):
-    assert sureness([pair_ended("01"), pair_ended("01", **spoilt)], "01") == pytest.approx(0.5)
+PUSH = (0.0, -0.04, 0.0, 0.1, 0.0, 0.0, 0.0, 0.1, 0.0, 0.04, 0.0, 0.1)
+CARRY = (0.0, -0.04, 0.0, 0.1, 0.0, 0.0, 0.08, 0.1, 0.0, 0.04, 0.0, 0.1)  # the same by way of a height
+HEIGHT = 0.08
 
 
-def test_ends_that_differ_in_one_state_are_less_sure():
-    spread = [pair_ended("01", outcome=(x, 0.0, 1.0)) for x in (-0.5, 0.5)]
-    assert sureness(spread, "01") == pytest.approx(1 / sqrt(2))
+class Carrier(ToyWorld):
+    """A toy world in which an object that is pushed follows the second waypoint up on its way."""
+
+    def interact(self, scene, action, target, **options):  # noqa: D102
+        outcome = super().interact(scene, action, target, **options)
+        moved = bool(np.any(outcome.effect))
+        return replace(outcome, peak_height=float(action[6]) if moved else 0.0)
+
+
+class BlindCarrier(Carrier):
+    """The same, and nobody looks at heights."""
+
+    def interact(self, scene, action, target, **options):  # noqa: D102
+        return replace(super().interact(scene, action, target, **options), peak_height=0.0)
+
+
+def distance(one, other):
+    return sqrt(sum((x - y) ** 2 for x, y in zip(one, other, strict=True)))
+
+
+def naive_worths(effects, chosen):
+    found = []
+    for place, mine in enumerate(chosen):
+        total = 0.0
+        for category, share in enumerate(effects.shares):
+            others = [effects.means[n, category] for at, n in enumerate(chosen) if at != place]
+            here = effects.means[mine, category]
+            nearest = min(distance(here, other) for other in [*others, np.zeros(len(here))])
+            total += share * effects.sureness[mine, category] ** 2 * tanh(nearest / PLENTY)
+        found.append(total)
+    return found
+
+
+def some_deeds(rng, count, categories=2):
+    kinds = 0.1 * rng.normal(size=(5, categories, 4))
+    means = kinds[rng.integers(5, size=count)] + 0.01 * rng.normal(size=(count, categories, 4))
+    return CandidateEffects(means, rng.uniform(size=(count, categories)), rng.dirichlet(np.ones(categories)))
+
+
+def some_rivals(seed):
+    """Draw candidates of four symbols, some of them doing nearly the same."""
+    rng = np.random.default_rng(seed)
+    sizes = rng.integers(1, 5, size=4)
+    numbers = rng.permutation(sizes.sum()).tolist()
+    ends = np.cumsum(sizes).tolist()
+    groups = [numbers[end - size : end] for size, end in zip(sizes.tolist(), ends, strict=True)]
+    return groups, some_deeds(rng, len(numbers))
+
+
+def total(chosen, effects):
+    return sum(naive_worths(effects, chosen))
+
+
+def seen(*values, sureness=None):
+    """Say that actions do this to the one object there is."""
+    means = np.array(values, dtype=float)[:, None]
+    return CandidateEffects(means, np.array(sureness or np.ones(len(values)))[:, None], np.ones(1))
+
+
+@pytest.mark.parametrize("count", [1, 2, 7])
+def test_worths_agree_with_a_naive_computation(count):
+    rng = np.random.default_rng(count)
+    effects = some_deeds(rng, 9, categories=3)
+    chosen = [*rng.permutation(9)[:count].tolist(), 0, 0]  # the same twice, of which neither adds anything
+    np.testing.assert_allclose(worths(effects, chosen), naive_worths(effects, chosen), rtol=1e-9)
+
+
+def test_something_else_is_preferred_to_doing_the_same_more_surely():
+    effects = seen([0.1, 0.0], [0.1, 0.0], [0.0, 0.1], [0.0, 0.0], sureness=[0.9, 1.0, 0.7, 0.0])
+    assert best_set([[0], [1, 2]], effects) == [0, 2]
+    assert best_set([[0], [1, 3]], effects) == [0, 3]  # even to do nothing
+    effects = seen([0.0, 0.08], [0.0, 0.2], [0.0, 0.01], sureness=[0.9, 0.7, 0.95])
+    assert best_set([[0, 1]], effects) == best_set([[0, 2]], effects) == [0]  # the surest that moves
+
+
+def test_means_and_sureness_are_those_of_each_category():
+    rng = np.random.default_rng(0)
+    values = rng.normal(size=(2, 30, 4)) * 0.1
+    symbols = rng.choice(["00", "01", "11"], size=30)
+    effects = observe(values, symbols)
+    for action in range(2):
+        for column, symbol in enumerate(["00", "01", "11"]):
+            rows = [values[action, i] for i in range(30) if symbols[i] == symbol]
+            mean = sum(rows) / len(rows)
+            square = sum(float(row @ row) for row in rows) / len(rows)
+            np.testing.assert_allclose(effects.means[action, column], mean)
+            sure = float(mean @ mean) / (square + LITTLE**2)
+            assert effects.sureness[action, column] == pytest.approx(sure)
+            assert effects.shares[column] == pytest.approx(len(rows) / 30)
+
+
+def test_best_set_is_nearly_always_the_best_of_all_and_no_single_exchange_makes_it_better():
+    shares = []
+    for seed in range(30):
+        groups, effects = some_rivals(seed)
+        chosen = best_set(groups, effects)
+        assert all(number in group for number, group in zip(chosen, groups, strict=True))
+        worth = total(chosen, effects)
+        for place, group in enumerate(groups):
+            for candidate in group:
+                assert total([*chosen[:place], candidate, *chosen[place + 1 :]], effects) <= worth + 1e-8
+        shares.append(worth / max(total(list(every), effects) for every in product(*groups)))
+    assert np.mean(np.array(shares) > 1 - 1e-9) >= 0.9
+    assert min(shares) > 0.9  # one exchange at a time can get stuck
+
+
+turned = pytest.mark.parametrize(("first", "other"), [(PUSH, CARRY), (CARRY, PUSH)])
+
+
+def rivals_of(first, other):
+    return Primitive("0", first, 0.0), Primitive("1", first, 0.0), Primitive("1", other, 0.0)
+
+
+@turned
+def test_audition_tells_carrying_from_pushing_equally_far_by_the_height(first, other):
+    for world, second in ((Carrier, other), (BlindCarrier, first)):
+        chosen = audition(search((), alike, partial(world, make_world().config)), rivals_of(first, other))
+        assert [one.action for one in chosen] == [first, second]
+
+
+@cache
+def a_network_that_saw_carrying():
+    """Fit a network to actions like `PUSH` and `CARRY`, whose second waypoint is anywhere up to `HEIGHT`."""
+    rng = np.random.default_rng(0)
+    features = torch.tensor(rng.uniform(size=(600, 4)), dtype=torch.float32)
+    actions = torch.tensor(np.tile(PUSH, (600, 1)), dtype=torch.float32)
+    actions[:, 6] = torch.tensor(rng.uniform(0, HEIGHT, size=600))
+    to_the_right = torch.arange(600) % 2 == 0
+    actions[to_the_right] *= torch.tensor([1, -1, 1, 1] * 3)
+    effects = torch.zeros(600, 3)
+    effects[:, 1] = torch.where(to_the_right, -PUSH_LENGTH, PUSH_LENGTH)
+    samples = Samples(features, actions, effects, actions[:, 6].clone(), None, None)
+    with reproducible(0) as generator:
+        network = DirectModel(Dimensions(), DirectConfig(hidden=32, dropout=0.0, peaks=True))
+        network.set_scale(samples.outcomes(peaks=True))
+        config = replace(BRIEF, teacher=replace(BRIEF.teacher, epochs=60, batch=60))
+        fit_direct(network, samples, config, generator, lambda *_: None)
+    return network.eval()
+
+
+@turned
+def test_shortlist_by_predicted_outcomes_prefers_what_differs(first, other):
+    network = a_network_that_saw_carrying()
+    features = np.random.default_rng(1).uniform(size=(50, 4))
+    for predict, apart in ((network.predict, 0.0), (network.predict_outcomes, HEIGHT)):
+        told = [predict(features, np.tile(action, (50, 1))).mean(0) for action in (first, other)]
+        assert np.linalg.norm(told[0] - told[1]) == pytest.approx(apart, rel=0.2, abs=LITTLE)
+    chosen = shortlist(rivals_of(first, other), network.predict_outcomes, features, alike, 1)
+    assert [one.action for one in chosen] == [first, other]

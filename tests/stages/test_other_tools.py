@@ -38,7 +38,7 @@ def names(folder: Path, pattern: str) -> set[str]:
     return {path.relative_to(folder).as_posix() for path in folder.rglob(pattern)}
 
 
-def test_durative_domain_is_written_if_asked_for_and_kept_up_to_date(folder, capsys):
+def test_durative_domain_is_written_if_asked_for_and_kept_up_to_date(folder, capsys, tmp_path):
     assert neurosym("compile-domain", folder, *CELL) == 0
     assert names(folder, "*durative*") == set()
     assert neurosym("compile-domain", folder, *CELL, "--durative") == 0
@@ -46,29 +46,24 @@ def test_durative_domain_is_written_if_asked_for_and_kept_up_to_date(folder, cap
     assert f"{folder}/domain-durative.pddl takes 1 of 2 problems" in said
     assert "does so at first: mixed" in said
     learned = Grounding.load(folder / "grounding.json")
-    durative = ("domain-durative.pddl", "problems/swap.durative.pddl")
-    assert names(folder, "*durative*") == set(durative)
-    assert (folder / durative[0]).read_text() == durative_domain_text(learned)
-    assert (folder / durative[1]).read_text() == durative_problem_text(toy_places.swap(), learned)
-    assert DomainFolder(folder).problem_names() == ("mixed", "swap")
-    for file in durative:
-        (folder / file).write_text("stale")
-    assert neurosym("compile-domain", folder, *CELL) == 0
-    assert (folder / durative[0]).read_text() == durative_domain_text(learned)
-    assert (folder / durative[1]).read_text() == durative_problem_text(toy_places.swap(), learned)
-
-
-def test_new_problem_has_a_durative_file_while_it_can(folder, tmp_path):
-    assert neurosym("compile-domain", folder, *CELL, "--durative") == 0
+    texts = {
+        "domain-durative.pddl": durative_domain_text(learned),
+        "problems/swap.durative.pddl": durative_problem_text(toy_places.swap(), learned),
+    }
+    for _ in range(2):
+        assert {name: (folder / name).read_text() for name in names(folder, "*durative*")} == texts
+        for file in texts:
+            (folder / file).write_text("stale")
+        assert neurosym("compile-domain", folder, *CELL) == 0
     scene, file = tmp_path / "mine.json", folder / "problems/mine.durative.pddl"
-    toy_places.swap().save(scene)
-    assert neurosym("new-problem", folder, "--scene", scene) == 0
-    learned = Grounding.load(folder / "grounding.json")
-    mine = Problem.load(folder / "problems/mine.scene.json")
-    assert file.read_text() == durative_problem_text(mine, learned)
-    toy_places.mixed().save(scene)
-    assert neurosym("new-problem", folder, "--scene", scene, "--name", "mine") == 0
-    assert not file.exists()
+    for problem, is_written in ((toy_places.swap(), True), (toy_places.mixed(), False)):
+        problem.save(scene)
+        assert neurosym("new-problem", folder, "--scene", scene, "--name", "mine") == 0
+        assert file.exists() == is_written
+    domain = DomainFolder(folder)
+    assert domain.problem_names() == ("mine", "mixed", "swap")
+    (folder / "domain-durative.pddl").unlink()  # what other tools read makes no stage out of date
+    assert not domain.perform(compile_stage(domain, cell=0.02), again=False)
 
 
 def test_durative_domain_of_what_is_only_pushed_is_refused_and_nothing_is_written(folder, capsys):
@@ -104,10 +99,3 @@ def test_page_without_costs_is_written_if_asked_for_kept_up_to_date_and_planned_
     mine = Problem.load(folder / "problems/mine.scene.json")
     learned = Grounding.load(folder / "grounding.json")
     assert (folder / "problems/mine.plain.pddl").read_text() == problem_text(mine, learned, costs=False)
-
-
-def test_stage_is_not_out_of_date_for_what_other_tools_read(folder):
-    domain = DomainFolder(folder)
-    assert domain.perform(compile_stage(domain, cell=0.02, durative=True), again=False)
-    (folder / "domain-durative.pddl").unlink()
-    assert not domain.perform(compile_stage(domain, cell=0.02), again=False)

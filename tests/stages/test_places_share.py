@@ -13,10 +13,13 @@ from neurosym.worlds.world_file import make_world
 TOY = make_world("toy", {})
 
 
-@pytest.mark.parametrize(("steps", "places"), [(1, 0), (1023, 0), (1024, 256), (10_000, 2500)])
-def test_a_quarter_as_many_are_aimed_at_places(tmp_path: Path, steps, places):
+def test_a_quarter_as_many_are_aimed_at_places_if_there_are_any(tmp_path: Path, monkeypatch):
     assert neurosym("init", tmp_path / "new", "--world", "toy") == 0
-    assert pipeline._usual_places(DomainFolder(tmp_path / "new"), TOY, steps) == places
+    folder = DomainFolder(tmp_path / "new")
+    for steps, places in ((1, 0), (1023, 0), (1024, 256), (10_000, 2500)):
+        assert pipeline._usual_places(folder, TOY, steps) == places
+    monkeypatch.setattr(pipeline, "references_of", lambda _: ())
+    assert pipeline._usual_places(folder, TOY, 10_000) == 0
 
 
 def test_no_fewer_than_there_are_so_that_nothing_is_done_again(folder: Path, capsys):
@@ -26,22 +29,16 @@ def test_no_fewer_than_there_are_so_that_nothing_is_done_again(folder: Path, cap
     assert ": done" not in capsys.readouterr().out
 
 
-def test_worlds_that_take_no_places_get_none(tmp_path: Path, monkeypatch):
-    assert neurosym("init", tmp_path / "new", "--world", "toy") == 0
-    monkeypatch.setattr(pipeline, "references_of", lambda _: ())
-    assert pipeline._usual_places(DomainFolder(tmp_path / "new"), TOY, 10_000) == 0
-
-
-def test_relations_without_places_are_refused_before_anything_is_done(tmp_path: Path, capsys):
+@pytest.mark.parametrize(
+    ("options", "said"),
+    [
+        (["--steps", "256"], "with what carries objects to places; give --places a number"),
+        (["--world", "toy"], "The world toy takes no object as a reference"),
+    ],
+)
+def test_relations_that_cannot_be_are_refused_before_anything_is_done(tmp_path: Path, capsys, options, said):
     folder = tmp_path / "new"
-    assert neurosym("run", folder, "--steps", "256", "--relations", "64") == 2
-    assert "with what carries objects to places; give --places a number" in capsys.readouterr().err
+    assert neurosym("run", folder, *options, "--relations", "64") == 2
+    assert said in capsys.readouterr().err
     assert not (folder / "exploration.safetensors").exists()
-
-
-def test_relations_in_a_world_without_them_are_refused_before_anything_is_done(tmp_path: Path, capsys):
-    folder = tmp_path / "new"
-    assert neurosym("run", folder, "--world", "toy", "--relations", "64") == 2
-    assert "The world toy takes no object as a reference" in capsys.readouterr().err
     assert not (folder / "interactions.npz").exists()
-    assert not (folder / "exploration.safetensors").exists()

@@ -9,7 +9,7 @@ import toy_relations
 from neurosym.commands.learn import init, run
 from neurosym.data.interactions import Interactions
 from neurosym.data.origin import Dimensions
-from neurosym.errors import InvalidValue, NeurosymError
+from neurosym.errors import NeurosymError
 from neurosym.files import write_json
 from neurosym.learning.losses import reproducible
 from neurosym.learning.network import EffectModel
@@ -28,38 +28,28 @@ from neurosym.stages.layout import (
 )
 from neurosym.stages.learning import TO_OBJECTS, distill_stage, explore_stage, train_stage
 from neurosym.stages.problem_making import Asked, problem_stage, sight_of_pairs
-from neurosym.world import World
-from neurosym.worlds.toy_relations import make_world
 
 STEPS = 160
 
 
 def with_places(path: Path) -> DomainFolder:
-    """Make a folder that knows categories of objects, whichever, and what carries them to places."""
+    """Make a folder that knows categories of objects, whichever, and what carries all of them to places."""
     init(path, world="toy-relations")
-    world: World = make_world()
     with reproducible(1):
         model = EffectModel(Dimensions(4, 12, 3, (3, 7, 11)), ModelConfig(2, 3)).eval()
     model.save(path / MODEL)
-    (path / PLACES).mkdir()
-    write_json(path / PLACE_OPERATORS, carriers(world))
-    return DomainFolder(path)
-
-
-def carriers(world: World) -> PlaceOperators:
-    """The same action carries objects of every category."""
-    del world
-    places = toy_relations.grounding().places
-    assert places is not None
     nothing = (0.0, 0.0, 0.0)
     mode = Mode("carried", 20, 1.0, nothing, nothing, nothing, nothing, 0.2, 20)
-    table = places.operators
+    table = toy_relations.grounding().places.operators
     operators = tuple(
         Operator(f"carry-to-01-kind-{symbol}", symbol, "01", 20, (mode,))
         for symbol in ("00", "01", "10", "11")
     )
     primitives = (Primitive("01", toy_relations.CARRY, 0.0),)
-    return PlaceOperators(type(table)(table.categories, primitives, operators))
+    (path / PLACES).mkdir()
+    places = PlaceOperators(type(table)(table.categories, primitives, operators))
+    write_json(path / PLACE_OPERATORS, places)
+    return DomainFolder(path)
 
 
 @pytest.fixture(scope="module")
@@ -75,48 +65,36 @@ def folder(tmp_path_factory: pytest.TempPathFactory) -> DomainFolder:
     return domain
 
 
-def test_what_carries_is_tried_with_other_objects(folder: DomainFolder):
+def test_what_carries_is_tried_with_other_objects_and_brings_pairs_into_states(folder: DomainFolder):
     found = Interactions.load(folder / RELATION_INTERACTIONS)
     assert (len(found), found.features.shape[1]) == (STEPS, 8)
     assert np.mean(found.effects[:, -1]) > 0.1
     assert found.origin["reference"] == "object"
-
-
-def test_states_tell_what_stands_on_another_from_what_stands_apart(folder: DomainFolder):
     states = PairStates.load(folder / RELATION_STATES)
     on, apart = states.of((0.1, 1.0, 1.0, 0.0, 0.0)), states.of((1.9, 0.0, 0.0, 0.0, 0.0))
     assert (on.bears, apart.bears) == (True, False)
     assert on.name.startswith("rests-on-")
-
-
-def test_something_is_found_that_brings_pairs_into_a_state(folder: DomainFolder):
     table = RelationOperators.load(folder / RELATION_OPERATORS)
-    promises = [one.promise for one in table.operators if one.promise]
-    assert promises
-    assert max(end.share for end in promises) > 0.5
+    assert max(one.promise.share for one in table.operators if one.promise) > 0.5
     assert len({one.name for one in table.operators}) == len(table.operators)
 
 
-def test_world_without_objects_as_references_is_refused(tmp_path: Path):
-    init(tmp_path / "toy", world="toy")
+@pytest.mark.parametrize(
+    ("world", "said"),
+    [("toy", "takes no object as a reference"), ("toy-relations", r"effect_model\.safetensors")],
+)
+def test_what_objects_and_places_are_must_be_known(tmp_path: Path, world: str, said: str):
+    init(tmp_path / "toy", world=world)
     domain = DomainFolder(tmp_path / "toy")
     stage = explore_stage(domain, TO_OBJECTS, strategy="random", steps=8, seed=0, regime="quick", workers=1)
-    with pytest.raises(InvalidValue, match="takes no object as a reference"):
-        domain.perform(stage, again=True)
-
-
-def test_what_carries_to_places_must_be_known(tmp_path: Path):
-    init(tmp_path / "toy", world="toy-relations")
-    domain = DomainFolder(tmp_path / "toy")
-    stage = explore_stage(domain, TO_OBJECTS, strategy="random", steps=8, seed=0, regime="quick", workers=1)
-    with pytest.raises(NeurosymError, match=r"effect_model\.safetensors"):
+    with pytest.raises(NeurosymError, match=said):
         domain.perform(stage, again=True)
 
 
 def test_whole_way_ends_with_a_domain_of_relations_and_problems_say_what_is_foreseen(tmp_path: Path):
     path = tmp_path / "toy"
     options = {"strategy": "random", "regime": "quick", "seed": 3, "workers": 1, "problems": 0}
-    run(path, world="toy-relations", steps=512, places=128, relations=200, **options)
+    run(path, world="toy-relations", steps=256, places=128, relations=160, **options)
     folder = DomainFolder(path)
     assert "(:action put " in (folder / "domain.pddl").read_text()
     folder.perform(problem_stage(folder, "drawn", Asked(3, seed=1, task="boxes")), again=False)

@@ -16,7 +16,6 @@ from neurosym.stages.folder import DomainFolder
 from neurosym.stages.planning import (
     remarks_on_blocked,
     remarks_on_number,
-    remarks_on_objects,
     remarks_on_places,
 )
 from neurosym.worlds.world_file import read_world
@@ -62,15 +61,6 @@ def test_other_categories_than_the_network_sees_are_said_and_taken(folder, capsy
     assert note in capsys.readouterr().out
     neurosym("plan", folder, "task-01")
     assert note not in capsys.readouterr().out
-
-
-def test_objects_unlike_all_of_their_category_are_named(tmp_path):
-    problem, learned = Problem.load(SHIPPED / "problems/task-01.scene.json"), Grounding.load(GROUNDING)
-    wide = msgspec.structs.replace(problem.objects[0], category="11", features=(0.18, 0.18, 0.02, 0.0))
-    strange = msgspec.structs.replace(problem, objects=(wide,))
-    (remark,) = remarks_on_objects(DomainFolder(tmp_path), strange, learned)
-    assert remark == "item-01 is unlike all that were rehearsed: it is promised what its category is"
-    assert [*remarks_on_objects(DomainFolder(tmp_path), problem, learned)] == []
 
 
 def test_more_objects_than_are_simulated_are_said_and_taken():

@@ -95,35 +95,6 @@ def test_object_is_dragged_before_a_run_and_nudged_during_one(window):
 
 
 @pytest.mark.evaluation
-def test_page_that_is_loaded_again_during_a_run_goes_on(window):
-    session = window.page.session
-    session.plan("fast-downward")
-    window.wait(lambda: session.plans and not session.is_planning)
-    session.running.set_speed(0.1)  # slow enough that the page is there again before its last step
-    session.running.begin()
-    window.wait(lambda: session.running.seen)
-    window.tab.reload()
-    window.await_page()
-    assert window.page.session is session
-    session.running.stop()
-    window.wait(lambda: not session.running.is_active)
-    window.open("Run")
-    window.tab.get_by_text("stopped before step").first.wait_for(timeout=1000 * SLOW)
-
-
-@pytest.mark.evaluation
-def test_two_windows_of_a_browser_stay_in_step(window):
-    other = window.context.new_page()
-    other.goto(window.tab.url)
-    other.get_by_text("Stands at x, y").wait_for(timeout=1000 * SLOW)
-    window.page.session.say("both can read this")
-    for tab in (window.tab, other):
-        tab.get_by_text("both can read this").wait_for(timeout=1000 * SLOW)
-        assert tab.get_by_text("both can read this").is_visible()
-    other.close()
-
-
-@pytest.mark.evaluation
 def test_keyboard_reaches_every_panel_and_number(window):
     window.open("Table")
     window.tab.get_by_role("tab", name="Table").focus()
@@ -136,20 +107,3 @@ def test_keyboard_reaches_every_panel_and_number(window):
     before = window.page.session.problem.objects[0].position
     window.tab.keyboard.press("ArrowUp")
     window.wait(lambda: window.page.session.problem.objects[0].position != before)
-
-
-@pytest.mark.evaluation
-@pytest.mark.parametrize(("width", "height"), [(1400, 900), (900, 700)])
-@pytest.mark.parametrize("name", ["task-01", "task-20"])
-def test_page_fits_the_window(browser, studio, width, height, name):
-    window = Window(browser, studio, width, height)
-    window.page.session.load(name)
-    for is_dark in (False, True):
-        window.page.set_dark(is_dark)
-        window.tab.wait_for_timeout(1500)
-        size = window.tab.evaluate(
-            "[document.documentElement.scrollWidth, document.documentElement.scrollHeight]"
-        )
-        assert size == [width, height]
-    assert window.errors == []
-    window.context.close()

@@ -1,5 +1,6 @@
 """Bodies become closed meshes of their size, labels keep apart, and a drag follows the pointer."""
 
+from itertools import combinations
 from types import SimpleNamespace
 
 import numpy as np
@@ -7,7 +8,7 @@ import pytest
 
 from neurosym.contract import Part
 from neurosym.problems import SceneObject
-from neurosym.studio.view import LABEL, Grab, View, circle, mesh_of, rectangle, scalar_first
+from neurosym.studio.view import LABEL, Grab, View, circle, mesh_of, rectangle
 
 PARTS = [
     (Part("box", (0.1, 0.2, 0.3)), 0.006),
@@ -38,22 +39,13 @@ def test_outlines_are_closed():
         assert np.allclose(lines[0, 0], lines[-1, 1])
 
 
-def test_quaternions_are_turned_around_for_the_page():
-    assert scalar_first((1, 2, 3, 4)) == (4.0, 1.0, 2.0, 3.0)
-
-
-@pytest.mark.parametrize("seed", range(20))
+@pytest.mark.parametrize("seed", range(5))
 def test_labels_do_not_cover_each_other(seed):
     rng = np.random.default_rng(seed)
     items = labelled(rng.uniform([0.4, -0.3], [1.0, 0.3], (8, 2)))
     seen = [(y, z + 0.7 * x) for x, y, z in items]
-    for number, (side, height) in enumerate(seen):
-        for other_side, other in seen[number + 1 :]:
-            assert abs(side - other_side) >= LABEL[0] or abs(height - other) >= LABEL[1] - 1e-9
-
-
-def test_label_of_a_lone_object_is_right_above_it():
-    assert labelled([(0.6, 0.0)]) == [pytest.approx((0.6, 0.0, 0.13))]
+    for (side, height), (other_side, other) in combinations(seen, 2):
+        assert abs(side - other_side) >= LABEL[0] or abs(height - other) >= LABEL[1] - 1e-9
 
 
 def labelled(spots) -> list[tuple[float, float, float]]:
@@ -73,8 +65,5 @@ def test_pointer_that_moves_over_the_table_moves_what_was_grabbed_by_as_much():
     grab = Grab(eye, (0.6, 0.0, 0.1), (0.58, 0.02, 0.04))
     ahead = np.array(eye) + 0.3 * (np.array([0.7, 0.1, 0.1]) - eye)  # anywhere on the line of sight
     assert grab.to(ahead) == pytest.approx((0.68, 0.12))
-
-
-@pytest.mark.parametrize("point", [(1, 0, 1), (1, 0, 2)])
-def test_line_of_sight_that_misses_the_level_moves_nothing(point):
-    assert Grab((0, 0, 1), (0, 0, 0), (0, 0, 0)).to(point) is None
+    for point in ((1, 0, 1), (1, 0, 2)):  # lines of sight that miss the level
+        assert Grab((0, 0, 1), (0, 0, 0), (0, 0, 0)).to(point) is None

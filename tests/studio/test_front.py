@@ -90,16 +90,12 @@ def test_new_browser_gets_a_page_and_the_same_one_again():
         assert len(pages.open) == 2
 
 
-def test_page_is_asked_for_what_stands_after_its_name():
+def test_page_is_asked_for_what_stands_after_its_name_and_an_unknown_one_is_said_with_a_way_back():
     with door() as (front, _):
         asked(front, "/")
         status, _, text = asked(front, "/page/page1/some/file.js?x=1", X_Mine="kept")
         assert (status, text) == (200, "/some/file.js close kept")
         assert asked(front, "/page/page1")[1]["location"] == "/page/page1/"
-
-
-def test_unknown_page_is_said_with_a_way_back():
-    with door() as (front, _):
         status, _, text = asked(front, "/page/none/")
         assert status == 404
         assert 'href="/"' in text
@@ -112,13 +108,18 @@ def test_page_that_cannot_be_is_told_and_never_as_markup():
         assert "&lt;another&gt;" in text
 
 
-@pytest.mark.parametrize(
-    "headers", [{"Host": "evil.example"}, {"Origin": "http://evil.example"}, {"Origin": "null"}]
-)
-def test_request_of_another_site_is_refused(headers):
+def test_requests_of_other_sites_and_what_is_no_request_are_refused():
     with door() as (front, pages):
-        assert asked(front, "/", **headers)[0] == 403
+        for headers in ({"Host": "evil.example"}, {"Origin": "http://evil.example"}, {"Origin": "null"}):
+            assert asked(front, "/", **headers)[0] == 403
+        for raw in (b"\r\n\r\n", b"GET\r\n\r\n", b"\x16\x03\x01\r\n\r\n", b"A" * 70_000):
+            with socket.create_connection(("127.0.0.1", front.port), timeout=10) as way:
+                way.sendall(raw)
+                way.shutdown(socket.SHUT_WR)
+                answer = way.makefile("rb").read()
+            assert answer == b"" or answer.startswith(b"HTTP/1.1 400")
         assert pages.open == []
+        assert asked(front, "/")[0] == 303
 
 
 def test_other_machines_must_know_the_token():
@@ -129,17 +130,6 @@ def test_other_machines_must_know_the_token():
         assert (status, headers["location"]) == (303, "/page/page1/")
         assert asked(front, "/", Cookie=f"neurosym-token={front.token}")[0] == 303
         assert len(pages.open) == 2
-
-
-@pytest.mark.parametrize("raw", [b"\r\n\r\n", b"GET\r\n\r\n", b"\x16\x03\x01\r\n\r\n", b"A" * 70_000])
-def test_what_is_no_request_is_answered_or_dropped(raw):
-    with door() as (front, _):
-        with socket.create_connection(("127.0.0.1", front.port), timeout=10) as way:
-            way.sendall(raw)
-            way.shutdown(socket.SHUT_WR)
-            answer = way.makefile("rb").read()
-        assert answer == b"" or answer.startswith(b"HTTP/1.1 400")
-        assert asked(front, "/")[0] == 303
 
 
 def test_taken_port_is_one_sentence():

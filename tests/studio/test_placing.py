@@ -7,8 +7,7 @@ from toy_domain import grounding, problem
 from neurosym.errors import InvalidValue
 from neurosym.problems import Problem
 from neurosym.studio import scene_editor
-from neurosym.studio.scene_editor import REACH_CELL, free_spot, reach_of, why_not_there
-from neurosym.tasks.transition import PlanStep, validate
+from neurosym.studio.scene_editor import free_spot, why_not_there
 
 TABLE = grounding().table
 SCENE = problem({"item-01": (0.6, 0.16, 0.025)})
@@ -51,27 +50,3 @@ def test_room_for_another_object_is_beside_those_that_are_there():
         assert np.hypot(x - middle[0], y - middle[1]) < 0.11
     with pytest.raises(InvalidValue, match="no room"):
         free_spot(SCENE, (1.5, 1.5, 0.05, 0.0), TABLE, (0.6, 0.0))
-
-
-@pytest.mark.parametrize("steps", [1, 2, 3])
-def test_reach_is_all_that_so_many_steps_lead_to(steps):
-    learned, scene = grounding(), scene_editor.without_object(problem({}), "item-02")
-    reach = reach_of(scene.objects[0], learned, steps)
-    found = {scene.objects[0].position[:2]}
-    names = ("push-left-001-cube", "push-forward-010-cube")
-    plans = [[]]
-    for _ in range(steps):
-        plans = [[*plan, PlanStep(name, "item-01")] for plan in plans for name in names]
-        for plan in plans:
-            replayed = validate(plan, scene, learned)
-            if replayed.possible:
-                found.add(tuple(replayed.positions[-1][0, :2].round(6)))
-    assert len(reach) == len(found)
-    for spot in found:
-        assert np.abs(reach - spot).max(axis=1).min() < REACH_CELL / 2 + 1e-9
-
-
-def test_reach_is_drawn_on_the_table_only():
-    centres = reach_of(problem({}).objects[1], grounding(), 9)
-    low, high = np.array([TABLE.x, TABLE.y]).T
-    assert np.all((centres > low) & (centres < high))

@@ -1,7 +1,6 @@
 """Which goals by relation there can be, where their ghosts stand, and what a drop means."""
 
 import msgspec
-import numpy as np
 import pytest
 import toy_domain
 from toy_relations import LIE, REST, grounding, scene, sorting, tower
@@ -14,12 +13,8 @@ from neurosym.studio.scene_editor import (
     ghost_spots,
     goals_for,
     relation_of_drop,
-    stacks_of,
     under,
-    why_no_goal,
-    why_not_related,
 )
-from neurosym.tasks.supports import carried_along
 from neurosym.tasks.task import Task, understand
 
 LEARNED = grounding()
@@ -43,20 +38,6 @@ def test_goals_that_an_object_can_have_are_what_was_learned():
     assert goals_for(task(PLAIN, toy_domain.grounding()), "item-01") == ()
 
 
-def test_goals_that_the_others_forbid_are_left_out():
-    stacked = task(scene_editor.with_relation(PLAIN, "item-01", "item-02", REST))
-    assert [goal[1] for goal in goals_for(stacked, "item-02")] == ["item-03"]  # no circle
-    four = Problem("four", scene(*[("cube", 0.5 + 0.1 * n, 0.0) for n in range(4)]), {}, 0.02)
-    taken = task(scene_editor.with_relation(four, "item-01", "item-02", REST))
-    assert "item-02" not in [goal[1] for goal in goals_for(taken, "item-03")]  # it bears one only
-
-
-def test_goal_that_holds_may_be_asked_for_though_nothing_leads_to_it():
-    lone = msgspec.structs.replace(LEARNED.relations, operators=())
-    learned = msgspec.structs.replace(LEARNED, relations=lone)
-    assert goals_for(task(sorting(), learned), "item-01") == (("item-01", "item-02", REST),)
-
-
 def test_ghosts_stand_on_ghosts_as_operators_promise():
     spots = ghost_spots(task(tower()))
     assert list(spots) == ["item-01", "item-03"]
@@ -65,11 +46,6 @@ def test_ghosts_stand_on_ghosts_as_operators_promise():
     placed = scene_editor.with_goal(tower(), "item-02", 0.8, 0.0)
     assert ghost_spots(task(placed))["item-01"] == pytest.approx((0.8, 0.0, 0.125))
     assert ghost_spots(task(sorting()))["item-01"] == pytest.approx((0.8, -0.15, 0.03 + 0.09 * 0.055))
-
-
-def test_ghosts_of_goals_on_the_table_stand_where_they_are():
-    goals = {"item-01": (0.6, 0.16, 0.025)}
-    assert ghost_spots(task(toy_domain.problem(goals), toy_domain.grounding())) == goals
 
 
 def test_drop_is_on_the_highest_ghost_that_something_leads_to():
@@ -94,19 +70,6 @@ def test_drop_takes_the_state_that_the_pair_is_brought_to_most_surely():
         dropped = task(scene_editor.with_goal(PLAIN, "item-01", 0.82, -0.1), learned)
         assert relation_of_drop(dropped, "item-01") == ("item-01", "item-03", LIE)
         assert ("item-01", "item-03", REST) in goals_for(dropped, "item-01")
-
-
-def test_goal_that_nothing_leads_to_is_said_with_what_would_be_valid():
-    assert why_no_goal(task(PLAIN), ("item-01", "item-02", LIE)) == (
-        f"no operator brings item-01 to {LIE} with item-02; valid for item-01: {REST} item-02, {LIE} item-03"
-    )
-
-
-def test_goal_that_can_no_longer_be_is_said_of_its_object_alone():
-    assert why_not_related(task(tower())) == {}
-    broken = msgspec.structs.replace(tower(), relations=(*tower().related, ("item-04", "item-01", LIE)))
-    assert list(why_not_related(task(broken))) == ["item-04"]
-    assert "item-04" in complaints(broken)["goal item-04"]
 
 
 FULL = scene(("tray", 0.8, 0.0), ("cube", 0.8, 0.0, 0.01), ("block", 0.5, 0.1))
@@ -137,18 +100,3 @@ FULL = scene(("tray", 0.8, 0.0), ("cube", 0.8, 0.0, 0.01), ("block", 0.5, 0.1))
 )
 def test_what_stands_on_another_is_right_where_something_leads_there_and_wrong_elsewhere(problem, said):
     assert complaints(problem) == said
-
-
-def test_object_that_was_dragged_into_a_tray_is_not_borne_by_it():
-    inside = scene_editor.moved(PLAIN, "item-01", 0.82, -0.1)
-    assert stacks_of(task(inside)) == {}
-    assert complaints(inside)["object item-01"] == "item-01 is in item-03"
-
-
-def test_what_an_object_bears_is_named_to_the_top():
-    stacks = stacks_of(task(sorting()))
-    assert {name: borne.by for name, borne in stacks.items()} == {"item-01": "item-02", "item-02": "item-03"}
-    assert set(carried_along("item-03", stacks)) == {"item-01", "item-02"}
-    moved = scene_editor.moved(sorting(), "item-02", 0.55, 0.2, 0.025, ["item-01"])
-    assert np.allclose(moved.object_named("item-01").position, (0.55, 0.2, 0.075))
-    assert stacks_of(task(moved))["item-01"].by == "item-02"

@@ -12,7 +12,6 @@ from neurosym.planners import PlanStatus
 from neurosym.problems import Problem
 from neurosym.studio import scene_editor
 from neurosym.studio.desk import promises_for
-from neurosym.studio.session import Session
 
 
 @pytest.fixture(scope="module")
@@ -34,10 +33,6 @@ def tabletop(both):
         yield session
 
 
-def test_page_begins_with_the_first_problem(toy):
-    assert toy.problem.name == "errand"
-
-
 def test_change_of_the_table_is_told_and_what_was_planned_is_forgotten(toy):
     planned(toy, "counting")
     topics = []
@@ -55,9 +50,6 @@ def test_what_cannot_be_done_is_said_and_changes_nothing(toy):
     assert "9 m" in toy.word.text
     toy.rename("<script>")
     assert toy.problem == before
-
-
-def test_complaints_follow_what_is_dragged(toy):
     assert toy.complaints() == {}
     toy.aim("item-01", 0.6, 0.4)
     assert toy.complaints() == {"goal item-01": "the goal of item-01 is off the table"}
@@ -82,22 +74,18 @@ def test_object_without_a_network_is_of_the_likest_category(toy):
     assert "effect_model" in toy.library.damage[0]
 
 
-def test_plan_is_made_and_run_and_its_goal_reached(toy):
-    planned(toy, "counting")
-    assert toy.plan_shown.record.status is PlanStatus.SOLVED
-    ran(toy)
-    assert toy.running.run.reached
-    assert [record.as_promised for record in toy.running.records] == [True, True]
-    assert not toy.word.is_bad
-
-
-def test_plans_of_two_planners_are_kept_beside_each_other(toy):
+def test_plans_of_two_planners_are_kept_beside_each_other_and_one_is_run(toy):
     planned(toy, "counting")
     planned(toy, "fast-downward")
     assert list(toy.plans) == ["counting", "fast-downward"]
     assert toy.plan_shown.record.planner == "fast-downward"
     toy.choose("counting")
     assert toy.plan_shown.record.planner == "counting"
+    assert toy.plan_shown.record.status is PlanStatus.SOLVED
+    ran(toy)
+    assert toy.running.run.reached
+    assert [record.as_promised for record in toy.running.records] == [True, True]
+    assert not toy.word.is_bad
 
 
 def test_what_cannot_be_planned_is_said(toy):
@@ -149,35 +137,18 @@ def test_nudge_during_a_run_calls_for_a_new_plan_with_its_reason(toy):
     assert "item-01" in toy.running.replannings[0].why
 
 
-def test_run_goes_step_by_step(toy):
-    waiting(toy)
-    assert toy.running.records == []
-    toy.running.one_step()
-    wait_for(lambda: len(toy.running.records) == 1)
-    toy.running.stop()
-    wait_for(lambda: not toy.running.is_active)
-    assert (toy.running.run.ended, len(toy.running.run.steps)) == ("stopped", 1)
-
-
-def test_table_is_not_set_while_a_plan_runs(toy):
+def test_run_goes_step_by_step_and_the_table_is_not_set_meanwhile(toy):
     before = waiting(toy).problem
     toy.aim("item-01", 0.5, 0.0)
     toy.add((0.05, 0.05, 0.05, 0.0))
     toy.move("item-01", 5.0, 0.0)
     assert "off the table" in toy.word.text
-    assert toy.problem == before
+    assert (toy.problem, toy.running.records) == (before, [])
+    toy.running.one_step()
+    wait_for(lambda: len(toy.running.records) == 1)
     toy.running.stop()
     wait_for(lambda: not toy.running.is_active)
-
-
-def test_dead_process_ends_its_run_only(toy):
-    waiting(toy)
-    toy.running.ticket._child.process.kill()
-    wait_for(lambda: not toy.running.is_active)
-    assert "try again" in toy.word.text
-    toy.running.resume()
-    ran(toy)
-    assert toy.running.run.reached
+    assert (toy.running.run.ended, len(toy.running.run.steps)) == ("stopped", 1)
 
 
 def test_planner_that_is_stopped_gives_way_to_the_next(tabletop):
@@ -191,36 +162,22 @@ def test_planner_that_is_stopped_gives_way_to_the_next(tabletop):
     assert tabletop.plan_shown.plan_file
 
 
-@pytest.mark.parametrize("name", ["task-02", "task-05"])
-def test_record_is_byte_for_byte_what_the_command_line_writes(tabletop, tmp_path, name, monkeypatch):
+def test_record_is_byte_for_byte_what_the_command_line_writes(tabletop, tmp_path, monkeypatch):
+    before = {path: path.stat().st_mtime_ns for path in SHIPPED.rglob("*")}
     monkeypatch.chdir(tmp_path)
+    name = "task-02"
     assert neurosym("plan", "tabletop", name) in (0, 3)
     plan = f"tabletop/plans/{name}.fast-downward.plan"
     assert neurosym("execute", "tabletop", name, plan) in (0, 3)
     tabletop.load(name)
+    tabletop.save()
+    assert "never written into" in tabletop.word.text
     planned(tabletop, "fast-downward")
     assert (tabletop.room.path / tabletop.plan_shown.plan_file).read_text() == Path(plan).read_text()
     ran(tabletop)
     assert tabletop.running.seen
     record = (tabletop.room.path / tabletop.running.file).read_bytes()
     assert record == (tmp_path / f"tabletop/runs/{name}.fast-downward.run.json").read_bytes()
-
-
-def test_shipped_run_is_replayed_and_the_same(tabletop):
-    tabletop.running.set_speed(0.0)
-    tabletop.running.replay("task-03.fast-downward")
-    wait_for(lambda: not tabletop.running.is_active)
-    assert tabletop.running.course in ("same bytes", "within rounding")
-    assert tabletop.running.seen
-
-
-def test_nothing_is_written_into_the_shipped_domain(tabletop):
-    before = {path: path.stat().st_mtime_ns for path in SHIPPED.rglob("*")}
-    tabletop.load("task-02")
-    tabletop.save()
-    assert "never written into" in tabletop.word.text
-    planned(tabletop, "fast-downward")
-    ran(tabletop)
     assert {path: path.stat().st_mtime_ns for path in SHIPPED.rglob("*")} == before
 
 
@@ -230,60 +187,52 @@ def test_margins_say_on_which_side_of_its_flip_each_bit_is(tabletop):
         assert "".join("1" if margin > 0 else "0" for margin in margins) == item.category
 
 
-@pytest.mark.parametrize(("domain", "kind"), [("tabletop", "row"), ("towers", "tower")])
-def test_tasks_are_drawn_as_the_command_line_draws_them(both, tmp_path, monkeypatch, domain, kind):
+def test_tasks_are_drawn_as_the_command_line_draws_them(both, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
-    name = f"drawn-{kind}-3-4"
-    asked = ("--name", name, "--objects", 3, "--seed", 4, "--task", kind)
-    assert neurosym("new-problem", domain, *asked) == 0
-    with session_on(shipped_library(ROOT / "domains" / domain), both) as session:
-        session.draw(3, 4, kind)
+    name = "drawn-tower-3-4"
+    asked = ("--name", name, "--objects", 3, "--seed", 4, "--task", "tower")
+    assert neurosym("new-problem", "towers", *asked) == 0
+    with session_on(shipped_library(ROOT / "domains" / "towers"), both) as session:
+        session.draw(3, 4, "tower")
         wait_for(lambda: session.problem.name == name)
-        assert session.problem == Problem.load(tmp_path / domain / "problems" / f"{name}.scene.json")
-        session.draw(9, 4, kind)
+        assert session.problem == Problem.load(tmp_path / "towers" / "problems" / f"{name}.scene.json")
+        session.draw(9, 4, "tower")
         assert "valid: 1 to 8" in session.word.text
 
 
-def test_motion_is_tried_on_an_object(tabletop):
+def test_motions_and_interactions_and_runs_happen_on_the_page(tabletop):
+    running = tabletop.running
+    running.set_speed(0.0)
+    running.replay("task-03.fast-downward")
+    wait_for(lambda: not running.is_active)
+    assert running.course in ("same bytes", "within rounding")
+    assert running.seen
     tabletop.load("task-02")
     item = tabletop.problem.objects[0]
     promise = next(one for one in promises_for(item, tabletop.library) if one.lifts)
-    action = tabletop.library.grounding.primitive_of(promise.operator).action
-    tabletop.running.set_speed(0.0)
-    tabletop.running.perform(item.name, action)
-    wait_for(lambda: not tabletop.running.is_active)
-    assert tabletop.running.outcome.kind == "held"
-
-
-def test_interaction_of_the_data_happens_again(tabletop):
-    tabletop.running.set_speed(0.0)
-    tabletop.running.recall(int(tabletop.library.interactions.held.argmax()))
-    wait_for(lambda: not tabletop.running.is_active)
-    assert tabletop.running.outcome.kind == "held"
+    running.perform(item.name, tabletop.library.grounding.primitive_of(promise.operator).action)
+    wait_for(lambda: not running.is_active)
+    assert running.outcome.kind == "held"
+    running.recall(int(tabletop.library.interactions.held.argmax()))
+    wait_for(lambda: not running.is_active)
+    assert running.outcome.kind == "held"
     assert tabletop.word.text.startswith("it ended held: ")
     assert "; the effect is" in tabletop.word.text
 
 
-def test_saved_problem_lies_in_the_domain_folder(toy):
-    toy.aim("item-01", 0.6, 0.24)
-    toy.rename("further")
-    toy.save()
-    assert toy.library.load_problem("further").goals == toy.problem.goals
-
-
-def test_file_of_a_scene_is_opened_or_refused(toy):
-    other = scene_editor.with_goal(toy.problem, "item-02", 0.5, -0.2)
-    toy.open_file(msgspec.json.encode(other))
-    assert toy.problem == other
-    for content in (b"", b"{}", b"\xff" * 50, b"[" * 10_000, b" " * 2_000_000):
-        toy.open_file(content)
-        assert toy.word.is_bad
+def test_scene_is_saved_opened_or_refused_and_a_closed_page_leaves_nothing_behind(tmp_path, both):
+    with session_on(toy_library(tmp_path / "toy"), both) as toy:
+        toy.aim("item-01", 0.6, 0.24)
+        toy.rename("further")
+        toy.save()
+        assert toy.library.load_problem("further").goals == toy.problem.goals
+        other = scene_editor.with_goal(toy.problem, "item-02", 0.5, -0.2)
+        toy.open_file(msgspec.json.encode(other))
         assert toy.problem == other
-
-
-def test_closed_page_leaves_nothing_behind(tmp_path, both):
-    with session_on(toy_library(tmp_path / "toy"), both) as session:
-        assert isinstance(session, Session)
-        room = session.room.path
+        for content in (b"", b"{}", b"\xff" * 50, b"[" * 10_000, b" " * 2_000_000):
+            toy.open_file(content)
+            assert toy.word.is_bad
+            assert toy.problem == other
+        room = toy.room.path
         assert room.is_dir()
     assert not room.exists()

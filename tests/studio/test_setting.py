@@ -4,9 +4,9 @@ import msgspec
 import numpy as np
 import pytest
 from toy_domain import problem
-from toy_relations import LIE, REST, sorting, tower
+from toy_relations import LIE, REST, sorting
 
-from neurosym.errors import InvalidValue, UnknownChoice
+from neurosym.errors import InvalidValue
 from neurosym.studio import scene_editor
 
 STACK = msgspec.structs.replace(sorting(), touching=(("item-01", "item-02"), ("item-02", "item-03")))
@@ -32,11 +32,6 @@ def test_goal_keeps_its_height_unless_one_is_given():
     assert scene_editor.with_goal(SCENE, "item-02", 0.5, 0.0).goals["item-02"] == (0.5, 0.0, 0.025)
 
 
-def test_goals_stay_in_the_order_of_the_objects():
-    after = scene_editor.with_goal(scene_editor.with_goal(problem({}), "item-02", 0.5, 0), "item-01", 0.6, 0)
-    assert list(after.goals) == ["item-01", "item-02"]
-
-
 def test_resized_object_rests_on_the_table_and_shows_its_new_category():
     after = scene_editor.resized(SCENE, "item-01", (0.12, 0.05, 0.08, 0.0), by_size)
     item = after.object_named("item-01")
@@ -57,15 +52,6 @@ def test_objects_are_added_by_the_first_free_name_and_taken_away_but_the_last():
         scene_editor.without_object(fewer, "item-02")
 
 
-def test_unknown_object_is_refused():
-    with pytest.raises(UnknownChoice, match="cup"):
-        scene_editor.without_goal(SCENE, "cup")
-
-
-def test_what_is_changed_is_by_hand_and_draws_its_places_anew():
-    assert scene_editor.moved(SCENE, "item-01", 0.5, 0.0).provenance == "by hand"
-
-
 def test_object_has_one_goal_on_the_table_or_by_relation():
     related = scene_editor.with_relation(SCENE, "item-01", "item-02", REST)
     assert (related.goals, related.related) == ({}, (("item-01", "item-02", REST),))
@@ -75,18 +61,6 @@ def test_object_has_one_goal_on_the_table_or_by_relation():
     again = scene_editor.with_goal(related, "item-01", 0.6, 0.16)
     assert again == scene_editor.with_goal(SCENE, "item-01", 0.6, 0.16)
     assert scene_editor.without_goal(related, "item-01") == scene_editor.without_goal(SCENE, "item-01")
-
-
-def test_goals_by_relation_stay_in_the_order_of_the_objects():
-    after = scene_editor.with_relation(
-        scene_editor.without_goal(tower(), "item-01"), "item-01", "item-02", REST
-    )
-    assert [target for target, *_ in after.related] == ["item-01", "item-03"]
-
-
-def test_relations_in_a_circle_are_refused():
-    with pytest.raises(InvalidValue, match="circle"):
-        scene_editor.with_relation(tower(), "item-02", "item-01", REST)
 
 
 def test_what_was_seen_of_contacts_and_pairs_is_forgotten_with_what_it_was_about():

@@ -47,10 +47,3 @@ def test_what_is_at_work_is_stopped_from_the_card(tour):
     wait_for(lambda: tour.session.running.seen)
     tour.stop()
     wait_for(lambda: not tour.session.running.is_active)
-
-
-def test_empty_table_is_said(tour):
-    tour.session.problem = None
-    tour.number = [card.title for card in CARDS].index("a primitive and an operator")
-    tour.act()
-    assert tour.session.word.is_bad

@@ -1,6 +1,5 @@
 """Jobs wait in line, show their place, are stopped, and a process that dies takes only its own with it."""
 
-import msgspec
 import pytest
 from studio_pages import shipped_library, toy_library, wait_for
 
@@ -16,56 +15,40 @@ def room(tmp_path):
     made.close()
 
 
-def test_line_shows_places_and_gives_up_what_is_stopped(room):
-    library = toy_library(room.path.parent / "again")
-    problem = library.first_problem()
-    workers, said = Workers(1), [[] for _ in range(3)]
-    try:
-        jobs = [Make(room.path, problem) for _ in said]
-        tickets = [workers.submit(job, heard.append) for job, heard in zip(jobs, said, strict=True)]
-        assert [ticket.place for ticket in tickets] == [0, 1, 2]
-        tickets[1].stop()
-        assert said[1] == [Failed(STOPPED)]
-        assert tickets[2].place <= 1
-        wait_for(lambda: said[0] and said[2])
-        assert not isinstance(said[2][-1], Failed)
-    finally:
-        workers.close()
+@pytest.fixture
+def workers():
+    made = Workers(1)
+    yield made
+    made.close()
 
 
-def test_job_that_cannot_be_done_is_a_sentence_and_the_next_is_done(room):
-    workers, said = Workers(1), []
-    try:
-        workers.submit(RunPlan(room.path, "errand", "plans/none.plan", "fast-downward", 0), said.append)
-        wait_for(lambda: said)
-        assert isinstance(said[0], Failed)
-        assert "none.plan" in said[0].sentence
-        problem = toy_library(room.path.parent / "again").first_problem()
-        workers.submit(Make(room.path, problem), said.append)
-        wait_for(lambda: len(said) == 2)
-        assert not isinstance(said[1], Failed)
-    finally:
-        workers.close()
-
-
-def test_scene_that_cannot_be_is_told_without_the_folder_of_the_page(room):
+def test_line_shows_places_and_gives_up_what_is_stopped(room, workers):
     problem = toy_library(room.path.parent / "again").first_problem()
-    name, (x, y, _) = next(iter(problem.goals.items()))
-    high = msgspec.structs.replace(problem, goals={name: (x, y, 0.6)})
-    workers, said = Workers(1), []
-    try:
-        workers.submit(Make(room.path, high), said.append)
-        wait_for(lambda: said)
-        assert said[0].sentence.startswith("The scene cannot be used: ")
-        assert str(room.path) not in said[0].sentence
-    finally:
-        workers.close()
+    said = [[] for _ in range(3)]
+    tickets = [workers.submit(Make(room.path, problem), heard.append) for heard in said]
+    assert [ticket.place for ticket in tickets] == [0, 1, 2]
+    tickets[1].stop()
+    assert said[1] == [Failed(STOPPED)]
+    assert tickets[2].place <= 1
+    wait_for(lambda: said[0] and said[2])
+    assert not isinstance(said[2][-1], Failed)
 
 
-def test_crash_is_told_of_its_job_only():
-    room, workers, said = Room(shipped_library().folder), Workers(1), []
+def test_job_that_cannot_be_done_is_a_sentence_and_the_next_is_done(room, workers):
+    said = []
+    workers.submit(RunPlan(room.path, "errand", "plans/none.plan", "fast-downward", 0), said.append)
+    wait_for(lambda: said)
+    assert isinstance(said[0], Failed)
+    assert "none.plan" in said[0].sentence
+    problem = toy_library(room.path.parent / "again").first_problem()
+    workers.submit(Make(room.path, problem), said.append)
+    wait_for(lambda: len(said) == 2)
+    assert not isinstance(said[1], Failed)
+
+
+def test_crash_is_told_of_its_job_only(workers):
+    room, said, name = Room(shipped_library().folder), [], "task-03"
     try:
-        name = "task-03"
         job = RunPlan(room.path, name, f"plans/{name}.fast-downward.plan", "fast-downward", 0, Controls(0.05))
         ticket = workers.submit(job, said.append)
         wait_for(lambda: any(isinstance(one, Seen) for one in said))
@@ -75,7 +58,6 @@ def test_crash_is_told_of_its_job_only():
         workers.submit(Make(room.path, shipped_library().load_problem(name)), said.append)
         wait_for(lambda: type(said[-1]).__name__ == "Drawn")
     finally:
-        workers.close()
         room.close()
 
 

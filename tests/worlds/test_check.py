@@ -1,6 +1,7 @@
 """`check_world` accepts worlds, and says of anything else which requirement is broken."""
 
 from dataclasses import replace
+from functools import partial
 from types import SimpleNamespace
 
 import numpy as np
@@ -9,25 +10,15 @@ import pytest
 from neurosym import check_world
 from neurosym.errors import InvalidWorld
 from neurosym.world import REQUIRED
+from neurosym.worlds import own_world
 from neurosym.worlds.toy import make_world as make_toy
-from neurosym.worlds.world_file import make_world
+from neurosym.worlds.world_file import WORLDS, make_world
 
 
-@pytest.mark.parametrize("name", ["toy", "tabletop"])
-def test_worlds_of_ours_are_worlds(name):
+@pytest.mark.parametrize("name", sorted(WORLDS))
+def test_worlds_of_ours_are_worlds(name, monkeypatch):
+    monkeypatch.setattr(own_world, "_INTERACTIONS", 4)  # that are looked at through each mirror
     check_world(make_world(name, {}))
-
-
-def test_worlds_without_references_are_never_given_any():
-    def interact(scene, action, target, *, put_down, on_frame, ghosts):
-        return make_toy().interact(scene, action, target, put_down=put_down, on_frame=on_frame, ghosts=ghosts)
-
-    def called(scene, action, target, **options):
-        return interact(
-            scene, action, target, **{"put_down": True, "on_frame": None, "ghosts": None} | options
-        )
-
-    check_world(Wrong(references=(), interact=called))
 
 
 class Wrong:
@@ -50,24 +41,20 @@ def box(**changes):
     return made
 
 
-def scene_with(**changes):
-    def sample_scene(rng, objects):
-        made = make_toy().sample_scene(rng, objects)
+def made_with(method, **changes):
+    """A method of the toy world, things changed in what it makes, behind the back of what checks types."""
+
+    def make(*arguments, **options):
+        made = getattr(make_toy(), method)(*arguments, **options)
         for name, value in changes.items():
             object.__setattr__(made, name, value)
         return made
 
-    return sample_scene
+    return make
 
 
-def outcome_with(**changes):
-    def interact(*arguments, **options):
-        made = make_toy().interact(*arguments, **options)
-        for name, value in changes.items():
-            object.__setattr__(made, name, value)
-        return made
-
-    return interact
+scene_with, outcome_with = partial(made_with, "sample_scene"), partial(made_with, "interact")
+TWO = make_toy().sample_scene(np.random.default_rng(9), 2)
 
 
 def spoil(scene, action, target, **options):
@@ -110,6 +97,11 @@ def fail(*arguments, **options):
         ({"sample_scene": nothing}, "gives a NoneType as sample_scene"),
         ({"sample_scene": scene_with(positions=np.zeros((1, 2)))}, r"positions of shape \(1, 2\)"),
         ({"sample_scene": scene_with(features=np.full((1, 4), np.nan))}, "features in .* not finite"),
+        ({"sample_scene": scene_with(features=np.ones((1, 4), int))}, "features in .* not finite floats"),
+        ({"sample_scene": scene_with(positions=[[0.7, 0, 0]])}, "positions of type list .*: a numpy array"),
+        ({"sample_scene": scene_with(features=np.ones((1, 2)))}, r"shape \(1, 2\) .* one object: \(1, 4\)"),
+        ({"sample_scene": scene_with(features=np.ones((2, 4)))}, r"shape \(2, 4\) .* one object: \(1, 4\)"),
+        ({"sample_scene": scene_with(orientations=np.ones((1, 3)))}, r"orientations of shape \(1, 3\)"),
         ({"sample_scene": scene_with(positions=np.zeros((1, 3)))}, "off its table"),
         ({"sample_scene": surprise}, "another scene from a generator in the same state"),
         ({"interact": poor}, "raises an error in interact: TypeError: .*put_down"),
@@ -119,6 +111,10 @@ def fail(*arguments, **options):
         ({"interact": outcome_with(target=3)}, "the target 3"),
         ({"interact": outcome_with(peak_height=np.inf)}, "peak_height = inf"),
         ({"interact": outcome_with(end=make_toy().sample_scene(np.random.default_rng(9), 1))}, "features"),
+        ({"interact": outcome_with(lifted=TWO)}, r"features of shape \(2, 4\) in outcome.lifted"),
+        ({"interact": outcome_with(end=None)}, "a NoneType as outcome.end; valid: a Scene"),
+        ({"interact": outcome_with(touched=(5,))}, r"outcome.touched = \(5,\)"),
+        ({"interact": outcome_with(touched=[1])}, r"outcome.touched = \[1\]"),
     ],
 )
 def test_check_says_which_requirement_is_broken(changes, message):

@@ -13,36 +13,16 @@ from neurosym.data.interactions import Interactions
 from neurosym.worlds.world_file import default_text, read_world
 
 DOCUMENT = DOCS / "own-world.md"
-SLIDER = '''
-"""A puck on a table slides where it is pushed; the world has no physics."""
+SLIDER = """
+from dataclasses import replace
+from neurosym.worlds.toy import ToyConfig, ToyWorld
 
-import numpy as np
-
-from neurosym.world import Table
-from neurosym.world import (Outcome, Scene)
-from neurosym.world import ActionBox
-
-class Slider:
+class Slider(ToyWorld):
     name = "slider"
-    feature_names = ("s_x", "s_y", "d")
-    action_box = ActionBox(np.array([-1.0, -1.0]), np.array([1.0, 1.0]), np.array([False, False]))
-    table = Table((0.0, 1.0), (0.0, 1.0))
-    lift_height = 0.1
 
     def __init__(self, reach):
+        super().__init__(ToyConfig())
         self.reach = reach
-
-    def sample_scene(self, rng, objects):
-        size = rng.uniform(0.02, 0.1, size=(objects, 3))
-        places = np.column_stack([rng.uniform(0.3, 0.7, size=(objects, 2)), size[:, 2] / 2])
-        return Scene(size, places, np.tile([0.0, 0.0, 0.0, 1.0], (objects, 1)))
-
-    def interact(self, scene, action, target, *, put_down=True, on_frame=None, ghosts=None):
-        positions = scene.positions.copy()
-        positions[target, :2] += self.reach * np.sign(np.round(action))
-        end = Scene(scene.features, positions, scene.orientations)
-        lost = not self.table.contains(positions[target])
-        return Outcome(scene, end, end, target, held=False, toppled=False, lost=lost, peak_height=0.0)
 
 def make(reach=0.2, marks=("a", "b"), colour=None):
     return Slider(reach)
@@ -54,15 +34,23 @@ def broken(reach=0.2) -> Slider:
     raise RuntimeError("no such\\nrobot")
 
 def incomplete() -> Slider:
-    return Table((0.0, 1.0), (0.0, 1.0))
+    return ToyConfig()
 
 def nameless() -> Slider:
     world = Slider(0.1)
     world.name = "My World"
     return world
 
+class Forgetful(Slider):
+    def interact(self, *given, **options):
+        self.reach += 0.01
+        return replace(super().interact(*given, **options), peak_height=self.reach)
+
+def forgetful() -> Slider:
+    return Forgetful(0.1)
+
 number = 3
-'''
+"""
 
 
 @pytest.fixture
@@ -77,17 +65,11 @@ def here(tmp_path, monkeypatch):
             del sys.modules[name]
 
 
-def test_world_of_ones_own_is_written_with_the_options_of_its_factory(here):
-    assert neurosym("init", "mine", "--world", "slider:make") == 0
-    factory = read_world(here / "mine/world.toml")
-    assert factory.args == ("slider:make", {"reach": 0.2, "marks": ["a", "b"]})
-    assert pickle.loads(pickle.dumps(factory))().reach == 0.2
-
-
 def test_option_without_a_default_can_be_written_by_hand(here, capsys):
     assert neurosym("init", "mine", "--world", "slider:needy") == 0
-    assert "mine/world.toml cannot be used" in refusal(capsys, "explore", "mine")
-    assert "needs the option 'reach'" in refusal(capsys, "explore", "mine")
+    said = refusal(capsys, "explore", "mine")
+    assert "mine/world.toml cannot be used" in said
+    assert "needs the option 'reach'" in said
     (here / "mine/world.toml").write_text('world = "slider:needy"\n[options]\nreach = 0.3\n')
     assert read_world(here / "mine/world.toml")().reach == 0.3
 
@@ -98,6 +80,9 @@ def test_data_say_which_world_and_options_they_come_from_whatever_the_workers(he
         assert neurosym("init", folder, "--world", "slider:make") == 0
         assert neurosym("explore", folder, *explore, "--workers", workers) == 0
     assert (here / "one/interactions.npz").read_bytes() == (here / "two/interactions.npz").read_bytes()
+    factory = read_world(here / "one/world.toml")
+    assert factory.args == ("slider:make", {"reach": 0.2, "marks": ["a", "b"]})
+    assert pickle.loads(pickle.dumps(factory))().reach == 0.2
     origin = Interactions.load(here / "two/interactions.npz").origin
     assert origin["world"] == "slider:make"
     assert origin["world_options"] == {"reach": 0.2, "marks": ["a", "b"]}
@@ -110,9 +95,10 @@ def documented() -> list[str]:
 
 def test_documented_world_goes_the_whole_way_as_an_installed_command(here):
     (here / "my_world.py").write_text(documented()[0])
+    assert len(documented()[0].splitlines()) < 40
     command = "from neurosym.commands.cli import main; main()"  # like the console script: not from the folder
-    learn = ["--steps", "1024", "--strategy", "random", "--regime", "quick", "--workers", "2"]
-    rest = ["--rehearsals", "24", "--problems", "2"]
+    learn = ["--steps", "512", "--strategy", "random", "--regime", "quick", "--workers", "1"]
+    rest = ["--rehearsals", "12", "--problems", "1"]
     typed = re.search(r"`neurosym (run \S+ --world \S+)`", DOCUMENT.read_text())[1].split()
     ended = subprocess.run(
         [sys.executable, "-P", "-c", command, *typed, *learn, *rest], capture_output=True, text=True
@@ -128,52 +114,49 @@ def test_documented_use_with_gymnasium_works(capsys):
     assert re.match(r"[-\de.]+ (resting|held|toppled|lost) \[", capsys.readouterr().out)
 
 
-def test_documented_world_is_short(here):
-    assert len(documented()[0].splitlines()) < 40
-
-
 @pytest.mark.parametrize(
     ("name", "options", "message"),
     [
         ("nowhere:make", "", "no module 'nowhere' is installed or stands in the current folder"),
-        ("slider.deeper:make", "", "no module 'slider.deeper'"),
         ("slider:", "", "not of the form module:factory"),
         ("slider:missing", "", "the module 'slider' has no 'missing'"),
         ("slider:number", "", "is not callable but of type int"),
         ("slider:make", "speed = 1", "has no option 'speed'; valid: reach, marks, colour"),
         ("slider:make", "reach = nan", "reach = nan must be a finite number"),
         ("slider:broken", "", "cannot be made with its options: RuntimeError: no such robot"),
-        ("slider:incomplete", "", "Table lacks name, feature_names, action_box, table, lift_height"),
+        ("slider:incomplete", "", "ToyConfig lacks name, feature_names, action_box"),
         ("slider:nameless", "", "has the name 'My World'; valid: a lower-case letter"),
         ("raising:make", "", "cannot be imported: ZeroDivisionError: division by zero"),
-        ("leaving:make", "", "cannot be imported: SystemExit: 7"),
-        ("needing:make", "", "cannot be imported: ModuleNotFoundError: No module named 'moon_physics'"),
         ("os:system", 'command = "touch proof"', "is not known to make worlds"),
-        ("subprocess:Popen", 'args = ["touch", "proof"]', "is not known to make worlds"),
-        ("builtins:exec", "", "is not known to make worlds"),
     ],
 )
 def test_world_that_cannot_be_made_is_refused_in_one_sentence(here, name, options, message, capsys):
     (here / "raising.py").write_text("1 / 0\n")
-    (here / "leaving.py").write_text("raise SystemExit(7)\n")
-    (here / "needing.py").write_text("import moon_physics\n")
+
     (here / "mine").mkdir()
     (here / "mine/world.toml").write_text(f'world = "{name}"\n[options]\n{options}\n')
     said = refusal(capsys, "explore", "mine")
     assert message in said
     assert "mine/world.toml cannot be used" in said
     assert not (here / "proof").exists()
-    if not options and "RuntimeError" not in message:
+    if name in ("nowhere:make", "slider:incomplete"):
         assert message in refusal(capsys, "init", "new", "--world", name)
         assert not (here / "new").exists()
 
 
-@pytest.mark.parametrize("place", [".", "downloaded"])
-@pytest.mark.parametrize("name", ["evil:make", "downloaded.evil:make", "downloaded:make"])
-def test_domain_folder_cannot_bring_its_own_code(here, place, name, monkeypatch, capsys):
+@pytest.mark.parametrize(
+    ("name", "place", "modules"),
+    [
+        ("evil:make", "downloaded", ["evil.py"]),
+        ("downloaded:make", ".", ["__init__.py"]),
+        ("downloaded.evil:make", ".", ["evil.py", "__init__.py"]),
+        ("downloaded.evil:make", ".", ["evil.py"]),
+    ],
+)
+def test_domain_folder_cannot_bring_its_own_code(here, place, name, modules, monkeypatch, capsys):
     folder = here / "downloaded"
     folder.mkdir()
-    for module in ("evil.py", "__init__.py"):
+    for module in modules:
         (folder / module).write_text(f"import os\nos.mkdir({str(here / 'proof')!r})\n{SLIDER}")
     (folder / "world.toml").write_text(f'world = "{name}"\n')
     monkeypatch.chdir(here / place)
@@ -184,13 +167,6 @@ def test_domain_folder_cannot_bring_its_own_code(here, place, name, monkeypatch,
     assert not (here / "proof").exists()
 
 
-def test_domain_folder_without_an_init_file_cannot_bring_its_own_code_either(here, capsys):
-    (here / "downloaded").mkdir()
-    (here / "downloaded/evil.py").write_text(SLIDER)
-    (here / "downloaded/world.toml").write_text('world = "downloaded.evil:make"\n')
-    assert "has its code in the domain folder" in refusal(capsys, "explore", "downloaded")
-
-
 def test_run_refuses_another_world_of_ones_own_than_the_folders(here, capsys):
     (here / "world.toml").write_text(default_text("toy", here))
     said = refusal(capsys, "run", here, "--world", "slider:make")
@@ -198,11 +174,5 @@ def test_run_refuses_another_world_of_ones_own_than_the_folders(here, capsys):
 
 
 def test_init_checks_how_a_world_behaves(here, capsys):
-    (here / "forgetful.py").write_text(
-        SLIDER.replace("self.reach = reach", "self.reach = reach; self.count = 0").replace(
-            "positions = scene.positions.copy()",
-            "positions = scene.positions.copy(); self.count += 1; positions[0, 0] += 0.01 * self.count",
-        )
-    )
-    assert "has a memory" in refusal(capsys, "init", "mine", "--world", "forgetful:make")
+    assert "has a memory" in refusal(capsys, "init", "mine", "--world", "slider:forgetful")
     assert not (here / "mine").exists()

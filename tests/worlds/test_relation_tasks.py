@@ -39,30 +39,24 @@ def drawn(kind: str, objects: int = 6, seed: int = 0, **options) -> Problem:
 
 
 @pytest.mark.parametrize("kind", ["tower", "boxes", "unstack", "exchange"])
-@pytest.mark.parametrize("seed", range(3))
-def test_tasks_are_solved_and_reached_in_the_world(kind, seed):
-    problem, learned = drawn(kind, seed=seed), grounding()
-    assert problem == drawn(kind, seed=seed)
+def test_tasks_are_solved_and_reached_in_the_world(kind):
+    problem, learned = drawn(kind, seed=1), grounding()
+    assert problem == drawn(kind, seed=1) != drawn(kind, seed=2)
+    assert len(bearers_of(problem, learned.relations)) == (2 if kind in ("unstack", "exchange") else 0)
     assert unmet_relations(problem, learned)
     result = plan(problem, learned)
     assert result.status is PlanStatus.SOLVED, result.reason
     assert execute(WORLD, problem, learned, result.steps, replanner=plan).reached
 
 
-def test_tower_is_as_high_as_asked_and_boxes_hold_several_if_they_can():
+def test_towers_are_as_high_as_asked_boxes_hold_several_and_stacks_stand_at_the_start():
     assert len(drawn("tower", height=4).related) == 3
     assert {state for *_, state in drawn("boxes").related} == {LIE}
     assert {state for *_, state in drawn("boxes", state=REST).related} == {REST}
     assert len({reference for _, reference, _ in drawn("boxes", objects=8).related}) == 4
-
-
-def test_stacks_stand_at_the_start():
-    problem = drawn("unstack", objects=8)
-    assert len(bearers_of(problem, grounding().relations)) == 2
-    assert max(item.position[2] for item in problem.objects) > 0.1
-    assert problem.touching
-    swapped = drawn("exchange")
-    assert len(bearers_of(swapped, grounding().relations)) == 2
+    stacks = drawn("unstack", objects=8)
+    assert max(item.position[2] for item in stacks.objects) > 0.1
+    assert stacks.touching
 
 
 def test_task_like_another_scene_asks_for_what_bears_what_there():
@@ -76,26 +70,14 @@ def test_task_like_another_scene_asks_for_what_bears_what_there():
 @pytest.mark.parametrize(
     ("call", "said"),
     [
-        (lambda: drawn("pile"), "no kind of task 'pile'"),
-        (
-            lambda: drawn("tower", objects=2),
-            "2 objects will not do: a tower of height 3 needs 3; valid: 3 or more, or a lower height",
-        ),
+        (lambda: drawn("tower", objects=2), "2 objects will not do: a tower of height 3 needs 3;"),
         (lambda: drawn("boxes", objects=1), "1 object will not do: each thing .*; valid: 2 or more"),
-        (
-            lambda: drawn("exchange", objects=3),
-            "3 objects will not do: two change places .*; valid: 4 or more",
-        ),
+        (lambda: drawn("exchange", objects=3), "3 objects will not do: two change places .*; valid: 4"),
         (lambda: drawn("tower", state="floats"), "no state of a pair 'floats'"),
-        (
-            lambda: drawn("tower", state="beside"),
-            "to the state beside-100, so no task asks for it; valid: rests",
-        ),
-        (
-            lambda: drawn("unstack", objects=4),
-            "4 objects will not do: .* apart onto 2 others; valid: 5 or more",
-        ),
+        (lambda: drawn("tower", state="beside"), "to the state beside-100, so no task .*; valid: rests"),
+        (lambda: drawn("unstack", objects=4), "4 objects will not do: .* apart onto 2 others; valid: 5"),
         (lambda: drawn("like"), "needs one in which an object bears another"),
+        (lambda: without_relations(), "has learned no relations, which the task 'tower' is made of; valid"),
     ],
 )
 def test_tasks_that_cannot_be_are_refused_in_one_sentence(call, said):
@@ -103,9 +85,6 @@ def test_tasks_that_cannot_be_are_refused_in_one_sentence(call, said):
         call()
 
 
-def test_domain_without_relations_has_no_such_tasks():
+def without_relations():
     learned = msgspec.structs.replace(grounding(), relations=None)
-    with pytest.raises(
-        InvalidValue, match="has learned no relations, which the task 'tower' is made of; valid"
-    ):
-        draw_any_task(WORLD, categorise, learned, "tower", name="drawn", objects=3, seed=0)
+    return draw_any_task(WORLD, categorise, learned, "tower", name="drawn", objects=3, seed=0)

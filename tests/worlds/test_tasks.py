@@ -1,25 +1,109 @@
-"""Tasks that people bring: starts and goals on the table and apart, and as they are called."""
+"""Problems and tasks drawn from a world or set by hand: starts and goals on the table, apart, as called."""
 
 import math
 
 import numpy as np
 import pytest
 from places import SHIPPED
+from toy_domain import WORLD as TOY
 
 from neurosym.errors import InvalidValue
 from neurosym.learning.network import EffectModel
 from neurosym.problems import Problem
 from neurosym.sim.tabletop import Tabletop
 from neurosym.tasks.task import footprints_apart, overlapping
-from neurosym.world import Table
-from neurosym.worlds.task_drawing import AWAY, CROWDED, ROW_GAP, draw_places, draw_task
+from neurosym.world import Scene, Table
+from neurosym.worlds.task_drawing import (
+    AWAY,
+    CROWDED,
+    ROW_GAP,
+    draw_places,
+    draw_problem,
+    draw_task,
+    set_problem,
+)
+from neurosym.worlds.toy import ToyConfig, ToyWorld
 
-WORLD = Tabletop()
+
+def categorise(features: np.ndarray) -> tuple[str, ...]:
+    return tuple("10" if row[3] >= 0.5 else "00" for row in features)
+
+
+class _StuckWorld(ToyWorld):
+    """Solid objects too wide to grasp and too long to push."""
+
+    def sample_scene(self, rng: np.random.Generator, objects: int) -> Scene:
+        scene = super().sample_scene(rng, objects)
+        scene.features[:, 3] = 0.0
+        return scene
+
+
+def draw(seed: int, objects: int = 1):
+    return draw_problem(TOY, categorise, name="task", objects=objects, seed=seed)
+
+
+@pytest.mark.parametrize("objects", [1, 2])
+def test_no_drawn_problem_is_met_at_its_start_and_every_goal_is_on_the_table(objects):
+    problems = [draw(seed, objects) for seed in range(30)]
+    assert draw(3, objects) == problems[3] != problems[4]
+    for problem in problems:
+        assert tuple(item.category for item in problem.objects) == categorise(problem.scene().features)
+        assert not problem.is_met(problem.scene().positions)
+        assert set(problem.goals) == set(problem.object_names)
+        assert all(TOY.table.contains(np.array(goal)) for goal in problem.goals.values())
+    heights = [goal[2] for problem in problems for goal in problem.goals.values()]
+    assert max(heights) > 0.2 > 0.1 > min(heights), "some goals are in mid-air"
+    with pytest.raises(InvalidValue, match="at least one object"):
+        draw(0, 0)
+
+
+def test_world_in_which_nothing_moves_is_reported_not_searched_for_ever():
+    stuck = _StuckWorld(ToyConfig(sizes=(0.17, 0.18)))
+    with pytest.raises(InvalidValue, match="None of 1000 random actions"):
+        draw_problem(stuck, categorise, name="task", objects=1, seed=0)
+
+
+def test_several_actions_make_a_task_in_which_each_begins_at_rest():
+    problem = draw_problem(TOY, categorise, name="task", objects=3, actions=4, seed=5)
+    assert problem.provenance.startswith("drawn with seed 5: 4 random actions on item-0")
+    aloft = [
+        name for name, goal in problem.goals.items() if goal[2] > problem.object_named(name).position[2] + 0.1
+    ]
+    assert len(aloft) <= 1
+    assert all(TOY.table.contains(goal) for goal in map(np.array, problem.goals.values()))
+    with pytest.raises(InvalidValue, match="at least one action, not 0"):
+        draw_problem(TOY, categorise, name="task", objects=1, actions=0, seed=0)
+
+
+def test_goal_set_by_hand_rests_on_the_table_unless_it_says_otherwise():
+    problem = set_problem(
+        TOY, categorise, {"item-01": (0.7, 0.1), "item-02": (0.6, 0.0, 0.2)}, name="t", objects=2, seed=0
+    )
+    assert problem.goals["item-01"] == (0.7, 0.1, problem.objects[0].position[2])
+    assert problem.goals["item-02"] == (0.6, 0.0, 0.2)
+
+
+@pytest.mark.parametrize(
+    ("goals", "message"),
+    [
+        ({"item-01": (2.0, 0.0)}, "x = 2 m, out of reach; valid: x 0.4 to 1"),
+        ({"item-01": (0.7,)}, "give x,y or x,y,z"),
+        ({"item-01": (0.7, float("nan"))}, "give x,y or x,y,z"),
+        ({"item-09": (0.7, 0.0)}, "item-09, which is not in the scene"),
+        ({}, "no goal"),
+    ],
+)
+def test_impossible_goals_are_refused_in_one_sentence(goals, message):
+    with pytest.raises(InvalidValue, match=message):
+        set_problem(TOY, categorise, goals, name="t", objects=1, seed=0)
+
+
+TABLETOP = Tabletop()
 CATEGORISE = EffectModel.load(SHIPPED / "effect_model.safetensors").object_symbols
 
 
 def drawn(kind, objects, seed, **options) -> Problem:
-    return draw_task(WORLD, CATEGORISE, kind, name="drawn", objects=objects, seed=seed, **options)
+    return draw_task(TABLETOP, CATEGORISE, kind, name="drawn", objects=objects, seed=seed, **options)
 
 
 def starts_and_goals(problem: Problem) -> tuple[np.ndarray, np.ndarray]:
@@ -27,12 +111,11 @@ def starts_and_goals(problem: Problem) -> tuple[np.ndarray, np.ndarray]:
 
 
 @pytest.mark.parametrize(
-    ("kind", "objects"),
-    [("anywhere", 1), ("anywhere", 2), ("anywhere", 4), ("swap", 3), ("row", 4), ("crowded", 4)],
+    ("kind", "objects"), [("anywhere", 1), ("anywhere", 4), ("swap", 3), ("row", 4), ("crowded", 4)]
 )
 def test_starts_and_goals_are_on_the_table_and_apart(kind, objects):
-    low, high = np.array([WORLD.table.x, WORLD.table.y]).T
-    for seed in range(5):
+    low, high = np.array([TABLETOP.table.x, TABLETOP.table.y]).T
+    for seed in range(3):
         task = drawn(kind, objects, seed)
         assert task == drawn(kind, objects, seed) != drawn(kind, objects, seed + 100)
         assert list(task.goals) == list(task.object_names)
@@ -45,18 +128,28 @@ def test_starts_and_goals_are_on_the_table_and_apart(kind, objects):
                 others = np.arange(objects) != row
                 assert not overlapping(spots[row], spots[others], apart[row, others]).any()
         np.testing.assert_array_equal(task.scene().positions[:, 2], task.goal_positions()[:, 2])
-
-
-@pytest.mark.parametrize("kind", ["anywhere", "crowded"])
-def test_goals_are_far_away_and_free_of_what_is_moved_later(kind):
-    for seed in range(5):
-        task = drawn(kind, 4, seed)
         starts, ends = starts_and_goals(task)
-        apart = footprints_apart(task)
-        for row in range(4):
+        for row in range(objects if kind in ("anywhere", "crowded") else 0):
             assert math.dist(starts[row], ends[row]) >= AWAY
-            later = np.arange(4) > row
-            assert not overlapping(ends[row], starts[later], apart[row, later]).any()
+            later = np.arange(objects) > row
+            assert not overlapping(ends[row], starts[later], footprints_apart(task)[row, later]).any()
+
+
+def test_tolerance_and_what_fits_are_as_asked_and_starts_reach_the_edges_of_the_table():
+    wide, narrow = drawn("anywhere", 2, 7), drawn("anywhere", 2, 7, tolerance=0.02)
+    assert (narrow.tolerance, narrow.goals, narrow.objects) == (0.02, wide.goals, wide.objects)
+    low = drawn("anywhere", 2, 0, fits=lambda features: bool(features[2] < 0.06))
+    assert all(item.features[2] < 0.06 for item in low.objects)
+    many = [drawn("anywhere", 1, seed).objects[0] for seed in range(40)]
+    assert any(item.features[2] >= 0.06 for item in many)
+    spots, (low, high) = (
+        np.array([item.position[:2] for item in many]),
+        np.array([TABLETOP.table.x, TABLETOP.table.y]).T,
+    )
+    assert np.any(np.minimum(spots - low, high - spots) < 0.1)
+    table, rng = Table((0.0, 1.0), (0.0, 1.0)), np.random.default_rng(0)
+    assert draw_places(rng, np.full((2, 2), 0.8), table) is None, "no room"
+    assert draw_places(rng, np.full((1, 2), 0.95), table, np.array([[0.5, 0.5]])) is None, "nowhere is far"
 
 
 def test_swaps_rows_and_crowds_are_what_they_are_called():
@@ -65,7 +158,7 @@ def test_swaps_rows_and_crowds_are_what_they_are_called():
         np.testing.assert_array_equal(goals, np.roll(starts, -1, axis=0))
     row = drawn("row", 4, 0)
     _, goals = starts_and_goals(row)
-    assert set(goals[:, 0].tolist()) == {sum(WORLD.table.x) / 2}
+    assert set(goals[:, 0].tolist()) == {sum(TABLETOP.table.x) / 2}
     widths = np.array([item.features[1] for item in row.objects])
     np.testing.assert_allclose(np.diff(goals[:, 1]), (widths[1:] + widths[:-1]) / 2 + ROW_GAP)
     crowd = drawn("crowded", 4, 0)
@@ -73,32 +166,6 @@ def test_swaps_rows_and_crowds_are_what_they_are_called():
     apart = footprints_apart(crowd)
     for number in range(1, 4):
         assert overlapping(starts[number], starts[:number], apart[number, :number] + CROWDED).any()
-
-
-def test_places_do_not_depend_on_the_tolerance():
-    wide, narrow = drawn("anywhere", 2, 7), drawn("anywhere", 2, 7, tolerance=0.02)
-    assert (narrow.tolerance, narrow.goals, narrow.objects) == (0.02, wide.goals, wide.objects)
-
-
-def test_only_objects_that_fit_are_drawn():
-    def is_low(features):
-        return bool(features[2] < 0.06)
-
-    task = drawn("anywhere", 2, 0, fits=is_low)
-    assert all(item.features[2] < 0.06 for item in task.objects)
-    assert any(item.features[2] >= 0.06 for seed in range(9) for item in drawn("anywhere", 2, seed).objects)
-
-
-def test_starts_reach_the_edges_of_the_table():
-    spots = np.array([drawn("anywhere", 1, seed).objects[0].position[:2] for seed in range(60)])
-    low, high = np.array([WORLD.table.x, WORLD.table.y]).T
-    assert np.any(np.minimum(spots - low, high - spots) < 0.1)
-
-
-def test_objects_without_room_are_told():
-    table, rng = Table((0.0, 1.0), (0.0, 1.0)), np.random.default_rng(0)
-    assert draw_places(rng, np.full((2, 2), 0.8), table) is None
-    assert draw_places(rng, np.full((1, 2), 0.95), table, np.array([[0.5, 0.5]])) is None, "nowhere is far"
 
 
 @pytest.mark.parametrize(

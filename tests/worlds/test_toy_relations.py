@@ -4,13 +4,13 @@ import numpy as np
 import pytest
 
 from neurosym.world import OtherObject, Place, Scene
-from neurosym.worlds.own_world import check_world
 from neurosym.worlds.toy_relations import WALL, let_down, loads_on, make_world
 
 CARRY = np.array([0, 0, 0, 1.0, 0, 0, 0, 0.0, 0, 0, 0, 0.0])
 FORWARD = np.array([-0.05, 0, 0, 0.1, 0, 0, 0, 0.1, 0.05, 0, 0, 0.1])
 CUBE, SLAB, TRAY = (0.05, 0.05, 0.05, 0.0), (0.10, 0.05, 0.04, 0.0), (0.18, 0.18, 0.06, 1.0)
-WORLD = make_world()
+WIDE = (0.1, 0.1, 0.04, 0.0)
+WORLD, ON, PLACE = make_world(), OtherObject(1), Place(0.5, -0.1)
 
 
 def scene(*rows: tuple[tuple[float, ...], float, float, float]) -> Scene:
@@ -22,32 +22,40 @@ def scene(*rows: tuple[tuple[float, ...], float, float, float]) -> Scene:
     )
 
 
-def put(before: Scene, target: int, reference: OtherObject | Place, action=CARRY):
+def put(before: Scene, target: int, reference: OtherObject | Place = ON, action=CARRY):
     return WORLD.interact(before, action, target, reference=reference)
 
 
-def test_cube_is_put_on_another_and_touches_it():
-    outcome = put(scene((CUBE, 0.5, 0.0, 0), (SLAB, 0.8, 0.1, 0)), 0, OtherObject(1))
-    assert outcome.kind == "carried"
-    assert outcome.contacts == ((0, 1),)
-    np.testing.assert_allclose(outcome.end.positions[0], [0.8, 0.1, 0.065])
+@pytest.mark.parametrize(
+    ("before", "reference", "kind", "end", "contacts"),
+    [
+        (scene((CUBE, 0.5, 0, 0), (SLAB, 0.8, 0.1, 0)), ON, "carried", (0.8, 0.1, 0.065), ((0, 1),)),
+        # a tray does not fit into one of its size, and stands on its rim
+        (scene((TRAY, 0.5, 0, 0), (TRAY, 0.8, 0.1, 0)), ON, "carried", (0.8, 0.1, 0.09), ((0, 1),)),
+        # what is taken from another comes down
+        (
+            scene((CUBE, 0.8, 0.1, 0.04), (SLAB, 0.8, 0.1, 0)),
+            Place(0.5, -0.1),
+            "carried",
+            (0.5, -0.1, 0.025),
+            (),
+        ),
+        (scene((WIDE, 0.5, 0, 0), (SLAB, 0.8, 0.1, 0)), ON, "missed", (0.5, 0, 0.02), ()),
+    ],
+)
+def test_object_is_put_on_another_or_taken_from_it(before, reference, kind, end, contacts):
+    outcome = put(before, 0, reference)
+    assert (outcome.kind, outcome.contacts) == (kind, contacts)
+    np.testing.assert_allclose(outcome.end.positions[0], end)
 
 
-def test_cube_is_put_on_the_floor_of_a_tray_and_the_next_one_on_it():
-    before = scene((CUBE, 0.5, 0.0, 0), (TRAY, 0.8, 0.1, 0), (CUBE, 0.5, 0.2, 0))
-    outcome = put(before, 0, OtherObject(1))
+def test_cube_is_put_on_the_floor_of_a_tray_and_the_next_one_on_it_or_beside_it():
+    outcome = put(scene((CUBE, 0.5, 0.0, 0), (TRAY, 0.8, 0.1, 0), (CUBE, 0.5, 0.2, 0)), 0)
     assert outcome.end.positions[0, 2] == pytest.approx(WALL + 0.025)
-    again = put(outcome.end, 2, OtherObject(1))
-    assert again.end.positions[2, 2] == pytest.approx(WALL + 0.075)
+    assert put(outcome.end, 2).end.positions[2, 2] == pytest.approx(WALL + 0.075)
     aside = CARRY.copy()
     aside[9] = 0.05
-    beside = put(outcome.end, 2, OtherObject(1), aside)
-    assert beside.end.positions[2, 2] == pytest.approx(WALL + 0.025)
-
-
-def test_tray_does_not_fit_into_a_tray_of_its_size_and_stands_on_its_rim():
-    outcome = put(scene((TRAY, 0.5, 0.0, 0), (TRAY, 0.8, 0.1, 0)), 0, OtherObject(1))
-    np.testing.assert_allclose(outcome.end.positions[0], [0.8, 0.1, 0.09])
+    assert put(outcome.end, 2, ON, aside).end.positions[2, 2] == pytest.approx(WALL + 0.025)
 
 
 def test_what_rests_on_the_target_goes_along_and_is_said_to_have_moved():
@@ -61,24 +69,6 @@ def test_what_rests_on_the_target_goes_along_and_is_said_to_have_moved():
     np.testing.assert_allclose(pushed.displacements[:3], [[0.08, 0, 0]] * 3, atol=1e-12)
 
 
-def test_what_is_taken_from_another_comes_down_at_a_place():
-    outcome = put(scene((CUBE, 0.8, 0.1, 0.04), (SLAB, 0.8, 0.1, 0)), 0, Place(0.5, -0.1))
-    np.testing.assert_allclose(outcome.end.positions[0], [0.5, -0.1, 0.025])
-    assert outcome.contacts == ()
-
-
 def test_what_is_let_down_over_an_edge_slides_off_and_stands_beside():
-    before = scene((CUBE, 0.5, 0.0, 0), (CUBE, 0.8, 0.1, 0))
-    after = let_down(before, 0, np.array([0.84, 0.1]))
+    after = let_down(scene((CUBE, 0.5, 0.0, 0), (CUBE, 0.8, 0.1, 0)), 0, np.array([0.84, 0.1]))
     np.testing.assert_allclose(after.positions[0], [0.851, 0.1, 0.025])
-
-
-def test_what_cannot_be_grasped_stays_where_it_is():
-    before = scene(((0.1, 0.1, 0.04, 0.0), 0.5, 0.0, 0), (SLAB, 0.8, 0.1, 0))
-    outcome = put(before, 0, OtherObject(1))
-    assert outcome.kind == "missed"
-    np.testing.assert_array_equal(outcome.end.positions, before.positions)
-
-
-def test_it_is_a_world():
-    check_world(WORLD)

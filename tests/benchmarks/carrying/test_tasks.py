@@ -1,19 +1,16 @@
 """The tasks that carrying is measured by: they can be done, and are what they are called."""
 
 from functools import cache
-from pathlib import Path
 
 import numpy as np
-import pytest
 from places import SHIPPED
 
 from neurosym.evaluation.comparison import Bench
 from neurosym.stages.folder import DomainFolder
-from tools.benchmarks.carrying import baselines, tasks
+from tools.benchmarks.carrying import tasks
 from tools.benchmarks.carrying.by_hand import ByHand, carry_by_hand
 from tools.benchmarks.carrying.evaluate import summarise
-from tools.benchmarks.carrying.keeping import KEPT, keep, restore, take_shipped
-from tools.benchmarks.carrying.keeping import SHIPPED as SHIPPED_PLACES
+from tools.benchmarks.carrying.keeping import KEPT, keep, restore
 from tools.benchmarks.carrying.tables import page
 
 
@@ -22,24 +19,12 @@ def bench() -> Bench:
     return Bench(DomainFolder(SHIPPED))
 
 
-@pytest.mark.parametrize("draw", [tasks.swap, tasks.row, tasks.crowded])
-def test_objects_can_be_grasped(draw):
-    for seed in range(3):
-        assert all(tasks.is_graspable(np.array(item.features)) for item in draw(bench(), seed).objects)
-
-
 def test_far_goals_of_graspable_objects_are_drawn_until_all_can_be_grasped():
     problem = tasks.far(bench(), 4, 1, graspable=True, tolerance=0.02)
     assert problem.tolerance == 0.02
     assert all(tasks.is_graspable(np.array(item.features)) for item in problem.objects)
     drawn = [tasks.far(bench(), 4, seed, graspable=False) for seed in range(6)]
     assert not all(tasks.is_graspable(np.array(item.features)) for one in drawn for item in one.objects)
-
-
-def test_every_cell_of_the_table_draws_tasks_in_whole_blocks():
-    for name, draw, count in tasks.cells(0.01):
-        assert count == tasks.BLOCK
-        assert draw(bench(), 7).goals, name
 
 
 def test_what_it_takes_to_try_a_learned_domain_is_kept_and_restored(tmp_path):
@@ -66,26 +51,6 @@ def test_a_person_carries_one_object_and_swaps_two_without_a_planner():
     swapped = carry_by_hand(tasks.swap(bench(), 5), world, 0)
     assert swapped.reached
     assert 3 <= swapped.motions <= 6
-
-
-def test_baselines_are_tried_on_every_cell_of_graspable_objects_and_told():
-    cells = tasks.cells(0.01)
-    found = {name: [True, False] for name in baselines.jobs(Path("seed-1"), 1, cells)}
-    told = baselines.summary(found, cells)
-    assert set(told[baselines.BY_HAND]) == {name for name, *_ in cells if not name.startswith("all")}
-    assert set(told[baselines.WITHOUT]) == set(baselines.LED)
-    assert {share for of in told.values() for share in of.values()} == {0.5}
-
-
-def test_shipped_domain_is_that_of_the_first_seed(tmp_path):
-    """On a new machine, too, where its job is done and its folder is not there."""
-    take_shipped(tmp_path)
-    assert (tmp_path / "seed-1" / "grounding.json").read_bytes() == (
-        SHIPPED_PLACES / "grounding.json"
-    ).read_bytes()
-    (tmp_path / "seed-1" / "grounding.json").write_text("kept")
-    take_shipped(tmp_path)
-    assert (tmp_path / "seed-1" / "grounding.json").read_text() == "kept"
 
 
 def test_page_tells_what_was_tried_and_leaves_out_what_was_not():

@@ -16,16 +16,6 @@ def evaluation(monkeypatch):
     return evaluate
 
 
-def test_every_job_has_a_name_of_its_own_and_networks_are_learned_before_they_are_used(evaluation):
-    turns = [list(jobs) for jobs in evaluation.jobs_in_turn(Path(), 2, 20)]
-    names = [name for turn in turns for name in turn]
-    assert len(set(names)) == len(names)
-    for name in names:
-        if name.startswith("act-"):
-            assert names.index(name.replace("act-", "learn-", 1)) < names.index(name)
-    assert any(name.startswith("learn-") and name.endswith("-10") for name in names)
-
-
 def test_page_says_what_is_missing_and_jobs_that_are_done_are_not_done_again(evaluation, tmp_path):
     (tmp_path / "jobs").mkdir()
     (tmp_path / "jobs/one.json").write_text('{"a": 7}')

@@ -8,10 +8,8 @@ from places import ROOT
 
 from neurosym.evaluation.comparison import Attempt, TaskRecord
 from neurosym.execution.rerun import Execution
-from neurosym.grounding import Grounding
 from neurosym.planners import PlanStatus
 from neurosym.problems import Problem, SceneObject
-from neurosym.tasks.options import cost
 from tools.benchmarks.jobs import Evaluation, pack, unpack
 from tools.benchmarks.planning import evaluate, jobs, measures, tally, tasks
 
@@ -55,18 +53,6 @@ def test_table3_is_the_mean_over_seeds_of_shares_of_all_tasks():
     assert pddl["tasks"] == 4
 
 
-def test_tasks_met_at_the_start_are_in_no_share():
-    done = msgspec.structs.replace(record(0, NO_PLAN, NO_PLAN), met_at_start=True, attempts={})
-    cell = tally.table3_cell({"1": [done, record(1, attempt(), attempt())]}, BOTH)
-    assert (cell["bfs"]["found"], cell["bfs"]["tasks"], cell["bfs"]["met_at_start"]) == (1.0, 1, 1)
-
-
-def test_seed_that_was_not_measured_has_no_part_in_the_mean():
-    cell = tally.table3_cell({"1": [], "2": [record(0, attempt(), attempt())]}, BOTH)
-    assert list(cell["bfs"]["by_seed"]) == ["2"]
-    assert tally.table3_cell({"1": []}, BOTH) == {}
-
-
 def test_symbolic_shares_are_of_the_tasks_that_the_other_planner_solves():
     def entry(number: int, pddl: Attempt, searched: Attempt, exact: Attempt) -> dict:
         kept = record(number, NO_PLAN, pddl, counting=exact, **{"bfs-operators": searched})
@@ -85,14 +71,6 @@ def test_symbolic_shares_are_of_the_tasks_that_the_other_planner_solves():
     assert cell["solved_when_counting_solves"] == pytest.approx(2 / 3)
     assert cell["extra_steps"] == pytest.approx(2 / 3)
     assert tally.whole([cell, cell])["valid_share"] == pytest.approx(2 / 3)
-
-
-def test_costs_are_compared_on_the_same_tasks_even_if_some_are_not_measured_yet():
-    records = [record(0, NO_PLAN, attempt()), record(1, NO_PLAN, attempt(blind=False))]
-    later = {"task": "drawn-00001", "status": "solved", "primitives": 2}
-    later["run"] = msgspec.to_builtins(execution(True))
-    cell = tally.costs([later, {"task": "drawn-00007", "status": "solved"}], records)
-    assert (cell["both_found"], cell["with_costs"], cell["without_costs"]) == (1, 0.0, 1.0)
 
 
 def test_disturbed_runs_without_a_plan_or_a_nudge_are_told_apart():
@@ -117,16 +95,6 @@ def test_scaling_tells_what_was_not_tried():
     assert cell["status"] == {"not tried": 1, "solved": 1, "timeout": 1}
 
 
-def test_every_job_has_a_name_of_its_own_and_tasks_are_drawn_before_they_are_used(tmp_path):
-    size = jobs.size_of(2, 2560)
-    turns = [list(turn) for _, turn in jobs.jobs_in_turn(tmp_path, size, learn=True)]
-    names = [name for turn in turns for name in turn]
-    assert len(set(names)) == len(names)
-    assert all(name.startswith("drawn-") for name in turns[0])
-    assert names.index("learn-random-2-2560") > names.index("learn-random-1-2560")
-    assert sum(name.startswith("table3-shipped") for name in names) == 40
-
-
 def test_nothing_measured_is_written_as_nothing_and_counted(tmp_path):
     size = jobs.size_of(1, 2560)
     evaluate.write_results(Evaluation("planning", tmp_path, tmp_path), size)
@@ -139,32 +107,6 @@ def test_nothing_measured_is_written_as_nothing_and_counted(tmp_path):
     assert "not measured yet" in (tmp_path / "scaling.md").read_text()
     for name in ("planning.png", "scaling.png"):
         assert (tmp_path / name).stat().st_size > 1000
-
-
-def test_what_was_measured_comes_into_the_tables(tmp_path):
-    size = jobs.size_of(1, 2560)
-    (tmp_path / "jobs").mkdir()
-    names = list(jobs.table3_jobs(tmp_path, size, "shipped", 0.05))
-    measured = [msgspec.to_builtins(record(n, attempt(valid=False), attempt())) for n in range(10)]
-    (tmp_path / "jobs" / f"{names[0]}.json").write_text(json.dumps(measured))
-    evaluate.write_results(Evaluation("planning", tmp_path, tmp_path), size)
-    summary = json.loads((tmp_path / "planning.json").read_text())
-    single = summary["table3"]["shipped"]["single"]
-    assert single["fast-downward"]["reached_with_replanning"] == 1.0
-    assert single["bfs"]["valid"] == 0.0
-    page = (tmp_path / "planning.md").read_text()
-    assert "| shipped | single | fast-downward | 1 | 10 | 100 % | 100 % | 100 % | 100 % |" in page
-
-
-def test_flat_operators_cost_alike_and_move_as_before():
-
-    grounding = Grounding.load(ROOT / "domains/tabletop/grounding.json")
-    flat = measures.flattened(grounding)
-    assert len({cost(operator) for operator in flat.live}) == 1
-    assert len({cost(operator) for operator in grounding.live}) > 5
-    assert [operator.name for operator in flat.live] == [operator.name for operator in grounding.live]
-    for before, after in zip(grounding.live, flat.live, strict=True):
-        assert flat.displacement(after) == grounding.displacement(before)
 
 
 @pytest.mark.parametrize("objects", [1, 6])
@@ -207,10 +149,3 @@ def test_records_go_into_an_archive_and_come_back(tmp_path):
     unpack(tmp_path / "none.zip", back)
     assert (back / "other.json").read_text() == "[3]\n"
     assert (back / "table3-random-2-0123abcd-50mm-1-000-10.json").read_text() == "[1]\n"
-
-
-def test_domain_that_is_not_there_any_more_is_known_by_its_records(tmp_path):
-    assert "-none-" in jobs.table3_prefix(tmp_path, "random-2", 0.05) + "-"
-    (tmp_path / "jobs").mkdir()
-    (tmp_path / "jobs" / "table3-random-2-0123abcd-50mm-1-000-10.json").write_text("[]")
-    assert jobs.table3_prefix(tmp_path, "random-2", 0.05) == "table3-random-2-0123abcd-50mm"

@@ -4,10 +4,8 @@ from pathlib import Path
 
 import pytest
 import toy_relations
-from command_line import neurosym
 from toy_domain import grounding, problem
 
-from neurosym.planners import PLANNERS, pddl_planner
 from neurosym.planners.planner_table import PROGRAMS
 from tools.benchmarks.planning import planner_matrix as matrix
 
@@ -39,43 +37,6 @@ def test_tower_is_asked_for_on_the_page_alone():
     ]
 
 
-def test_sas_is_given_only_to_who_reads_it():
-    assert matrix._reads("lama-first", "sas")
-    assert not matrix._reads("kairos", "sas")
-    assert matrix._reads("kairos", "strips")
-
-
-def test_cell_tells_in_whose_words_an_encoding_is_refused():
-    found = matrix.measure("lama-first", "numeric", TASK, grounding(), time_limit=30.0)
-    assert found["status"] == "failed"
-    assert "Fast Downward ended with code" in found["words"]
-
-
-def test_planner_that_is_not_installed_is_a_cell_too(monkeypatch: pytest.MonkeyPatch):
-    absent = pddl_planner("absent", "", lambda *_: None, missing=lambda: "`pip install absent` brings it")
-    monkeypatch.setitem(PLANNERS, "absent", absent)
-    found = matrix.measure("absent", "strips", TASK, grounding(), time_limit=1.0)
-    assert found == {"status": "not installed", "words": "`pip install absent` brings it"}
-
-
-@pytest.mark.parametrize(
-    ("reader", "encoding"),
-    [("pddl", "numeric"), ("unified-planning", "strips"), ("unified-planning", "numeric")],
-)
-def test_readers_read_what_is_printed_and_no_rubbish(
-    reader: str, encoding: str, monkeypatch: pytest.MonkeyPatch
-):
-    assert matrix.measure_reader(reader, encoding, TASK, grounding()) == {"status": "parsed", "words": ""}
-    monkeypatch.setattr(matrix, "domain_text", lambda *_, **__: "(define (domain")
-    assert matrix.measure_reader(reader, encoding, TASK, grounding())["status"] == "failed"
-
-
-def test_reader_that_takes_prices_for_numeric_fluents_is_quoted():
-    found = matrix.measure_reader("pddl", "strips", TASK, grounding())
-    assert found["status"] == "failed"
-    assert "numeric-fluents requirement is not specified" in found["words"]
-
-
 def test_page_has_a_row_for_every_planner_and_reader(tmp_path: Path):
     solved = {"status": "solved", "cell_mm": 5.0, "seconds": 1.5, "words": "", "valid": True, "steps": 3}
     failed = {"status": "failed", "words": "Kairos ended with code 1: no | sense"}
@@ -93,10 +54,3 @@ def test_page_has_a_row_for_every_planner_and_reader(tmp_path: Path):
     assert "**Not finished**: 6 cells to do" in text
     for name in (*(planner.name for planner in PROGRAMS), *matrix.READERS):
         assert f"| {name} |" in text
-
-
-def test_command_lists_every_planner(capsys: pytest.CaptureFixture[str]):
-    assert neurosym("planners") == 0
-    text = capsys.readouterr().out
-    assert all(name in text for name in PLANNERS)
-    assert "pip install 'neurosym-pddl[planners]'" in text

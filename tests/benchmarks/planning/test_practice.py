@@ -2,9 +2,12 @@
 
 import json
 
+import pytest
+
 from tools.benchmarks.planning.practice import HOW, main
 
 
+@pytest.mark.evaluation
 def test_practice_and_even_rehearsal_are_compared_on_the_same_tasks(toy_folder, tmp_path):
     work, results = tmp_path / "work", tmp_path / "results"
     results.mkdir()

@@ -12,7 +12,6 @@ from neurosym.execution.record import Run, StepRecord
 from neurosym.operators import Rehearsal
 from tools.benchmarks.jobs import Evaluation
 from tools.benchmarks.planning import evaluate, figures, jobs, trial_jobs, trials
-from tools.benchmarks.planning.trial_tables import trial_sections
 from tools.benchmarks.planning.trials import Followed, Step, Trial
 
 
@@ -42,11 +41,6 @@ def test_task_without_a_plan_is_a_miss():
         "budget: a grasp failed": 1,
         "no plan at the start (unsolvable)": 1,
     }
-
-
-def test_motions_are_those_of_tasks_with_a_plan():
-    assert figures.motions([trial(steps=2), trial(steps=4), NO_PLAN]) == 3.0
-    assert figures.motions([NO_PLAN]) is None
 
 
 def test_brier_score_is_compared_with_that_of_the_base_rate():
@@ -88,17 +82,6 @@ def test_interval_of_promises_holds_the_rms_and_is_wide_where_one_run_decides():
     assert figures.first_rms([*even, run(4.0, 200.0)]) == 4.0
     assert figures.rms_interval([NO_PLAN]) is None
     assert figures.first_rms([NO_PLAN]) is None
-
-
-def test_kinds_are_kept_where_something_was_promised():
-    steps = [step(), step(kinds=("held", "resting")), step(kinds=(None, "resting"))]
-    assert figures.kinds_kept(steps) == 0.5
-    assert figures.kinds_kept([]) is None
-
-
-def test_trials_come_back_from_json():
-    kept = [trial(), NO_PLAN]
-    assert trials.from_json(json.loads(json.dumps(trials.to_json(kept)))) == kept
 
 
 def test_step_that_puts_down_is_measured_where_the_object_lies():
@@ -145,14 +128,6 @@ def test_task_is_planned_once_and_followed_both_ways():
     assert trials.try_task(setting, problem({"item-01": (0.68, 0.08, 0.025)}), blind=False).blind is None
 
 
-def test_task_without_a_plan_keeps_the_reason():
-    setting = Setting(WORLD, grounding(), lambda features: np.zeros((len(features), 0, 3)))
-    found = trials.try_task(setting, problem({"item-01": (0.5, 0.0, 0.025)}), blind=True)
-    assert found.status == "unsolvable"
-    assert found.reason
-    assert (found.replanned, found.blind) == (None, None)
-
-
 def test_kinds_of_primitive_are_read_from_rehearsals():
     domain = grounding()
     assert trial_jobs.kinds_of(domain) is None, "no rehearsals are kept"
@@ -192,18 +167,3 @@ def test_figures_come_into_json_and_the_page(tmp_path):
     assert "| 50 mm | single | 10 | 0 % (0 to 28) | 100 % (72 to 100) |" in page
     assert "no plan at the start (unsolvable) (1)" in page
     assert "Brier score 0.250; of the base rate 0.000." in page
-
-
-def test_results_of_earlier_versions_have_no_such_sections():
-    assert trial_sections({"table3": {}}) == []
-
-
-def test_trials_come_after_the_tasks_are_drawn_and_short_form_is_short(tmp_path):
-    for seeds, precise, far in ((1, 60, 4), (5, 800, 80)):
-        size = jobs.size_of(seeds, 2560)
-        named = dict(evaluate.turns(tmp_path, size, learn=False))
-        labels = list(named)
-        assert labels.index("drawing tasks") < labels.index("precision, 50 mm") < labels.index("far goals")
-        assert 10 * len(named["precision, 20 mm"]) == precise
-        assert len(named["far goals"]) == far
-        assert len(named["kinds of primitive"]) == seeds

@@ -13,7 +13,7 @@ from tools.benchmarks.relations.tables import page
 from tools.benchmarks.relations.tasks import cells
 
 SOLID, TRAY, TILTED = 0, 1, (0.0, math.sin(0.3), 0.0, math.cos(0.3))
-UPRIGHT = (0.0, 0.0, 0.0, 1.0)
+UPRIGHT, QUARTER = (0.0, 0.0, 0.0, 1.0), (0.0, math.sin(math.pi / 4), 0.0, math.cos(math.pi / 4))
 UNDER = (0.7, 0.1, 0.02)
 
 
@@ -37,6 +37,8 @@ def outcome(kind: int, where: tuple[float, float, float], *, touching: bool, tur
         (outcome(SOLID, (0.8, 0.1, 0.03), touching=True), "against"),
         (outcome(SOLID, (0.8, 0.1, 0.03), touching=False), "beside"),
         (outcome(TRAY, (0.5, -0.2, 0.03), touching=False), "apart"),
+        (outcome(TRAY, (0.7, 0.1, -0.03), touching=True), "against"),  # it stands on the other
+        (outcome(SOLID, (0.7, 0.1, 0.065), touching=True, turn=QUARTER), "on"),  # by the sizes it shows
     ],
 )
 def test_relation_is_told(found, name):
@@ -50,29 +52,17 @@ def test_what_fits_is_narrower_than_the_inside_of_a_hollow_one(width, kind, does
     assert fits(np.array([0.05, width, 0.06, SOLID]), np.array([0.15, 0.15, 0.04, kind])) is does
 
 
-def test_what_a_hollow_object_stands_on_is_not_in_it():
-    ring_on_box = outcome(TRAY, (0.7, 0.1, -0.03), touching=True)
-    assert relation(ring_on_box, 0, 1) == "against"
-
-
-@pytest.mark.parametrize("touching", [False, True])
-def test_hollow_object_is_around_what_is_in_it(touching):
-    box_in_tray = outcome(TRAY, (0.7, 0.12, 0.036), touching=touching)
-    assert (relation(box_in_tray, 0, 1), relation(box_in_tray, 1, 0)) == ("in", "around")
-
-
-def test_of_two_hollow_objects_the_smaller_is_in_the_larger():
+def test_hollow_object_is_around_what_is_in_it_and_of_two_the_smaller_is_in_the_larger():
+    for touching in (False, True):
+        box_in_tray = outcome(TRAY, (0.7, 0.12, 0.036), touching=touching)
+        assert (relation(box_in_tray, 0, 1), relation(box_in_tray, 1, 0)) == ("in", "around")
     features = np.array([[0.1, 0.1, 0.04, TRAY], [0.15, 0.15, 0.05, TRAY]])
     scene = Scene(features, np.array([[0.7, 0.1, 0.02], [0.7, 0.1, 0.025]]), np.array([UPRIGHT, UPRIGHT]))
     rings = Outcome(scene, scene, scene, 0, False, False, False, 0.0)
     assert (relation(rings, 0, 1), relation(rings, 1, 0)) == ("in", "around")
 
 
-def test_quarter_turned_object_counts_by_the_sizes_it_shows():
-    quarter = (0.0, math.sin(math.pi / 4), 0.0, math.cos(math.pi / 4))
-    assert relation(outcome(SOLID, (0.7, 0.1, 0.065), touching=True, turn=quarter), 0, 1) == "on"
-
-
+@pytest.mark.evaluation
 def test_actions_by_hand_put_over_take_away_and_build():
     found = {
         "command": "this",

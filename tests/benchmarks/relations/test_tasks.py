@@ -1,18 +1,13 @@
 """Tasks of relations that a person solves beforehand, and what is counted of them."""
 
-from types import SimpleNamespace
-
-import numpy as np
 import pytest
-from places import ROOT
 
 from neurosym.world import Outcome, Scene
-from neurosym.worlds.aims import Adapted
-from tools.benchmarks.relations import protocols, singly, trying
+from tools.benchmarks.relations import protocols
 from tools.benchmarks.relations.geometry import fits
 from tools.benchmarks.relations.summary import summarise
 from tools.benchmarks.relations.tables import page
-from tools.benchmarks.relations.tasks import Asked, cells
+from tools.benchmarks.relations.tasks import cells
 from tools.benchmarks.world.measures import factory
 
 HAND = {
@@ -41,23 +36,6 @@ def test_what_is_asked_for_is_not_so_at_the_start(name, draw, _, world):
     for goal in asked.goals:
         target, reference = asked.start.features[goal.target], asked.start.features[goal.reference]
         assert goal.word == ("in" if fits(target, reference) else "on")
-
-
-def test_same_seed_draws_the_same_task(world):
-    one, other = (cells(1)[0][1](world, 7) for _ in range(2))
-    assert one.goals == other.goals
-    assert np.array_equal(one.start.positions, other.start.positions)
-
-
-def test_nothing_asked_for_is_met_only_where_a_place_is_reached(world):
-    asked: Asked = next(draw for name, draw, _ in cells(1) if name.endswith("at a place"))(world, 5)
-    (target, place), *_ = asked.places.items()
-    end = asked.start.positions.copy()
-    end[target, :2] = place.x, place.y
-    alone = Asked(asked.start, (), (), asked.places, ())
-    moved = asked.start.__class__(asked.start.features, end, asked.start.orientations)
-    ends = [Outcome(asked.start, scene, scene, 0, False, False, False, 0.0) for scene in (asked.start, moved)]
-    assert [alone.is_met(one) for one in ends] == [False, True]
 
 
 def symbols(right: float) -> dict:
@@ -119,33 +97,3 @@ def test_what_others_asked_is_drawn_with_as_many_objects_as_theirs(name, draw, _
 
 def ended(scene: Scene) -> Outcome:
     return Outcome(scene, scene, scene, 0, False, False, False, 0.0)
-
-
-class Watched(Adapted):
-    """A world that remembers what was carried where to."""
-
-    def __init__(self, world):
-        super().__init__(world)
-        self.deeds = []
-
-    def sample_scene(self, rng, objects):
-        """Draw a scene."""
-        return self._world.sample_scene(rng, objects)
-
-    def interact(self, scene, action, target, *, reference=None, **options):
-        """Perform an action."""
-        self.deeds.append((target, reference))
-        return self._world.interact(scene, action, target, reference=reference, **options)
-
-
-def test_what_carries_single_objects_is_aimed_at_others_in_the_order_of_a_person(world, monkeypatch):
-    folder, draw = ROOT / "domains" / "places", cells(1)[0][1]
-    bench, _ = trying.bench_of(folder)
-    watched = Watched(bench.setting.world)
-    setting = SimpleNamespace(world=watched, grounding=bench.setting.grounding)
-    known = SimpleNamespace(setting=setting, categorise=bench.categorise)
-    monkeypatch.setattr(singly, "bench_of", lambda _: (known, None))
-    reached = singly.one_by_one(folder, draw, [7])
-    deeds = draw(world, 7).deeds
-    assert tuple(watched.deeds[-len(deeds) :]) == deeds
-    assert len(reached) == 1

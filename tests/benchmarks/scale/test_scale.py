@@ -5,8 +5,6 @@ import numpy as np
 from neurosym.data.interactions import examine
 from neurosym.data.origin import training_problems
 from neurosym.planners import plan
-from tools.benchmarks.scale import measures
-from tools.benchmarks.scale.evaluate import page, parts
 from tools.benchmarks.scale.made import made_domain, made_problem, write_data
 
 
@@ -22,13 +20,3 @@ def test_made_problem_has_a_plan_for_each_object():
     grounding = made_domain(3, 9)
     problem = made_problem(grounding, 9)
     assert {step.object for step in plan(problem, grounding, planner="counting").steps} == set(problem.goals)
-
-
-def test_page_tells_every_part(tmp_path):
-    found = {name: part() for name, part in parts((), (3,), (4,)).items()}
-    found["check-200"] = measures.command("check", 200)
-    text = page({"machine": {"cpus": "2"}, **found})
-    assert "| 200 | check |" in text
-    assert "| 8 | 32 |" in text
-    assert text.count("s, 4 steps") + text.count("steps |") >= 2
-    assert "action_bits = 10 must be between 1 and 8." in text

@@ -20,7 +20,6 @@ from neurosym.primitives.sampling import perform, sample_by_category
 from neurosym.problems import SceneObject
 from neurosym.stages.console import progress_bar, say
 from neurosym.stages.layout import GROUNDING, MODEL, WORLD
-from neurosym.tasks.options import chance
 from neurosym.tasks.promises import promised
 from neurosym.world import Outcome, Scene
 from neurosym.worlds.workers import Task
@@ -67,7 +66,7 @@ def main(
         _judged(grounding, pairs[number][0], first[number].end, outcome)
         for number, outcome in zip(again, second, strict=True)
     ]
-    base = np.array([chance(grounding.operator_named(operator.name)) for operator, _ in pairs])
+    base = np.array([grounding.operator_named(operator.name).chance for operator, _ in pairs])
     say(
         f"{len(pairs)} performances; Brier score {_brier(said, kept):.4f}, of the operators' mean chances "
         f"{_brier(base, kept):.4f}\n\n{_said_and_kept(said, kept)}\n\n"
@@ -83,7 +82,7 @@ def _judged(grounding: Grounding, operator: Operator, scene: Scene, outcome: Out
     assert promise.promise is not None, "it is live"
     seen = outcome.effect if is_lift(promise) else outcome.resting_effect
     near = np.linalg.norm(np.subtract(promise.promise.outcome, seen)) <= TOLERANCE
-    return chance(promise), outcome.kind == promise.promise.kind and bool(near)
+    return promise.chance, outcome.kind == promise.promise.kind and bool(near)
 
 
 def _brier(said: np.ndarray, kept: np.ndarray) -> float:

@@ -231,8 +231,10 @@ def _program(planner: str) -> PddlProgram:
 def _on_grid(planner: str, problem: Problem, grounding: Grounding) -> Grounding:
     """Lay the grid that a planner is given: coarser if fine ones are too much for it."""
     cell = max(grounding.cell, _program(planner).cell)
-    narrowed = grounding.narrowed({item.category for item in problem.objects})
-    return msgspec.structs.replace(narrowed, cell=cell)
+    categories, table = {item.category for item in problem.objects}, grounding.operators
+    kept = tuple(one for one in table.operators if one.category in categories)
+    narrowed = msgspec.structs.replace(table, operators=kept)
+    return msgspec.structs.replace(grounding, operators=narrowed, cell=cell)
 
 
 def _written(

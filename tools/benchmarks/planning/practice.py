@@ -19,7 +19,7 @@ from neurosym.pddl.compiler import CELL
 from neurosym.stages.compilation import compile_stage, practice_of
 from neurosym.stages.folder import DomainFolder
 from neurosym.stages.layout import MANIFEST, TABLE_FILES
-from neurosym.stages.pipeline import practise_stage
+from neurosym.stages.practice import practise_stage
 from tools.benchmarks.jobs import Evaluation, machine
 from tools.benchmarks.options import CORES, Results, Work, Workers, begin
 from tools.benchmarks.planning.jobs import SHIPPED

@@ -87,7 +87,7 @@ def _tried(
     foreseen = np.array([foresee(features, np.tile(action, (PAIRS, 1))) for action in candidates])
     sure = foreseen >= SURE  # (candidates, pairs, states)
     tried = []
-    for column in range(len(states.bearing_order)):
+    for column in range(len(states.bearing)):
         best = int(sure[:, :, column].sum(1).argmax())
         rows = np.flatnonzero(sure[best, :, column])
         if len(rows) >= REHEARSED:

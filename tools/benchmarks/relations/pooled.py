@@ -13,7 +13,7 @@ import numpy as np
 import tyro
 
 from neurosym.evaluation.summary import markdown_table
-from neurosym.pair_operators import PairStates, RelationOperators, pooled
+from neurosym.pair_operators import RelationOperators, pooled
 from neurosym.primitives.reliability import end_state
 from neurosym.stages.console import say
 from neurosym.stages.folder import DomainFolder
@@ -46,7 +46,7 @@ def main(
     assert sight is not None, "relations were learned"
     assert sight.chances is not None, "learned with the kinds"
     sought = table.state_named(state_called(state, domain)).symbol
-    column, states = sight.order.index(sought), PairStates(table.states, table.scales)
+    column, states = sight.order.index(sought), table
     factory = RelatedFactory(read_world(folder / WORLD))
     scenes = _fitting(factory)
     features = np.concatenate([scene.features for scene in scenes])

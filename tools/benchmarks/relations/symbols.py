@@ -57,7 +57,7 @@ def measure(folder: Path, seed: int, workers: int) -> dict[str, Any]:
     assert sight is not None, "relations were learned"
     factory = RelatedFactory(read_world(folder / WORLD))
     tried = [*_rehearsed(table, sight, factory, seed, workers)]
-    states = PairStates(table.states, table.scales)
+    states = table
     outcomes = [outcome for *_, ends in tried for outcome in ends]
     judged = _pairs_of(outcomes[1::2], states, NAMES)
     called = _matched(*_pairs_of(outcomes[::2], states, NAMES))
@@ -88,7 +88,7 @@ def _rehearsed(
     table: RelationOperators, sight: PairSight, factory: RelatedFactory, seed: int, workers: int
 ) -> Sequence[Tried]:
     """Rehearse operators on new pairs with which they are foreseen to keep their promises."""
-    world, order = factory(), PairStates(table.states, table.scales).bearing_order
+    world, order = factory(), table.bearing
     scenes = [draw_scene(world, seed, _STREAM, number) for number in range(PAIRS)]
     features = np.concatenate([scene.features for scene in scenes])
     kinds, asked = np.array(sight.kinds(features)), list[tuple[RelationOperator, np.ndarray]]()
@@ -116,7 +116,7 @@ def _best(tried: Sequence[Tried], table: RelationOperators, name: str) -> dict[s
     Returns:
         Its name, and how often it is right on both halves; None if none does it mostly.
     """
-    states = PairStates(table.states, table.scales)
+    states = table
     best: tuple[float, float, RelationOperator, float] | None = None
     for one, share, outcomes in tried:
         assert one.promise is not None, "only what is sure is tried"
@@ -196,7 +196,7 @@ def _recall(
         ]
     )
     assert sight.chances is not None, "learned with the kinds"
-    order = states.bearing_order
+    order = states.bearing
     foreseen = sight.chances(np.concatenate([scene.features for scene in scenes]), actions)
     chances = foreseen[:, [order.index(symbol) for symbol in on if symbol in order]].sum(1)
     found, right = is_on[::2], is_on[1::2]
