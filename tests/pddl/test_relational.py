@@ -28,6 +28,7 @@ from neurosym.problems import Problem
 from neurosym.tasks.options import puts_for, puts_of
 from neurosym.tasks.pair_goals import check_relations, relations_meant
 from neurosym.tasks.supports import bearers_of, with_pairs
+from neurosym.tasks.task import MOST_BORNE
 from neurosym.tasks.transition import PlanStep, validate
 
 
@@ -104,6 +105,17 @@ def test_what_bears_what_is_seen_in_a_box_with_a_stack():
         "item-02": ("item-01", LIE),
         "item-03": ("item-02", REST),
     }
+
+
+def test_nothing_is_put_where_as_many_lie_as_plans_count():
+    cubes = [("cube", 0.45 + 0.08 * n, -0.25) for n in range(MOST_BORNE + 1)]
+    objects = scene(*cubes, ("tray", 0.7, 0.1))
+    *inside, tray = (item.name for item in objects)
+    full = Problem("full", objects, {}, 0.02, relations=((inside[0], tray, LIE),))
+    steps = [PlanStep(PUT_IN, name, place=tray) for name in inside]
+    assert validate(steps[:-1], full, grounding()).valid
+    found = validate(steps, full, grounding())
+    assert found.reason.endswith(f"{tray} bears {MOST_BORNE} objects, and plans count no more")
 
 
 @pytest.mark.parametrize(("target", "reference"), [("item-01", "item-02"), ("item-02", "item-01")])
