@@ -1,5 +1,6 @@
 """The domain with durative actions: what it says, who reads it, and that its plans come true."""
 
+import dataclasses
 import math
 import re
 import warnings
@@ -142,6 +143,14 @@ def test_seconds_that_somebody_measured_are_printed_instead():
     assert ":duration (= ?duration 4.200)" in durative_domain_text(grounding(), {NAME: 4.2})
     with pytest.raises(InvalidValue, match=r"takes 0 s; valid: at least 0\.001 s"):
         durative_domain_text(grounding(), {NAME: 0.0})
+
+
+@pytest.mark.parametrize("side", ["x", "y"])
+def test_carrying_takes_longer_where_the_table_is_longer(side: str):
+    operator, table = PLACES.carriers[0], PLACES.table
+    low, high = getattr(table, side)
+    longer = replace(PLACES, table=dataclasses.replace(table, **{side: (low, high + 0.5)}))
+    assert carry_seconds(operator, longer) > carry_seconds(operator, PLACES)
 
 
 def test_carrying_in_the_simulator_takes_no_longer_than_is_said(monkeypatch):

@@ -93,3 +93,10 @@ def test_it_ends_with_its_work_or_with_the_time():
     assert "no ways around each other" in found.reason
     with pytest.raises(TimeIsUp):
         plan_around(walled, learned(), deadline=0.0)
+
+
+def test_search_is_led_by_what_is_left_to_go():
+    two = task({"item-01": (0, 0), "item-02": (3, 3)}, {"item-01": (5, 1), "item-02": (0, 4)})
+    found = plan_around(two, learned())
+    assert len(found.steps) == 10
+    assert found.work < 400, "ten times as much where nothing leads it"
