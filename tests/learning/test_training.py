@@ -15,6 +15,7 @@ from neurosym.errors import InvalidValue
 from neurosym.learning.losses import (
     negative_log_likelihood,
     nt_xent,
+    prediction_loss,
     reproducible,
     run_epochs,
     samples_of,
@@ -51,6 +52,15 @@ def test_nt_xent_agrees_with_eq_8_read_naively():
         s = [float(unit[i] @ unit[j]) for j in range(12)]
         total -= np.log(np.exp(s[i] / 0.5) / sum(np.exp(value / 0.5) for value in s)) / 12
     assert float(nt_xent(z, 0.5)) == pytest.approx(total, rel=1e-5)
+
+
+def test_a_prediction_that_is_right_in_metres_costs_nothing():
+    model = EffectModel(Dimensions(), replace(SMALL, head="mean")).eval()
+    model.effect_mean.fill_(0.5)
+    model.effect_std.fill_(2.0)
+    objects, chosen = torch.ones(4, SMALL.object_bits), torch.ones(4, SMALL.action_bits)
+    effects = model.decode(objects, chosen)[0].detach() * 2.0 + 0.5
+    assert prediction_loss(model, objects, chosen, effects).item() == pytest.approx(0.0, abs=1e-9)
 
 
 def test_the_coefficient_multiplies_both_terms():
