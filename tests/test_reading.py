@@ -245,3 +245,10 @@ def test_numbers_that_are_none_are_named(tmp_path: Path):
             continue
         with pytest.raises(InvalidFile, match=rf"it is not JSON: .*; {said} is no number there"):
             read_json(file, dict)
+
+
+@pytest.mark.skipif(not Path("/proc/self/status").exists(), reason="no file says that it holds nothing")
+def test_a_file_that_says_it_holds_nothing_is_read_no_further_than_any_other():
+    assert Path("/proc/self/status").stat().st_size == 0
+    with pytest.raises(InvalidFile, match="valid: at most"):
+        read_bytes(Path("/proc/self/status"), 4)
