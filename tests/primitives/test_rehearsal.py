@@ -8,7 +8,15 @@ from toy_learning import by_affordance, search
 
 from neurosym.errors import InvalidValue
 from neurosym.operators import OperatorTable, Primitive
-from neurosym.primitives.rehearsal import ROUNDS, SHARE, modes_of, rehearse, rehearse_unsure, tabulate
+from neurosym.primitives.rehearsal import (
+    ROUNDS,
+    SHARE,
+    describe_categories,
+    modes_of,
+    rehearse,
+    rehearse_unsure,
+    tabulate,
+)
 from neurosym.primitives.sampling import MOST_DRAWS, draw_scene, sample_by_category
 from neurosym.world import Outcome, Scene
 from neurosym.worlds.toy import WIDEST_GRASP, make_world
@@ -27,6 +35,12 @@ def an_outcome(shift=(0.0, 0.0, 0.0), rest=None, **flags):
 
 def table_of(primitives, categorise=by_affordance, **options):
     return tabulate(rehearse(make_world, primitives, categorise, **options), make_world().feature_names)
+
+
+def test_categories_have_the_share_of_objects_that_are_theirs():
+    features = np.array([[0.05, 0.05, 0.05, 0.0]] * 3 + [[0.2, 0.2, 0.05, 0.0]])
+    found = describe_categories(features, np.array(["0", "0", "0", "1"]), make_world().feature_names)
+    assert [(one.symbol, one.share) for one in found] == [("0", 0.75), ("1", 0.25)]
 
 
 def test_operators_promise_what_the_toy_world_does():
