@@ -1,6 +1,7 @@
 """What panels have in common and are about, and the panels `Run` and `Tour` (six cards for a newcomer)."""
 
 import threading
+from abc import ABC, abstractmethod
 from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
@@ -67,7 +68,7 @@ class Board:
         self.server.scene.set_background_image(np.full((2, 2, 3), colour, dtype=np.uint8))
 
 
-class Panel:
+class Panel(ABC):
     """A part of the page beside the table.
 
     Args:
@@ -79,11 +80,11 @@ class Panel:
         self.gui: viser.GuiApi = page.server.gui
         self.build()
 
+    @abstractmethod
     def build(self) -> None:
         """Make the fields and buttons."""
-        raise NotImplementedError
 
-    def refresh(self, topics: set[Topic]) -> None:
+    def refresh(self, topics: set[Topic]) -> None:  # noqa: B027 (some show nothing anew)
         """Show what has changed."""
 
     def button(

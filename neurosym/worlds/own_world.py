@@ -32,7 +32,6 @@ from neurosym.world import (
     World,
     references_of,
 )
-from neurosym.worlds import own_world
 from neurosym.worlds.processes import Child, ChildEnded, Unreadable, parent
 
 # Whether an object is a world, as exploration, rehearsal and execution need one, in a few interactions
@@ -234,8 +233,8 @@ class _Process:
     """A process that calls functions for a world that is made there, so that ours can tell what they do."""
 
     def __init__(self, name: str):
-        self._name, self.patience = name, own_world.PATIENCE
-        self.child = Child(own_world.__name__)
+        self._name, self.patience = name, PATIENCE
+        self.child = Child(__name__)
         self._lock = threading.Lock()
 
     def call(
@@ -245,7 +244,7 @@ class _Process:
         hear = (lambda word: on_frame(*word)) if on_frame else None
         try:
             with self._lock:
-                self.child.ask(own_world.told_by, self._name, function, arguments)
+                self.child.ask(told_by, self._name, function, arguments)
                 return self.child.answer(self.patience, hear)
         except ChildEnded as error:
             self.child.close(grace=0.0)
@@ -290,9 +289,7 @@ class Hosted:
 
     def sample_scene(self, rng: np.random.Generator, objects: int) -> Scene:
         """Draw a scene; see `World.sample_scene`."""
-        scene, rng.bit_generator.state = self.process.call(
-            "sample_scene", own_world.sample_scene, rng, objects
-        )
+        scene, rng.bit_generator.state = self.process.call("sample_scene", sample_scene, rng, objects)
         return scene  # type: ignore[no-any-return]
 
     def interact(
@@ -317,13 +314,13 @@ class Hosted:
 
     def _call(self, method: str, *arguments: Any, on_frame: FrameSink | None = None, **options: Any) -> Any:
         given = method, arguments, options, on_frame is not None
-        return self.process.call(method.strip("_"), own_world.call, *given, on_frame=on_frame)
+        return self.process.call(method.strip("_"), call, *given, on_frame=on_frame)
 
     def __getattr__(self, name: str) -> Any:
         """Give what else the world has, like its `object_limits`."""
         if name.startswith("_") or name == "process":
             raise AttributeError(name)
-        is_there, value = self.process.call(name, own_world.get, name)
+        is_there, value = self.process.call(name, get, name)
         if not is_there:
             raise AttributeError(f"The world {self.name} has no attribute {name!r}.")
         return value
@@ -365,7 +362,7 @@ class OwnFactory:
         search_here(self._folder)
         process = _Process(name)
         try:
-            return Hosted(process, process.call("its making", own_world.make, name, options, self._folder))
+            return Hosted(process, process.call("its making", make, name, options, self._folder))
         except BaseException:
             process.child.close(grace=0.0)
             raise

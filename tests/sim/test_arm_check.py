@@ -295,7 +295,8 @@ def test_file_that_is_none_is_told_as_that(tmp_path):
 
 def test_mended_file_is_read_anew(written):
     refusal(written(gantry(left=NEGATIVE)))
-    Tabletop(TABLE, "gantry", arm=arm_of(written(gantry())))
+    world = Tabletop(TABLE, "gantry", arm=arm_of(written(gantry())))
+    assert len(world.sample_scene(np.random.default_rng(0), 1)) == 1
 
 
 def test_hand_without_shapes_is_refused(written):
@@ -315,11 +316,12 @@ def test_hand_that_seems_right_and_does_not_lift_is_told_by_check_world(written,
 
 def test_box_that_no_hand_could_hold_is_not_tried(written):
     wide = replace(TABLE, size=(0.1, 0.12))
-    Tabletop(wide, "gantry", arm=arm_of(written(gantry()))).try_out()
+    assert Tabletop(wide, "gantry", arm=arm_of(written(gantry()))).try_out() is None
 
 
 def test_slippery_world_is_no_fault_of_the_hand(written):
-    Tabletop(replace(TABLE, friction=0.001), "gantry", arm=arm_of(written(gantry()))).try_out()
+    slippery = replace(TABLE, friction=0.001)
+    assert Tabletop(slippery, "gantry", arm=arm_of(written(gantry()))).try_out() is None
 
 
 def test_table_beyond_reach_is_told_as_that(written):

@@ -47,3 +47,4 @@ def test_what_is_at_work_is_stopped_from_the_card(tour):
     wait_for(lambda: tour.session.running.seen)
     tour.stop()
     wait_for(lambda: not tour.session.running.is_active)
+    assert not tour.session.is_planning
